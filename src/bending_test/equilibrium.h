@@ -1,0 +1,40 @@
+// Equilibrium of the fibre by itself: every (S, q) with |q| <= μ(S), and the curve on which it slides (Figs. 7 and 8A).
+#pragma once
+
+#include <vector>
+
+#include "contact/friction.h"
+
+namespace flexslip {
+
+// A state of the fibre in the spaces of Fig. 7. Reduced variables, as in fibre/elastica.h.
+struct EquilibriumPoint {
+  double S;  // [L]
+  double q;  // [1]
+  double w;  // [L]
+  double F;  // [EI/L^2]
+};
+
+// Which way the fibre slides: drawn in (loading), q = μ; let out (unloading), q = -μ.
+enum class Sliding { in, out };
+
+enum class EquilibriumStatus {
+  ok,
+  branch_ended,  // the force fell to zero before S_max: the points end there, the last one with F = 0
+};
+
+struct EquilibriumCurve {
+  EquilibriumStatus status;
+  std::vector<EquilibriumPoint> points;  // S rising
+};
+
+// The envelope of the equilibrium region on which the fibre slides: (4.28).
+// Domain:     S_max > 1, within friction.valid_to(); n >= 2; std::invalid_argument otherwise.
+// Method:     n points evenly spaced in √(S - 1), in which the curve starts as a straight line. Each point is exact.
+EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n);
+
+// The equilibrium region: n_S by n_q points, q from -μ(S) to μ(S) (Algorithm 1, with its step corrected, theory.md).
+// Domain:     as above; n_q >= 2. Points of the grid beyond the end of the branch are left out.
+std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, double S_max, int n_S, int n_q);
+
+}  // namespace flexslip

@@ -1,0 +1,167 @@
+#include "contact/friction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace flexslip {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+[[noreturn]] void refuse(const std::string& what, double value) {
+  throw std::invalid_argument(what + ", not " + std::to_string(value));
+}
+
+// Slopes at the knots that keep a cubic interpolant monotone between them: Fritsch & Butland (1984), in the weighted
+// harmonic form of Fritsch & Carlson's PCHIP; one-sided three-point slopes, limited likewise, at the ends.
+std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vector<double>& y) {
+  const std::size_t n = x.size();
+  std::vector<double> slope(n, 0.0);
+  if (n < 2) return slope;
+  const auto chord = [&](std::size_t i) { return (y[i + 1] - y[i]) / (x[i + 1] - x[i]); };
+  if (n == 2) return {chord(0), chord(0)};
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double left = chord(i - 1);
+    const double right = chord(i);
+    if (left * right <= 0) continue;
+    const double h_left = x[i] - x[i - 1];
+    const double h_right = x[i + 1] - x[i];
+    const double w_left = 2 * h_right + h_left;
+    const double w_right = h_right + 2 * h_left;
+    slope[i] = (w_left + w_right) / (w_left / left + w_right / right);
+  }
+  const auto end_slope = [](double h0, double h1, double d0, double d1) {
+    const double three_point = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
+    if (three_point * d0 <= 0) return 0.0;
+    return d0 * d1 <= 0 && std::abs(three_point) > 3 * std::abs(d0) ? 3 * d0 : three_point;
+  };
+  slope[0] = end_slope(x[1] - x[0], x[2] - x[1], chord(0), chord(1));
+  slope[n - 1] = end_slope(x[n - 1] - x[n - 2], x[n - 2] - x[n - 3], chord(n - 2), chord(n - 3));
+  return slope;
+}
+
+}  // namespace
+
+Friction::Friction(FrictionWaves waves) {
+  if (!(waves.mu0 >= 0 && waves.mu0 < infinity)) refuse("the mean coefficient of friction mu0 must be finite and >= 0", waves.mu0);
+  if (!std::isfinite(waves.drift)) refuse("the drift of friction must be finite", waves.drift);
+  double total = 0;
+  for (const auto& term : waves.terms) {
+    if (!(term.amplitude >= 0)) refuse("an amplitude of friction must be >= 0", term.amplitude);
+    if (!(term.wavelength > 0 && term.wavelength < infinity)) refuse("a wavelength of friction must be > 0", term.wavelength);
+    if (!std::isfinite(term.phase)) refuse("a phase of friction must be finite", term.phase);
+    total += term.amplitude;
+    wavenumbers_.push_back(std::numbers::pi / term.wavelength);
+  }
+  if (!(total <= 1)) refuse("friction would become negative: its relative amplitudes must add up to at most 1", total);
+  form_ = std::move(waves);
+}
+
+Friction::Friction(FrictionTable table) {
+  if (table.S.empty() || table.S.size() != table.mu.size())
+    throw std::invalid_argument("a friction table needs as many lengths as values, and at least one: it has " +
+                                std::to_string(table.S.size()) + " and " + std::to_string(table.mu.size()));
+  for (std::size_t i = 0; i < table.S.size(); ++i) {
+    if (!std::isfinite(table.S[i])) refuse("a length of the friction table must be finite", table.S[i]);
+    if (!(table.mu[i] >= 0 && table.mu[i] < infinity)) refuse("friction in a table must be finite and >= 0", table.mu[i]);
+    if (i > 0 && !(table.S[i] > table.S[i - 1])) refuse("the lengths of a friction table must rise strictly", table.S[i]);
+  }
+  knot_slopes_ = monotone_slopes(table.S, table.mu);
+  form_ = std::move(table);
+}
+
+Friction Friction::constant(double mu) { return Friction(FrictionWaves{mu, 0, {}}); }
+
+Friction Friction::sinusoid(double mu0, double amplitude, double wavelength, double phase) {
+  return Friction(FrictionWaves{mu0, 0, {{amplitude, wavelength, phase}}});
+}
+
+Friction Friction::waves(FrictionWaves waves) { return Friction(std::move(waves)); }
+
+Friction Friction::table(FrictionTable table) { return Friction(std::move(table)); }
+
+Friction Friction::rough(double mu0, double rms, double correlation_length, std::uint64_t seed, double S_max) {
+  if (!(rms >= 0 && rms < infinity)) refuse("the roughness of friction must be finite and >= 0", rms);
+  if (!(correlation_length > 0)) refuse("the correlation length of friction must be > 0", correlation_length);
+  if (!(S_max > 1 && S_max < infinity)) refuse("the end of a rough profile must be > 1", S_max);
+  constexpr int per_length = 8;
+  constexpr int reach = 4 * per_length;  // the kernel below is exp(-16) at four correlation lengths
+  const double step = 2 * correlation_length / per_length;  // S advances by twice the length along the fibre
+  const auto n = static_cast<std::size_t>(std::ceil((S_max - 1) / step)) + 1;
+
+  // White noise through a Gaussian kernel of width correlation_length/√2 has the stated correlation. Uniform numbers are
+  // turned to normal ones here (Box & Muller) because std::normal_distribution differs between libraries.
+  std::mt19937_64 generator(seed);
+  const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
+  std::vector<double> noise(n + 2 * reach);
+  for (auto& value : noise) value = std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
+  std::vector<double> kernel(2 * reach + 1);
+  double power = 0;
+  for (int j = -reach; j <= reach; ++j) {
+    const double x = static_cast<double>(j) / per_length;
+    kernel[static_cast<std::size_t>(j + reach)] = std::exp(-x * x);
+    power += std::exp(-2 * x * x);
+  }
+
+  FrictionTable table;
+  for (std::size_t i = 0; i < n; ++i) {
+    double g = 0;
+    for (std::size_t j = 0; j < kernel.size(); ++j) g += kernel[j] * noise[i + j];
+    table.S.push_back(1 + step * static_cast<double>(i));
+    table.mu.push_back(mu0 * std::exp(rms * g / std::sqrt(power) - 0.5 * rms * rms));
+  }
+  return Friction(std::move(table));
+}
+
+FrictionPoint Friction::at(double S) const {
+  if (const auto* waves = std::get_if<FrictionWaves>(&form_)) {
+    FrictionPoint point{waves->mu0 + waves->drift * (S - 1), waves->drift};
+    for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
+      const double angle = wavenumbers_[i] * S + waves->terms[i].phase;  // (4.25)
+      const double height = waves->mu0 * waves->terms[i].amplitude;
+      point.mu += height * std::cos(angle);
+      point.slope -= height * wavenumbers_[i] * std::sin(angle);
+    }
+    point.mu = std::max(point.mu, 0.0);  // amplitudes adding up to 1 touch zero, to rounding
+    return point;
+  }
+  const auto& [x, y] = std::get<FrictionTable>(form_);
+  if (S <= x.front()) return {y.front(), 0};
+  if (S >= x.back()) return {y.back(), 0};
+  const auto i = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), S) - x.begin()) - 1;
+  const double h = x[i + 1] - x[i];
+  const double t = (S - x[i]) / h;
+  const double rise = y[i + 1] - y[i];
+  const double d0 = knot_slopes_[i] * h;
+  const double d1 = knot_slopes_[i + 1] * h;
+  // Hermite's cubic, written from the left knot: y0 + t (d0 + t (3 rise - 2 d0 - d1 + t (d0 + d1 - 2 rise)))
+  const double c2 = 3 * rise - 2 * d0 - d1;
+  const double c3 = d0 + d1 - 2 * rise;
+  return {std::max(y[i] + t * (d0 + t * (c2 + t * c3)), 0.0), (d0 + t * (2 * c2 + t * 3 * c3)) / h};
+}
+
+double Friction::valid_to() const {
+  const auto* waves = std::get_if<FrictionWaves>(&form_);
+  if (!waves || waves->drift >= 0) return infinity;
+  double least = waves->mu0;
+  for (const auto& term : waves->terms) least -= waves->mu0 * term.amplitude;
+  return 1 + std::max(least, 0.0) / -waves->drift;
+}
+
+double Friction::smooth_scale() const {
+  if (wavenumbers_.empty()) return infinity;
+  return 0.5 * std::numbers::pi / *std::max_element(wavenumbers_.begin(), wavenumbers_.end());
+}
+
+std::span<const double> Friction::knots() const {
+  const auto* table = std::get_if<FrictionTable>(&form_);
+  return table ? std::span<const double>(table->S) : std::span<const double>();
+}
+
+}  // namespace flexslip

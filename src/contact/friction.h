@@ -1,0 +1,77 @@
+// The coefficient of friction along the fibre, as the support sees it: μ as a function of the length S between the supports.
+//
+// A point of the fibre at arc length s from midspan meets the support when S = 2 s, so a wave of length λ along the fibre
+// has the period 2 λ in S: hence π S/λ in (4.25). All lengths are in spans.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace flexslip {
+
+// One term of the roughness: amplitude cos(π S/wavelength + phase), relative to the mean.
+struct Sinusoid {
+  double amplitude;   // [1] relative to mu0, A of (4.25); >= 0
+  double wavelength;  // [L] along the fibre, λ of (4.25); > 0
+  double phase;       // [rad] φ of (4.25)
+};
+
+// mu0 (1 + Σ amplitude cos(π S/wavelength + phase)) + drift (S - 1). Without terms and drift: constant friction.
+struct FrictionWaves {
+  double mu0;                   // [1] mean coefficient of friction at S = 1
+  double drift;                 // [1/L] slope of the mean in S
+  std::vector<Sinusoid> terms;
+};
+
+// Values at given lengths, interpolated monotonically (no over- or undershoot), constant beyond the ends.
+struct FrictionTable {
+  std::vector<double> S;   // [L] rising strictly
+  std::vector<double> mu;  // [1] >= 0
+};
+
+// μ and dμ/dS at one length.
+struct FrictionPoint {
+  double mu;     // [1]
+  double slope;  // [1/L]
+};
+
+class Friction {
+ public:
+  // Fails: std::invalid_argument, naming the value, if a number is not finite, a wavelength not positive, or μ could
+  // become negative: mu0 Σ amplitude > mu0, or mu < 0 in a table.
+  static Friction constant(double mu);
+  static Friction sinusoid(double mu0, double amplitude, double wavelength, double phase);
+  static Friction waves(FrictionWaves waves);
+  static Friction table(FrictionTable table);
+
+  // Random roughness: μ = mu0 exp(g(S) - rms^2/2) with g Gaussian, of standard deviation rms [1] and correlation
+  // exp(-(s/correlation_length)^2/2) along the fibre; the mean is mu0. Tabulated eight times a correlation length [L] up to
+  // S_max [L]. The same seed gives the same profile on every machine.
+  static Friction rough(double mu0, double rms, double correlation_length, std::uint64_t seed, double S_max);
+
+  // Domain: S >= 1; beyond valid_to() the value is not meaningful.
+  // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
+  FrictionPoint at(double S) const;
+
+  // Where a falling drift would carry μ below zero [L]; infinite without one.
+  double valid_to() const;
+
+  // Lengths in S within which the profile is smooth and bends little: a quarter of the shortest period for waves
+  // (infinite for constant friction), none for tables, which are smooth between their knots.
+  double smooth_scale() const;
+  std::span<const double> knots() const;
+
+  const std::variant<FrictionWaves, FrictionTable>& form() const { return form_; }
+
+ private:
+  explicit Friction(FrictionWaves waves);
+  explicit Friction(FrictionTable table);
+
+  std::variant<FrictionWaves, FrictionTable> form_;
+  std::vector<double> wavenumbers_;   // π/λ of each term
+  std::vector<double> knot_slopes_;   // dμ/dS at each knot of a table
+};
+
+}  // namespace flexslip

@@ -1,0 +1,83 @@
+// The elastica between two supports: one smooth map Ψ from (S, q) to (w, F). All mechanics of FlexSlip is here.
+//
+// Reduced variables throughout (docs/theory.md, "Scaling"): lengths in spans L, forces in EI/L^2, energies in EI/L.
+// S is the arc length between the supports, q = -P_t/P_n the mobilised friction (tangential over normal support force,
+// positive when friction resists the fibre being drawn in), w the deflection at midspan, F the force there.
+#pragma once
+
+namespace flexslip {
+
+enum class FibreStatus {
+  ok,             // all fields are valid
+  beyond_branch,  // no such state: S exceeds the end of the branch for this q, where F has fallen to zero; only S, q are valid
+  no_friction,    // no q in [-20, 20] explains this deflection and force; only w, F are valid
+};
+
+struct FibreState {
+  FibreStatus status;
+  double S;       // [L] arc length between the supports
+  double q;       // [1] mobilised friction
+  double w;       // [L] deflection at midspan
+  double F;       // [EI/L^2] force at midspan
+  double theta0;  // [rad] slope of the fibre at the support
+  double Pn;      // [EI/L^2] normal force at one support
+  double U;       // [EI/L] bending energy of the whole fibre
+  double u;       // [1] half the pendulum's phase, ω/2 of (4.15b): what shape() starts from
+};
+
+// Partial derivatives of a state with respect to S at fixed q, and to q at fixed S. Units as those of the state.
+struct FibreSlopes {
+  double w_S, w_q, F_S, F_q, Pn_S, Pn_q, U_S, U_q;
+};
+
+struct FibreStateSlopes {
+  FibreState state;
+  FibreSlopes slopes;  // valid if state.status is ok and S > 1
+};
+
+// Ψ: the state of a fibre of length S with mobilised friction q.
+// Domain:     S >= 1 and q in [-20, 20]; std::invalid_argument outside.
+// Max error:  relative, 2e-15 in w and Pn, 4e-15 in U and theta0, 7e-15 in F times 1 + |S F_S/F| + |q F_q/F| where S > 1.001;
+//             below, where S - 1 is as exact as S is, without that factor (tests/fibre/elastica_test.cpp, docs/accuracy.md).
+// Fails:      beyond_branch.
+// Method:     closed form in Jacobi's functions at u (MODEL 2; theory.md, "The state"); u by Newton's iteration on
+//             (1 - 1/S)^(1/4), which is nearly linear in u.
+// Cost:       below 1 µs.
+FibreState fibre_state(double S, double q);
+
+// The same with exact first derivatives.
+// Max error:  of w_S, F_S, Pn_S, U_S 1e-13 relative; of the others 1e-13 of (that quantity)/(1 + q^2).
+FibreStateSlopes fibre_state_slopes(double S, double q);
+
+// The inverse of Ψ: the state with deflection w and force F.
+// Domain:     w >= 0 and F >= 0, finite; std::invalid_argument otherwise. w = F = 0 is the straight fibre, with q = 0.
+// Tolerance:  w and F are reproduced to 32 ulp; S and q as well as w and F determine them (q hardly, below w = 0.1).
+// Fails:      no_friction.
+// Method:     Newton's iteration in (u, β0), guarded by bisection in q along w = const.
+// Cost:       about 2 µs.
+FibreState fibre_state_from_force(double w, double F);
+
+// Where the branch ends: the longest fibre that carries a force, F = 0 there.
+struct BranchEnd {
+  double S;  // [L] infinite for q above 0.860...
+  double w;  // [L] infinite likewise
+  double u;  // [1] K(m)
+};
+
+// Domain:     q in [-20, 20]; std::invalid_argument outside.
+// Max error:  8 ulp where finite.
+BranchEnd fibre_branch_end(double q);
+
+// A point of the deformed fibre.
+struct ShapePoint {
+  double x;      // [L] distance from the left support, along the span
+  double y;      // [L] deflection
+  double theta;  // [rad] slope
+};
+
+// The deformed shape at the arc length s from the left support, as a fraction of S.
+// Domain:     state.status ok, 0 <= s <= 1; std::invalid_argument otherwise.
+// Max error:  8 ulp of w in y, 8 ulp in x.
+ShapePoint fibre_shape(const FibreState& state, double s);
+
+}  // namespace flexslip

@@ -1,0 +1,55 @@
+// Jacobi's elliptic functions, and the two integrals of them that an elastica is made of.
+//
+// The state of a bent fibre is a difference of nearly equal lengths: S - 1 is of order u^4 while the terms of its closed
+// form are of order u. An AGM ladder gives those terms to full accuracy and their difference to none. The integrals P and
+// R below are the differences themselves. They are built by doubling the argument with formulas whose terms are all
+// positive, so every digit survives (docs/design.md, "Why not the AGM"; the AGM is the oracle in the test).
+#pragma once
+
+namespace flexslip {
+
+// The parameter m = k^2 in [0, 1] with its complement, both to full relative accuracy: m1 = 1 - m is not computed from m.
+struct EllipticParameter {
+  double m;   // [1]
+  double m1;  // [1]
+};
+
+// Everything that one evaluation at (u | m) gives.
+struct EllipticArc {
+  double sn, cn, dn;    // [1] Jacobi's functions
+  double one_minus_cn;  // [1] 1 - cn, without the loss of a subtraction
+  double P;             // [1] integral from 0 to u of (1 - cn)(m1 + m cn)/dn^2 dv, of order u^3/6
+  double R;             // [1] integral from 0 to u of ((1 - cn)/dn)^2 dv, of order u^5/20
+};
+
+// Derivatives with respect to m at fixed u.
+struct EllipticArcSlope {
+  EllipticArc value;
+  EllipticArc d_m;
+};
+
+// Domain:     0 <= u <= 2 K(m) (a fibre needs u <= K); m in [0, 1].
+// Max error:  for u <= K(m), in units of 2^-52 relative: sn, dn and one_minus_cn 4, P 6, R 12, cn 4 plus that of an error of
+//             2^-52 in u.
+// Method:     ℘-series for sn, and Taylor series for P and R, at u/2^n <= 1/8; then n doublings.
+// Cost:       about 0.1 µs.
+EllipticArc elliptic_arc(double u, const EllipticParameter& parameter);
+
+// The same with exact derivatives: the same doublings carried out on dual numbers.
+EllipticArcSlope elliptic_arc_slope(double u, const EllipticParameter& parameter);
+
+// Complete integrals of the first and second kind.
+struct CompleteElliptic {
+  double K, E;  // [1]
+};
+
+// Domain:     m in [0, 1); at m = 1, K is infinite.
+// Max error:  2 ulp.
+// Method:     arithmetic-geometric mean, both integrals from one ladder (DLMF 19.8.5-7).
+CompleteElliptic complete_elliptic(const EllipticParameter& parameter);
+
+// E(u | m) = E(am u | m), Jacobi's epsilon function, from an arc already evaluated.
+// Max error:  6 ulp for u <= K(m).
+double jacobi_epsilon(double u, const EllipticArc& arc, const EllipticParameter& parameter);
+
+}  // namespace flexslip
