@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -136,12 +137,15 @@ class Tracer {
       S = next_edge(S, S_max);
       double next = std::sqrt(S - 1);
       Sample to = sample_at(friction_, rig_, next);
-      if (!to.exists) {
-        next = last_existing(sigma, next);
-        to = sample_at(friction_, rig_, next);
+      const auto folds_before = folds_.size();
+      auto missing = to.exists ? isolate(sigma, from, next, to, 0) : std::optional(next);
+      while (missing) {
         reason = CurveEnd::branch_ended;
+        next = last_existing(sigma, *missing);
+        to = sample_at(friction_, rig_, next);
+        folds_.resize(folds_before);
+        missing = next > sigma ? isolate(sigma, from, next, to, 0) : std::nullopt;
       }
-      if (next > sigma) isolate(sigma, from, next, to, 0);
       sigma = next;
       from = to;
     }
@@ -166,11 +170,17 @@ class Tracer {
     }
   }
 
-  void isolate(double a, const Sample& at_a, double b, const Sample& at_b, int halvings) {
+  // Gathers the folds between two σ; or, if the branch ends there, a σ beyond its end.
+  std::optional<double> isolate(double a, const Sample& at_a, double b, const Sample& at_b, int halvings) {
     std::array<Sample, degree + 1> samples;
     samples.front() = at_a;
     samples.back() = at_b;
-    for (int j = 1; j < degree; ++j) samples[static_cast<std::size_t>(j)] = sample_at(friction_, rig_, a + 0.5 * (b - a) * (1 + node(j)));
+    for (int j = 1; j < degree; ++j) {
+      const double sigma = a + 0.5 * (b - a) * (1 + node(j));
+      const Sample sample = sample_at(friction_, rig_, sigma);
+      if (!sample.exists) return sigma;
+      samples[static_cast<std::size_t>(j)] = sample;
+    }
     Values values;
     double scale = 0;
     for (std::size_t j = 0; j <= degree; ++j) {
@@ -190,7 +200,7 @@ class Tracer {
     const bool changes_sign = (at_a.slope < 0) != (at_b.slope < 0);
     const bool resolved = tail <= accuracy * scale;
     const double error = std::max(4 * tail, rounding * scale);
-    if (resolved && !changes_sign && (*least > error || *greatest < -error)) return;
+    if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && changes == 1 && std::min(std::abs(at_a.slope), std::abs(at_b.slope)) > error;
     const bool smallest = halvings == most_halvings;
     if (changes_sign && (single || smallest)) {
@@ -198,9 +208,10 @@ class Tracer {
     } else if (!smallest) {
       const double middle = 0.5 * (a + b);
       const Sample at_middle = samples[degree / 2];  // the middle node is the midpoint
-      isolate(a, at_a, middle, at_middle, halvings + 1);
-      isolate(middle, at_middle, b, at_b, halvings + 1);
+      if (const auto missing = isolate(a, at_a, middle, at_middle, halvings + 1)) return missing;
+      return isolate(middle, at_middle, b, at_b, halvings + 1);
     }
+    return std::nullopt;
   }
 
   void add_fold(double a, double b, bool rising, const Values& bernstein) {
@@ -226,6 +237,8 @@ class Tracer {
 
 // The point between two lengths, G being monotone there, at which G = stage.
 RigPoint point_between(const LoadingCurve& curve, const RigPoint& from, const RigPoint& to, double stage) {
+  if (stage == from.stage) return from;
+  if (stage == to.stage) return to;
   const double low = std::sqrt(from.S - 1);
   const double high = std::sqrt(to.S - 1);
   const bool rising = to.stage > from.stage;

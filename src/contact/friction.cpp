@@ -88,7 +88,8 @@ Friction Friction::table(FrictionTable table) { return Friction(std::move(table)
 
 Friction Friction::rough(double mu0, double rms, double correlation_length, std::uint64_t seed, double S_max) {
   if (!(rms >= 0 && rms < infinity)) refuse("the roughness of friction must be finite and >= 0", rms);
-  if (!(correlation_length > 0)) refuse("the correlation length of friction must be > 0", correlation_length);
+  if (!(correlation_length > 0 && correlation_length < infinity))
+    refuse("the correlation length of friction must be finite and > 0", correlation_length);
   if (!(S_max > 1 && S_max < infinity)) refuse("the end of a rough profile must be > 1", S_max);
   constexpr int per_length = 8;
   constexpr int reach = 4 * per_length;  // the kernel below is exp(-16) at four correlation lengths

@@ -37,8 +37,8 @@ struct FibreStateSlopes {
 
 // Ψ: the state of a fibre of length S with mobilised friction q.
 // Domain:     S >= 1 and q in [-20, 20]; std::invalid_argument outside.
-// Max error:  relative, 2e-15 in w and Pn, 4e-15 in U and theta0, 7e-15 in F times 1 + |S F_S/F| + |q F_q/F| where S > 1.001;
-//             below, where S - 1 is as exact as S is, without that factor (tests/fibre/elastica_test.cpp, docs/accuracy.md).
+// Max error:  relative, 3e-15 in w and Pn, 4e-15 in theta0, 8e-15 in U, 8e-15 in F times its condition number
+//             1 + |(S - 1) F_S/F| + |q F_q/F| (tests/fibre/elastica_test.cpp, docs/accuracy.md).
 // Fails:      beyond_branch.
 // Method:     closed form in Jacobi's functions at u (MODEL 2; theory.md, "The state"); u by Newton's iteration on
 //             (1 - 1/S)^(1/4), which is nearly linear in u.
@@ -46,12 +46,13 @@ struct FibreStateSlopes {
 FibreState fibre_state(double S, double q);
 
 // The same with exact first derivatives.
-// Max error:  of w_S, F_S, Pn_S, U_S 1e-13 relative; of the others 1e-13 of (that quantity)/(1 + q^2).
+// Max error:  of X_S 1e-14 of the larger of |X_S| and |X|/(S - 1), of X_q 1e-14 of the larger of |X_q| and |X|/(1 + |q|); for
+//             X = F that times the condition number of F.
 FibreStateSlopes fibre_state_slopes(double S, double q);
 
 // The inverse of Ψ: the state with deflection w and force F.
 // Domain:     w >= 0 and F >= 0, finite; std::invalid_argument otherwise. w = F = 0 is the straight fibre, with q = 0.
-// Tolerance:  w and F are reproduced to 32 ulp; S and q as well as w and F determine them (q hardly, below w = 0.1).
+// Tolerance:  w is reproduced to 32 S ulp, F to that times its condition number; S and q as well as w and F determine them (q hardly, below w = 0.1).
 // Fails:      no_friction.
 // Method:     Newton's iteration in (u, β0), guarded by bisection in q along w = const.
 // Cost:       about 2 µs.
@@ -65,7 +66,7 @@ struct BranchEnd {
 };
 
 // Domain:     q in [-20, 20]; std::invalid_argument outside.
-// Max error:  8 ulp where finite.
+// Max error:  u 2 ulp; S and w 16 ulp where finite, times 1 + |q/(q - 0.8604366861256783)|, their condition number.
 BranchEnd fibre_branch_end(double q);
 
 // A point of the deformed fibre.
@@ -77,7 +78,7 @@ struct ShapePoint {
 
 // The deformed shape at the arc length s from the left support, as a fraction of S.
 // Domain:     state.status ok, 0 <= s <= 1; std::invalid_argument otherwise.
-// Max error:  8 ulp of w in y, 8 ulp in x.
+// Max error:  8 ulp of w in y, of S in x, of theta0 in theta.
 ShapePoint fibre_shape(const FibreState& state, double s);
 
 }  // namespace flexslip

@@ -29,8 +29,8 @@ struct EllipticArcSlope {
 };
 
 // Domain:     0 <= u <= 2 K(m) (a fibre needs u <= K); m in [0, 1].
-// Max error:  for u <= K(m), in units of 2^-52 relative: sn, dn and one_minus_cn 4, P 6, R 12, cn 4 plus that of an error of
-//             2^-52 in u.
+// Max error:  for u <= K(m) and m in [6e-4, 1 - 6e-4] (q in [-20, 20]), in units of 2^-52 relative: sn 3, dn 10,
+//             one_minus_cn 5, P 10, R 30; cn 5 absolute.
 // Method:     ℘-series for sn, and Taylor series for P and R, at u/2^n <= 1/8; then n doublings.
 // Cost:       about 0.1 µs.
 EllipticArc elliptic_arc(double u, const EllipticParameter& parameter);
@@ -44,7 +44,7 @@ struct CompleteElliptic {
 };
 
 // Domain:     m in [0, 1); at m = 1, K is infinite.
-// Max error:  2 ulp.
+// Max error:  for m <= 1 - 6e-4, in units of 2^-52 relative: K 3, E 8.
 // Method:     arithmetic-geometric mean, both integrals from one ladder (DLMF 19.8.5-7).
 CompleteElliptic complete_elliptic(const EllipticParameter& parameter);
 

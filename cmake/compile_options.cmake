@@ -1,0 +1,13 @@
+# What every target of ours is compiled with, and nothing that is not ours: both are linked PRIVATE.
+
+add_library(flexslip_warnings INTERFACE)
+target_compile_options(flexslip_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+
+# The same input must give the same bits from every compiler and on every processor. Contraction would let a compiler
+# fuse a*b + c into one rounding wherever the processor can, and the error bounds in our headers are proved and
+# measured without it. For the same reason no preset says -march=native or -ffast-math.
+add_library(flexslip_arithmetic INTERFACE)
+target_compile_options(flexslip_arithmetic INTERFACE -ffp-contract=off)
+
+add_library(flexslip_options INTERFACE)
+target_link_libraries(flexslip_options INTERFACE flexslip_warnings flexslip_arithmetic)

@@ -1,0 +1,352 @@
+#include "data/record.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t half_window =
+    10;  // steps either side: 21 hold a slope to 0.3 σ and are short against a curve's bend
+constexpr std::size_t noise_window = 30;  // steps: long enough for a scale to 15 %, short enough to fit between slips
+constexpr std::size_t noise_stride = 5;   // steps from window to window
+constexpr double quiet_fraction = 0.1;    // of the windows: what a test that slips half the time still leaves
+constexpr std::size_t least_residuals = 10;  // below that a scale is a guess
+
+void require_one_length(std::span<const double> a, std::span<const double> b) {
+  if (a.size() == b.size()) return;
+  throw std::invalid_argument("columns of " + std::to_string(a.size()) + " and " + std::to_string(b.size()) +
+                              " points");
+}
+
+void require_stiffness(double stiffness, double largest) {
+  if (stiffness > 0 && stiffness <= largest) return;
+  std::ostringstream message;
+  message << "load-train stiffness = " << stiffness << " N/m is not positive";
+  if (std::isinf(stiffness)) message << " and finite: with it, stage and deflection do not tell the force";
+  throw std::invalid_argument(message.str());
+}
+
+template <class Operation>
+std::vector<double> combined(std::span<const double> a, std::span<const double> b, Operation operation) {
+  std::vector<double> result(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), result.begin(), operation);
+  return result;
+}
+
+std::vector<double> copy_of(std::span<const double> values) { return {values.begin(), values.end()}; }
+
+template <class Operation>
+std::vector<double> mapped(std::span<const double> values, Operation operation) {
+  std::vector<double> result(values.size());
+  std::transform(values.begin(), values.end(), result.begin(), operation);
+  return result;
+}
+
+double median_of(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+// The slope of the force over one step of the stage, and what it weighs: a step of no travel tells nothing.
+struct StepSlope {
+  double slope;   // [N/m]
+  double weight;  // [m]
+};
+
+std::vector<StepSlope> step_slopes(const Record& record) {
+  std::vector<StepSlope> steps;
+  for (std::size_t i = 1; i < record.force.size(); ++i) {
+    const double travel = record.stage[i] - record.stage[i - 1];
+    steps.push_back({travel == 0 ? 0 : (record.force[i] - record.force[i - 1]) / travel, std::abs(travel)});
+  }
+  return steps;
+}
+
+// The g that minimises Σ weight |slope - g|: a weighted median.
+double middle_slope(std::span<StepSlope> steps) {
+  std::sort(steps.begin(), steps.end(), [](const StepSlope& a, const StepSlope& b) { return a.slope < b.slope; });
+  const double total = std::accumulate(steps.begin(), steps.end(), 0.0,
+                                       [](double sum, const StepSlope& step) { return sum + step.weight; });
+  double below = 0;
+  for (const StepSlope& step : steps) {
+    below += step.weight;
+    if (below > 0 && below >= 0.5 * total) return step.slope;
+  }
+  return 0;  // the stage stood still
+}
+
+// The same, of a window whose slopes are straightened by a bend [N/m per step] first: without that, the median of a curve that
+// bends by more than its noise is the middle step itself, noise and all.
+double middle_slope(std::span<const StepSlope> window, double bend) {
+  std::array<StepSlope, 2 * half_window + 1> copy{};
+  const auto steps = std::span(copy).first(window.size());
+  std::copy(window.begin(), window.end(), steps.begin());
+  const double middle = 0.5 * static_cast<double>(steps.size() - 1);
+  for (std::size_t i = 0; i < steps.size(); ++i) steps[i].slope -= bend * (static_cast<double>(i) - middle);
+  return middle_slope(steps);
+}
+
+// The resolution of a digital load cell: the smallest difference between its readings; 0 if no two readings are alike.
+double resolution_of(std::vector<double> force) {
+  std::sort(force.begin(), force.end());
+  const double rounding =
+      1e-12 * std::max(std::abs(force.front()), std::abs(force.back()));  // decimal fractions, subtracted
+  double smallest = std::numeric_limits<double>::infinity();
+  bool alike = false;
+  for (std::size_t i = 1; i < force.size(); ++i) {
+    const double gap = force[i] - force[i - 1];
+    if (gap > rounding)
+      smallest = std::min(smallest, gap);
+    else
+      alike = true;
+  }
+  return alike && std::isfinite(smallest) ? smallest : 0;
+}
+
+// What the quietest tenth of the windows shows of the true scale, for Gaussian noise: fitted to simulations of 30 to 3000 points.
+double shown_by_quietest(std::size_t windows) { return 0.70 + 0.30 * std::exp(-0.1 * static_cast<double>(windows)); }
+
+struct Line {
+  double mean_x, mean_y, slope, sum_xx;
+};
+
+Line line_through(std::span<const double> x, std::span<const double> y) {
+  const auto n = static_cast<double>(x.size());
+  Line line{.mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
+            .mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n,
+            .slope = 0,
+            .sum_xx = 0};
+  double sum_xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    line.sum_xx += (x[i] - line.mean_x) * (x[i] - line.mean_x);
+    sum_xy += (x[i] - line.mean_x) * (y[i] - line.mean_y);
+  }
+  line.slope = line.sum_xx > 0 ? sum_xy / line.sum_xx : 0;
+  return line;
+}
+
+// Standard deviation of the mean of one residual, times √n: larger than the plain one if neighbours err alike.
+double effective_deviation(std::span<const double> residuals, std::size_t parameters) {
+  double sum = 0, lagged = 0;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    sum += residuals[i] * residuals[i];
+    if (i > 0) lagged += residuals[i] * residuals[i - 1];
+  }
+  if (sum == 0) return 0;
+  const double rho = std::clamp(lagged / sum, 0.0, 0.95);  // AR(1); beyond 0.95 the stretch is too short to tell
+  return std::sqrt(sum / static_cast<double>(residuals.size() - parameters) * (1 + rho) / (1 - rho));
+}
+
+}  // namespace
+
+ReducedRecord to_reduced(const Record& record, const Scales& scales) {
+  const auto length = [&](double x) { return scales.reduced_length(x); };
+  const auto force = [&](double x) { return scales.reduced_force(x); };
+  return {mapped(record.stage, length), mapped(record.deflection, length), mapped(record.force, force)};
+}
+
+Record to_physical(const ReducedRecord& record, const Scales& scales) {
+  const auto length = [&](double x) { return scales.physical_length(x); };
+  const auto force = [&](double x) { return scales.physical_force(x); };
+  return {mapped(record.stage, length), mapped(record.deflection, length), mapped(record.force, force)};
+}
+
+Record record_from_stage_and_force(std::span<const double> stage, std::span<const double> force, double stiffness) {
+  require_one_length(stage, force);
+  require_stiffness(stiffness, std::numeric_limits<double>::infinity());
+  return {copy_of(stage), combined(stage, force, [=](double ws, double F) { return ws - F / stiffness; }),
+          copy_of(force)};
+}
+
+Record record_from_deflection_and_force(std::span<const double> deflection, std::span<const double> force,
+                                        double stiffness) {
+  require_one_length(deflection, force);
+  require_stiffness(stiffness, std::numeric_limits<double>::infinity());
+  return {combined(deflection, force, [=](double w0, double F) { return w0 + F / stiffness; }), copy_of(deflection),
+          copy_of(force)};
+}
+
+Record record_from_stage_and_deflection(std::span<const double> stage, std::span<const double> deflection,
+                                        double stiffness) {
+  require_one_length(stage, deflection);
+  require_stiffness(stiffness, std::numeric_limits<double>::max());
+  return {copy_of(stage), copy_of(deflection),
+          combined(stage, deflection, [=](double ws, double w0) { return stiffness * (ws - w0); })};
+}
+
+Record first_points(const Record& record, std::size_t points) {
+  const auto head = [=](std::span<const double> values) {
+    return copy_of(values.first(std::min(points, values.size())));
+  };
+  return {head(record.stage), head(record.deflection), head(record.force)};
+}
+
+RecordCheck check_record(const Record& record, std::size_t least_points) {
+  const auto& [stage, deflection, force] = record;
+  const std::size_t n = std::min({stage.size(), deflection.size(), force.size()});
+  if (n != std::max({stage.size(), deflection.size(), force.size()})) return {RecordFault::lengths_differ, n};
+  if (n < least_points) return {RecordFault::too_short, n};
+  for (std::size_t i = 0; i < n; ++i)
+    if (!std::isfinite(stage[i]) || !std::isfinite(deflection[i]) || !std::isfinite(force[i]))
+      return {RecordFault::not_finite, i};
+  for (std::size_t i = 1; i < n; ++i)
+    if (stage[i] < stage[i - 1]) return {RecordFault::stage_runs_back, i};
+  return {RecordFault::none, 0};
+}
+
+Failure find_failure(const Record& record) {
+  const auto& stage = record.stage;
+  const auto& force = record.force;
+  const Failure survived{FailureStatus::none, force.size()};
+  if (force.size() < 2) return survived;
+
+  // An unloading stage takes the force to zero as well: only what happens up to the farthest stage counts.
+  const auto farthest = static_cast<std::size_t>(std::max_element(stage.begin(), stage.end()) - stage.begin());
+  const std::size_t loading = farthest + 1;
+  const double most = *std::max_element(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(loading));
+  if (!(most > 0)) return survived;
+
+  std::size_t low = loading;  // the first point from which on the force stays below half its maximum
+  while (low > 0 && force[low - 1] < 0.5 * most) --low;
+  if (low == loading) return survived;
+
+  // Backwards through the 3 % of travel before that: the earliest break, none of whose loss was ever made good.
+  std::size_t last = loading;
+  double highest_after = *std::max_element(force.begin() + static_cast<std::ptrdiff_t>(low),
+                                           force.begin() + static_cast<std::ptrdiff_t>(loading));
+  const double reach = stage[low] - 0.03 * (stage[low] - stage[0]);
+  for (std::size_t i = low; i-- > 0 && (i + 1 == low || stage[i] >= reach);) {
+    if (force[i] - force[i + 1] >= 0.05 * most && force[i] > highest_after) last = i;
+    highest_after = std::max(highest_after, force[i]);
+  }
+  if (last == loading) return survived;
+
+  while (last > 0 && force[last - 1] - force[last] >= 0.01 * most)
+    --last;  // a break seldom begins with its largest step
+  return {FailureStatus::found, last + 1};
+}
+
+Contact find_contact(const Record& record, const ContactOptions& options) {
+  if (!(options.from >= 0 && options.from < options.up_to && options.up_to <= 1)) {
+    std::ostringstream message;
+    message << "range of force " << options.from << " to " << options.up_to << " is not within 0 to 1";
+    throw std::invalid_argument(message.str());
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto failed = [=](ContactStatus status) { return Contact{status, nan, nan, nan, nan, 0, 0, 0}; };
+  if (record.force.size() < 5) return failed(ContactStatus::too_few_points);
+
+  const double most = *std::max_element(record.force.begin(), record.force.end());
+  if (!(most > 0)) return failed(ContactStatus::not_rising);
+  std::size_t last = 0;
+  while (last < record.force.size() && record.force[last] <= options.up_to * most) ++last;
+  std::size_t first = last;
+  while (first > 0 && record.force[first - 1] >= options.from * most) --first;
+  const std::size_t n = last - first;
+  if (n < 5) return failed(ContactStatus::too_few_points);
+
+  const auto stage = std::span(record.stage).subspan(first, n);
+  const auto deflection = std::span(record.deflection).subspan(first, n);
+  const auto force = std::span(record.force).subspan(first, n);
+  const Line force_line = line_through(stage, force);
+  const Line deflection_line = line_through(stage, deflection);
+  if (!(force_line.slope > 0 && deflection_line.slope > 0)) return failed(ContactStatus::not_rising);
+
+  // Residuals of force = a (stage - offset) set the error of the offset, those of force = slope (deflection - offset) that of
+  // the slope.
+  const double slope = force_line.slope / deflection_line.slope;
+  std::vector<double> off_stage(n), off_deflection(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    off_stage[i] = force[i] - force_line.mean_y - force_line.slope * (stage[i] - force_line.mean_x);
+    off_deflection[i] = force[i] - force_line.mean_y - slope * (deflection[i] - deflection_line.mean_y);
+  }
+  const double lever = force_line.mean_y / force_line.slope;  // [m] from the contact to the middle of the points
+  const double offset = force_line.mean_x - lever;
+  const auto points_before =
+      std::count_if(record.stage.begin(), record.stage.begin() + static_cast<std::ptrdiff_t>(last),
+                    [=](double ws) { return ws < offset; });
+  return {
+      .status = ContactStatus::found,
+      .offset = offset,
+      .offset_error = effective_deviation(off_stage, 2) / force_line.slope *
+                      std::sqrt(1 / static_cast<double>(n) + lever * lever / force_line.sum_xx),
+      .slope = slope,
+      .slope_error = effective_deviation(off_deflection, 2) / (deflection_line.slope * std::sqrt(force_line.sum_xx)),
+      .points_before = static_cast<std::size_t>(points_before),
+      .first = first,
+      .last = last};
+}
+
+std::vector<double> smooth_steps(const Record& record) {
+  const std::vector<StepSlope> slopes = step_slopes(record);
+  const std::size_t n = slopes.size();
+  if (n == 0) return {};
+
+  const std::size_t h = std::min(half_window, (n - 1) / 2);
+  const std::size_t head = h, tail = n - 1 - h;  // the first and the last step with a window of h around it
+  const auto window = [&](std::size_t i) { return std::span(slopes).subspan(i - h, 2 * h + 1); };
+  std::vector<double> rough(n);
+  for (std::size_t i = head; i <= tail; ++i) rough[i] = middle_slope(window(i), 0);
+
+  std::vector<double> smooth(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t centre = std::clamp(i, head, tail);  // at the ends the outermost window is continued
+    const std::size_t from = centre - std::min(h, centre - head), to = std::min(centre + h, tail);
+    const double bend = to > from ? (rough[to] - rough[from]) / static_cast<double>(to - from) : 0;
+    const double ahead = static_cast<double>(i) - static_cast<double>(centre);
+    smooth[i] = (middle_slope(window(centre), bend) + bend * ahead) * (record.stage[i + 1] - record.stage[i]);
+  }
+  return smooth;
+}
+
+double step_noise(const Record& record, std::span<const double> smooth, std::size_t steps) {
+  const std::size_t points = record.force.size();
+  if (steps < 1 || points < steps + least_residuals)
+    throw std::invalid_argument("no noise over " + std::to_string(steps) + " steps of " + std::to_string(points) +
+                                " points");
+
+  if (smooth.size() + 1 != points)
+    throw std::invalid_argument(std::to_string(smooth.size()) + " smooth steps of " + std::to_string(points) +
+                                " points");
+
+  std::vector<double> residual(points - steps);
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    residual[i] = record.force[i + steps] - record.force[i];
+    for (std::size_t j = i; j < i + steps; ++j) residual[i] -= smooth[j];
+  }
+
+  // Windows in which the reading never changes show a load cell asleep, not a quiet one.
+  const std::size_t width = std::min(noise_window, residual.size());
+  std::vector<double> scales;
+  std::vector<double> deviations(width);
+  for (std::size_t i = 0; i + width <= residual.size(); i += noise_stride) {
+    const auto window = std::span(record.force).subspan(i, width + steps);
+    if (std::all_of(window.begin(), window.end(), [&](double F) { return F == window.front(); })) continue;
+    for (std::size_t j = 0; j < width; ++j) deviations[j] = std::abs(residual[i + j]);
+    scales.push_back(1.4826 * median_of(deviations));  // 1/0.6745: to the standard deviation of a Gaussian
+  }
+  if (scales.empty()) return 0;
+
+  const std::size_t windows = scales.size();
+  const double rank = quiet_fraction * static_cast<double>(windows - 1);
+  std::sort(scales.begin(), scales.end());
+  const auto lower = static_cast<std::size_t>(rank);
+  const std::size_t upper = std::min(lower + 1, windows - 1);
+  const double quietest = std::lerp(scales[lower], scales[upper], rank - static_cast<double>(lower));
+
+  // Two readings rounded to a resolution differ by it with a standard deviation of resolution/√6.
+  return std::max(quietest / shown_by_quietest(windows), resolution_of(record.force) / std::sqrt(6.0));
+}
+
+double force_noise(const Record& record) { return step_noise(record, smooth_steps(record), 1) / std::numbers::sqrt2; }
+
+}  // namespace flexslip

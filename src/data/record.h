@@ -1,0 +1,121 @@
+// One measured bending test in SI units, and what can be read off it without mechanics.
+//
+// stage is the imposed displacement w_s (crosshead), deflection that of the specimen's midpoint w0, and force = k_c (stage
+// - deflection) with the stiffness k_c of whatever carries the load cell. Points are counted from 0, in the order of time.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "data/scales.h"
+
+namespace flexslip {
+
+struct Record {
+  std::vector<double> stage;       // [m]
+  std::vector<double> deflection;  // [m]
+  std::vector<double> force;       // [N]
+};
+
+struct ReducedRecord {
+  std::vector<double> stage;       // [L]
+  std::vector<double> deflection;  // [L]
+  std::vector<double> force;       // [EI/L^2]
+};
+
+ReducedRecord to_reduced(const Record& record, const Scales& scales);
+Record to_physical(const ReducedRecord& record, const Scales& scales);
+
+// A record from two of its columns ([m], [N]) and the load-train stiffness [N/m], which gives the third.
+// Domain: columns of one length, stiffness > 0; it may be infinite (displacement control: stage and deflection are one)
+//         where the force is a column. std::invalid_argument otherwise.
+Record record_from_stage_and_force(std::span<const double> stage, std::span<const double> force, double stiffness);
+Record record_from_deflection_and_force(std::span<const double> deflection, std::span<const double> force,
+                                        double stiffness);
+Record record_from_stage_and_deflection(std::span<const double> stage, std::span<const double> deflection,
+                                        double stiffness);
+
+// The first points of a record: with find_failure, the part before the specimen broke.
+Record first_points(const Record& record, std::size_t points);
+
+enum class RecordFault {
+  none,
+  lengths_differ,   // the columns are not of one length; index = the length of the shortest
+  too_short,        // fewer points than needed; index = how many there are
+  not_finite,       // index = the first point with a value that is not finite
+  stage_runs_back,  // index = the first point whose stage lies behind that of the point before
+};
+
+struct RecordCheck {
+  RecordFault fault;
+  std::size_t index;  // as the fault says; 0 if none
+};
+
+// Is this a loading test that can be evaluated? Everything below takes for granted that lengths agree and values are finite.
+RecordCheck check_record(const Record& record, std::size_t least_points);
+
+enum class FailureStatus {
+  found,
+  none,  // the specimen survived: points = all points
+};
+
+struct Failure {
+  FailureStatus status;
+  std::size_t points;  // before the specimen broke: the last of them is point points - 1
+};
+
+// Where the specimen broke. It has broken when the force, while the stage runs forwards, drops below half its maximum for
+// good, and does so through breaks: steps that lose 5 % of the maximum and are never made good. The failure is the first break
+// within the last 3 % of the stage's travel before that, or the first step of 1 % that leads into it without a rise.
+// Fails:  none, also where the force only declines smoothly, as that of a very flexible fibre does.
+// Method: the three figures are empirical: chosen on 26 tests of spicules, of which docs/validation.md shows the outcome.
+Failure find_failure(const Record& record);
+
+enum class ContactStatus {
+  found,
+  too_few_points,  // fewer than 5 in the range of force looked at: nothing else is valid
+  not_rising,      // the force does not rise there: nothing else is valid
+};
+
+struct ContactOptions {
+  double from = 0.02;   // [maximum force] below it, the contact may still be settling
+  double up_to = 0.15;  // [maximum force] above it, curves of large deflection are no longer straight
+};
+
+struct Contact {
+  ContactStatus status;
+  double offset;              // [m] stage position, and so deflection, at which the contact begins
+  double offset_error;        // [m] standard error
+  double slope;               // [N/m] initial dF/dw0, the stiffness of the specimen
+  double slope_error;         // [N/m] standard error
+  std::size_t points_before;  // points whose stage lies before the contact
+  std::size_t first, last;    // points [first, last) the line was drawn through
+};
+
+// The straight beginning of a loading curve, force = slope (deflection - offset).
+// Domain: 0 <= from < up_to <= 1; std::invalid_argument otherwise.
+// Method: force and deflection are both regressed on the stage, which is imposed and so free of their noise; the slope is the
+//         ratio. Standard errors allow for residuals correlated from point to point (AR(1)). They know nothing of curvature:
+//         a contact that hardens or a curve that bends shifts the result by more.
+Contact find_contact(const Record& record, const ContactOptions& options = {});
+
+// The force step [N] from each point to the next that a smooth curve would make: size - 1 values. The slope at a step is the
+// median over the 21 steps around it, weighted by their travel and straightened by the bend of that median over 10 steps either
+// side: immune to up to 10 drops in a window. At the ends the outermost window is continued linearly.
+std::vector<double> smooth_steps(const Record& record);
+
+// Standard deviation [N] of force[i + steps] - force[i] about the smooth curve where the record is quiet.
+// Domain: smooth = smooth_steps(record), 1 <= steps, and at least steps + 10 points; std::invalid_argument otherwise.
+// Method: median absolute deviation in windows of 30 points, of which the quietest tenth counts, corrected for having been
+//         chosen (to 4 % in the mean over one step, for Gaussian noise and 30 points or more; a single record of 260 points
+//         tells it to 12 %). So it is the noise of the instrument: drops, and the unrest of a specimen that slips all the time,
+//         leave it alone as long as a tenth of the record is quiet. At least what the resolution of the force makes it; 0 only
+//         for a force without noise.
+double step_noise(const Record& record, std::span<const double> smooth, std::size_t steps);
+
+// Noise of a single force reading [N]: that of one step over √2, its standard deviation if readings err independently.
+// Domain: at least 11 points; std::invalid_argument otherwise.
+double force_noise(const Record& record);
+
+}  // namespace flexslip

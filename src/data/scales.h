@@ -1,0 +1,46 @@
+// Between the reduced variables of the core and SI: the only place where the two meet.
+//
+// A reduced quantity is one divided by its unit: lengths by the span L, forces by EI/L^2, stiffnesses by EI/L^3, energies
+// by EI/L. A whole measured curve is a Record or a ReducedRecord (record.h), two types that only pass into each other
+// through a Scales, so that one cannot be taken for the other.
+#pragma once
+
+namespace flexslip {
+
+class Scales {
+ public:
+  // Units:  span in [m], bending stiffness EI in [N m^2].
+  // Domain: both positive and finite, and so the four units made of them; std::invalid_argument with the value otherwise.
+  Scales(double span, double bending_stiffness);
+
+  double span() const { return span_; }                            // [m]
+  double bending_stiffness() const { return bending_stiffness_; }  // [N m^2]
+  double force_unit() const { return force_unit_; }                // [N]    EI/L^2
+  double stiffness_unit() const { return force_unit_ / span_; }    // [N/m]  EI/L^3
+  double energy_unit() const { return force_unit_ * span_; }       // [J]    EI/L
+
+  double reduced_length(double length) const { return length / span_; }                      // [m] -> [1]
+  double reduced_force(double force) const { return force / force_unit_; }                   // [N] -> [1]
+  double reduced_stiffness(double stiffness) const { return stiffness / stiffness_unit(); }  // [N/m] -> [1]
+  double reduced_energy(double energy) const { return energy / energy_unit(); }              // [J] -> [1]
+
+  double physical_length(double reduced) const { return reduced * span_; }                // [1] -> [m]
+  double physical_force(double reduced) const { return reduced * force_unit_; }           // [1] -> [N]
+  double physical_stiffness(double reduced) const { return reduced * stiffness_unit(); }  // [1] -> [N/m]
+  double physical_energy(double reduced) const { return reduced * energy_unit(); }        // [1] -> [J]
+
+ private:
+  double span_;
+  double bending_stiffness_;
+  double force_unit_;
+};
+
+// Second moment I [m^4] of a solid round section: π D^4/64.
+// Domain: diameter [m] positive and finite; std::invalid_argument otherwise.
+double round_section_moment(double diameter);
+
+// Second moment I [m^4] of a rectangular section bent across its height: b h^3/12.
+// Domain: width, height [m] positive and finite; std::invalid_argument otherwise.
+double rectangular_section_moment(double width, double height);
+
+}  // namespace flexslip

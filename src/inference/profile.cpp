@@ -1,0 +1,185 @@
+#include "inference/profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "fibre/elastica.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double judged_from = 0.1;  // [L] deflection past which μ is measurable to a few hundredths
+
+// Friction at length S that puts the point on the load line of a stage position, w + F/k = stage; clamped to [0, 20].
+double friction_on_load_line(double S, double stage, const Rig& rig, double start) {
+  const double c = 1 / rig.stiffness;
+  double q = start;
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const auto [state, slopes] = fibre_state_slopes(S, q);
+    if (state.status != FibreStatus::ok) return q;
+    const double next = std::clamp(q - (state.w + c * state.F - stage) / (slopes.w_q + c * slopes.F_q), 0.0, 20.0);
+    const bool done = std::abs(next - q) <= 1e-12 * (1 + q);  // far below what a measurement resolves
+    q = next;
+    if (done) break;
+  }
+  return q;
+}
+
+// Least-squares non-decreasing sequence (pool adjacent violators).
+std::vector<double> isotonic(const std::vector<double>& values) {
+  struct Block {
+    double sum;
+    std::size_t size;
+    double mean() const { return sum / static_cast<double>(size); }
+  };
+  std::vector<Block> blocks;
+  for (const double value : values) {
+    blocks.push_back({value, 1});
+    while (blocks.size() > 1 && blocks[blocks.size() - 2].mean() > blocks.back().mean()) {
+      blocks[blocks.size() - 2].sum += blocks.back().sum;
+      blocks[blocks.size() - 2].size += blocks.back().size;
+      blocks.pop_back();
+    }
+  }
+  std::vector<double> result;
+  for (const auto& block : blocks) result.insert(result.end(), block.size, block.mean());
+  return result;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return not_a_number;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+}  // namespace
+
+double standard_error(const ProfilePoint& point) {
+  return std::hypot(point.from_force, point.from_bending_stiffness, point.from_contact);
+}
+
+FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
+                                 double least_deflection) {
+  FrictionProfile profile;
+  for (std::size_t i = 0; i < record.force.size(); ++i) {
+    const double w = record.deflection[i];
+    const double F = record.force[i];
+    if (!(w > least_deflection)) continue;
+    if (F < 0) {
+      profile.unexplained.push_back(i);
+      continue;
+    }
+    const auto state = fibre_state_from_force(w, F);
+    if (state.status != FibreStatus::ok) {
+      profile.unexplained.push_back(i);
+      continue;
+    }
+    const auto slopes = fibre_state_slopes(state.S, state.q).slopes;
+    // The inverse of the Jacobian of Ψ: its second row.
+    const double jacobian = slopes.w_S * slopes.F_q - slopes.w_q * slopes.F_S;
+    const double q_F = slopes.w_S / jacobian;
+    const double q_w = -slopes.F_S / jacobian;
+    const double mu_force = q_F - q_w / rig.stiffness;  // at fixed stage position an error of F is one of w, too
+    const double mu_log_stiffness = -F * q_F;           // EI enters through the scaling of the force
+    profile.points.push_back({.index = i,
+                              .S = state.S,
+                              .mu = state.q,
+                              .from_force = errors.force * std::abs(mu_force),
+                              .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
+                              .from_contact = errors.contact * std::abs(q_w),
+                              .mu_log_stiffness = mu_log_stiffness,
+                              .mu_force = mu_force});
+  }
+  return profile;
+}
+
+std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops) {
+  const auto find = [&](std::size_t index) -> std::optional<ProfilePoint> {
+    const auto at = std::lower_bound(profile.points.begin(), profile.points.end(), index,
+                                     [](const ProfilePoint& point, std::size_t i) { return point.index < i; });
+    if (at == profile.points.end() || at->index != index) return std::nullopt;
+    return *at;
+  };
+  std::vector<Slip> slips;
+  for (const auto& drop : drops) {
+    const auto before = find(drop.before);
+    const auto after = find(drop.after);
+    if (before && after) slips.push_back({drop, before->S, after->S, before->mu, after->mu});
+  }
+  return slips;
+}
+
+SlipSummary summarise(std::span<const Slip> slips) {
+  std::vector<double> spacings;
+  std::vector<double> falls;
+  for (std::size_t i = 0; i < slips.size(); ++i) {
+    falls.push_back(slips[i].mu_before - slips[i].mu_after);
+    if (i > 0) spacings.push_back(0.5 * (slips[i].S_before - slips[i - 1].S_before));
+  }
+  const double mean = spacings.empty()
+                          ? not_a_number
+                          : std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
+  return {.count = slips.size(), .median_spacing = median(spacings), .mean_spacing = mean, .median_fall = median(falls)};
+}
+
+FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const FrictionProfile& profile,
+                           std::span<const Drop> drops, double least_deflection) {
+  std::vector<ProfilePoint> points;
+  std::vector<double> lengths;
+  for (const auto& point : profile.points)
+    if (record.deflection[point.index] > least_deflection) {
+      points.push_back(point);
+      lengths.push_back(point.S);
+    }
+  lengths = isotonic(lengths);
+  // Noise makes some lengths equal; the least distance is far below what a measurement resolves.
+  constexpr double least_distance = 2e-6;
+  for (std::size_t i = 1; i < lengths.size(); ++i) lengths[i] = std::max(lengths[i], lengths[i - 1] + least_distance);
+
+  FrictionTable table;
+  auto drop = drops.begin();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double stage = record.stage[points[i].index];
+    const double mu = friction_on_load_line(lengths[i], stage, rig, std::max(points[i].mu, 0.0));
+    while (drop != drops.end() && drop->after < points[i].index) ++drop;
+    const bool falls = i > 0 && drop != drops.end() && drop->before < points[i].index && drop->after >= points[i].index;
+    if (falls) {
+      const double depth = 0.25 * std::max(std::abs(mu - table.mu.back()), 0.01);
+      const double from = table.S.back();
+      for (const double part : {0.25, 0.5, 0.75}) {
+        const double S = from + part * (lengths[i] - from);
+        const double on_line = friction_on_load_line(S, stage, rig, mu);
+        table.S.push_back(S);
+        table.mu.push_back(std::max(on_line - depth * (part == 0.5 ? 1.0 : 0.7), 0.0));
+      }
+    }
+    table.S.push_back(lengths[i]);
+    table.mu.push_back(mu);
+  }
+  return table;
+}
+
+SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit) {
+  SuspectReport report{.limit = limit, .points = {}, .beyond_error = 0, .points_judged = 0, .suspect = false,
+                       .above_euler_bernoulli = 0};
+  for (std::size_t i = 0; i < record.force.size(); ++i) {
+    if (!(record.deflection[i] > judged_from)) continue;
+    ++report.points_judged;
+    report.above_euler_bernoulli += record.force[i] > 48 * record.deflection[i];
+  }
+  for (const auto& point : profile.points) {
+    if (!(record.deflection[point.index] > judged_from) || !(point.mu > limit)) continue;
+    report.points.push_back(point.index);
+    report.beyond_error += point.mu - 1.96 * standard_error(point) > limit;
+  }
+  report.suspect = 20 * report.points.size() > report.points_judged;
+  return report;
+}
+
+}  // namespace flexslip

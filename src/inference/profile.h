@@ -1,0 +1,84 @@
+// Friction read off a measured curve, point by point: while the fibre slips, (w, F) inverts to (S, μ).
+//
+// Reduced variables. A record is one loading up to the failure of the specimen.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "bending_test/rig.h"
+#include "contact/friction.h"
+#include "data/drops.h"
+#include "data/record.h"
+
+namespace flexslip {
+
+// What limits the accuracy of μ, as standard deviations.
+struct MeasurementErrors {
+  double force;              // [EI/L^2] of one reading
+  double bending_stiffness;  // [1] relative, of EI
+  double contact;            // [L] of the contact point, and so of the deflection
+};
+
+struct ProfilePoint {
+  std::size_t index;  // in the record
+  double S;           // [L] length between the supports
+  double mu;          // [1] mobilised friction; the coefficient of friction while the fibre slips
+  // The parts of the standard deviation of μ [1]. The first differs from point to point, the others move all points together.
+  double from_force, from_bending_stiffness, from_contact;
+  // Slopes of μ, for those who fit: with respect to ln EI at fixed deflection, and to the force at fixed stage position.
+  double mu_log_stiffness, mu_force;
+};
+
+double standard_error(const ProfilePoint& point);
+
+struct FrictionProfile {
+  std::vector<ProfilePoint> points;       // in the order of the record
+  std::vector<std::size_t> unexplained;   // points of the record that no friction in [-20, 20] explains
+};
+
+// Domain:     a record without faults; rig.stiffness > 0; errors >= 0; deflections below least_deflection [L] are left out, where
+//             friction is hardly measurable (at 0.05 an error of 1 % in EI is one of 0.1 in μ).
+// Cost:       5 µs a point.
+FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
+                                 double least_deflection = 0.02);
+
+// One drop of the force as a slip: how far the fibre moved over a support, and how friction fell.
+struct Slip {
+  Drop drop;
+  double S_before, S_after;    // [L]
+  double mu_before, mu_after;  // [1]
+};
+
+// The drops of which both ends are points of the profile.
+std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops);
+
+// The model-free counterparts of the wavelength and the amplitude of a sawtooth.
+struct SlipSummary {
+  std::size_t count;
+  double median_spacing;  // [L] along the fibre, from the beginning of a slip to that of the next; NaN for fewer than two
+  double mean_spacing;    // [L] likewise
+  double median_fall;     // [1] of μ in a slip; NaN without slips
+};
+SlipSummary summarise(std::span<const Slip> slips);
+
+// The profile as a friction table that, run forward, gives the measured curve back, drops included: a value on the load line
+// of each point, and within each drop a trough below it, the shallowest part of what the curve leaves unseen.
+// Domain:     a profile of this record; at least two points with w > least_deflection.
+// Max error:  in F, 1e-3 where no point of the profile had to be raised to μ = 0 (tested on measured curves: validation.md).
+FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const FrictionProfile& profile,
+                           std::span<const Drop> drops, double least_deflection = 0.05);
+
+// Is a measured curve plausible as sliding with friction below a limit?
+struct SuspectReport {
+  double limit;                     // [1]
+  std::vector<std::size_t> points;  // of the record, past the deflection 0.1, where μ exceeds the limit
+  std::size_t beyond_error;         // of these, how many do so by more than 1.96 standard errors
+  std::size_t points_judged;        // past the deflection 0.1
+  bool suspect;                     // more than 5 % of them exceed it
+  std::size_t above_euler_bernoulli;  // the paper's criterion: points past 0.1 with F > 48 w
+};
+SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit = 1.0);
+
+}  // namespace flexslip

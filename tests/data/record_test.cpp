@@ -1,0 +1,210 @@
+#include "data/record.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace flexslip;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// A test in stage steps of 2 µm, with contact at `contact`, specimen stiffness 60 N/m in series with 90 N/m.
+Record straight_test(std::size_t points, double contact, double noise, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> stage(points), force(points);
+  for (std::size_t i = 0; i < points; ++i) {
+    stage[i] = 2e-6 * static_cast<double>(i);
+    force[i] = std::max(0.0, stage[i] - contact) * (60.0 * 90.0 / 150.0) + noise * normal(generator);
+  }
+  return record_from_stage_and_force(stage, force, 90);
+}
+
+TEST_CASE("record: any two columns and the stiffness give the third (identity)") {
+  const std::vector<double> stage{0, 2e-6, 4e-6}, deflection{0, 1e-6, 2.5e-6}, force{0, 9e-5, 1.35e-4};
+  const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (std::abs(a[i] - b[i]) > 4 * std::numeric_limits<double>::epsilon() * std::abs(b[i]))
+        return false;  // 3 roundings
+    return a.size() == b.size();
+  };
+  for (const Record& record :
+       {record_from_stage_and_force(stage, force, 90), record_from_deflection_and_force(deflection, force, 90),
+        record_from_stage_and_deflection(stage, deflection, 90)}) {
+    CHECK(same(record.stage, stage));
+    CHECK(same(record.deflection, deflection));
+    CHECK(same(record.force, force));
+  }
+}
+
+TEST_CASE("record: under displacement control stage and deflection are one (limit)") {
+  const std::vector<double> x{0, 1, 2}, force{0, 3, 5};
+  CHECK(record_from_stage_and_force(x, force, infinity).deflection == x);
+  CHECK(record_from_deflection_and_force(x, force, infinity).stage == x);
+  CHECK_THROWS_AS(record_from_stage_and_deflection(x, x, infinity), std::invalid_argument);
+}
+
+TEST_CASE("record: columns of two lengths and stiffnesses that are none are refused (contract)") {
+  const std::vector<double> two{0, 1}, three{0, 1, 2};
+  CHECK_THROWS_WITH(record_from_stage_and_force(two, three, 90), "columns of 2 and 3 points");
+  for (const double bad : {0.0, -90.0, nan})
+    CHECK_THROWS_AS(record_from_stage_and_force(two, two, bad), std::invalid_argument);
+  CHECK_THROWS_WITH(record_from_stage_and_force(two, two, -90), "load-train stiffness = -90 N/m is not positive");
+}
+
+TEST_CASE("record: each fault is found, with its place (table)") {
+  const Record good{{0, 1, 1, 2}, {0, 1, 1, 2}, {0, 1, 2, 3}};
+  CHECK(check_record(good, 4).fault == RecordFault::none);
+  CHECK(check_record(good, 5).fault == RecordFault::too_short);
+  CHECK(check_record(good, 5).index == 4);
+  CHECK(check_record({}, 1).fault == RecordFault::too_short);
+
+  Record shorter = good;
+  shorter.force.pop_back();
+  CHECK(check_record(shorter, 1).fault == RecordFault::lengths_differ);
+  CHECK(check_record(shorter, 1).index == 3);
+
+  for (const double bad : {nan, infinity, -infinity}) {
+    Record broken = good;
+    broken.deflection[2] = bad;
+    CHECK(check_record(broken, 1).fault == RecordFault::not_finite);
+    CHECK(check_record(broken, 1).index == 2);
+  }
+
+  Record backwards = good;
+  backwards.stage[3] = 0.5;
+  CHECK(check_record(backwards, 1).fault == RecordFault::stage_runs_back);
+  CHECK(check_record(backwards, 1).index == 3);
+}
+
+TEST_CASE("record: failure is the last point before the force is lost for good (truth known)") {
+  Record record = straight_test(300, 0, 0, 1);
+  SUBCASE("at one stroke") {
+    for (std::size_t i = 250; i < 300; ++i) record.force[i] = 1e-4;
+    CHECK(find_failure(record).points == 250);
+  }
+  SUBCASE("beginning with a small step") {
+    record.force[250] = 0.97 * record.force[249];
+    for (std::size_t i = 251; i < 300; ++i) record.force[i] = 1e-4;
+    CHECK(find_failure(record).points == 250);
+  }
+  SUBCASE("in two strokes, the first of them made up by nothing") {
+    for (std::size_t i = 250; i < 300; ++i) record.force[i] *= i < 255 ? 0.8 : 0.05;
+    CHECK(find_failure(record).points == 250);
+  }
+  SUBCASE("after a slip that loading makes up again") {
+    for (std::size_t i = 245; i < 300; ++i) record.force[i] -= 0.06 * record.force[244];
+    for (std::size_t i = 275; i < 300; ++i) record.force[i] = 1e-4;
+    CHECK(find_failure(record).points == 275);
+  }
+}
+
+TEST_CASE("record: what survives has no failure (limit)") {
+  const auto survives = [](const Record& record) {
+    const Failure failure = find_failure(record);
+    return failure.status == FailureStatus::none && failure.points == record.force.size();
+  };
+  CHECK(survives({}));
+  CHECK(survives({{0}, {0}, {0}}));
+  CHECK(survives({{0, 1, 2}, {0, 1, 2}, {0, 0, 0}}));
+  CHECK(survives(straight_test(300, 0, 5e-6, 1)));
+
+  Record arch = straight_test(300, 0, 0, 1);  // the force returns to zero smoothly, as for a very flexible fibre
+  for (std::size_t i = 0; i < 300; ++i) arch.force[i] = std::sin(3.14 * static_cast<double>(i) / 299);
+  CHECK(survives(arch));
+
+  Record unloaded = straight_test(100, 0, 0, 1);  // loaded and taken back at a stroke
+  unloaded.stage.push_back(0);
+  unloaded.deflection.push_back(0);
+  unloaded.force.push_back(0);
+  CHECK(survives(unloaded));
+}
+
+TEST_CASE("record: contact and slope of a straight test are those it was made with (truth known)") {
+  const Contact contact = find_contact(straight_test(300, 25.3e-6, 0, 1));
+  REQUIRE(contact.status == ContactStatus::found);
+  CHECK(std::abs(contact.offset - 25.3e-6) < 1e-12);  // rounding of sums of 40 terms, times 1e-4 m
+  CHECK(std::abs(contact.slope - 60) < 1e-9);         // the same, relative 1e-11
+  CHECK(contact.points_before == 13);                 // 0, 2, ... 24 µm
+}
+
+TEST_CASE("record: standard errors of contact and slope cover the truth (simulation)") {
+  int offset_covered = 0, slope_covered = 0;
+  const int tests = 500;
+  for (int seed = 0; seed < tests; ++seed) {
+    const Contact contact = find_contact(straight_test(300, 25.3e-6, 5e-6, static_cast<unsigned>(seed)));
+    REQUIRE(contact.status == ContactStatus::found);
+    offset_covered += std::abs(contact.offset - 25.3e-6) < 2 * contact.offset_error;
+    slope_covered += std::abs(contact.slope - 60) < 2 * contact.slope_error;
+  }
+  // Two standard errors cover 95 %, more as chance correlation only ever widens them; 0.92 is three deviations of 500 draws below.
+  CHECK(offset_covered > 0.92 * tests);
+  CHECK(slope_covered > 0.92 * tests);
+}
+
+TEST_CASE("record: where there is no contact to find, the status says so (limit)") {
+  CHECK(find_contact({}).status == ContactStatus::too_few_points);
+  CHECK(find_contact(straight_test(8, 0, 0, 1)).status == ContactStatus::too_few_points);
+  const std::vector<double> x{0, 1, 2, 3, 4, 5, 6}, none(7, 0.0);
+  CHECK(find_contact({x, x, none}).status == ContactStatus::not_rising);
+  CHECK_THROWS_AS(find_contact({x, x, x}, {.from = 0.5, .up_to = 0.2}), std::invalid_argument);
+}
+
+TEST_CASE("record: a parabola is its own smooth course, to its ends (identity)") {
+  Record record = straight_test(100, 0, 0, 1);
+  for (std::size_t i = 0; i < 100; ++i) record.force[i] = 1e3 * record.stage[i] * (1.5e-4 - record.stage[i]);
+  const auto smooth = smooth_steps(record);
+  REQUIRE(smooth.size() == 99);
+  for (std::size_t i = 0; i < 99; ++i)
+    CHECK(std::abs(smooth[i] - (record.force[i + 1] - record.force[i])) < 1e-18);  // steps are 1e-7 N, rounded at 1e-21
+}
+
+TEST_CASE("record: ten drops in a window leave its smooth course on the curve (limit)") {
+  Record record = straight_test(101, 0, 0, 1);
+  const double step = record.force[1] - record.force[0];
+  double lost = 0;
+  for (std::size_t i = 1; i < 101; ++i) {
+    if (i % 2 == 0 && i >= 40 && i < 60) lost += 5 * step;
+    record.force[i] -= lost;
+  }
+  for (const double smooth : smooth_steps(record)) CHECK(smooth == doctest::Approx(step));
+}
+
+TEST_CASE("record: the noise is the one put in, with and without drops (simulation)") {
+  const int tests = 200;
+  double plain = 0, dropping = 0;
+  for (int seed = 0; seed < tests; ++seed) {
+    Record record = straight_test(260, 0, 4e-6, static_cast<unsigned>(seed));
+    plain += force_noise(record) / tests;
+    for (std::size_t i = 130; i < 260; ++i) record.force[i] -= 3e-4 * static_cast<double>((i - 130) / 5 + 1);
+    dropping += force_noise(record) / tests;
+  }
+  CHECK(plain == doctest::Approx(4e-6).epsilon(0.04 + 0.03));  // the promised 4 %, and three deviations: 12 %/√200
+  CHECK(dropping == doctest::Approx(4e-6).epsilon(0.15));      // half as many windows to choose from
+}
+
+TEST_CASE("record: noise is never below the resolution, and zero only without noise (limit)") {
+  Record record = straight_test(200, 0, 0, 1);
+  CHECK(force_noise(record) < 1e-15);  // rounding of forces of 0.01 N
+  for (double& F : record.force) F = 1e-4 * std::round(F / 1e-4);
+  CHECK(force_noise(record) >= 0.99 * 1e-4 / std::sqrt(12.0));  // the deviation of one rounding
+  record.force.assign(200, 0.5);
+  CHECK(force_noise(record) == 0);
+  CHECK_THROWS_AS(force_noise(straight_test(10, 0, 0, 1)), std::invalid_argument);
+}
+
+TEST_CASE("record: a load cell that sleeps before contact does not hide the noise (limit)") {
+  Record record = straight_test(300, 0, 4e-6, 3);
+  const double awake = force_noise(record);
+  for (std::size_t i = 0; i < 100; ++i) record.force[i] = 0;
+  CHECK(force_noise(record) > 0.6 * awake);  // 12 % scatter of each, and fewer windows; without care it would be 0
+}
+
+}  // namespace

@@ -1,0 +1,152 @@
+// docs/accuracy.md is what this run measures. To write it: tools/write-accuracy.
+#include "tests/fibre/accuracy.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+namespace flexslip {
+
+void Worsts::add(std::string_view group, std::string_view quantity, double error, const std::string& row) {
+  auto worst = std::find_if(all_.begin(), all_.end(),
+                            [&](const Worst& w) { return w.group == group && w.quantity == quantity; });
+  if (worst == all_.end())
+    worst = all_.insert(all_.end(), Worst{std::string(group), std::string(quantity), row, 0, 0});
+  ++worst->rows;
+  if (!(error <= worst->error)) {
+    worst->error = error;
+    worst->row = row;
+  }
+}
+
+const Worst* Worsts::find(std::string_view group, std::string_view quantity) const {
+  for (const auto& worst : all_)
+    if (worst.group == group && worst.quantity == quantity) return &worst;
+  return nullptr;
+}
+
+const Worst& Worsts::of(std::string_view quantity) const {
+  const Worst* worst = nullptr;
+  for (const auto& w : all_)
+    if (w.quantity == quantity && (!worst || !(w.error <= worst->error))) worst = &w;
+  REQUIRE(worst != nullptr);
+  return *worst;
+}
+
+std::string row_name(const char* first, double a, const char* second, double b) {
+  char text[100];
+  std::snprintf(text, sizeof text, "%s = %.17g, %s = %.17g", first, a, second, b);
+  return text;
+}
+
+namespace {
+
+// To one significant digit, upwards: the last bits may differ between compilers and mathematical libraries.
+double rounded_up(double x) {
+  if (x == 0) return 0;
+  const double power = std::pow(10.0, std::floor(std::log10(x)));
+  const double digits = x / power;
+  return (digits - std::floor(digits) < 1e-9 ? std::floor(digits) : std::ceil(digits)) * power;
+}
+
+std::string number(const char* format, double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
+// The worst of each group, in units of 2^-52, and below it the row where each quantity is worst of all.
+void write_tables(std::ostream& out, const Worsts& worsts, const std::vector<std::string>& quantities) {
+  out << "| group | rows |";
+  for (const auto& quantity : quantities) out << " " << quantity << " |";
+  out << "\n|---|---|";
+  for (std::size_t i = 0; i < quantities.size(); ++i) out << "---|";
+  std::string group;
+  for (const auto& worst : worsts.all()) {
+    if (worst.group == group) continue;
+    group = worst.group;
+    out << "\n| " << group << " | " << worst.rows << " |";
+    for (const auto& quantity : quantities) {
+      const Worst* found = worsts.find(group, quantity);
+      out << " " << (found ? number("%g", rounded_up(found->error)) : "") << " |";
+    }
+  }
+  out << "\n\n| quantity | worst, in 2⁻⁵² | relative | where |\n|---|---|---|---|\n";
+  for (const auto& quantity : quantities) {
+    const Worst& worst = worsts.of(quantity);
+    out << "| " << quantity << " | " << number("%g", rounded_up(worst.error)) << " | "
+        << number("%.0e", rounded_up(worst.error * unit)) << " | " << worst.group << ": " << worst.row << " |\n";
+  }
+}
+
+std::string document() {
+  std::ostringstream out;
+  out << R"(# Accuracy
+
+Written by the test run (`tools/write-accuracy`), and compared with it by the test `fibre/accuracy`; do not edit.
+Errors are relative, in units of 2⁻⁵² = 2.2e-16, against the 40-digit values of `tests/fibre/reference`, rounded up to one digit. The
+bounds promised in the headers are asserted by `tests/fibre/elliptic_test.cpp` and `tests/fibre/elastica_test.cpp`, which try
+states beyond these tables too: a bound may therefore exceed the worst row here.
+
+## The elastica: `fibre_state`
+
+F vanishes at the end of the branch; its error is given as such, and divided by the condition number
+1 + |(S − 1) F_S/F| + |q F_q/F|: what the rounding of S − 1 and q alone may do.
+
+)";
+  const auto states = measured_states();
+  write_tables(out, states, {"w", "Pn", "theta0", "U", "F", "F / condition"});
+  out << R"(
+## Its slopes: `fibre_state_slopes`
+
+Slopes pass through zero: the error of X_S is measured by the larger of |X_S| and |X|/(S − 1), that of X_q by the larger of |X_q| and
+|X|/(1 + |q|); of F_S and F_q it is divided by the condition number of F.
+
+)";
+  write_tables(out, states, {"w_S", "w_q", "Pn_S", "Pn_q", "U_S", "U_q", "F_S", "F_q"});
+  out << R"(
+## Jacobi's functions: `elliptic_arc` and `jacobi_epsilon`, for u ≤ K(m)
+
+cn vanishes at K: its error is absolute.
+
+)";
+  write_tables(out, measured_elliptic(), {"sn", "cn", "dn", "1 - cn", "P", "R", "E(u)"});
+  out << R"(
+## Why not the AGM
+
+S − 1 at m = 3/4 by two routes in double precision, against the first in 50 digits: the closed forms of Jacobi's functions and
+of E(u) from one arithmetic–geometric ladder, and the integrals P and R of `elliptic_arc`. The worst of 64 neighbouring u.
+The ladder's functions are good to the last digit, but S − 1 is their difference: it loses digits as 1/(S − 1).
+
+| S − 1 | AGM, relative | digits kept | P and R, relative | digits kept |
+|---|---|---|---|---|
+)";
+  const auto digits = [](double error) { return number("%.0f", std::max(0.0, std::floor(-std::log10(error * unit)))); };
+  for (const auto& [excess, agm, program] : digits_of_S())
+    out << "| " << number("%.0e", excess) << " | " << number("%.0e", rounded_up(agm * unit)) << " | " << digits(agm)
+        << " | " << number("%.0e", rounded_up(program * unit)) << " | " << digits(program) << " |\n";
+  return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("docs/accuracy.md is what the tables measure (outside)") {
+  const std::string written = document();
+  if (const char* name = std::getenv("FLEXSLIP_WRITE_ACCURACY")) {
+    std::ofstream file(name);
+    file << written;
+    REQUIRE(file.good());
+    return;
+  }
+  std::ifstream file(FLEXSLIP_SOURCE_DIR "/docs/accuracy.md");
+  const std::string committed{std::istreambuf_iterator<char>(file), {}};
+  INFO("tools/write-accuracy writes it anew");
+  CHECK(committed == written);
+}
+
+}  // namespace flexslip
