@@ -8,10 +8,8 @@
 namespace flexslip {
 namespace {
 
-void require_range(const Friction& friction, double S_max, int n) {
-  if (!(S_max > 1 && S_max <= friction.valid_to()))
-    throw std::invalid_argument("S_max = " + std::to_string(S_max) + " must be above 1 and, where friction drifts, not beyond " +
-                                std::to_string(friction.valid_to()) + ", where it would become negative");
+void require_range(double S_max, int n) {
+  if (!(S_max > 1)) throw std::invalid_argument("S_max must be above 1, not " + std::to_string(S_max));
   if (n < 2) throw std::invalid_argument("a curve needs at least 2 points, not " + std::to_string(n));
 }
 
@@ -25,7 +23,7 @@ EquilibriumPoint point_of(const FibreState& state) { return {state.S, state.q, s
 }  // namespace
 
 EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n) {
-  require_range(friction, S_max, n);
+  require_range(S_max, n);
   const double sign = sliding == Sliding::in ? 1 : -1;
   const auto state_at = [&](double S) { return fibre_state(S, sign * friction.at(S).mu); };
   EquilibriumCurve curve{EquilibriumStatus::ok, {}};
@@ -51,7 +49,7 @@ EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, do
 }
 
 std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, double S_max, int n_S, int n_q) {
-  require_range(friction, S_max, n_S);
+  require_range(S_max, n_S);
   if (n_q < 2) throw std::invalid_argument("a region needs at least 2 values of q, not " + std::to_string(n_q));
   std::vector<EquilibriumPoint> region;
   for (int i = 0; i < n_S; ++i) {

@@ -29,7 +29,7 @@ struct EquilibriumCurve {
 };
 
 // The envelope of the equilibrium region on which the fibre slides: (4.28).
-// Domain:     S_max > 1, within friction.valid_to(); n >= 2; std::invalid_argument otherwise.
+// Domain:     S_max > 1; n >= 2; std::invalid_argument otherwise.
 // Method:     n points evenly spaced in √(S - 1), in which the curve starts as a straight line. Each point is exact.
 EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n);
 

@@ -127,10 +127,6 @@ class Tracer {
 
   LoadingCurve trace(double S_max) {
     CurveEnd reason = CurveEnd::at_S_max;
-    if (friction_.valid_to() < S_max) {
-      S_max = friction_.valid_to();
-      reason = CurveEnd::friction_ended;
-    }
     Sample from = sample_at(friction_, rig_, 0);
     double sigma = 0;
     for (double S = 1; S < S_max && reason != CurveEnd::branch_ended;) {

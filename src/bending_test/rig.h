@@ -33,8 +33,7 @@ struct Fold {
 
 enum class CurveEnd {
   at_S_max,
-  branch_ended,    // the force fell to zero: S_end is the end of the branch
-  friction_ended,  // a falling drift carried μ to zero
+  branch_ended,  // the force fell to zero: S_end is the end of the branch
 };
 
 // The sliding curve of a test up to S_end, cut at its folds: between two of them G is strictly monotone.

@@ -50,6 +50,7 @@ std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vec
 
 Friction::Friction(FrictionWaves waves) {
   if (!(waves.mu0 >= 0 && waves.mu0 < infinity)) refuse("the mean coefficient of friction mu0 must be finite and >= 0", waves.mu0);
+  if (!std::isfinite(waves.S_reference)) refuse("the length of reference must be finite", waves.S_reference);
   if (!std::isfinite(waves.drift)) refuse("the drift of friction must be finite", waves.drift);
   double total = 0;
   for (const auto& term : waves.terms) {
@@ -76,10 +77,10 @@ Friction::Friction(FrictionTable table) {
   form_ = std::move(table);
 }
 
-Friction Friction::constant(double mu) { return Friction(FrictionWaves{mu, 0, {}}); }
+Friction Friction::constant(double mu) { return Friction(FrictionWaves{.mu0 = mu, .drift = 0, .terms = {}}); }
 
 Friction Friction::sinusoid(double mu0, double amplitude, double wavelength, double phase) {
-  return Friction(FrictionWaves{mu0, 0, {{amplitude, wavelength, phase}}});
+  return Friction(FrictionWaves{.mu0 = mu0, .drift = 0, .terms = {{amplitude, wavelength, phase}}});
 }
 
 Friction Friction::waves(FrictionWaves waves) { return Friction(std::move(waves)); }
@@ -122,15 +123,14 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
 
 FrictionPoint Friction::at(double S) const {
   if (const auto* waves = std::get_if<FrictionWaves>(&form_)) {
-    FrictionPoint point{waves->mu0 + waves->drift * (S - 1), waves->drift};
+    FrictionPoint point{waves->mu0 + waves->drift * (S - waves->S_reference), waves->drift};
     for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
       const double angle = wavenumbers_[i] * S + waves->terms[i].phase;  // (4.25)
       const double height = waves->mu0 * waves->terms[i].amplitude;
       point.mu += height * std::cos(angle);
       point.slope -= height * wavenumbers_[i] * std::sin(angle);
     }
-    point.mu = std::max(point.mu, 0.0);  // amplitudes adding up to 1 touch zero, to rounding
-    return point;
+    return point.mu > 0 ? point : FrictionPoint{0, 0};
   }
   const auto& [x, y] = std::get<FrictionTable>(form_);
   if (S <= x.front()) return {y.front(), 0};
@@ -145,14 +145,6 @@ FrictionPoint Friction::at(double S) const {
   const double c2 = 3 * rise - 2 * d0 - d1;
   const double c3 = d0 + d1 - 2 * rise;
   return {std::max(y[i] + t * (d0 + t * (c2 + t * c3)), 0.0), (d0 + t * (2 * c2 + t * 3 * c3)) / h};
-}
-
-double Friction::valid_to() const {
-  const auto* waves = std::get_if<FrictionWaves>(&form_);
-  if (!waves || waves->drift >= 0) return infinity;
-  double least = waves->mu0;
-  for (const auto& term : waves->terms) least -= waves->mu0 * term.amplitude;
-  return 1 + std::max(least, 0.0) / -waves->drift;
 }
 
 double Friction::smooth_scale() const {

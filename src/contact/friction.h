@@ -18,11 +18,13 @@ struct Sinusoid {
   double phase;       // [rad] φ of (4.25)
 };
 
-// mu0 (1 + Σ amplitude cos(π S/wavelength + phase)) + drift (S - 1). Without terms and drift: constant friction.
+// mu0 (1 + Σ amplitude cos(π S/wavelength + phase)) + drift (S - S_reference), and zero where a drift would carry it below.
+// Without terms and drift: constant friction.
 struct FrictionWaves {
-  double mu0;                   // [1] mean coefficient of friction at S = 1
-  double drift;                 // [1/L] slope of the mean in S
+  double mu0;    // [1] mean coefficient of friction at S_reference
+  double drift;  // [1/L] slope of the mean in S
   std::vector<Sinusoid> terms;
+  double S_reference = 1;  // [L]
 };
 
 // Values at given lengths, interpolated monotonically (no over- or undershoot), constant beyond the ends.
@@ -51,12 +53,9 @@ class Friction {
   // S_max [L]. The same seed gives the same profile on every machine.
   static Friction rough(double mu0, double rms, double correlation_length, std::uint64_t seed, double S_max);
 
-  // Domain: S >= 1; beyond valid_to() the value is not meaningful.
+  // Domain: S >= 1.
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
   FrictionPoint at(double S) const;
-
-  // Where a falling drift would carry μ below zero [L]; infinite without one.
-  double valid_to() const;
 
   // Lengths in S within which the profile is smooth and bends little: a quarter of the shortest period for waves
   // (infinite for constant friction), none for tables, which are smooth between their knots.

@@ -263,16 +263,17 @@ class Fitter {
   bool permitted(const Layout& layout, const VectorXd& p) const {
     if (!(std::abs(p[layout.stiffness()]) < 0.3)) return false;  // beyond that it would be another specimen
     if (!(p[0] > 0) || !p.allFinite()) return false;
+    double total = 0;
     for (Index i = 0; i < layout.waves; ++i) {
       const Index at = layout.wave(i);
       const double wavelength = p[at + 2];
       if (!(wavelength > 0.75 * least_wavelength_ && wavelength < 1)) return false;
-      if (!(std::hypot(p[at], p[at + 1]) <= p[0])) return false;  // A <= 1
+      total += std::hypot(p[at], p[at + 1]);
       // Two waves closer than the length seen can resolve are one wave, or beats that nothing in the data demands.
       for (Index j = 0; j < i; ++j)
         if (std::abs(1 / wavelength - 1 / p[layout.wave(j) + 2]) < 0.75 / length_seen_) return false;
     }
-    return true;
+    return total <= p[0];  // the amplitudes add up to at most 1
   }
 
   double cost_of(const Layout& layout, const VectorXd& p, const Noise& noise, double cap) const {
@@ -421,8 +422,7 @@ ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Soluti
   fit.mu0 = estimate(p[0], error(unit(0)));
   fit.drift = layout.drift ? estimate(p[1], error(unit(1))) : ParameterEstimate{};
   fit.bending_stiffness = estimate(1 + p[last], error(unit(last)));
-  fit.friction.drift = fit.drift.value;
-  fit.friction.mu0 = std::max(p[0] + fit.drift.value * (1 - fitter.S_middle()), 0.0);
+  fit.friction = {.mu0 = p[0], .drift = fit.drift.value, .terms = {}, .S_reference = fitter.S_middle()};
   for (Index i = 0; i < layout.waves; ++i) {
     const Index at = layout.wave(i);
     const double a = p[at];
@@ -438,7 +438,7 @@ ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Soluti
                          .wavelength = estimate(wavelength, error(unit(at + 2))),
                          .phase = estimate(wrapped(phase_at_middle - pi * fitter.S_middle() / wavelength), error(of_origin)),
                          .phase_at_middle = estimate(phase_at_middle, error(of_phase))});
-    fit.friction.terms.push_back({height / std::max(fit.friction.mu0, 1e-12), wavelength, fit.waves.back().phase.value});
+    fit.friction.terms.push_back({height / p[0], wavelength, fit.waves.back().phase.value});
   }
   const VectorXd force = fitter.model_force(layout, p);
   fit.force.assign(force.begin(), force.end());
@@ -511,7 +511,7 @@ void estimate_constant(ModelFit& fit, const FitProblem& problem) {
   fit.mu0 = estimate(nominal.mu, std::hypot(nominal.from_residuals, shift));
   fit.mu0.low = std::max(fit.mu0.low, 0.0);
   fit.bending_stiffness = estimate(1, deviation);
-  fit.friction = {nominal.mu, 0, {}};
+  fit.friction = {.mu0 = nominal.mu, .drift = 0, .terms = {}};
 }
 
 ReducedRecord usable_part(const ReducedRecord& record) {

@@ -1,0 +1,226 @@
+#include "inference/analysis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fibre/elastica.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+// Without a stated uncertainty: that of a modulus from the initial slope of such a test (docs/theory.md, "Bending stiffness").
+constexpr double usual_stiffness_error = 0.03;
+
+Record with_contact_at(Record record, double contact) {
+  for (auto& value : record.stage) value -= contact;
+  for (auto& value : record.deflection) value -= contact;
+  return record;
+}
+
+// What the first part of a curve bends, by friction and large deflection, where find_contact looks at it: a few per cent.
+constexpr double slope_bend = 0.03;
+
+// Force over deflection from the contact in use, over the points that find_contact looks at [N/m]; 0 if there are none.
+double initial_slope(const Record& record, const Contact& contact) {
+  if (contact.status != ContactStatus::found) return 0;
+  double work = 0;
+  double square = 0;
+  for (std::size_t i = contact.first; i < contact.last; ++i) {
+    work += record.force[i] * record.deflection[i];
+    square += record.deflection[i] * record.deflection[i];
+  }
+  return square > 0 ? work / square : 0;
+}
+
+Replay replay_of(const TestAnalysis& analysis) {
+  constexpr double from = 0.05;
+  Replay replay{.table = replay_table(analysis.reduced, analysis.rig, analysis.profile, analysis.drops.drops, from),
+                .force = std::vector<double>(analysis.reduced.force.size(), not_a_number),
+                .residual_rms = 0,
+                .drops_reproduced = 0};
+  if (replay.table.S.size() < 2) return replay;
+  std::vector<std::size_t> rows;
+  std::vector<double> stages;
+  double last = 0;
+  for (std::size_t i = 0; i < analysis.reduced.stage.size(); ++i)
+    if (analysis.reduced.deflection[i] > from && analysis.reduced.stage[i] >= last) {
+      rows.push_back(i);
+      last = analysis.reduced.stage[i];
+      stages.push_back(last);
+    }
+  const auto curve = trace_loading_curve(Friction::table(replay.table), analysis.rig,
+                                         std::max(replay.table.S.back() * (1 + 1e-9), 1.0001));
+  const auto parts = stable_parts(curve);
+  double sum = 0;
+  std::size_t counted = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto part = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.to.stage >= stages[k]; });
+    if (part == parts.end() || part->from.stage > stages[k]) continue;
+    replay.force[rows[k]] = point_at_stage(curve, *part, stages[k]).F;
+    const double residual = replay.force[rows[k]] - analysis.reduced.force[rows[k]];
+    sum += residual * residual;
+    ++counted;
+  }
+  replay.residual_rms = counted > 0 ? std::sqrt(sum / static_cast<double>(counted)) : not_a_number;
+  for (const auto& drop : analysis.drops.drops)
+    replay.drops_reproduced += replay.force[drop.after] < replay.force[drop.before];  // false where one is NaN
+  return replay;
+}
+
+MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
+  MeasuredEnergy energy{};
+  const auto& record = analysis.reduced;
+  for (std::size_t i = 1; i < record.force.size(); ++i) {
+    const double mean_force = 0.5 * (record.force[i] + record.force[i - 1]);
+    energy.account.stage_work += mean_force * (record.stage[i] - record.stage[i - 1]);
+    energy.work_of_fracture += mean_force * (record.deflection[i] - record.deflection[i - 1]);
+  }
+  const double last_force = record.force.empty() ? 0 : record.force.back();
+  energy.account.load_train = 0.5 * last_force * last_force / analysis.rig.stiffness;
+  const auto& points = analysis.profile.points;
+  const auto drop_ends_at = [&](std::size_t before, std::size_t after) {
+    return std::any_of(analysis.drops.drops.begin(), analysis.drops.drops.end(),
+                       [&](const Drop& drop) { return drop.before < after && drop.after >= after && drop.before <= before; });
+  };
+  FibreState previous{};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const FibreState state = fibre_state(points[k].S, points[k].mu);
+    if (state.status != FibreStatus::ok) continue;
+    if (k == 0) {
+      // Up to the first point μ is not measurable; the friction of the small slip there is that of the first value.
+      energy.account.friction += points[0].mu * state.Pn * 0.5 * (state.S - 1);
+    } else {
+      const auto i = points[k - 1].index;
+      const auto j = points[k].index;
+      if (drop_ends_at(i, j)) {
+        double work = 0;
+        for (std::size_t row = i + 1; row <= j; ++row)
+          work += 0.5 * (record.force[row] + record.force[row - 1]) * (record.stage[row] - record.stage[row - 1]);
+        const double train = (state.F * state.F - previous.F * previous.F) / (2 * analysis.rig.stiffness);
+        energy.account.snaps += work - (state.U - previous.U) - train;
+      } else {
+        energy.account.friction += 0.5 * (points[k].mu * state.Pn + points[k - 1].mu * previous.Pn) * (state.S - previous.S);
+      }
+    }
+    energy.account.bending = state.U;
+    previous = state;
+  }
+  auto& account = energy.account;
+  account.imbalance = account.stage_work - (account.bending + account.load_train + account.friction + account.snaps);
+  energy.friction_share = (account.friction + account.snaps) / energy.work_of_fracture;
+  return energy;
+}
+
+// All drops together, as a fraction of the greatest force. The two bounds are empirical: they say what one would call a sawtooth.
+SawtoothCategory category_of(const TestAnalysis& analysis) {
+  const double greatest = *std::max_element(analysis.record.force.begin(), analysis.record.force.end());
+  std::vector<double> falls;
+  double total = 0;
+  for (const auto& drop : analysis.drops.drops) {
+    falls.push_back(drop.force_fall);
+    total += drop.force_fall;
+  }
+  if (falls.size() < 3 || total < 0.03 * greatest) return SawtoothCategory::none;
+  return total >= 0.15 * greatest ? SawtoothCategory::clear : SawtoothCategory::nominal;
+}
+
+History empty_history() { return {HistoryStatus::ok, {}, {}, {}}; }
+
+}  // namespace
+
+TestAnalysis analyse(const Record& given, const TestDescription& description, const AnalysisOptions& options) {
+  const Failure found = find_failure(given);
+  const Failure failure = description.points_before_failure
+                              ? Failure{FailureStatus::found, std::min(*description.points_before_failure, given.force.size())}
+                              : found;
+  const Record whole = first_points(given, failure.points);
+  const Contact contact = find_contact(whole);
+  const Record record = with_contact_at(whole, description.contact);
+
+  const bool from_slope = !description.bending_stiffness;
+  const double slope = initial_slope(record, contact);
+  const bool sloped = slope > 0;
+  const double L = description.span;
+  const double EI = description.bending_stiffness.value_or(sloped ? slope * L * L * L / 48 : 1.0);
+  const double slope_error = from_slope && sloped ? contact.slope_error / contact.slope + slope_bend : 0.0;
+  const Scales scales(L, EI);
+  TestAnalysis analysis{
+      .status = AnalysisStatus::ok,
+      .scales = scales,
+      .rig = {scales.reduced_stiffness(description.load_train_stiffness)},
+      .bending_stiffness_error = description.bending_stiffness_error.value_or(std::hypot(usual_stiffness_error, slope_error)),
+      .stiffness_from_slope = from_slope,
+      .failure = failure,
+      .contact = contact,
+      .record = record,
+      .reduced = to_reduced(record, scales),
+      .force_noise = not_a_number,
+      .drops = {},
+      .profile = {},
+      .slips = {},
+      .slip_summary = {},
+      .suspects = {},
+      .fit = {},
+      .model = empty_history(),
+      .model_curve = empty_history(),
+      .replay = {},
+      .energy = {},
+      .category = SawtoothCategory::none};
+  if (from_slope && !sloped) {
+    analysis.status = AnalysisStatus::no_initial_slope;
+    return analysis;
+  }
+  constexpr std::size_t least_points = 30;
+  if (record.force.size() < least_points) {
+    analysis.status = AnalysisStatus::too_few_points;
+    return analysis;
+  }
+
+  analysis.force_noise = scales.reduced_force(force_noise(record));
+  analysis.drops = find_drops(record, options.drops);
+  const double contact_error = contact.status == ContactStatus::found ? contact.offset_error : 0.0;
+  const MeasurementErrors errors{.force = analysis.force_noise,
+                                 .bending_stiffness = analysis.bending_stiffness_error,
+                                 .contact = scales.reduced_length(contact_error)};
+  analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
+  analysis.slips = slips_of(analysis.profile, analysis.drops.drops);
+  analysis.slip_summary = summarise(analysis.slips);
+  analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);
+  analysis.category = category_of(analysis);
+  analysis.fit = fit_friction({analysis.reduced, analysis.rig, errors}, options.fit);
+  if (analysis.fit.status == FrictionFitStatus::too_few_points) {
+    analysis.status = AnalysisStatus::too_few_points;
+    return analysis;
+  }
+  analysis.replay = replay_of(analysis);
+  analysis.energy = measured_energy(analysis);
+
+  // The chosen model in its own units: those of the estimated bending stiffness.
+  const auto& chosen = analysis.fit.models[analysis.fit.chosen];
+  const double stiffening = chosen.bending_stiffness.value;
+  const Rig rig{analysis.rig.stiffness / stiffening};
+  const Friction friction = Friction::waves(chosen.friction);
+  std::vector<double> stages;
+  for (const double stage : analysis.reduced.stage) stages.push_back(std::max(stage, stages.empty() ? 0.0 : stages.back()));
+  if (stages.back() > 0) {
+    const auto in_nominal_units = [&](History history) {
+      const auto scaled = [&](PathPoint& point) { point.F *= stiffening; };
+      for (auto& point : history.path) scaled(point);
+      for (auto& snap : history.snaps) {
+        scaled(snap.before);
+        scaled(snap.after);
+      }
+      auto& e = history.energy;
+      for (double* value : {&e.stage_work, &e.bending, &e.load_train, &e.friction, &e.snaps, &e.imbalance}) *value *= stiffening;
+      return history;
+    };
+    analysis.model = in_nominal_units(load_in_steps(friction, rig, stages));
+    analysis.model_curve = in_nominal_units(load_continuously(friction, rig, stages.back(), 24));
+  }
+  return analysis;
+}
+
+}  // namespace flexslip

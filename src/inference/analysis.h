@@ -1,0 +1,88 @@
+// One measured test from its record to its answers: what friction, where along the specimen, how certainly, which drops are
+// slips, and how much of the work was friction. SI in, everything of the model in reduced variables with their Scales beside.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "bending_test/history.h"
+#include "data/drops.h"
+#include "data/record.h"
+#include "data/scales.h"
+#include "inference/fit.h"
+#include "inference/profile.h"
+
+namespace flexslip {
+
+// What is known of a test besides its record.
+struct TestDescription {
+  double span;                                  // [m]
+  double load_train_stiffness;                  // [N/m] infinite for displacement control
+  std::optional<double> bending_stiffness;      // [N m^2] EI; not given: from the initial slope of the record
+  std::optional<double> bending_stiffness_error;  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says
+  std::optional<std::size_t> points_before_failure;  // not given: found
+  double contact = 0;                           // [m] stage position of the contact, taken off stage and deflection
+};
+
+struct AnalysisOptions {
+  FitOptions fit;
+  DropOptions drops;
+  double suspect_limit = 1.0;  // [1] friction above it is implausible
+};
+
+// How the curve looks, by a fixed rule on its drops (theory.md, "Categories").
+enum class SawtoothCategory { clear, nominal, none };
+
+// A test in energies, from contact to failure [EI/L]. As EnergyAccount, from the measured points: friction = ∫ μ P_n dS while the
+// fibre slides, snaps all that is lost in drops, where a test cannot tell friction from noise and vibration; the imbalance holds
+// the coarseness of the points.
+struct MeasuredEnergy {
+  EnergyAccount account;
+  double work_of_fracture;  // ∫ F dw0: what is read off a curve as toughness times area
+  double friction_share;    // [1] of it: (friction + snaps)/work_of_fracture
+};
+
+// The measured profile run forward as a table.
+struct Replay {
+  FrictionTable table;
+  std::vector<double> force;     // [EI/L^2] at the points of the record past the deflection 0.05; NaN before
+  double residual_rms;           // [EI/L^2] there
+  std::size_t drops_reproduced;  // drops of the record that the table has at the same point
+};
+
+enum class AnalysisStatus {
+  ok,
+  no_initial_slope,  // EI was to be found, but the record has no straight rising beginning: nothing else is valid
+  too_few_points,    // fewer than 30 points, or 20 with a deflection above 0.05 spans: nothing from drops on is valid
+};
+
+struct TestAnalysis {
+  AnalysisStatus status;
+  Scales scales;  // nominal
+  Rig rig;
+  double bending_stiffness_error;  // [1] as used
+  bool stiffness_from_slope;
+  Failure failure;
+  Contact contact;       // found; applied only if the description says so
+  Record record;         // up to failure, contact taken off
+  ReducedRecord reduced;
+  double force_noise;    // [EI/L^2] of one reading
+  Drops drops;
+  FrictionProfile profile;
+  std::vector<Slip> slips;
+  SlipSummary slip_summary;
+  SuspectReport suspects;
+  FrictionFit fit;
+  History model;         // the chosen model on the stage positions of the record, at the estimated bending stiffness
+  History model_curve;   // the same continuously, for drawing
+  Replay replay;
+  MeasuredEnergy energy;
+  SawtoothCategory category;
+};
+
+// Domain:     a record without faults (check_record), span and stiffness positive; std::invalid_argument otherwise.
+// Cost:       less than 0.1 s for 300 points.
+TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
+
+}  // namespace flexslip

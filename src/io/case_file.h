@@ -1,0 +1,162 @@
+// Case files: one TOML file describes a test, for simulating and for fitting (docs/case-files.md).
+//
+// Numbers are in SI and radians; where the file says `reduced = true`, they are in the model's scaled variables: lengths
+// in spans L, forces in EI/L^2, stiffnesses in EI/L^3. A field's unit below is that of the physical case.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "io/input_error.h"
+
+namespace flexslip {
+
+struct RoundSection {
+  double diameter;  // [m]
+  bool operator==(const RoundSection&) const = default;
+};
+
+struct RectangularSection {
+  double width;   // [m]
+  double height;  // [m] in the direction of bending
+  bool operator==(const RectangularSection&) const = default;
+};
+
+using Section = std::variant<RoundSection, RectangularSection>;
+
+// To be found from the record.
+struct ToFit {
+  bool operator==(const ToFit&) const = default;
+};
+
+struct Known {
+  double value;
+  double uncertainty;  // one standard deviation, same unit; 0 if the file states none
+  bool operator==(const Known&) const = default;
+};
+
+using Estimate = std::variant<ToFit, Known>;
+
+// How stiff the specimen is: the modulus of its section, or the product EI.
+struct Modulus {
+  Estimate estimate;  // [Pa]
+  bool operator==(const Modulus&) const = default;
+};
+
+struct BendingStiffness {
+  Estimate estimate;  // [N m^2]
+  bool operator==(const BendingStiffness&) const = default;
+};
+
+struct SpecimenInput {
+  std::optional<Section> section;                    // always there beside a modulus
+  std::variant<Modulus, BendingStiffness> rigidity;  // reduced: a bending stiffness, 1 where it is known
+  bool operator==(const SpecimenInput&) const = default;
+};
+
+struct RigInput {
+  double span;                      // [m] reduced: 1
+  std::optional<double> stiffness;  // [N/m] infinite for displacement control
+  bool operator==(const RigInput&) const = default;
+};
+
+// One term of μ: amplitude cos(π S/wavelength + phase), (4.25).
+struct WaveInput {
+  double amplitude;   // [1] relative to mu0, in [0, 1]
+  double wavelength;  // [m]
+  double phase;       // [rad]
+  bool operator==(const WaveInput&) const = default;
+};
+
+// mu0 (1 + Σ waves) + drift (S - span): the models "constant" (no wave), "sinusoid" (one) and "sinusoids".
+struct WavyFriction {
+  double mu0;    // [1]
+  double drift;  // [1/m] 0 if the file has none
+  std::vector<WaveInput> waves;
+  bool operator==(const WavyFriction&) const = default;
+};
+
+// μ from a table over S, such as an AFM trace; the point of the specimen at s from midspan is at S = 2 s.
+struct TabulatedFriction {
+  std::string file;    // relative to the working directory
+  std::string length;  // the titles of its columns, as read_table takes them: "S [um]" and "mu"
+  std::string mu;
+  bool operator==(const TabulatedFriction&) const = default;
+};
+
+struct RoughFriction {
+  double mu0;                 // [1] the mean
+  double rms;                 // [1] standard deviation, of ln μ
+  double correlation_length;  // [m] along the specimen
+  std::uint64_t seed;         // of the random numbers
+  bool operator==(const RoughFriction&) const = default;
+};
+
+using FrictionProfileInput = std::variant<WavyFriction, TabulatedFriction, RoughFriction>;
+
+enum class FrictionModel { constant, sinusoid, sinusoids, table, rough };
+
+// For simulating, one model with its parameters; for fitting, the models to consider.
+struct FrictionInput {
+  std::vector<FrictionModel> models;            // empty: the fit chooses among all it knows
+  std::optional<FrictionProfileInput> profile;  // there if the file gives parameters; then there is one model
+  bool operator==(const FrictionInput&) const = default;
+};
+
+struct StageInput {
+  std::vector<double> program;  // [m] turning points of the stage, at least two
+  std::optional<double> step;   // [m] none: continuous, with exact snaps
+  bool operator==(const StageInput&) const = default;
+};
+
+// Two of the three columns are there; each is a title as read_table takes it, "F_N [N]".
+struct RecordInput {
+  std::string file;  // relative to the working directory
+  std::optional<std::string> stage;
+  std::optional<std::string> deflection;
+  std::optional<std::string> force;
+  std::optional<std::size_t> until;  // last row before failure, 1-based
+  std::optional<double> contact;     // [m] displacement at first contact; none: to be found
+  char decimal;                      // '.' or ','
+  bool operator==(const RecordInput&) const = default;
+};
+
+struct Case {
+  std::string source;  // the file as the user named it
+  bool reduced;
+  std::optional<SpecimenInput> specimen;  // this and the rig are always there in reduced cases
+  std::optional<RigInput> rig;
+  std::optional<FrictionInput> friction;
+  std::optional<StageInput> stage;
+  std::optional<RecordInput> record;
+  std::map<std::string, std::size_t, std::less<>>
+      lines;  // of every key: "specimen", "specimen.diameter", "stage.program[1]"
+};
+
+// Reads a case. Every value is in its range, every key is known, and what belongs together is complete; which
+// sections a command needs is its own affair (see missing()).
+// Fails:      InputError with file, line and key.
+Case read_case(std::string_view text, const std::string& source);
+
+// The same from a file; "-" is standard input.
+Case read_case(const std::string& path);
+
+// The case as TOML text: read_case gives the same case back, to the last bit, in the same working directory.
+std::string to_toml(const Case& input);
+
+// The error to throw when a value of a case turns out wrong later. `key` as in Case::lines.
+InputError wrong_value(const Case& input, std::string_view key, std::string expected, std::string found,
+                       std::string remedy = "");
+
+// The error to throw when a command needs what a case does not have: a section, "friction", or a key, "rig.stiffness".
+// The message shows an example of it.
+InputError missing(const Case& input, std::string_view key);
+
+}  // namespace flexslip

@@ -1,0 +1,121 @@
+#include "io/input_error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t longest_quote = 60;        // [bytes] a message stays one readable line
+constexpr std::size_t longest_list = 12;         // names, likewise
+constexpr std::size_t longest_likely_name = 64;  // [bytes] longer words are not names that someone mistyped
+
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
+
+// Bytes of the UTF-8 character at the start of `text`, 0 if it is none that can be shown.
+std::size_t shown_character(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text.front());
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  const std::size_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  if (text.size() < length) return 0;
+  const std::string_view rest = text.substr(1, length - 1);
+  if (!std::all_of(rest.begin(), rest.end(), continues_character)) return 0;
+  const bool is_control = first == 0xc2 && static_cast<unsigned char>(rest.front()) < 0xa0;  // U+0080 to U+009F
+  return is_control ? 0 : length;
+}
+
+// The text with \xNN for each byte that cannot be shown.
+std::string printable(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = shown_character(text);
+    if (length > 0)
+      out += text.substr(0, length);
+    else
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
+}
+
+std::string sentence(const InputFault& fault) {
+  std::string text = fault.file;
+  if (fault.line > 0) text += fmt::format("{}{}", fault.file.empty() ? "line " : ":", fault.line);
+  if (!text.empty()) text += ": ";
+  if (!fault.field.empty()) text += fault.field + ": ";
+  if (!fault.expected.empty()) text += "expected " + fault.expected;
+  if (!fault.expected.empty() && !fault.found.empty()) text += ", ";
+  if (!fault.found.empty()) text += "found " + fault.found;
+  if (!fault.remedy.empty()) text += "; " + fault.remedy;
+  return printable(text);
+}
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+// Insertions, deletions, substitutions and swaps of neighbours that turn one word into the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> two_ago(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    two_ago = std::exchange(last, row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      if (swapped) row[j] = std::min(row[j], two_ago[j - 2] + 1);
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+InputError::InputError(InputFault what_is_wrong)
+    : std::runtime_error(sentence(what_is_wrong)), fault(std::move(what_is_wrong)) {}
+
+InputError located(const InputError& error, std::string_view file, std::size_t line, std::string_view field) {
+  InputFault fault = error.fault;
+  fault.file = file;
+  fault.line = line;
+  fault.field = field;
+  return InputError(std::move(fault));
+}
+
+std::string in_quotes(std::string_view text) {
+  if (text.size() <= longest_quote) return fmt::format("'{}'", printable(text));
+  std::size_t length = longest_quote;
+  while (length > longest_quote - 3 && continues_character(text[length])) --length;  // cut between characters
+  return fmt::format("'{}…'", printable(text.substr(0, length)));
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  const std::size_t shown = std::min(names.size(), longest_list);
+  const std::size_t hidden = names.size() - shown;
+  std::string out;
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) out += i + 1 == names.size() ? " and " : ", ";
+    out += in_quotes(names[i]);
+  }
+  return hidden == 0 ? out : out + fmt::format(" and {} more", hidden);
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  if (word.size() > longest_likely_name) return "";
+  std::string best;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    if (candidate.empty() || candidate.size() > longest_likely_name) continue;
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= least || distance >= std::max(word.size(), candidate.size())) continue;
+    least = distance;
+    best = candidate;
+  }
+  return best;
+}
+
+}  // namespace flexslip

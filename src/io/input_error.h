@@ -1,0 +1,42 @@
+// What is wrong with an input, where it stands, and how to mend it. Thrown at the edge, caught once per front end.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flexslip {
+
+// The parts of the message; those that do not apply stay empty.
+struct InputFault {
+  std::string file{};      // as the user named it
+  std::size_t line{};      // 1-based; 0 where there is no line to point at
+  std::string field{};     // what the user would search for: "column 'F_N'", "[specimen] diameter"
+  std::string expected{};  // "a number"
+  std::string found{};     // "'12,5'"
+  std::string remedy{};    // "write decimal points, or pass --decimal ,"
+};
+
+// The one exception type for bad input. what() is one line made of the fault, without control characters:
+//   ss14.csv:17: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,
+struct InputError : std::runtime_error {
+  explicit InputError(InputFault what_is_wrong);
+  InputFault fault;
+};
+
+// The same error with its place filled in: what a reader of text throws, told by the reader of the file it stands in.
+InputError located(const InputError& error, std::string_view file, std::size_t line, std::string_view field);
+
+// Text from a user's file made fit for a message: in quotes, control characters and broken UTF-8 as \xNN, clipped.
+std::string in_quotes(std::string_view text);
+
+// Names for a message, each quoted: "'a', 'b' and 'c'"; a long list is clipped and says how many more there are.
+std::string listed(const std::vector<std::string>& names);
+
+// The candidate the user probably meant, "" if none is near.
+// Method:     optimal string alignment distance, letters of either case alike; near is at most a third of the letters.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace flexslip

@@ -1,0 +1,89 @@
+// A case made ready to compute: the one place where what a user wrote meets the types of the core.
+//
+// A reduced case has the scales 1 and 1: "SI" below is then the model's scaled variables. All functions throw an InputError
+// that points at the line of the case, or of the file it names, that cannot be computed.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bending_test/rig.h"
+#include "contact/friction.h"
+#include "data/record.h"
+#include "data/scales.h"
+#include "inference/profile.h"
+#include "io/case_file.h"
+
+namespace flexslip {
+
+enum class MeasurementEnd { last_row, until, failure };
+enum class ContactSource {
+  stated,       // by the case
+  found,        // the record begins before the contact, see find_contact
+  first_point,  // the record begins at the contact
+};
+
+// The part of a record that is evaluated: one loading, from the contact to the failure.
+struct Measurement {
+  std::string file;
+  std::size_t rows;      // of the file
+  std::size_t first;     // row of the file, counted from 0, of the first point of the record
+  Record record;         // stage and deflection counted from the contact
+  MeasurementEnd end;    // what ends the record
+  ContactSource contact;
+  double contact_offset;  // [m] taken off stage and deflection
+  double contact_error;   // [m] standard deviation
+  double force_noise;     // [N] standard deviation of one reading
+};
+
+// Reads the record of a case.
+// Domain:     at least least_points points, 11 or more; std::invalid_argument otherwise.
+// Fails:      InputError, besides what read_table throws, for too few points, a stage that runs back before the failure,
+//             an `until` beyond the file, no stiffness of the rig.
+Measurement read_measurement(const Case& input, std::size_t least_points);
+
+enum class StiffnessSource {
+  stated,         // by the case, with its uncertainty
+  assumed_error,  // by the case, without: stiffness_error_assumed
+  initial_slope,  // of the record, F = 48 EI w/L^3
+};
+
+inline constexpr double stiffness_error_assumed = 0.03;  // [1] a modulus from a data sheet and a diameter to 0.5 % give no better
+
+struct BendingStiffnessUsed {
+  double value;           // [N m^2] EI
+  double relative_error;  // [1] standard deviation
+  StiffnessSource source;
+};
+
+// The bending stiffness that a case states.
+// Fails:      InputError if it states none.
+BendingStiffnessUsed bending_stiffness_of(const Case& input);
+
+// The same, or where the case leaves it to the fit, from the initial slope of the record.
+// Fails:      InputError if the force does not rise where the record begins.
+BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& measurement);
+
+// Fails:      InputError if the case has no span, or its specimen is as thick as a fifth of it: no slender beam.
+Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness);
+
+// Fails:      InputError if the case has no stiffness of the rig.
+Rig rig_of(const Case& input, const Scales& scales);
+
+// The friction of a case for lengths up to S_max [L]; a table is read from its file.
+// Fails:      InputError if the case has none, several models, or one without parameters.
+Friction friction_of(const Case& input, const Scales& scales, double S_max);
+
+// The stage positions [m] of a programme with a step, its turning points among them.
+// Domain:     the case has a stage with a step; std::invalid_argument otherwise.
+std::vector<double> stages_of(const Case& input);
+
+// The farthest stage position [m] of a programme that only loads.
+// Fails:      InputError if the case has no programme, or one that goes back or nowhere.
+double farthest_stage(const Case& input);
+
+// Reduced errors of the readings, for measure_friction and fit_friction.
+MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness, const Scales& scales);
+
+}  // namespace flexslip

@@ -1,0 +1,449 @@
+#include "io/quantity.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+constexpr int highest_power = 12;  // of one factor; no quantity of mechanics needs more, and exponents cannot overflow
+constexpr std::size_t most_factors = 8;  // in one unit, likewise
+
+struct NamedUnit {
+  std::string_view symbol;
+  Unit unit;
+};
+
+constexpr Dimension of_force{1, 1, -2, 0};
+constexpr Dimension of_pressure{-1, 1, -2, 0};
+constexpr Dimension of_energy{2, 1, -2, 0};
+
+constexpr std::array with_prefix{
+    NamedUnit{"m", {{.metre = 1}}},    NamedUnit{"g", {{.kilogram = 1}, -3}}, NamedUnit{"s", {{.second = 1}}},
+    NamedUnit{"N", {of_force}},        NamedUnit{"Pa", {of_pressure}},        NamedUnit{"J", {of_energy}},
+    NamedUnit{"rad", {{.radian = 1}}},
+};
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double pound_force = 4.4482216152605;  // [N] exact by definition
+constexpr double inch = 0.0254;                  // [m] exact by definition
+
+constexpr std::array without_prefix{
+    NamedUnit{"micron", {{.metre = 1}, -6}},
+    NamedUnit{"microns", {{.metre = 1}, -6}},
+    NamedUnit{"in", {{.metre = 1}, 0, inch}},
+    NamedUnit{"sec", {{.second = 1}}},
+    NamedUnit{"min", {{.second = 1}, 0, 60}},
+    NamedUnit{"h", {{.second = 1}, 0, 3600}},
+    NamedUnit{"lbf", {of_force, 0, pound_force}},
+    NamedUnit{"psi", {of_pressure, 0, pound_force / (inch * inch)}},
+    NamedUnit{"deg", {{.radian = 1}, 0, degree}},
+    NamedUnit{"°", {{.radian = 1}, 0, degree}},
+    NamedUnit{"%", {{}, -2}},
+};
+
+constexpr std::array<std::pair<std::string_view, int>, 12> prefixes{{{"f", -15},
+                                                                     {"p", -12},
+                                                                     {"n", -9},
+                                                                     {"u", -6},
+                                                                     {"\u00b5", -6},
+                                                                     {"\u03bc", -6},
+                                                                     {"m", -3},
+                                                                     {"c", -2},
+                                                                     {"d", -1},
+                                                                     {"k", 3},
+                                                                     {"M", 6},
+                                                                     {"G", 9}}};
+
+constexpr std::array all_kinds{&kind::length,      &kind::inverse_length, &kind::force,
+                               &kind::stiffness,   &kind::pressure,       &kind::bending_stiffness,
+                               &kind::area_moment, &kind::energy,         &kind::angle,
+                               &kind::time,        &kind::number};
+
+bool take(std::string_view& text, std::string_view head) {
+  if (!text.starts_with(head)) return false;
+  text.remove_prefix(head.size());
+  return true;
+}
+
+std::optional<Unit> known_unit(std::string_view symbol) {
+  for (const NamedUnit& named : without_prefix)
+    if (symbol == named.symbol) return named.unit;
+  for (const NamedUnit& named : with_prefix) {
+    if (!symbol.ends_with(named.symbol)) continue;
+    const std::string_view prefix = symbol.substr(0, symbol.size() - named.symbol.size());
+    if (prefix.empty()) return named.unit;
+    for (const auto& [name, exponent] : prefixes)
+      if (prefix == name) return Unit{named.unit.dimension, named.unit.exponent + exponent, named.unit.factor};
+  }
+  return std::nullopt;
+}
+
+std::string remedy_for_symbol(std::string_view symbol) {
+  for (std::size_t i = 1; i < symbol.size(); ++i)
+    if (known_unit(symbol.substr(0, i)) && known_unit(symbol.substr(i)))
+      return fmt::format("a product of units needs a space, \"{} {}\"", symbol.substr(0, i), symbol.substr(i));
+  static const std::vector<std::string> usual{"nm",  "um",  "mm",  "mN", "N",   "kN",  "Pa",
+                                              "kPa", "MPa", "GPa", "mJ", "rad", "deg", "micron"};
+  if (const std::string meant = nearest(symbol, usual); !meant.empty())
+    return fmt::format("did you mean {}?", in_quotes(meant));
+  return "known are m, g, s, N, Pa, J, rad, deg with prefixes, as in \"mN/um\" or \"N m^2\"";
+}
+
+// Digits of a power written in superscripts, as plain text: "⁻²" is "-2".
+std::string take_superscripts(std::string_view& text) {
+  static constexpr std::array<std::pair<std::string_view, char>, 11> superscripts{{{"⁰", '0'},
+                                                                                   {"¹", '1'},
+                                                                                   {"²", '2'},
+                                                                                   {"³", '3'},
+                                                                                   {"⁴", '4'},
+                                                                                   {"⁵", '5'},
+                                                                                   {"⁶", '6'},
+                                                                                   {"⁷", '7'},
+                                                                                   {"⁸", '8'},
+                                                                                   {"⁹", '9'},
+                                                                                   {"⁻", '-'}}};
+  std::string plain;
+  for (std::size_t before = plain.size() + 1; before != plain.size();) {
+    before = plain.size();
+    for (const auto& [superscript, digit] : superscripts)
+      if (take(text, superscript)) plain += digit;
+  }
+  return plain;
+}
+
+// Reads units left to right: factor { (space | * | · | /) factor }.
+class UnitReader {
+ public:
+  explicit UnitReader(std::string_view text) : whole_(text), rest_(text) {}
+
+  Unit read() {
+    if (take(rest_, "1")) {
+      skip_spaces();
+      if (!rest_.starts_with('/')) refuse("a unit", "");
+    } else {
+      multiply_by_factor(1);
+    }
+    bool divided = false;
+    for (std::size_t factors = 1; skip_spaces(), !rest_.empty(); ++factors) {
+      if (factors == most_factors) refuse("a shorter unit", "");
+      if (take(rest_, "/")) {
+        divided = true;
+        multiply_by_factor(-1);
+        continue;
+      }
+      if (divided) refuse("one reading", "what follows a / is ambiguous; write \"N s/m\" or \"N/m/s\"");
+      take_times();
+      multiply_by_factor(1);
+    }
+    return unit_;
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string expected, std::string remedy) const {
+    throw InputError({.expected = std::move(expected), .found = in_quotes(whole_), .remedy = std::move(remedy)});
+  }
+
+  void skip_spaces() {
+    while (take(rest_, " ") || take(rest_, "\t")) {
+    }
+  }
+
+  void take_times() {  // a product needs no sign; a space has already been passed
+    for (const std::string_view times : {"*", "·", "⋅"})
+      if (take(rest_, times)) return;
+  }
+
+  void multiply_by_factor(int sign) {
+    skip_spaces();
+    const std::string_view symbol = take_symbol();
+    const std::optional<Unit> unit = known_unit(symbol);
+    if (!unit) refuse_symbol(symbol);
+    const int power = sign * take_power();
+    unit_.dimension.metre += power * unit->dimension.metre;
+    unit_.dimension.kilogram += power * unit->dimension.kilogram;
+    unit_.dimension.second += power * unit->dimension.second;
+    unit_.dimension.radian += power * unit->dimension.radian;
+    unit_.exponent += power * unit->exponent;
+    for (int i = 0; i < std::abs(power); ++i)
+      unit_.factor = power > 0 ? unit_.factor * unit->factor : unit_.factor / unit->factor;
+  }
+
+  [[noreturn]] void refuse_symbol(std::string_view symbol) const {
+    if (symbol.empty()) refuse("a unit", "");
+    throw InputError({.expected = "a unit", .found = in_quotes(symbol), .remedy = remedy_for_symbol(symbol)});
+  }
+
+  std::string_view take_symbol() {
+    static constexpr std::string_view ends[] = {" ", "\t", "*", "·", "⋅", "/", "^", "⁻", "¹", "²",
+                                                "³", "⁴",  "⁵", "⁶", "⁷", "⁸", "⁹", "0", "1", "2",
+                                                "3", "4",  "5", "6", "7", "8", "9", "-", "+"};
+    std::size_t length = rest_.size();
+    for (const std::string_view end : ends) length = std::min(length, rest_.find(end));
+    const std::string_view symbol = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return symbol;
+  }
+
+  int take_power() {
+    const bool announced = take(rest_, "^") || take(rest_, "**");
+    std::string digits = take_superscripts(rest_);
+    if (digits.empty()) {
+      const std::size_t sign = rest_.starts_with('-') ? 1 : 0;  // "N m-1"
+      const std::size_t end = std::min(rest_.find_first_not_of("0123456789", sign), rest_.size());
+      digits = rest_.substr(0, end);
+      rest_.remove_prefix(end);
+    }
+    if (digits.empty() && !announced) return 1;
+    int power = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
+    const bool whole = error == std::errc{} && end == digits.data() + digits.size();
+    if (!whole || power == 0 || std::abs(power) > highest_power) refuse("a unit to a small whole power", "");
+    return power;
+  }
+
+  std::string_view whole_;
+  std::string_view rest_;
+  Unit unit_;
+};
+
+std::string name_of(Dimension dimension) {
+  for (const Kind* each : all_kinds)
+    if (each->dimension == dimension) return std::string(each->name);
+  return "another quantity";
+}
+
+// A number at the start of `text`: what it says and where it ends.
+struct LeadingNumber {
+  double value;           // [1] before the unit
+  std::string_view text;  // without a leading +
+  std::string_view rest;
+};
+
+std::optional<LeadingNumber> leading_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) return std::nullopt;
+  const auto length = static_cast<std::size_t>(end - text.data());
+  return LeadingNumber{value, text.substr(0, length), text.substr(length)};
+}
+
+// The number times 10^shift, rounded once.
+double with_decimal_shift(const LeadingNumber& number, int shift) {
+  if (shift == 0 || number.value == 0 || !std::isfinite(number.value)) return number.value;
+  const std::size_t mark = number.text.find_first_of("eE");
+  int exponent = 0;
+  if (mark != std::string_view::npos) {
+    const char* first = number.text.data() + mark + 1;
+    if (*first == '+') ++first;
+    std::from_chars(first, number.text.data() + number.text.size(), exponent);  // fits: the value is finite and not 0
+  }
+  const std::string shifted = fmt::format("{}e{}", number.text.substr(0, mark), exponent + shift);
+  double value = 0;
+  fast_float::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
+  return value;
+}
+
+// A number in the units of its kind, for a remedy: "1278 nm", "1278 um", "1278 mm" or "1278 m".
+std::string in_units(std::string_view number, const Kind& kind) {
+  std::string text;
+  for (std::size_t i = 0; i < kind.units.size(); ++i) {
+    if (i > 0) text += i + 1 == kind.units.size() ? " or " : ", ";
+    text += fmt::format("\"{}{}{}\"", number, number.empty() ? "" : " ", kind.units[i]);
+  }
+  return text;
+}
+
+bool spells_infinity(std::string_view number) { return number.find_first_of("iI") != std::string_view::npos; }
+
+double power_of_ten(int exponent) {  // exact up to 10^22, the last power that a double holds
+  double power = 1;
+  for (int i = 0; i < exponent; ++i) power *= 10;
+  return power;
+}
+
+int decade(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
+
+// Fixed notation in the range that people read at a glance, scientific outside.
+std::string with_decimals(double value, int decimals) {
+  const double size = std::abs(value);
+  if (size != 0 && (size < 1e-3 || size >= 1e7))
+    return fmt::format("{:.{}e}", value, std::clamp(decade(value) + decimals, 0, 16));
+  return fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 16));
+}
+
+std::string without_trailing_zeros(std::string text) {
+  const std::size_t mark = std::min(text.find('e'), text.size());
+  std::string digits = text.substr(0, mark);
+  if (digits.find('.') == std::string::npos) return text;
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.') digits.pop_back();
+  return digits + text.substr(mark);
+}
+
+// value 10^shift, with the fewest digits that identify the value's bits: only the decimal point moves, nothing is rounded.
+std::string exact_decimal(double value, int shift) {
+  std::array<char, 32> buffer;  // "-d.dddddddddddddddde-ddd" has 24
+  const auto written =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific);
+  const std::string_view text(buffer.data(), static_cast<std::size_t>(written.ptr - buffer.data()));
+  const std::size_t mark = text.find('e');
+  const int point = std::atoi(std::string(text.substr(mark + 1)).c_str()) + shift + 1;  // digits before the point
+  const std::string sign = value < 0 ? "-" : "";
+  std::string digits;
+  for (const char c : text.substr(0, mark))
+    if (c >= '0' && c <= '9') digits += c;
+  if (point < -3 || point > 7) return fmt::format("{}e{}", text.substr(0, mark), point - 1);
+  if (point <= 0) return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
+  const auto whole = static_cast<std::size_t>(point);
+  if (digits.size() <= whole) return sign + digits + std::string(whole - digits.size(), '0');
+  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
+}
+
+std::string with_typeset_unit(const std::string& number, std::string_view unit) {
+  return unit.empty() ? number : number + " " + typeset(unit);
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+double within(Range range, double value, std::string_view text, const Kind& kind) {
+  const auto refuse = [&](std::string_view adjective, std::string_view remedy) {
+    const std::string_view noun = kind.name.substr(kind.name.find(' ') + 1);
+    throw InputError(
+        {.expected = fmt::format("a {} {}", adjective, noun), .found = in_quotes(text), .remedy = std::string(remedy)});
+  };
+  if (std::isnan(value)) refuse("known", "");
+  if (std::isinf(value) && !(range == Range::positive_or_infinite && value > 0)) refuse("finite", "");
+  if (range == Range::non_negative && value < 0) refuse("non-negative", "");
+  if (range == Range::positive && value <= 0) refuse("positive", "");
+  if (range == Range::positive_or_infinite && value <= 0)
+    refuse("positive", "write \"inf\" if it is too large to matter");
+  return value;
+}
+
+double parse_quantity(std::string_view text, const Kind& kind, Range range) {
+  const std::string_view body = trimmed(text);
+  const std::optional<LeadingNumber> number = leading_number(body);
+  if (!number)
+    throw InputError({.expected = fmt::format("{} with its unit", kind.name),
+                      .found = body.empty() ? "nothing" : in_quotes(body),
+                      .remedy = fmt::format("write a number and a unit, \"{}\"", kind.example)});
+  const std::string_view symbol = trimmed(number->rest);
+  if (std::isinf(number->value) && !spells_infinity(number->text))
+    throw InputError({.expected = fmt::format("{} that a computer can hold", kind.name), .found = in_quotes(body)});
+  if (symbol.starts_with(','))
+    throw InputError(
+        {.expected = std::string(kind.name),
+         .found = in_quotes(body),
+         .remedy = fmt::format("write a decimal point and no thousands separators, \"{}\"", kind.example)});
+  const bool needs_no_unit = !std::isfinite(number->value) || kind.dimension == Dimension{};
+  if (symbol.empty() && !needs_no_unit)
+    throw InputError({.expected = fmt::format("{} with its unit", kind.name),
+                      .found = fmt::format("the bare number {}", in_quotes(number->text)),
+                      .remedy = "write " + in_units(number->text, kind)});
+  const Unit unit = symbol.empty() ? Unit{} : parse_unit(symbol);
+  if (!symbol.empty() && unit.dimension != kind.dimension)
+    throw InputError({.expected = std::string(kind.name),
+                      .found = fmt::format("{} {}", name_of(unit.dimension), in_quotes(body)),
+                      .remedy = fmt::format("write it as in \"{}\"", kind.example)});
+  return within(range, with_decimal_shift(*number, unit.exponent) * unit.factor, body, kind);
+}
+
+Unit parse_unit(std::string_view text) { return UnitReader(trimmed(text)).read(); }
+
+Unit parse_unit(std::string_view text, const Kind& kind) {
+  const bool is_number = kind.dimension == Dimension{};
+  const std::string_view body = trimmed(text);
+  if (is_number && (body.empty() || body == "1" || body == "-")) return {};
+  const auto wanted = [&] {
+    return is_number ? std::string("no unit") : fmt::format("a unit of {}", kind.name.substr(kind.name.find(' ') + 1));
+  };
+  const auto remedy = [&] { return is_number ? std::string() : "such as " + in_units("", kind); };
+  if (body.empty()) throw InputError({.expected = wanted(), .found = "none", .remedy = remedy()});
+  const Unit unit = parse_unit(body);
+  if (unit.dimension != kind.dimension)
+    throw InputError({.expected = wanted(),
+                      .found = fmt::format("{}, the unit of {}", in_quotes(body), name_of(unit.dimension)),
+                      .remedy = remedy()});
+  return unit;
+}
+
+double to_si(double value, const Unit& unit) {
+  const double power = power_of_ten(std::abs(unit.exponent));
+  return (unit.exponent < 0 ? value / power : value * power) * unit.factor;
+}
+
+double from_si(double value, const Unit& unit) {
+  const double power = power_of_ten(std::abs(unit.exponent));
+  return (unit.exponent < 0 ? value * power : value / power) / unit.factor;
+}
+
+std::string_view best_unit(double magnitude, const Kind& kind) {
+  if (kind.units.empty()) return "";
+  if (magnitude == 0 || !std::isfinite(magnitude)) return kind.units.back();
+  std::string_view best = kind.units.front();
+  for (const std::string_view unit : kind.units)
+    if (to_si(1, parse_unit(unit)) <= std::abs(magnitude)) best = unit;
+  return best;
+}
+
+std::string typeset(std::string_view unit) {
+  std::string text;
+  char before = ' ';
+  for (const char c : unit) {
+    const bool starts_symbol = before == ' ' || before == '/';
+    if (c == 'u' && starts_symbol)
+      text += "µ";
+    else if (before == '^' && c >= '2' && c <= '4')
+      text += c == '2' ? "²" : c == '3' ? "³" : "⁴";
+    else if (c != '^')
+      text += c;
+    before = c;
+  }
+  return text;
+}
+
+std::string readable(double value, const Kind& kind) {
+  const std::string_view unit = best_unit(value, kind);
+  const double shown = unit.empty() ? value : from_si(value, parse_unit(unit));
+  if (shown == 0 || !std::isfinite(shown)) return with_typeset_unit(fmt::format("{}", shown), unit);
+  return with_typeset_unit(without_trailing_zeros(with_decimals(shown, 3 - decade(shown))), unit);
+}
+
+std::string readable(double value, double uncertainty, const Kind& kind) {
+  if (!std::isfinite(uncertainty) || !std::isfinite(value)) return readable(value, kind) + " (uncertainty not known)";
+  if (uncertainty == 0) return readable(value, kind) + " (exact)";
+  const std::string_view unit = best_unit(std::max(std::abs(value), std::abs(uncertainty)), kind);
+  const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
+  const double shown = from_si(value, scale);
+  const double spread = from_si(uncertainty, scale);
+  const int decimals = 1 - decade(spread);
+  return with_typeset_unit(with_decimals(shown, decimals) + " ± " + with_decimals(spread, decimals), unit);
+}
+
+std::string exact_text(double value, const Kind& kind) {
+  if (kind.units.empty() || !std::isfinite(value)) return fmt::format("{}", value);
+  const std::string_view unit = best_unit(value, kind);
+  return fmt::format("{} {}", exact_decimal(value, -parse_unit(unit).exponent), unit);
+}
+
+}  // namespace flexslip

@@ -1,0 +1,115 @@
+// Physical quantities as people write them, "1278 um" or "2.1e-12 N m^2", to and from SI.
+//
+// A unit is a product, quotient and power of m g s N Pa J rad deg (with the prefixes f p n u µ m c d k M G T),
+// micron, sec, min, h, in, lbf, psi and %: "mN/um", "N m^2", "N·m²", "m4", "1/mm". Spaces, *, · multiply.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace flexslip {
+
+// Exponents of the base units. The angle is one of them, so that a phase is not taken for a friction coefficient.
+struct Dimension {
+  int metre{};
+  int kilogram{};
+  int second{};
+  int radian{};
+  bool operator==(const Dimension&) const = default;
+};
+
+// A unit of measurement: 1 unit = factor 10^exponent in SI. The power of ten is apart, so that "34.8 um" is read as
+// the double nearest to 34.8e-6, and not as a rounded product.
+struct Unit {
+  Dimension dimension{};
+  int exponent{};
+  double factor{1};  // [1]
+  bool operator==(const Unit&) const = default;
+};
+
+// What a quantity is: its dimension, and how people write it.
+struct Kind {
+  std::string_view name;  // with its article, "a length"
+  Dimension dimension;
+  std::span<const std::string_view> units;  // decimal ones, rising: what a value is shown in; empty where it has none
+  std::string_view example;                 // "1278 um"
+};
+
+namespace kind {
+namespace shown_in {
+inline constexpr std::array<std::string_view, 4> length{"nm", "um", "mm", "m"};
+inline constexpr std::array<std::string_view, 3> inverse_length{"1/m", "1/mm", "1/um"};
+inline constexpr std::array<std::string_view, 5> force{"nN", "uN", "mN", "N", "kN"};
+inline constexpr std::array<std::string_view, 5> stiffness{"uN/m", "mN/m", "N/m", "kN/m", "MN/m"};
+inline constexpr std::array<std::string_view, 4> pressure{"Pa", "kPa", "MPa", "GPa"};
+inline constexpr std::array<std::string_view, 6> bending_stiffness{"nN mm^2", "uN mm^2", "mN mm^2",
+                                                                   "N mm^2",  "kN mm^2", "N m^2"};
+inline constexpr std::array<std::string_view, 3> area_moment{"um^4", "mm^4", "m^4"};
+inline constexpr std::array<std::string_view, 5> energy{"pJ", "nJ", "uJ", "mJ", "J"};
+inline constexpr std::array<std::string_view, 1> angle{"rad"};
+inline constexpr std::array<std::string_view, 1> time{"s"};
+}  // namespace shown_in
+
+inline constexpr Kind length{"a length", {.metre = 1}, shown_in::length, "1278 um"};
+inline constexpr Kind inverse_length{"an inverse length", {.metre = -1}, shown_in::inverse_length, "0.2 1/mm"};
+inline constexpr Kind force{"a force", {1, 1, -2, 0}, shown_in::force, "12 mN"};
+inline constexpr Kind stiffness{"a stiffness", {0, 1, -2, 0}, shown_in::stiffness, "90.65 N/m"};
+inline constexpr Kind pressure{"a modulus", {-1, 1, -2, 0}, shown_in::pressure, "29.6 GPa"};
+inline constexpr Kind bending_stiffness{
+    "a bending stiffness", {3, 1, -2, 0}, shown_in::bending_stiffness, "2.1e-12 N m^2"};
+inline constexpr Kind area_moment{"an area moment", {.metre = 4}, shown_in::area_moment, "7.2e4 um^4"};
+inline constexpr Kind energy{"an energy", {2, 1, -2, 0}, shown_in::energy, "3.4 uJ"};
+inline constexpr Kind angle{"an angle", {.radian = 1}, shown_in::angle, "90 deg"};
+inline constexpr Kind time{"a time", {.second = 1}, shown_in::time, "0.5 s"};
+inline constexpr Kind number{"a plain number", {}, {}, "0.5"};
+}  // namespace kind
+
+// Text without the spaces and tabs around it.
+std::string_view trimmed(std::string_view text);
+
+// Which values make sense. Infinity is written "inf" and nothing else; NaN never makes sense.
+enum class Range { any, non_negative, positive, positive_or_infinite };
+
+// A quantity of the given kind from text.
+// Units:      the result is in SI, radians.
+// Max error:  correctly rounded where the unit is decimal; 1 ulp otherwise (deg, in, lbf, psi, min, h).
+// Fails:      InputError, without a place, for a missing, unknown or wrong unit, a value out of range, no number.
+double parse_quantity(std::string_view text, const Kind& kind, Range range = Range::any);
+
+// What parse_quantity does once the number is known: refuses it, as an InputError quoting `text`, if out of range.
+double within(Range range, double value, std::string_view text, const Kind& kind);
+
+// A unit from text.
+// Fails:      InputError, without a place, if the text is no unit.
+Unit parse_unit(std::string_view text);
+
+// A unit from text that must be one of the given kind; kind::number also takes "", "1" and "-".
+// Fails:      InputError, without a place.
+Unit parse_unit(std::string_view text, const Kind& kind);
+
+// A value in a unit, in SI.
+// Max error:  1 ulp (one rounding for the power of ten, where |exponent| <= 22; one for a factor other than 1).
+double to_si(double value, const Unit& unit);
+
+// A value in SI, in a unit. Max error as to_si.
+double from_si(double value, const Unit& unit);
+
+// The unit in which a value [SI] of this size reads best: the largest that does not exceed it.
+std::string_view best_unit(double magnitude, const Kind& kind);
+
+// A unit in typeset form: "um" as "µm", "N mm^2" as "N mm²".
+std::string typeset(std::string_view unit);
+
+// A value [SI] for people: up to four significant digits in its best unit, "10.9 µm".
+std::string readable(double value, const Kind& kind);
+
+// The same with its standard uncertainty [SI], of which two digits are shown, the value to match: "10.90 ± 0.20 µm".
+// An uncertainty that is not known (NaN) is said to be so.
+std::string readable(double value, double uncertainty, const Kind& kind);
+
+// A value [SI] as text in its best unit that parse_quantity reads back to the same bits: "34.8 um".
+std::string exact_text(double value, const Kind& kind);
+
+}  // namespace flexslip

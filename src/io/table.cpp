@@ -1,0 +1,552 @@
+#include "io/table.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t chunk = 1 << 20;  // [bytes] read at a time: large against a system call, small in memory
+constexpr std::size_t longest_line =
+    1 << 20;  // [bytes] no table has such lines; an endless one must not fill the memory
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+// The lines of a stream, numbered, whatever ends them.
+class LineReader {
+ public:
+  LineReader(std::istream& in, const std::string& source) : in_(in), source_(source) {
+    refill();
+    if (unread().starts_with(byte_order_mark)) begin_ += byte_order_mark.size();
+    if (unread().find('\n') == std::string_view::npos && unread().find('\r') != std::string_view::npos) ending_ = '\r';
+  }
+
+  std::size_t number() const { return number_; }
+
+  // The next line without its ending, valid until the next call.
+  std::optional<std::string_view> next() {
+    std::size_t length = unread().find(ending_);
+    while (length == std::string_view::npos) {
+      const std::size_t searched = unread().size();
+      if (searched > longest_line) {
+        ++number_;
+        refuse("lines of a table", "a line longer than 1 MiB", "");
+      }
+      if (!refill()) break;
+      length = unread().find(ending_, searched);
+    }
+    if (unread().empty()) return std::nullopt;
+    ++number_;
+    std::string_view line = unread().substr(0, length);
+    begin_ += std::min(line.size() + 1, unread().size());
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+  }
+
+ private:
+  std::string_view unread() const { return std::string_view(buffer_).substr(begin_); }
+
+  bool refill() {
+    buffer_.erase(0, begin_);
+    begin_ = 0;
+    const std::size_t kept = buffer_.size();
+    buffer_.resize(kept + chunk);
+    in_.read(buffer_.data() + kept, static_cast<std::streamsize>(chunk));
+    const auto got = static_cast<std::size_t>(in_.gcount());
+    buffer_.resize(kept + got);
+    if (in_.bad()) refuse("a readable file", "an error while reading", "");
+    if (const std::size_t nul = buffer_.find('\0', kept); nul != std::string::npos) refuse_binary(nul);
+    return got > 0;
+  }
+
+  [[noreturn]] void refuse_binary(std::size_t nul) {
+    if (number_ == 0 && (buffer_.starts_with("\xFF\xFE") || buffer_.starts_with("\xFE\xFF")))
+      refuse("UTF-8 text", "UTF-16 text", "save the file as UTF-8 or as plain CSV");
+    number_ += 1 + static_cast<std::size_t>(std::count(buffer_.data(), buffer_.data() + nul, ending_));
+    refuse("a table as text", "binary data (a NUL byte)", "export the measurement as CSV");
+  }
+
+  [[noreturn]] void refuse(std::string expected, std::string found, std::string remedy) const {
+    throw InputError({.file = source_,
+                      .line = number_,
+                      .expected = std::move(expected),
+                      .found = std::move(found),
+                      .remedy = std::move(remedy)});
+  }
+
+  std::istream& in_;
+  const std::string& source_;
+  std::string buffer_;
+  std::size_t begin_ = 0;
+  std::size_t number_ = 0;
+  char ending_ = '\n';
+};
+
+// Takes the cells off a line, one by one. With a space as delimiter, any run of spaces and tabs separates.
+class CellReader {
+ public:
+  CellReader(std::string_view line, char delimiter) : rest_(line), delimiter_(delimiter) {
+    if (delimiter_ == ' ') {
+      rest_ = trimmed(rest_);
+      more_ = !rest_.empty();
+    }
+  }
+
+  // The next cell, without spaces around it and without its quotes; nothing at the end of the line.
+  // Fails:      std::nullopt, with broken() true, if a quote is not closed.
+  std::optional<std::string_view> next() {
+    if (!more_) return std::nullopt;
+    if (const std::size_t first = rest_.find_first_not_of(' '); first != std::string_view::npos && rest_[first] == '"')
+      return next_quoted(first);
+    const std::size_t end = delimiter_ == ' ' ? rest_.find_first_of(" \t") : rest_.find(delimiter_);
+    const std::string_view cell = trimmed(rest_.substr(0, end));
+    advance(end);
+    return cell;
+  }
+
+  bool broken() const { return broken_; }
+
+ private:
+  std::optional<std::string_view> next_quoted(std::size_t open) {
+    std::size_t close = rest_.find('"', open + 1);
+    while (close != std::string_view::npos && close + 1 < rest_.size() && rest_[close + 1] == '"')
+      close = rest_.find('"', close + 2);
+    const bool closed = close != std::string_view::npos;
+    const std::size_t end = closed ? rest_.find_first_not_of(delimiter_ == ' ' ? "" : " ", close + 1) : 0;
+    const bool at_delimiter =
+        end == std::string_view::npos || rest_[end] == delimiter_ || (delimiter_ == ' ' && rest_[end] == '\t');
+    if (!closed || !at_delimiter) {
+      broken_ = true;
+      more_ = false;
+      return std::nullopt;
+    }
+    const std::string_view cell = trimmed(rest_.substr(open + 1, close - open - 1));
+    advance(end);
+    return cell;
+  }
+
+  void advance(std::size_t end) {
+    more_ = end != std::string_view::npos;
+    if (!more_) return;
+    rest_.remove_prefix(end + 1);
+    if (delimiter_ == ' ') rest_ = trimmed(rest_);
+  }
+
+  std::string_view rest_;
+  char delimiter_;
+  bool more_ = true;
+  bool broken_ = false;
+};
+
+// A cell as a number, if all of it is one; it may be infinite or NaN.
+std::optional<double> as_number(std::string_view cell, char decimal) {
+  if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') cell.remove_prefix(1);
+  std::string with_point;
+  if (decimal == ',' && cell.find(',') != std::string_view::npos) {
+    if (cell.find('.') != std::string_view::npos) return std::nullopt;
+    with_point = cell;
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    cell = with_point;
+  }
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
+  return value;
+}
+
+bool names_unit(std::string_view text) {
+  if (text == "1" || text == "-") return true;
+  try {
+    parse_unit(text);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::string_view without_brackets(std::string_view text) {
+  const bool bracketed =
+      text.size() > 1 && ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']'));
+  return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
+}
+
+// The title of a column as a file has it: a unit at the end in either kind of brackets, or else all of it is a name.
+ColumnTitle title_in_header(std::string_view text) {
+  const std::size_t open = text.find_last_of("[(");
+  if (open == std::string_view::npos || open == 0) return {std::string(text), ""};
+  const std::string_view bracketed = text.substr(open);
+  const std::string_view unit = without_brackets(bracketed);
+  if (unit.size() == bracketed.size() || !names_unit(unit)) return {std::string(text), ""};
+  return {std::string(trimmed(text.substr(0, open))), std::string(unit)};
+}
+
+// The delimiter that separates most in the header line, quoted cells apart.
+char delimiter_of(std::string_view header) {
+  constexpr std::array<char, 3> candidates{',', ';', '\t'};
+  std::array<std::size_t, 3> count{};
+  bool in_quotes = false;
+  for (const char c : header) {
+    if (c == '"') in_quotes = !in_quotes;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (!in_quotes && c == candidates[i]) ++count[i];
+  }
+  const auto most = std::max_element(count.begin(), count.end());
+  return *most == 0 ? ' ' : candidates[static_cast<std::size_t>(most - count.begin())];
+}
+
+bool is_comment_or_blank(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first == std::string_view::npos || line[first] == '#';
+}
+
+struct HeaderCell {
+  std::string text;  // as it stands
+  ColumnTitle title;
+};
+
+// A wanted column, found in the file.
+struct Source {
+  std::size_t cell;   // which one of a line
+  std::string field;  // for messages
+  Kind kind;
+  std::vector<std::string> units;  // wherever one is stated: in the title asked for, the header, the line of units
+};
+
+class TableReader {
+ public:
+  TableReader(std::istream& in, std::string source, char decimal)
+      : source_(std::move(source)), decimal_(decimal), lines_(in, source_) {}
+
+  Table read(const std::vector<WantedColumn>& wanted) {
+    read_header();
+    find(wanted);
+    std::optional<std::string_view> line = next_line();
+    if (line && is_unit_line(*line)) {
+      take_units(*line);
+      line = next_line();
+    }
+    std::vector<Unit> units;
+    for (const Source& source : sources_) units.push_back(agreed_unit(source));
+    Table table{source_, {}, {}};
+    for (const Source& source : sources_) table.columns.push_back({header_[source.cell].title.name, {}});
+    std::vector<double> row(sources_.size());
+    for (; line; line = next_line()) {
+      if (!read_row(*line, row)) continue;
+      const std::size_t index = table.rows();
+      if (table.lines.empty() || lines_.number() - table.lines.back().line != index - table.lines.back().row)
+        table.lines.push_back({index, lines_.number()});
+      for (std::size_t i = 0; i < row.size(); ++i) table.columns[i].values.push_back(to_si(row[i], units[i]));
+    }
+    if (table.rows() == 0) refuse(header_line_, "", "rows of numbers", "a header only", "");
+    return table;
+  }
+
+ private:
+  [[noreturn]] void refuse(std::size_t line, std::string field, std::string expected, std::string found,
+                           std::string remedy) const {
+    throw InputError({source_, line, std::move(field), std::move(expected), std::move(found), std::move(remedy)});
+  }
+
+  std::optional<std::string_view> next_line() {
+    std::optional<std::string_view> line = lines_.next();
+    while (line && is_comment_or_blank(*line)) line = lines_.next();
+    return line;
+  }
+
+  // Calls visit(index, cell) for each cell of a line.
+  template <class Visit>
+  std::size_t for_each_cell(std::string_view line, const Visit& visit) const {
+    CellReader cells(line, delimiter_);
+    std::size_t count = 0;
+    while (const std::optional<std::string_view> cell = cells.next()) visit(count++, *cell);
+    if (cells.broken())
+      refuse(lines_.number(), "", "quotes in pairs around a whole cell",
+             "a stray quote in cell " + std::to_string(count + 1), "delete it");
+    return count;
+  }
+
+  void read_header() {
+    const std::optional<std::string_view> line = next_line();
+    if (!line)
+      refuse(0, "", "a header line and rows of numbers",
+             lines_.number() == 0 ? "an empty file" : "no line with content", "");
+    header_line_ = lines_.number();
+    delimiter_ = delimiter_of(*line);
+    bool all_numbers = true;
+    for_each_cell(*line, [&](std::size_t, std::string_view cell) {
+      std::string text(cell);
+      for (std::size_t at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1))
+        text.erase(at, 1);
+      const bool names_another = delimiter_ == ' ' && !header_.empty() && cell.starts_with('[');
+      if (names_another)
+        text = header_.back().text + " " + text;  // "w_s [m] F [N]": the space before a unit separates nothing
+      if (names_another) header_.pop_back();
+      all_numbers = all_numbers && (cell.empty() || as_number(cell, decimal_));
+      header_.push_back({text, title_in_header(text)});
+    });
+    if (all_numbers)
+      refuse(header_line_, "", "a header line that names the columns", "numbers",
+             "add one above, such as \"w_s [m],F [N]\"");
+    while (header_.back().text.empty()) header_.pop_back();  // a delimiter at the end of the line begins no column
+  }
+
+  void find(const std::vector<WantedColumn>& wanted) {
+    for (const WantedColumn& each : wanted) {
+      const ColumnTitle asked = parse_column_title(each.title);
+      std::vector<std::size_t> by_text;
+      std::vector<std::size_t> by_name;
+      for (std::size_t i = 0; i < header_.size(); ++i) {
+        if (header_[i].text == trimmed(each.title)) by_text.push_back(i);
+        if (header_[i].title.name == asked.name || header_[i].text == asked.name) by_name.push_back(i);
+      }
+      const std::vector<std::size_t>& found = by_text.empty() ? by_name : by_text;
+      const std::string field = "column " + in_quotes(asked.name);
+      if (found.empty()) refuse_missing(asked.name, field);
+      if (found.size() > 1)
+        refuse(header_line_, field, "one column", std::to_string(found.size()) + " of this name", "rename them");
+      for (const Source& other : sources_)
+        if (other.cell == found[0])
+          refuse(header_line_, field, "different columns", "the same one asked for twice", "");
+      Source source{found[0], field, each.kind, {}};
+      if (!asked.unit.empty()) source.units.push_back(asked.unit);
+      if (!header_[found[0]].title.unit.empty()) source.units.push_back(header_[found[0]].title.unit);
+      sources_.push_back(std::move(source));
+    }
+    wanted_by_.assign(header_.size(), sources_.size());
+    for (std::size_t i = 0; i < sources_.size(); ++i) wanted_by_[sources_[i].cell] = i;
+  }
+
+  [[noreturn]] void refuse_missing(const std::string& name, const std::string& field) const {
+    std::vector<std::string> names;
+    for (const HeaderCell& cell : header_) names.push_back(cell.title.name);
+    const std::string meant = nearest(name, names);
+    refuse(header_line_, field,
+           names.size() == 1 ? "the column " + listed(names) : "one of the columns " + listed(names),
+           "none of this name", meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
+  }
+
+  // A line of units has words where the wanted columns should have numbers.
+  bool is_unit_line(std::string_view line) const {
+    bool words = false;
+    bool numbers = false;
+    for_each_cell(line, [&](std::size_t i, std::string_view cell) {
+      if (i >= wanted_by_.size() || wanted_by_[i] == sources_.size() || cell.empty()) return;
+      const bool starts_as_number = std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
+      const bool word = !as_number(cell, decimal_) && (!starts_as_number || names_unit(without_brackets(cell)));
+      (word ? words : numbers) = true;
+    });
+    return words && !numbers;
+  }
+
+  void take_units(std::string_view line) {
+    for_each_cell(line, [&](std::size_t i, std::string_view cell) {
+      if (i < wanted_by_.size() && wanted_by_[i] < sources_.size() && !cell.empty())
+        sources_[wanted_by_[i]].units.emplace_back(without_brackets(cell));
+    });
+  }
+
+  Unit agreed_unit(const Source& source) const {
+    try {
+      const Unit unit = parse_unit(source.units.empty() ? "" : source.units.front(), source.kind);
+      for (const std::string& other : source.units)
+        if (parse_unit(other, source.kind) != unit)
+          refuse(header_line_, source.field, "one unit", listed(source.units),
+                 "the file and what you ask for must agree");
+      return unit;
+    } catch (const InputError& error) {
+      const InputError placed = located(error, source_, header_line_, source.field);
+      if (!source.units.empty()) throw InputError(placed);
+      InputFault fault = placed.fault;
+      fault.remedy = fmt::format("name it with its unit, such as \"{} [{}]\"", header_[source.cell].title.name,
+                                 source.kind.units.back());
+      throw InputError(fault);
+    }
+  }
+
+  // One line into one row; false if all its cells are empty, as spreadsheets write them below a table.
+  bool read_row(std::string_view line, std::vector<double>& row) const {
+    bool surplus = false;
+    bool lacking = false;
+    const std::size_t cells = for_each_cell(line, [&](std::size_t i, std::string_view cell) {
+      if (i >= wanted_by_.size()) {
+        surplus = surplus || !cell.empty();
+      } else if (wanted_by_[i] < row.size()) {
+        const std::optional<double> value = as_number(cell, decimal_);
+        if (value && std::isfinite(*value))
+          row[wanted_by_[i]] = *value;
+        else
+          lacking = true;
+      }
+    });
+    if (!surplus && !lacking && cells >= header_.size()) return true;
+    if (line.find_first_not_of(" \t\",;") == std::string_view::npos) return false;
+    if (surplus || cells < header_.size()) refuse_count(cells);
+    refuse_cell(line);
+  }
+
+  [[noreturn]] void refuse_count(std::size_t cells) const {
+    const bool perhaps_commas = delimiter_ == ',' && cells > header_.size();
+    refuse(lines_.number(), "", fmt::format("{} cells as in the header on line {}", header_.size(), header_line_),
+           std::to_string(cells),
+           perhaps_commas
+               ? "if these are decimal commas, write decimal points, or separate cells by ; and pass --decimal ,"
+               : "");
+  }
+
+  [[noreturn]] void refuse_cell(std::string_view line) const {
+    for_each_cell(line, [&](std::size_t i, std::string_view cell) {
+      if (i >= wanted_by_.size() || wanted_by_[i] == sources_.size()) return;
+      const std::string& field = sources_[wanted_by_[i]].field;
+      const std::optional<double> value = as_number(cell, decimal_);
+      if (value && std::isfinite(*value)) return;
+      if (cell.empty()) refuse(lines_.number(), field, "a number", "an empty cell", "fill it in or delete the line");
+      if (value) refuse(lines_.number(), field, "a finite number", in_quotes(cell), "delete the line");
+      refuse(lines_.number(), field, "a number", in_quotes(cell), remedy_for_cell(cell));
+    });
+    throw std::logic_error("read_row refuses only lines with a cell that is no finite number");
+  }
+
+  std::string remedy_for_cell(std::string_view cell) const {
+    const bool comma = cell.find(',') != std::string_view::npos;
+    if (comma && decimal_ == '.' && as_number(cell, ',')) return "write decimal points, or pass --decimal ,";
+    if (!comma && decimal_ == ',' && as_number(cell, '.')) return "write decimal commas, or leave out --decimal ,";
+    std::string digits(cell);
+    std::erase_if(digits, [](char c) { return c == ',' || c == '.'; });
+    if (comma && as_number(digits, '.')) return "write no thousands separators";
+    return "";
+  }
+
+  std::string source_;
+  char decimal_;
+  LineReader lines_;
+  char delimiter_ = ',';
+  std::size_t header_line_ = 0;
+  std::vector<HeaderCell> header_;
+  std::vector<Source> sources_;
+  std::vector<std::size_t> wanted_by_;  // for each cell of a line: which source takes it, sources_.size() if none
+};
+
+std::size_t length_of(const OutputColumn& column) {
+  return std::visit([](const auto& cells) { return cells.size(); }, column.cells);
+}
+
+void append_word(fmt::memory_buffer& text, std::string_view word) {
+  if (word.find_first_of(",\"\r\n") == std::string_view::npos) {
+    text.append(word);
+    return;
+  }
+  text.push_back('"');
+  for (const char c : word) {
+    if (c == '"') text.push_back('"');
+    text.push_back(c);
+  }
+  text.push_back('"');
+}
+
+void append_cell(fmt::memory_buffer& text, const OutputColumn& column, std::size_t row) {
+  if (const auto* numbers = std::get_if<std::span<const double>>(&column.cells))
+    fmt::format_to(fmt::appender(text), "{}", (*numbers)[row]);
+  else
+    append_word(text, std::get<std::span<const std::string_view>>(column.cells)[row]);
+}
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+}  // namespace
+
+ColumnTitle parse_column_title(std::string_view title) {
+  const std::string_view body = trimmed(title);
+  const std::size_t open = body.ends_with(']') ? body.rfind('[') : std::string_view::npos;
+  const std::string_view name = trimmed(body.substr(0, open));
+  if (name.empty())
+    throw InputError(
+        {.expected = "the name of a column", .found = in_quotes(title), .remedy = "write it as in \"F_N [N]\""});
+  if (open == std::string_view::npos) return {std::string(name), ""};
+  const std::string_view unit = without_brackets(body.substr(open));
+  if (!names_unit(unit)) parse_unit(unit);  // says what is wrong with it
+  return {std::string(name), std::string(unit)};
+}
+
+std::size_t Table::line_of(std::size_t row) const {
+  const auto after =
+      std::upper_bound(lines.begin(), lines.end(), row, [](std::size_t r, const LineRun& run) { return r < run.row; });
+  const LineRun& run = *std::prev(after);
+  return run.line + (row - run.row);
+}
+
+Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal) {
+  if (wanted.empty()) throw std::invalid_argument("read_table: no column wanted");
+  if (decimal != '.' && decimal != ',')
+    throw std::invalid_argument(fmt::format("read_table: decimal mark '{}'", decimal));
+  return TableReader(in, std::move(source), decimal).read(wanted);
+}
+
+Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal) {
+  return read_table(*open_to_read(path), path == "-" ? "standard input" : path, wanted, decimal);
+}
+
+void write_table(std::ostream& out, const std::vector<OutputColumn>& columns) {
+  constexpr std::size_t block = 1 << 16;  // [bytes] handed to the stream at a time
+  const std::size_t rows = columns.empty() ? 0 : length_of(columns.front());
+  for (const OutputColumn& column : columns)
+    if (length_of(column) != rows)
+      throw std::invalid_argument(
+          fmt::format("write_table: {} rows in '{}', {} in the first column", length_of(column), column.title, rows));
+  fmt::memory_buffer text;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (i > 0) text.push_back(',');
+    append_word(text, columns[i].title);
+  }
+  text.push_back('\n');
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (i > 0) text.push_back(',');
+      append_cell(text, columns[i], row);
+    }
+    text.push_back('\n');
+    if (text.size() < block) continue;
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    text.clear();
+  }
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.flush();
+  if (!out) throw InputError({.expected = "room to write a table", .found = "an error while writing"});
+}
+
+void write_table(const std::string& path, const std::vector<OutputColumn>& columns) {
+  if (path == "-") return write_table(std::cout, columns);
+  errno = 0;
+  std::ofstream out(path, std::ios::binary);
+  if (!out) throw InputError({.file = path, .expected = "a file that can be written", .found = reason(errno)});
+  try {
+    write_table(out, columns);
+  } catch (const InputError& error) {
+    throw located(error, path, 0, "");
+  }
+}
+
+std::shared_ptr<std::istream> open_to_read(const std::string& path) {
+  if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // not ours to close
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError({.file = path, .expected = "a file", .found = "a directory"});
+  errno = 0;
+  auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
+  if (!*file) throw InputError({.file = path, .expected = "a file that can be read", .found = reason(errno)});
+  return file;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,55 @@
+#include "io/input_error.h"
+
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace flexslip;
+
+TEST_CASE("table: an error is one line made of its parts, and those that are not there leave no trace") {
+  const InputError full({.file = "ss14.csv",
+                         .line = 17,
+                         .field = "column 'F_N'",
+                         .expected = "a number",
+                         .found = "'12,5'",
+                         .remedy = "write decimal points, or pass --decimal ,"});
+  CHECK(std::string(full.what()) ==
+        "ss14.csv:17: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,");
+  CHECK(std::string(InputError({.file = "a.csv", .expected = "a file", .found = "a directory"}).what()) ==
+        "a.csv: expected a file, found a directory");
+  CHECK(std::string(InputError({.file = "a\nb", .found = "x\ty"}).what()) == R"(a\x0ab: found x\x09y)");
+  CHECK(std::string(InputError({.line = 3, .found = "nothing"}).what()) == "line 3: found nothing");
+  CHECK(std::string(InputError({.field = "--span", .expected = "a length", .remedy = "add a unit"}).what()) ==
+        "--span: expected a length; add a unit");
+}
+
+TEST_CASE("identity: locating an error fills in its place and changes nothing else") {
+  const InputError error({.expected = "a length", .found = "'x'", .remedy = "write one"});
+  const InputError there = located(error, "case.toml", 4, "[rig] span");
+  CHECK(std::string(there.what()) == "case.toml:4: [rig] span: " + std::string(error.what()));
+}
+
+TEST_CASE("table: what a user's file holds is fit for a message") {
+  CHECK(in_quotes("12,5") == "'12,5'");
+  CHECK(in_quotes("34.8 µm") == "'34.8 µm'");
+  CHECK(in_quotes("a\nb\x1b[31m") == R"('a\x0ab\x1b[31m')");
+  CHECK(in_quotes("\xff\xc3") == R"('\xff\xc3')");  // broken UTF-8
+  CHECK(in_quotes("\xc0\xaf") == R"('\xc0\xaf')");  // an overlong form
+  CHECK(in_quotes("\xc2\x9b") == R"('\xc2\x9b')");  // a control character beyond ASCII
+  CHECK(in_quotes(std::string(1000, 'x')).size() < 100);
+  CHECK(listed({"a", "b", "c"}) == "'a', 'b' and 'c'");
+  CHECK(listed({"a"}) == "'a'");
+  CHECK(listed(std::vector<std::string>(100, "a")).ends_with("'a' and 88 more"));
+}
+
+TEST_CASE("table: the nearest name is the one that a slip of the finger explains, or none") {
+  const std::vector<std::string> names{"diameter", "width", "height", "modulus", "F_N"};
+  CHECK(nearest("diamter", names) == "diameter");  // left out
+  CHECK(nearest("widht", names) == "width");       // swapped
+  CHECK(nearest("Modulus", names) == "modulus");   // case
+  CHECK(nearest("F_M", names) == "F_N");           // substituted
+  CHECK(nearest("stiffness", names).empty());
+  CHECK(nearest("q", {"S"}).empty());  // nothing in common
+  CHECK(nearest(std::string(1 << 20, 'x'), names).empty());
+}

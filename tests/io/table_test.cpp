@@ -1,0 +1,266 @@
+#include "io/table.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include "io/input_error.h"
+
+using namespace flexslip;
+
+namespace {
+
+const std::vector<WantedColumn> stage_and_force{{"w_s_m [m]", kind::length}, {"F_N [N]", kind::force}};
+const std::vector<WantedColumn> x_and_y{{"x", kind::number}, {"y", kind::number}};
+
+Table read(const std::string& text, const std::vector<WantedColumn>& wanted = x_and_y, char decimal = '.') {
+  std::istringstream in(text);
+  return read_table(in, "t.csv", wanted, decimal);
+}
+
+std::string complaint(const std::string& text, const std::vector<WantedColumn>& wanted = x_and_y, char decimal = '.') {
+  try {
+    read(text, wanted, decimal);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string complaint_about_file(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal) {
+  try {
+    read_table(path, wanted, decimal);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+using Values = std::vector<double>;
+
+struct TemporaryFolder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / "flexslip_table_test";
+  TemporaryFolder() { std::filesystem::create_directories(path); }
+  ~TemporaryFolder() { std::filesystem::remove_all(path); }
+};
+
+}  // namespace
+
+TEST_CASE("table: the wanted columns in the wanted order, in SI, whatever else the file holds") {
+  const Table table = read("w_s_m,note,F_N\n0,start,0\n2e-06,\"a, b\",4.5e-05\n",
+                           {{"F_N [mN]", kind::force}, {"w_s_m [mm]", kind::length}});
+  REQUIRE(table.columns.size() == 2);
+  CHECK(table.columns[0].name == "F_N");
+  CHECK(table.columns[0].values == Values{0, 4.5e-5 / 1e3});
+  CHECK(table.columns[1].values == Values{0, 2e-6 / 1e3});
+  CHECK(table.rows() == 2);
+}
+
+TEST_CASE("table: every way of separating cells and ending lines gives the same numbers") {
+  const Table expected = read("x,y\n1,2\n3,4.5\n");
+  CHECK(expected.columns[0].values == Values{1, 3});
+  CHECK(expected.columns[1].values == Values{2, 4.5});
+  const std::vector<std::string> same{
+      "\xEF\xBB\xBFx,y\n1,2\n3,4.5\n",          // byte order mark
+      "x,y\r\n1,2\r\n3,4.5\r\n",                // Windows
+      "x,y\r1,2\r3,4.5\r",                      // old Macintosh
+      "x,y\n1,2\n3,4.5",                        // no line ending at the end
+      "x;y\n1;2\n3;4.5\n",                      //
+      "x\ty\n1\t2\n3\t4.5\n",                   //
+      "  x   y\n 1 2 \n3 \t 4.5\n",             // aligned with spaces
+      "\"x\",\"y\"\n\"1\",\"2\"\n\"3\",4.5\n",  // quoted
+      "\"x\" \"y\"\n\"1\" 2\n3 \"4.5\"\n",      //
+      "# made by hand\n\nx,y\n\n1,2\n# middle\n3,4.5\n\n",
+      "x , y\n 1 ,\t2\n+3 , 45e-1 \n",
+      "x,y,\n1,2,\n3,4.5,\n",     // a delimiter at the end of each line
+      "x,y\n1,2\n3,4.5\n,\n,\n",  // empty rows of a spreadsheet
+      "x,y\n1,2,,\n3,4.5,,\n",
+  };
+  for (const std::string& text : same) {
+    const Table table = read(text);
+    CHECK_MESSAGE(table.columns[0].values == expected.columns[0].values, text);
+    CHECK_MESSAGE(table.columns[1].values == expected.columns[1].values, text);
+  }
+  CHECK(read("x;y\n1;2\n3;4,5\n", x_and_y, ',').columns[1].values == expected.columns[1].values);
+  CHECK(read("x,y\n\"1\",\"2\"\n\"3\",\"4,5\"\n", x_and_y, ',').columns[1].values == expected.columns[1].values);
+}
+
+TEST_CASE("table: the unit may stand in the header, in a line of units, or in what is asked for") {
+  const std::vector<WantedColumn> bare{{"w", kind::length}, {"F", kind::force}};
+  const std::vector<WantedColumn> full{{"w [mm]", kind::length}, {"F [kN]", kind::force}};
+  for (const char* text :
+       {"w [mm],F [kN]\n1,2\n", "w (mm),F (kN)\n1,2\n", "w [mm] F [kN]\n1 2\n", "w,F\n(mm),(kN)\n1,2\n",
+        "w,F\n[mm],[kN]\n1,2\n", "w,F\nmm,kN\n1,2\n", "w F\nmm kN\n1 2\n", "w [mm],F [kN]\nmm,kN\n1,2\n"}) {
+    CHECK_MESSAGE(read(text, bare).columns[0].values == Values{1e-3}, text);
+    CHECK_MESSAGE(read(text, bare).columns[1].values == Values{2e3}, text);
+    CHECK_MESSAGE(read(text, full).columns[1].values == Values{2e3}, text);
+  }
+  CHECK(read("w,F\n1,2\n", full).columns[0].values == Values{1e-3});
+  CHECK(read("Position (m) Run #1,F\n1,2\n", {{"Position (m) Run #1 [m]", kind::length}}).columns[0].values ==
+        Values{1});
+  CHECK(read("mu [1],s [-]\n1,2\n", {{"mu", kind::number}, {"s", kind::number}}).columns[1].values == Values{2});
+}
+
+TEST_CASE("table: units that are missing, wrong or at odds are refused") {
+  CHECK(complaint("w,F\n1,2\n", {{"w", kind::length}}) ==
+        "t.csv:1: column 'w': expected a unit of length, found none; name it with its unit, such as \"w [m]\"");
+  CHECK(complaint("w [N],F\n1,2\n", {{"w", kind::length}}) ==
+        "t.csv:1: column 'w': expected a unit of length, found 'N', the unit of a force; such as \"nm\", \"um\", "
+        "\"mm\" or \"m\"");
+  CHECK(complaint("w [mm],F\n1,2\n", {{"w [m]", kind::length}}) ==
+        "t.csv:1: column 'w': expected one unit, found 'm' and 'mm'; the file and what you ask for must agree");
+  CHECK(has(complaint("w,F\nmm,V\n1,2\n", {{"F", kind::force}}), "expected a unit, found 'V'"));
+  CHECK(has(complaint("w [m],F\n1,2\n", {{"w", kind::number}}), "expected no unit, found 'm'"));
+  CHECK(has(complaint("w,F\n1,2\n", {{"w [parsec]", kind::length}}), "expected a unit, found 'parsec'"));
+}
+
+TEST_CASE("table: bad cells are refused with line and column") {
+  CHECK(complaint("w_s_m;F_N\n0;0\n0;12,5\n", stage_and_force) ==
+        "t.csv:3: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,");
+  CHECK(complaint("x,y\n1,2\n\n# note\n3,nan\n") ==
+        "t.csv:5: column 'y': expected a finite number, found 'nan'; delete the line");
+  CHECK(has(complaint("x,y\n1,-inf\n"), "t.csv:2: column 'y': expected a finite number, found '-inf'"));
+  CHECK(has(complaint("x,y\n1,1e999\n"), "expected a finite number, found '1e999'"));
+  CHECK(has(complaint("x,y\n1,2\n,3\n"), "t.csv:3: column 'x': expected a number, found an empty cell"));
+  CHECK(has(complaint("x,y\n1,2\n3,12 mm\n"), "t.csv:3: column 'y': expected a number, found '12 mm'"));
+  CHECK(has(complaint("x,y\n1,2\n3,\"1,234.5\"\n"), "write no thousands separators"));
+  CHECK(has(complaint("x;y\n1;1,000,292\n", x_and_y, ','), "write no thousands separators"));
+  CHECK(has(complaint("x;y\n1;1.234,5\n", x_and_y, ','), "write no thousands separators"));
+  CHECK(complaint("x,y\n1,2\n0,5,1,5\n") ==
+        "t.csv:3: expected 2 cells as in the header on line 1, found 4; if these are decimal commas, write decimal "
+        "points, or separate cells by ; and pass --decimal ,");
+  CHECK(has(complaint("x,y\n1,2\n3\n"), "t.csv:3: expected 2 cells as in the header on line 1, found 1"));
+  CHECK(has(complaint("x,y\n1,\"2\n3,4\n"), "t.csv:2: expected quotes in pairs"));
+  CHECK(has(complaint("x,y\n1,\"2\"3\n"), "expected quotes in pairs"));
+}
+
+TEST_CASE("table: what is no table is refused as what it is") {
+  CHECK(complaint("") == "t.csv: expected a header line and rows of numbers, found an empty file");
+  CHECK(complaint("\xEF\xBB\xBF") == "t.csv: expected a header line and rows of numbers, found an empty file");
+  CHECK(has(complaint("# only a comment\n\n"), "found no line with content"));
+  CHECK(complaint("x,y\n") == "t.csv:1: expected rows of numbers, found a header only");
+  CHECK(has(complaint("x,y\nmm,mm\n", {{"x", kind::length}}), "found a header only"));
+  CHECK(has(complaint("1,2\n3,4\n"), "t.csv:1: expected a header line that names the columns, found numbers"));
+  CHECK(has(complaint(std::string("x,y\n1,2\n\0\0\0", 11)), "t.csv:3: expected a table as text, found binary data"));
+  CHECK(has(complaint(std::string("\x89PNG\r\n\x1a\n\0\0", 10)), "binary data"));
+  CHECK(has(complaint(std::string("\xFF\xFEx\0,\0y\0", 8)), "found UTF-16 text; save the file as UTF-8"));
+  CHECK(has(complaint("x,y\n" + std::string(3 << 20, '1')), "t.csv:2: expected lines of a table, found a line longer"));
+}
+
+TEST_CASE("table: a column that is not there is refused with those that are") {
+  CHECK(complaint("w_s_m,w0_m,F_N\n0,0,0\n", {{"F_M [N]", kind::force}}) ==
+        "t.csv:1: column 'F_M': expected one of the columns 'w_s_m', 'w0_m' and 'F_N', found none of this name; "
+        "did you mean 'F_N'?");
+  CHECK(has(complaint("x,x,y\n1,2,3\n"), "column 'x': expected one column, found 2 of this name"));
+  CHECK(has(complaint("x,y\n1,2\n", {{"x", kind::number}, {"x", kind::number}}), "found the same one asked for twice"));
+}
+
+TEST_CASE("outside: files, folders and files that are not there") {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path / "a.csv").string();
+  std::ofstream(path) << "x,y\n1,2\n";
+  CHECK(read_table(path, x_and_y).columns[1].values == Values{2});
+  CHECK_THROWS_WITH_AS(read_table(folder.path.string(), x_and_y),
+                       (folder.path.string() + ": expected a file, found a directory").c_str(), InputError);
+  CHECK_THROWS_WITH_AS(read_table(path + "x", x_and_y),
+                       (path + "x: expected a file that can be read, found No such file or directory").c_str(),
+                       InputError);
+  CHECK_THROWS_AS(write_table((folder.path / "none" / "b.csv").string(), {}), InputError);
+}
+
+TEST_CASE("limit: one point is a table; whether it is a test is for others to say") {
+  CHECK(read("x,y\n1,2\n").rows() == 1);
+}
+
+TEST_CASE("oracle: the line of every row, against a count by hand") {
+  const Table table = read("# c\nx,y\n\n1,2\n3,4\n#\n\n5,6\n7,8\n");
+  const std::vector<std::size_t> lines{4, 5, 8, 9};
+  REQUIRE(table.rows() == lines.size());
+  for (std::size_t row = 0; row < lines.size(); ++row) CHECK(table.line_of(row) == lines[row]);
+}
+
+TEST_CASE("limit: a table much longer than what is read at a time") {
+  std::string text = "x,y\n";
+  const std::size_t rows = 300'000;  // several MiB
+  for (std::size_t i = 0; i < rows; ++i) text += std::to_string(i) + "," + std::to_string(i) + ".25\n";
+  const Table table = read(text);
+  REQUIRE(table.rows() == rows);
+  bool same = true;
+  for (std::size_t i = 0; i < rows; ++i)
+    same = same && table.columns[0].values[i] == static_cast<double>(i) &&
+           table.columns[1].values[i] == static_cast<double>(i) + 0.25;
+  CHECK(same);
+  CHECK(table.line_of(rows - 1) == rows + 1);
+}
+
+TEST_CASE("identity: what is written is read back to the last bit") {
+  CHECK(rc::check("read(write(x)) = x", [](const Values& values) {
+    RC_PRE(!values.empty());
+    std::ostringstream out;
+    write_table(out, {{"x", std::span(values)}, {"y", std::span(values)}});
+    RC_ASSERT(read(out.str()).columns[1].values == values);
+  }));
+  const Values hard{5e-324, 2.2250738585072014e-308, 1.7976931348623157e308, 0.1, -0.0, 1.0 / 3, 4503599627370497.5};
+  std::ostringstream out;
+  write_table(out, {{"F [N]", std::span(hard)}});
+  CHECK(read(out.str(), {{"F", kind::force}}).columns[0].values == hard);
+}
+
+TEST_CASE("table: the text of a written table") {
+  const Values force{0, 0.1, std::nan("")};
+  const std::vector<std::string_view> motion{"stick", "slip, in", "say \"snap\""};
+  std::ostringstream out;
+  write_table(out, {{"F [N]", std::span(force)}, {"motion", std::span(motion)}});
+  CHECK(out.str() == "F [N],motion\n0,stick\n0.1,\"slip, in\"\nnan,\"say \"\"snap\"\"\"\n");
+  CHECK_THROWS_AS(write_table(out, {{"a", std::span(force)}, {"b", std::span(force).first(1)}}), std::invalid_argument);
+}
+
+TEST_CASE("table: titles of columns") {
+  CHECK(parse_column_title("F_N [N]").name == "F_N");
+  CHECK(parse_column_title("F_N [N]").unit == "N");
+  CHECK(parse_column_title(" w ").name == "w");
+  CHECK(parse_column_title("w (old)").name == "w (old)");
+  for (const char* bad : {"", "[N]", "F []", "F [wrong]"}) CHECK_THROWS_AS(parse_column_title(bad), InputError);
+}
+
+TEST_CASE("outside: measured data, if the folder beside the repository has them") {
+  const std::string folder = FLEXSLIP_SOURCE_DIR "/../shared/data/";
+  if (!std::filesystem::exists(folder)) {
+    MESSAGE("skipped: no campaign data");
+    return;
+  }
+  const Table spicule = read_table(folder + "spicules/ss/SS14.csv", stage_and_force);
+  CHECK(spicule.columns[0].values[1] == 1.993e-06);
+  CHECK(spicule.columns[1].values[1] == 4.178397031e-05);
+
+  const std::vector<WantedColumn> bluehill{{"Extension", kind::length}, {"Load", kind::force}};
+  const Table blade = read_table(folder + "instruments/bluehill_blades/cyclic_Specimen_RawData_1.csv", bluehill);
+  CHECK(blade.columns[0].values[0] == 1.25560 / 1e3);
+  CHECK(blade.columns[1].values[0] == 5.16404);
+
+  const std::vector<WantedColumn> universal{{"Displacement", kind::length}, {"Force", kind::force}};
+  const std::string comma = folder + "instruments/bluehill_decimal_comma/Tensile_test_PE.csv";
+  CHECK(complaint_about_file(comma, universal, '.')
+            .ends_with("Tensile_test_PE.csv:3: column 'Displacement': expected a number, found '0,1366'; write decimal "
+                       "points, or pass --decimal ,"));
+  // Where the displacement passes 1000 mm the machine itself wrote a thousands separator that is also its decimal mark.
+  CHECK(complaint_about_file(comma, universal, ',')
+            .ends_with("Tensile_test_PE.csv:5998: column 'Displacement': expected a number, found '1,000,292'; write "
+                       "no thousands separators"));
+
+  const Table brass = read_table(folder + "instruments/pasco_brass/LA4_brass_file.csv",
+                                 {{"Position (m) Run #1 [m]", kind::length}, {"Force (N) Run #1 [N]", kind::force}});
+  CHECK(brass.columns[0].values[0] == 4.40547e-8);
+  CHECK_THROWS_AS(read_table(folder + "instruments/mts_testsuite_empty/EMPTY_BOM_ONLY_DAQ_Timed2.txt", bluehill),
+                  InputError);
+}
