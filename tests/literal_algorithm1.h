@@ -32,8 +32,8 @@ class LiteralFibre {
     const long double middle = beta(0.5L, omega);
     const long double w = S_ * integral(omega, [&](long double b) { return std::sin(b - middle); });  // (4.18)
     const long double half = integral(omega, [&](long double b) { return std::cos(b - middle); });
-    const long double F = 8 * omega * omega * half * half * std::sin(middle);                           // (4.22)
-    const long double Pn = omega * omega * std::sin(beta0_) / (S_ * S_);                                // (4.16b)
+    const long double F = 8 * omega * omega * half * half * std::sin(middle);  // (4.22)
+    const long double Pn = omega * omega * std::sin(beta0_) / (S_ * S_);       // (4.16b)
     return {static_cast<double>(Pn), static_cast<double>(w), static_cast<double>(F)};
   }
 

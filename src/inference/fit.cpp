@@ -3,12 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <complex>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <random>
 #include <stdexcept>
 #include <string>
 
@@ -74,8 +73,6 @@ class Fitter {
  public:
   Fitter(const FitProblem& problem, const FrictionProfile& profile)
       : problem_(problem), profile_(profile), map_(make_map(problem, profile)) {
-    const auto& S = map_.S();
-    sigma_step_ = std::sqrt(S.back() - 1) / static_cast<double>(S.size() - 1);
     const auto [least, greatest] = std::minmax_element(profile.points.begin(), profile.points.end(),
                                                        [](const auto& a, const auto& b) { return a.S < b.S; });
     S_middle_ = 0.5 * (least->S + greatest->S);
@@ -133,34 +130,36 @@ class Fitter {
     return refined(layout, p, 4, 3);
   }
 
-  // Random steps of the size of the errors: the way across the discontinuities of the residuals.
+  // The residuals jump where a drop passes a point, and a descent stops at such steps. Searches along the axes of the error
+  // ellipsoid cross them: a step of some standard errors, taken as long as it gains.
   Solution polished(Solution solution) const {
-    std::mt19937_64 generator(20210829);  // any seed: fixed so that the same data give the same answer
-    const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
-    const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * pi * uniform()); };
-    double scale = 1.5;
     double cost = cost_of(solution.layout, solution.p, solution.noise, infinity);
-    for (int round = 0; round < 3; ++round) {
-      const MatrixXd spread = covariance(solution).llt().matrixL();
-      if (!spread.allFinite()) break;
-      VectorXd best = solution.p;
-      double best_cost = cost;
-      for (int i = 0; i < 15; ++i) {
-        VectorXd step(solution.p.size());
-        for (auto& value : step) value = normal();
-        const VectorXd p = solution.p + scale * (spread * step);
-        const double value = cost_of(solution.layout, p, solution.noise, infinity);
-        if (value < best_cost) {
-          best = p;
-          best_cost = value;
+    for (int round = 0; round < 6; ++round) {
+      const double before = cost;
+      const MatrixXd errors = covariance(solution);
+      const VectorXd deviations = errors.diagonal().cwiseMax(0).cwiseSqrt();
+      const VectorXd inverse = deviations.cwiseMax(1e-300).cwiseInverse();
+      const Eigen::SelfAdjointEigenSolver<MatrixXd> ellipsoid(inverse.asDiagonal() * errors * inverse.asDiagonal());
+      for (const double scale : {8.0, 4.0, 2.0, 1.0, 0.5, 0.25})
+        for (Index axis = 0; axis < solution.p.size(); ++axis) {
+          const double length = std::sqrt(std::max(ellipsoid.eigenvalues()[axis], 0.0));
+          for (const double sign : {-1.0, 1.0}) {
+            const VectorXd step = sign * scale * length * deviations.cwiseProduct(ellipsoid.eigenvectors().col(axis));
+            for (int i = 0; i < 10; ++i) {
+              const double next = cost_of(solution.layout, solution.p + step, solution.noise, infinity);
+              if (!(next < cost)) break;
+              cost = next;
+              solution.p += step;
+            }
+          }
         }
-      }
-      if (best_cost == cost) scale *= 0.5;
-      const auto descended = descend(solution.layout, best, solution.noise, infinity);
+      const auto descended = descend(solution.layout, solution.p, solution.noise, infinity);
       if (descended.cost < cost) {
         solution.p = descended.p;
         cost = descended.cost;
       }
+      constexpr double worthwhile = 0.1;  // of twice the log likelihood: a third of a standard error
+      if (!(before - cost > worthwhile)) break;
     }
     return refined(solution.layout, solution.p, infinity, 1);
   }
@@ -202,12 +201,27 @@ class Fitter {
     return deviation * deviation;
   }
 
-  double friction_at(const Layout& layout, const VectorXd& p, double S) const {
-    double mu = p[0] + (layout.drift ? p[1] * (S - S_middle_) : 0);
-    for (Index i = 0; i < layout.waves; ++i) {
-      const Index at = layout.wave(i);
-      const double angle = pi * (S - S_middle_) / p[at + 2];
-      mu += p[at] * std::cos(angle) + p[at + 1] * std::sin(angle);
+  // Friction at the lengths of the map. The phase of a wave is quadratic in their number, so that it is advanced by two
+  // rotations a step instead of a cosine each; the rounding of a thousand steps stays below 1e-12.
+  std::vector<double> friction_on_map(const Layout& layout, const VectorXd& p) const {
+    const auto lengths = map_.S();
+    std::vector<double> mu(lengths.size());
+    for (std::size_t i = 0; i < mu.size(); ++i) mu[i] = p[0] + (layout.drift ? p[1] * (lengths[i] - S_middle_) : 0);
+    for (Index wave = 0; wave < layout.waves; ++wave) {
+      const Index at = layout.wave(wave);
+      const double wavenumber = pi / p[at + 2];
+      const double step = wavenumber * map_.sigma_step() * map_.sigma_step();
+      std::complex<double> phase = std::polar(1.0, wavenumber * (1 - S_middle_));
+      std::complex<double> turn = std::polar(1.0, step);
+      const std::complex<double> more = std::polar(1.0, 2 * step);
+      const auto product = [](std::complex<double> a, std::complex<double> b) {
+        return std::complex<double>(a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real());
+      };
+      for (auto& value : mu) {
+        value += p[at] * phase.real() + p[at + 1] * phase.imag();
+        phase = product(phase, turn);
+        turn = product(turn, more);
+      }
     }
     return mu;
   }
@@ -218,9 +232,7 @@ class Fitter {
   };
 
   Model evaluate(const Layout& layout, const VectorXd& p, bool with_slopes) const {
-    const auto lengths = map_.S();
-    std::vector<double> mu(lengths.size());
-    for (std::size_t i = 0; i < mu.size(); ++i) mu[i] = friction_at(layout, p, lengths[i]);
+    const auto mu = friction_on_map(layout, p);
     const auto curve = map_.curve(mu);
     const double stiffening = 1 + p[layout.stiffness()];
     const double compliance = stiffening / problem_.rig.stiffness;
@@ -235,7 +247,7 @@ class Fitter {
       const auto k = static_cast<std::size_t>(i);
       const std::size_t cell = measured.cell[k];
       const double x = measured.fraction[k];
-      const double sigma = sigma_step_ * (static_cast<double>(cell) + x);
+      const double sigma = map_.sigma_step() * (static_cast<double>(cell) + x);
       const double S = 1 + sigma * sigma;
       const double F_q = slopes.F[cell] + x * (slopes.F[cell + 1] - slopes.F[cell]);
       const double w_q = slopes.w[cell] + x * (slopes.w[cell + 1] - slopes.w[cell]);
@@ -395,7 +407,6 @@ class Fitter {
   const FitProblem& problem_;
   const FrictionProfile& profile_;
   SlidingMap map_;
-  double sigma_step_;
   double S_middle_;
   double length_seen_;       // [L] of fibre, over one support
   double least_wavelength_;  // [L]

@@ -92,8 +92,7 @@ struct FrictionFit {
 // Method:     the constant by least squares in F at the measured deflections, bending stiffness nominal (its error is carried
 //             into the interval: a constant would bend the stiffness to suit the roughness). The others: wavelengths from
 //             scan_wavelengths, each refined on F(w_s) by Levenberg-Marquardt from several starts, with a loss that first caps the
-//             residuals, because they jump where a drop shifts past a point; then random steps of the size of the errors.
-//             Deterministic.
+//             residuals, because they jump where a drop shifts past a point; then searches along the axes of the error ellipsoid.
 // Cost:       less than 0.1 s for 300 points.
 FrictionFit fit_friction(const FitProblem& problem, const FitOptions& options = {});
 

@@ -75,9 +75,10 @@ SlidingMap::SlidingMap(double S_max, double S_step, double mu_max) : mu_max_(mu_
   if (!(mu_max > 0 && mu_max <= 5)) throw std::invalid_argument("mu_max must lie in (0, 5], not " + std::to_string(mu_max));
   const double sigma_max = std::sqrt(S_max - 1);
   const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
+  sigma_step_ = sigma_max / static_cast<double>(n - 1);
   S_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double sigma = sigma_max * static_cast<double>(i) / static_cast<double>(n - 1);
+    const double sigma = sigma_step_ * static_cast<double>(i);
     S_[i] = 1 + sigma * sigma;
   }
 
@@ -195,12 +196,11 @@ MeasuredCurve measured_curve(std::span<const double> w, std::span<const double> 
   for (const double stage : stages) {
     double x = 1;
     for (; cell + 1 < n; ++cell, passed = 0) {
-      if (G[cell + 1] < stage && G[cell] < stage) {
-        // Only where G turns over can it reach the stage position between two lengths that both fall short of it.
-        const bool turns = cell > 0 && (G[cell + 1] - G[cell]) * (G[cell] - G[cell - 1]) < 0;
-        const bool turns_next = cell + 2 < n && (G[cell + 2] - G[cell + 1]) * (G[cell + 1] - G[cell]) < 0;
-        if (!turns && !turns_next) continue;
-      }
+      // Where both ends of a cell fall short of the stage position, G can reach it between them only if it turns over there.
+      const bool short_of = G[cell + 1] < stage && G[cell] < stage;
+      const bool turns_here = G[cell + 1] < G[cell] && (cell == 0 || G[cell - 1] < G[cell]);
+      const bool turns_next = cell + 2 < n && G[cell] < G[cell + 1] && G[cell + 2] < G[cell + 1];
+      if (short_of && !turns_here && !turns_next) continue;
       const Cubic cubic(G, cell);
       const double peak = cubic.peak();
       if (cubic.at(peak) < stage || peak < passed) continue;
@@ -213,7 +213,7 @@ MeasuredCurve measured_curve(std::span<const double> w, std::span<const double> 
         (miss < 0 ? low : high) = x;
         const double newton = x - miss / cubic.slope(x);
         const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-        const bool done = std::abs(next - x) < 1e-9;  // of a cell: far below the error of interpolation
+        const bool done = std::abs(next - x) < 1e-6;  // of a cell: Newton's next step would be below the error of interpolation
         x = next;
         if (done) break;
       }

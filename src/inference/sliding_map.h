@@ -16,7 +16,8 @@ class SlidingMap {
   // Cost:       1 ms.
   SlidingMap(double S_max, double S_step, double mu_max);
 
-  std::span<const double> S() const { return S_; }  // [L]
+  std::span<const double> S() const { return S_; }  // [L] 1 + (i step)^2
+  double sigma_step() const { return sigma_step_; }  // [√L] the step in √(S - 1)
   double mu_max() const { return mu_max_; }         // [1]
 
   struct Curve {
@@ -34,6 +35,7 @@ class SlidingMap {
   static constexpr int degree = 9;
 
   double mu_max_;
+  double sigma_step_;
   std::vector<double> S_;
   std::vector<double> w_, F_;  // coefficients: degree + 1 rows of S().size()
 };

@@ -13,11 +13,12 @@ namespace {
 
 using Columns = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Variances of the random walk over a median step, in units of the median variance of the noise.
+// Variances of the random walk over a median step, in units of the median variance of the noise. The likelihood changes
+// little within a decade.
 const std::vector<double>& walks() {
   static const std::vector<double> values = [] {
     std::vector<double> v{0.0};
-    for (int i = -6; i <= 8; ++i) v.push_back(std::pow(10.0, 0.5 * i));
+    for (int i = -2; i <= 4; ++i) v.push_back(std::pow(10.0, i));
     return v;
   }();
   return values;

@@ -88,8 +88,8 @@ TEST_CASE("equilibrium: the region is that of Algorithm 1 taken literally, its s
       CAPTURE(S);
       CAPTURE(q);
       REQUIRE(state.status == FibreStatus::ok);
-      CHECK(state.S == to(1e-12, S));              // quadrature to 1e-15 of L
-      CHECK(std::abs(state.q - q) <= 1e-10);       // times the condition of q
+      CHECK(state.S == to(1e-12, S));         // quadrature to 1e-15 of L
+      CHECK(std::abs(state.q - q) <= 1e-10);  // times the condition of q
       CHECK(std::abs(state.q) <= friction.at(S).mu + 1e-10);
     }
   }

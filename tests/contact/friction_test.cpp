@@ -33,7 +33,10 @@ void refused(const std::string& what, const std::string& value, const std::funct
   }
 }
 
-Friction some_waves() { return Friction::waves({.mu0 = 0.5, .drift = -0.2, .terms = {{0.3, 0.013, 1.0}, {0.2, 0.0217, -0.4}, {0.05, 0.2, 3.0}}}); }
+Friction some_waves() {
+  return Friction::waves(
+      {.mu0 = 0.5, .drift = -0.2, .terms = {{0.3, 0.013, 1.0}, {0.2, 0.0217, -0.4}, {0.05, 0.2, 3.0}}});
+}
 Friction some_table() { return Friction::table({{1.0, 1.02, 1.1, 1.15, 1.3, 1.31}, {0.4, 0.7, 0.7, 0.2, 0.25, 0.0}}); }
 
 // The slope against a difference over h, to the size of μ''' h^2 and to rounding.
@@ -62,7 +65,8 @@ TEST_CASE("friction: mu0 (1 + A cos(pi S/lambda + phi)) (paper, (4.25))") {
   for (const double S : {1.0, 1.0371, 1.1, 1.4}) {
     const double argument = 8 * unit * S / 0.02;  // its rounding
     CHECK(std::abs(friction.at(S).mu - 0.6 * (1 + 0.4 * std::cos(S / 0.02))) <= mu0 * A * argument + 4 * unit);
-    CHECK(std::abs(friction.at(S).slope + 0.6 * 0.4 / 0.02 * std::sin(S / 0.02)) <= mu0 * A / 0.02 * (argument + 4 * unit));
+    CHECK(std::abs(friction.at(S).slope + 0.6 * 0.4 / 0.02 * std::sin(S / 0.02)) <=
+          mu0 * A / 0.02 * (argument + 4 * unit));
   }
   // A wave of length λ along the fibre has the period 2 λ in S, and is shifted by the phase.
   CHECK(friction.at(1.1).mu == doctest::Approx(friction.at(1.1 + 2 * lambda).mu).epsilon(1e-13));
@@ -109,7 +113,8 @@ TEST_CASE("friction: a table gives back its knots, is smooth across them and con
   for (std::size_t i = 0; i < given.S.size(); ++i) {
     CHECK(friction.at(given.S[i]).mu == given.mu[i]);
     if (i == 0 || i + 1 == given.S.size()) continue;
-    const double before = friction.at(given.S[i] * (1 - unit)).slope, after = friction.at(given.S[i] * (1 + unit)).slope;
+    const double before = friction.at(given.S[i] * (1 - unit)).slope,
+                 after = friction.at(given.S[i] * (1 + unit)).slope;
     CHECK(before == doctest::Approx(after).epsilon(1e-9));  // slopes vary by 1e5 a unit of S at most
   }
   CHECK(friction.at(1.5).mu == 0.0);
@@ -174,7 +179,9 @@ TEST_CASE("friction: whatever is not a friction is refused, and says what is wro
   refused("amplitude", "-0.2", [] { Friction::sinusoid(0.5, -0.2, 0.01, 0); });
   refused("amplitude", "nan", [] { Friction::sinusoid(0.5, nan, 0.01, 0); });
   refused("negative", "1.01", [] { Friction::sinusoid(0.5, 1.01, 0.01, 0); });
-  refused("negative", "1.2", [] { Friction::waves({.mu0 = 0.5, .drift = 0, .terms = {{0.7, 0.01, 0}, {0.5, 0.02, 0}}}); });
+  refused("negative", "1.2", [] {
+    Friction::waves({.mu0 = 0.5, .drift = 0, .terms = {{0.7, 0.01, 0}, {0.5, 0.02, 0}}});
+  });
   refused("wavelength", "0.0", [] { Friction::sinusoid(0.5, 0.2, 0, 0); });
   refused("wavelength", "-0.01", [] { Friction::sinusoid(0.5, 0.2, -0.01, 0); });
   refused("wavelength", "nan", [] { Friction::sinusoid(0.5, 0.2, nan, 0); });
@@ -199,7 +206,8 @@ TEST_CASE("friction: whatever is not a friction is refused, and says what is wro
 TEST_CASE("friction: never negative, to the last amplitude (limit)") {
   CHECK(rc::check("amplitudes that add up to 1", [] {
     const double a = *between(0, 1);
-    const auto friction = Friction::waves({.mu0 = *between(0, 1), .drift = 0, .terms = {{a, *between(0.01, 0.1), 0.3}, {1 - a, *between(0.01, 0.1), 2}}});
+    const auto friction = Friction::waves(
+        {.mu0 = *between(0, 1), .drift = 0, .terms = {{a, *between(0.01, 0.1), 0.3}, {1 - a, *between(0.01, 0.1), 2}}});
     for (int i = 0; i < 200; ++i) RC_ASSERT(friction.at(1 + 0.003 * i).mu >= 0);
   }));
 }
@@ -236,12 +244,14 @@ TEST_CASE("friction: the same seed gives the same roughness, bit for bit (identi
   CHECK(a != std::get<FrictionTable>(other.form()).mu);
   const auto longer = Friction::rough(0.5, 0.2, 0.01, 42, 1.8);
   CHECK(longer.knots().back() >= 1.8);
-  CHECK(first.knots()[1] - first.knots()[0] == doctest::Approx(2 * 0.01 / 8).epsilon(1e-12));  // eight a length along the fibre
+  CHECK(first.knots()[1] - first.knots()[0] ==
+        doctest::Approx(2 * 0.01 / 8).epsilon(1e-12));  // eight a length along the fibre
 }
 
 TEST_CASE("friction: roughness has the mean, spread and correlation promised (oracle: statistics of a long sample)") {
   const double mu0 = 0.5, rms = 0.3, length = 0.001;
-  const auto friction = Friction::rough(mu0, rms, length, 20210829, 21.0);  // 10 000 correlation lengths along the fibre
+  const auto friction =
+      Friction::rough(mu0, rms, length, 20210829, 21.0);  // 10 000 correlation lengths along the fibre
   const auto& mu = std::get<FrictionTable>(friction.form()).mu;
   const auto n = mu.size();
   REQUIRE(n >= 80000);

@@ -38,7 +38,7 @@ class Worsts {
   void add(std::string_view group, std::string_view quantity, double error, const std::string& row);
   const std::vector<Worst>& all() const { return all_; }
   const Worst* find(std::string_view group, std::string_view quantity) const;  // null if there is none
-  const Worst& of(std::string_view quantity) const;  // over all groups
+  const Worst& of(std::string_view quantity) const;                            // over all groups
 
  private:
   std::vector<Worst> all_;
@@ -53,8 +53,8 @@ struct LostDigits {
   double program;  // the same with P and R
 };
 
-Worsts measured_elliptic();              // elliptic_test.cpp
-std::vector<LostDigits> digits_of_S();   // elliptic_test.cpp
-Worsts measured_states();                // elastica_test.cpp
+Worsts measured_elliptic();             // elliptic_test.cpp
+std::vector<LostDigits> digits_of_S();  // elliptic_test.cpp
+Worsts measured_states();               // elastica_test.cpp
 
 }  // namespace flexslip

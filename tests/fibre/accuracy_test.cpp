@@ -15,8 +15,7 @@ namespace flexslip {
 void Worsts::add(std::string_view group, std::string_view quantity, double error, const std::string& row) {
   auto worst = std::find_if(all_.begin(), all_.end(),
                             [&](const Worst& w) { return w.group == group && w.quantity == quantity; });
-  if (worst == all_.end())
-    worst = all_.insert(all_.end(), Worst{std::string(group), std::string(quantity), row, 0, 0});
+  if (worst == all_.end()) worst = all_.insert(all_.end(), Worst{std::string(group), std::string(quantity), row, 0, 0});
   ++worst->rows;
   if (!(error <= worst->error)) {
     worst->error = error;

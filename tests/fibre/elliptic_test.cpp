@@ -118,7 +118,7 @@ TEST_CASE("elliptic: Jacobi's functions and the integrals keep the errors promis
 TEST_CASE("elliptic: the errors promised hold everywhere up to K (oracle: AGM ladder in 50 digits)") {
   CHECK(rc::check("u in [0, K], m in [6e-4, 1 - 6e-4]", [] {
     const double m = 0x1p-30 * *whole(644'246, (1 << 30) - 644'246);  // [6e-4, 1 - 6e-4]
-    const double m1 = 1 - m;  // exact
+    const double m1 = 1 - m;                                          // exact
     const EllipticParameter parameter{m, m1};
     const double u = complete_elliptic(parameter).K * *between(0, 1);
     RC_PRE(u > 0);
@@ -211,7 +211,8 @@ TEST_CASE("elliptic: sn^2 + cn^2 = 1, dn^2 = m1 + m cn^2, V = 2 P + (m - m1) R (
     CHECK(std::abs(arc.sn * arc.sn + arc.cn * arc.cn - 1) <= 8 * unit);
     CHECK(std::abs(arc.dn * arc.dn - (row.m1 + row.m * arc.cn * arc.cn)) <= 8 * unit);
     if (row.u <= complete_elliptic({row.m, row.m1}).K)
-      CHECK(error_of(2 * arc.P + (row.m - row.m1) * arc.R, row.V) <= 40);  // errors of P and R; V is of the size of 2 P + R
+      CHECK(error_of(2 * arc.P + (row.m - row.m1) * arc.R, row.V) <=
+            40);  // errors of P and R; V is of the size of 2 P + R
   }
 }
 
@@ -235,11 +236,11 @@ TEST_CASE("elliptic: circular functions at m = 0, hyperbolic at m = 1, nothing a
 }
 
 TEST_CASE("elliptic: the AGM's S - 1 loses digits as 1/(S - 1), that of P and R does not (oracle: 50 digits)") {
-  for (const auto& [excess, agm, program] : digits_of_S()) {
-    INFO("S - 1 = ", excess, ": AGM ", agm, " program ", program);
-    CHECK(agm * excess > 0.1);   // units of 2^-52: an absolute error of the last digit of S ...
-    CHECK(agm * excess < 10);    // ... and no more than a few
-    CHECK(program <= 16);
+  for (const auto& lost : digits_of_S()) {
+    INFO("S - 1 = ", lost.excess, ": AGM ", lost.agm, " program ", lost.program);
+    CHECK(lost.agm * lost.excess > 0.1);  // units of 2^-52: an absolute error of the last digit of S ...
+    CHECK(lost.agm * lost.excess < 10);   // ... and no more than a few
+    CHECK(lost.program <= 16);
   }
 }
 
