@@ -25,11 +25,26 @@ struct CurveWork {
 CurveWork work_between(const LoadingCurve& curve, double S_from, double S_to) {
   constexpr std::array<double, 5> x{0.14887433898163122, 0.43339539412924719, 0.67940956829902441, 0.86506336668898451,
                                     0.97390652851717172};
-  constexpr std::array<double, 5> weight{0.29552422471475287, 0.26926671930999636, 0.21908636251598204, 0.14945134915058059,
-                                         0.06667134430868814};
+  constexpr std::array<double, 5> weight{0.29552422471475287, 0.26926671930999636, 0.21908636251598204,
+                                         0.14945134915058059, 0.06667134430868814};
   const double c = 1 / curve.rig.stiffness;
   CurveWork work{0, 0};
-  const auto add = [&](double a, double b) {
+  // A drift may hold friction at zero on a part of the way: the kink where it begins is closed in by halving.
+  const auto has_kink = [&](double a, double b) {
+    int zeros = 0;
+    for (const double fraction : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const double sigma = a + fraction * (b - a);
+      zeros += curve.friction.at(1 + sigma * sigma).mu == 0;
+    }
+    return zeros > 0 && zeros < 5;
+  };
+  const auto add = [&](auto&& self, double a, double b, int halvings) -> void {
+    constexpr int most_halvings = 24;  // a piece 1e-7 of the whole, in which the error is far below the quadrature's
+    if (halvings < most_halvings && has_kink(a, b)) {
+      self(self, a, 0.5 * (a + b), halvings + 1);
+      self(self, 0.5 * (a + b), b, halvings + 1);
+      return;
+    }
     for (std::size_t i = 0; i < x.size(); ++i)
       for (const double sign : {-1.0, 1.0}) {
         const double sigma = 0.5 * (a + b) + sign * 0.5 * (b - a) * x[i];
@@ -47,8 +62,9 @@ CurveWork work_between(const LoadingCurve& curve, double S_from, double S_to) {
     const double sigma = std::sqrt(S - 1);
     const auto knot = std::upper_bound(knots.begin(), knots.end(), S);
     const double next_knot = knot == knots.end() ? S_to : *knot;
-    const double next = std::min({S_to, S + curve.friction.smooth_scale(), 1 + (sigma + 0.125) * (sigma + 0.125), next_knot});
-    add(sigma, std::sqrt(next - 1));
+    const double next =
+        std::min({S_to, S + curve.friction.smooth_scale(), 1 + (sigma + 0.125) * (sigma + 0.125), next_knot});
+    add(add, sigma, std::sqrt(next - 1), 0);
     S = next;
   }
   return work;
@@ -126,8 +142,8 @@ History load_in_steps(const Friction& friction, const Rig& rig, std::span<const 
   double previous = 0;
   for (std::size_t i = 0; i < stages.size(); ++i) {
     if (!(stages[i] >= previous && std::isfinite(stages[i])))
-      throw std::invalid_argument("stage position " + std::to_string(i) + " must be finite and not below the one before: it is " +
-                                  std::to_string(stages[i]));
+      throw std::invalid_argument("stage position " + std::to_string(i) +
+                                  " must be finite and not below the one before: it is " + std::to_string(stages[i]));
     previous = stages[i];
   }
   if (!(previous > 0)) throw std::invalid_argument("the stage programme has no position above 0");
@@ -138,7 +154,8 @@ History load_in_steps(const Friction& friction, const Rig& rig, std::span<const 
 }
 
 History load_continuously(const Friction& friction, const Rig& rig, double stage_max, int n) {
-  if (!(stage_max > 0)) throw std::invalid_argument("the stage must move to a position above 0, not " + std::to_string(stage_max));
+  if (!(stage_max > 0))
+    throw std::invalid_argument("the stage must move to a position above 0, not " + std::to_string(stage_max));
   if (n < 2) throw std::invalid_argument("a stable part needs at least 2 points, not " + std::to_string(n));
   Loading loading(friction, rig, stage_max);
   while (true) {

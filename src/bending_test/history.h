@@ -26,7 +26,7 @@ struct PathPoint {
 
 // A jump at constant stage position: in (w, F) a line of slope -k.
 struct Snap {
-  double stage;            // [L]
+  double stage;  // [L]
   PathPoint before, after;
 };
 
@@ -54,13 +54,13 @@ struct History {
 };
 
 // The states at given stage positions.
-// Domain:     stages >= 0, never falling, at least one above 0; std::invalid_argument, naming the index, otherwise.
+// Domain:     stages >= 0, never falling, the last at least 1e-6; std::invalid_argument, naming the index, otherwise.
 // Max error:  as overall_equilibria(); the energy account closes to 1e-10 of the stage work.
 // Fails:      slipped_through.
 History load_in_steps(const Friction& friction, const Rig& rig, std::span<const double> stages);
 
 // The whole curve up to a stage position: n points on each stable part, its ends among them, so that the snaps are exact.
-// Domain:     stage_max > 0, n >= 2; std::invalid_argument otherwise.
+// Domain:     stage_max >= 1e-6, n >= 2; std::invalid_argument otherwise.
 History load_continuously(const Friction& friction, const Rig& rig, double stage_max, int n);
 
 }  // namespace flexslip

@@ -251,22 +251,28 @@ RigPoint point_between(const LoadingCurve& curve, const RigPoint& from, const Ri
 }  // namespace
 
 LoadingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max) {
-  if (!(rig.stiffness > 0)) throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(rig.stiffness));
-  if (!(S_max > 1 && S_max < infinity)) throw std::invalid_argument("S_max must be above 1 and finite, not " + std::to_string(S_max));
+  if (!(rig.stiffness > 0))
+    throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(rig.stiffness));
+  if (!(S_max > 1 && S_max < infinity))
+    throw std::invalid_argument("S_max must be above 1 and finite, not " + std::to_string(S_max));
   const double periods = (S_max - 1) / (4 * friction.smooth_scale());
   if (periods > most_periods)
-    throw std::invalid_argument("the roughness has " + std::to_string(periods) + " periods on this length; at most 1e6 are traced");
+    throw std::invalid_argument("the roughness has " + std::to_string(periods) +
+                                " periods on this length; at most 1e6 are traced");
   return Tracer(friction, rig).trace(S_max);
 }
 
 double longest_at_stage(double stage) {
-  if (!(stage > 0 && stage < infinity)) throw std::invalid_argument("stage position must be positive, not " + std::to_string(stage));
+  constexpr double least = 1e-6;  // below it S - 1 has lost its digits
+  if (!(stage >= least && stage < infinity))
+    throw std::invalid_argument("stage position must be at least 1e-6 spans, not " + std::to_string(stage));
   return 1 + 2.4 * stage * stage;
 }
 
 RigPoint point_at_length(const LoadingCurve& curve, double S) {
   if (!(S >= 1 && S <= curve.end.S))
-    throw std::invalid_argument("length S = " + std::to_string(S) + " is not on the curve, which ends at " + std::to_string(curve.end.S));
+    throw std::invalid_argument("length S = " + std::to_string(S) + " is not on the curve, which ends at " +
+                                std::to_string(curve.end.S));
   return sample_at(curve.friction, curve.rig, std::sqrt(S - 1)).point;
 }
 

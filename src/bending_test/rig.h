@@ -56,7 +56,7 @@ struct LoadingCurve {
 LoadingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max);
 
 // A length that the fibre exceeds only at stage positions beyond `stage`: what to trace to find all equilibria at `stage`.
-// Domain:     stage > 0. For q >= 0, as in loading.
+// Domain:     stage >= 1e-6; std::invalid_argument otherwise. For q >= 0, as in loading.
 // Method:     w <= stage, and S - 1 <= 2.4 w^2, which is the limit of small deflection (tested for q in [0, 20]).
 double longest_at_stage(double stage);
 

@@ -49,13 +49,15 @@ std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vec
 }  // namespace
 
 Friction::Friction(FrictionWaves waves) {
-  if (!(waves.mu0 >= 0 && waves.mu0 < infinity)) refuse("the mean coefficient of friction mu0 must be finite and >= 0", waves.mu0);
+  if (!(waves.mu0 >= 0 && waves.mu0 < infinity))
+    refuse("the mean coefficient of friction mu0 must be finite and >= 0", waves.mu0);
   if (!std::isfinite(waves.S_reference)) refuse("the length of reference must be finite", waves.S_reference);
   if (!std::isfinite(waves.drift)) refuse("the drift of friction must be finite", waves.drift);
   double total = 0;
   for (const auto& term : waves.terms) {
     if (!(term.amplitude >= 0)) refuse("an amplitude of friction must be >= 0", term.amplitude);
-    if (!(term.wavelength > 0 && term.wavelength < infinity)) refuse("a wavelength of friction must be > 0", term.wavelength);
+    if (!(term.wavelength > 0 && term.wavelength < infinity))
+      refuse("a wavelength of friction must be > 0", term.wavelength);
     if (!std::isfinite(term.phase)) refuse("a phase of friction must be finite", term.phase);
     total += term.amplitude;
     wavenumbers_.push_back(std::numbers::pi / term.wavelength);
@@ -70,8 +72,10 @@ Friction::Friction(FrictionTable table) {
                                 std::to_string(table.S.size()) + " and " + std::to_string(table.mu.size()));
   for (std::size_t i = 0; i < table.S.size(); ++i) {
     if (!std::isfinite(table.S[i])) refuse("a length of the friction table must be finite", table.S[i]);
-    if (!(table.mu[i] >= 0 && table.mu[i] < infinity)) refuse("friction in a table must be finite and >= 0", table.mu[i]);
-    if (i > 0 && !(table.S[i] > table.S[i - 1])) refuse("the lengths of a friction table must rise strictly", table.S[i]);
+    if (!(table.mu[i] >= 0 && table.mu[i] < infinity))
+      refuse("friction in a table must be finite and >= 0", table.mu[i]);
+    if (i > 0 && !(table.S[i] > table.S[i - 1]))
+      refuse("the lengths of a friction table must rise strictly", table.S[i]);
   }
   knot_slopes_ = monotone_slopes(table.S, table.mu);
   form_ = std::move(table);
@@ -93,8 +97,11 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
     refuse("the correlation length of friction must be finite and > 0", correlation_length);
   if (!(S_max > 1 && S_max < infinity)) refuse("the end of a rough profile must be > 1", S_max);
   constexpr int per_length = 8;
-  constexpr int reach = 4 * per_length;  // the kernel below is exp(-16) at four correlation lengths
+  constexpr int reach = 4 * per_length;                     // the kernel below is exp(-16) at four correlation lengths
   const double step = 2 * correlation_length / per_length;  // S advances by twice the length along the fibre
+  constexpr double most_knots = 1e6;
+  if (!((S_max - 1) / step < most_knots))
+    refuse("a rough profile has at most 1e6 knots: the correlation length is too short", correlation_length);
   const auto n = static_cast<std::size_t>(std::ceil((S_max - 1) / step)) + 1;
 
   // White noise through a Gaussian kernel of width correlation_length/√2 has the stated correlation. Uniform numbers are

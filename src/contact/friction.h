@@ -69,8 +69,8 @@ class Friction {
   explicit Friction(FrictionTable table);
 
   std::variant<FrictionWaves, FrictionTable> form_;
-  std::vector<double> wavenumbers_;   // π/λ of each term
-  std::vector<double> knot_slopes_;   // dμ/dS at each knot of a table
+  std::vector<double> wavenumbers_;  // π/λ of each term
+  std::vector<double> knot_slopes_;  // dμ/dS at each knot of a table
 };
 
 }  // namespace flexslip

@@ -18,7 +18,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // The line of the support force, at the angle β0 to the fibre's tangent there: cot β0 = -q.
 struct ForceLine {
-  double s0, c0;  // sin β0, cos β0
+  double s0, c0;                // sin β0, cos β0
   EllipticParameter parameter;  // m = sin^2(β0/2)
 };
 
@@ -49,12 +49,12 @@ struct Arc {
 
 template <class T>
 HalfFibre<T> half_fibre(double u, T s0, T c0, T m, T m1, const Arc<T>& arc) {
-  const T p = s0 * arc.P;               // ∫ sin ψ, ψ = θ0 - θ being the angle turned since the support
-  const T r = 0.5 * s0 * s0 * arc.R;    // ∫ (1 - cos ψ)
+  const T p = s0 * arc.P;             // ∫ sin ψ, ψ = θ0 - θ being the angle turned since the support
+  const T r = 0.5 * s0 * s0 * arc.R;  // ∫ (1 - cos ψ)
   const T x = 0.5 * s0 * arc.one_minus_cn / arc.dn;
   const T y = (m1 + m * arc.cn) / arc.dn;
   const T sin_theta0 = 2.0 * x * y;
-  const T versine = 2.0 * x * x;        // 1 - cos θ0
+  const T versine = 2.0 * x * x;  // 1 - cos θ0
   const T cos_theta0 = 1.0 - versine;
   return {.gap = u * versine + cos_theta0 * r - sin_theta0 * p,
           .z = sin_theta0 * (u - r) - cos_theta0 * p,
@@ -76,7 +76,8 @@ HalfFibre<Dual> half_fibre_slopes(double u, const ForceLine& line) {
   const auto [value, d_m] = elliptic_arc_slope(u, line.parameter);
   const double m_beta = 0.5 * line.s0;
   const auto dual = [m_beta](double v, double d) { return Dual{v, m_beta * d}; };
-  return half_fibre<Dual>(u, {line.s0, line.c0}, {line.c0, -line.s0}, {line.parameter.m, m_beta}, {line.parameter.m1, -m_beta},
+  return half_fibre<Dual>(u, {line.s0, line.c0}, {line.c0, -line.s0}, {line.parameter.m, m_beta},
+                          {line.parameter.m1, -m_beta},
                           {dual(value.sn, d_m.sn), dual(value.cn, d_m.cn), dual(value.dn, d_m.dn),
                            dual(value.one_minus_cn, d_m.one_minus_cn), dual(value.P, d_m.P), dual(value.R, d_m.R)});
 }
@@ -135,8 +136,11 @@ Phase solve_phase(double target, double u, const ForceLine& line) {
     half = half_fibre(u, line);
     if (last) break;
   }
-  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  return {.exists = u < K || target <= Quantity(u, line, half).value * (1 + rounding), .u = u, .half = half};
+  // At the end of the branch the quantity is known to its own rounding and the target to that of S.
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return {.exists = u < K || target <= Quantity(u, line, half).value * (1 + 16 * epsilon) + 2 * epsilon,
+          .u = u,
+          .half = half};
 }
 
 // Expansion of u^2 in sqrt(1 - 1/S) to first order, continued by a fit: within 0.1 % (median) for q in [-1, 2], S < 1.55.
@@ -171,10 +175,10 @@ FibreState assemble(double S, double q, double u, const ForceLine& line, const H
   return {.status = FibreStatus::ok,
           .S = S,
           .q = q,
-          .w = half.z / (2 * a),                           // (4.18)
-          .F = 8 * a * a * std::max(half.sin_b, 0.0),      // (4.22); u = K rounds to either side of F = 0
+          .w = half.z / (2 * a),                       // (4.18)
+          .F = 8 * a * a * std::max(half.sin_b, 0.0),  // (4.22); u = K rounds to either side of F = 0
           .theta0 = 2 * std::atan2(half.x, half.y),
-          .Pn = 4 * a * a * line.s0,                       // (4.15b)
+          .Pn = 4 * a * a * line.s0,  // (4.15b)
           .U = 2 * a * line.s0 * line.s0 * half.V,
           .u = u};
 }
@@ -192,14 +196,11 @@ FibreState fibre_state(double S, double q) {
   return assemble(S, q, u, line, half);
 }
 
-FibreStateSlopes fibre_state_slopes(double S, double q) {
-  const FibreState state = fibre_state(S, q);
-  if (state.status != FibreStatus::ok || S == 1) {
-    constexpr double nan = not_a_number;
-    return {state, {nan, nan, nan, nan, nan, nan, nan, nan}};
-  }
+namespace {
+
+// The slopes at a state with phase u.
+FibreSlopes slopes_at(double S, double q, double u) {
   const ForceLine line = force_line(q);
-  const double u = state.u;
   const auto half = half_fibre_slopes(u, line);
   const auto [s0, c0, parameter] = line;
   const double a = u / S;
@@ -223,27 +224,40 @@ FibreStateSlopes fibre_state_slopes(double S, double q) {
   const double z_beta = half.z.d + z_u * u_beta;
   const double sin_b_beta = half.sin_b.d + sin_b_u * u_beta;
   const double V_beta = half.V.d + V_u * u_beta;
-  return {.state = state,
-          .slopes = {.w_S = (z_u * u_S - z / a * a_S) / (2 * a),
-                     .w_q = beta_q * (z_beta - z / a * a_beta) / (2 * a),
-                     .F_S = 8 * a * (2 * a_S * sin_b + a * sin_b_u * u_S),
-                     .F_q = beta_q * 8 * a * (2 * a_beta * sin_b + a * sin_b_beta),
-                     .Pn_S = 8 * a * s0 * a_S,
-                     .Pn_q = beta_q * 4 * a * (2 * a_beta * s0 + a * c0),
-                     .U_S = 2 * s0 * s0 * (a_S * half.V.v + a * V_u * u_S),
-                     .U_q = beta_q * 2 * s0 * (a_beta * s0 * half.V.v + a * (2 * c0 * half.V.v + s0 * V_beta))}};
+  return {.w_S = (z_u * u_S - z / a * a_S) / (2 * a),
+          .w_q = beta_q * (z_beta - z / a * a_beta) / (2 * a),
+          .F_S = 8 * a * (2 * a_S * sin_b + a * sin_b_u * u_S),
+          .F_q = beta_q * 8 * a * (2 * a_beta * sin_b + a * sin_b_beta),
+          .Pn_S = 8 * a * s0 * a_S,
+          .Pn_q = beta_q * 4 * a * (2 * a_beta * s0 + a * c0),
+          .U_S = 2 * s0 * s0 * (a_S * half.V.v + a * V_u * u_S),
+          .U_q = beta_q * 2 * s0 * (a_beta * s0 * half.V.v + a * (2 * c0 * half.V.v + s0 * V_beta))};
+}
+
+}  // namespace
+
+FibreStateSlopes fibre_state_slopes(double S, double q) {
+  const FibreState state = fibre_state(S, q);
+  if (state.status != FibreStatus::ok || S == 1) {
+    constexpr double nan = not_a_number;
+    return {state, {nan, nan, nan, nan, nan, nan, nan, nan}};
+  }
+  return {state, slopes_at(S, q, state.u)};
 }
 
 FibreState fibre_state_from_force(double w, double F) {
-  if (!(w >= 0 && w < infinity)) throw std::invalid_argument("deflection w = " + std::to_string(w) + " is not in [0, inf)");
+  if (!(w >= 0 && w < infinity))
+    throw std::invalid_argument("deflection w = " + std::to_string(w) + " is not in [0, inf)");
   if (!(F >= 0 && F < infinity)) throw std::invalid_argument("force F = " + std::to_string(F) + " is not in [0, inf)");
   if (w == 0 && F == 0) return straight(0);
   if (w == 0) return no_state(FibreStatus::no_friction, not_a_number, not_a_number, w, F);
 
-  // Along w = const the force rises strictly with q (the Jacobian of MODEL 2 is positive): a bracketed Newton iteration in
-  // q, carrying u along. Small deflection: F = 48 w (1 + 2.1 q w - 7 w^2 + ...).
-  double low = -largest_q;
-  double high = largest_q;
+  // Along w = const the force rises strictly with q (the Jacobian of Ψ is positive): a bracketed Newton iteration in q,
+  // carrying u along. Small deflection: F = 48 w (1 + 2.1 q w - 7 w^2 + ...). The bracket is a little wider than the domain, so
+  // that states on its border are found from either side.
+  constexpr double border = 1e-6;
+  double low = -largest_q * (1 + 2 * border);
+  double high = -low;
   double q = std::clamp((F / (48 * w) - 1 + 7 * w * w) / (2.1 * w), -1.0, 2.0);
   double u = std::sqrt(6 * w / force_line(q).s0);
   for (int iteration = 0; iteration < 100; ++iteration) {
@@ -252,12 +266,13 @@ FibreState fibre_state_from_force(double w, double F) {
     u = phase;
     const double a = u - half.gap;
     const double S = u / a;
-    const double force = exists ? 8 * a * a * half.sin_b : -1;  // the branch ends short of w: only a larger q reaches it
+    const double force =
+        exists ? 8 * a * a * half.sin_b : -1;  // the branch ends short of w: only a larger q reaches it
     (force < F ? low : high) = q;
     double newton = 0.5 * (low + high);
     bool last = high - low <= 0x1p-52 * (1 + std::abs(q));
     if (exists) {
-      const auto slopes = fibre_state_slopes(S, q).slopes;
+      const auto slopes = slopes_at(S, q, u);
       const double F_q = slopes.F_q - slopes.F_S * slopes.w_q / slopes.w_S;  // along w = const
       const double step = (F - force) / F_q;
       last = last || std::abs(step) <= 0x1p-26 * (1 + std::abs(q));  // what remains is of the order of its square
@@ -266,7 +281,8 @@ FibreState fibre_state_from_force(double w, double F) {
     q = newton;
     if (last) break;
   }
-  if (std::abs(q) < largest_q) {
+  if (std::abs(q) <= largest_q * (1 + border)) {
+    q = std::clamp(q, -largest_q, largest_q);
     const ForceLine line = force_line(q);
     const auto [exists, phase, half] = solve_phase<Deflection>(w, u, line);
     if (exists) return assemble(phase / (phase - half.gap), q, phase, line, half);
@@ -286,7 +302,8 @@ BranchEnd fibre_branch_end(double q) {
 
 ShapePoint fibre_shape(const FibreState& state, double s) {
   if (state.status != FibreStatus::ok) throw std::invalid_argument("no shape: the state does not exist");
-  if (!(s >= 0 && s <= 1)) throw std::invalid_argument("fraction of the arc length s = " + std::to_string(s) + " is not in [0, 1]");
+  if (!(s >= 0 && s <= 1))
+    throw std::invalid_argument("fraction of the arc length s = " + std::to_string(s) + " is not in [0, 1]");
   if (s > 0.5) {
     const auto mirrored = fibre_shape(state, 1 - s);
     return {1 - mirrored.x, mirrored.y, -mirrored.theta};
@@ -301,7 +318,9 @@ ShapePoint fibre_shape(const FibreState& state, double s) {
   const double sine = std::sin(state.theta0);
   const double cosine = std::cos(state.theta0);
   const double scale = state.S / (2 * state.u);  // (4.17): arc length per unit of phase
-  return {.x = scale * (cosine * (v - r) + sine * p), .y = scale * (sine * (v - r) - cosine * p), .theta = state.theta0 - psi};
+  return {.x = scale * (cosine * (v - r) + sine * p),
+          .y = scale * (sine * (v - r) - cosine * p),
+          .theta = state.theta0 - psi};
 }
 
 }  // namespace flexslip

@@ -10,7 +10,7 @@ namespace flexslip {
 enum class FibreStatus {
   ok,             // all fields are valid
   beyond_branch,  // no such state: S exceeds the end of the branch for this q, where F has fallen to zero; only S, q are valid
-  no_friction,    // no q in [-20, 20] explains this deflection and force; only w, F are valid
+  no_friction,  // no q in [-20, 20] explains this deflection and force; only w, F are valid
 };
 
 struct FibreState {

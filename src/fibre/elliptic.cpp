@@ -105,8 +105,8 @@ EllipticArcSlope elliptic_arc_slope(double u, const EllipticParameter& parameter
 CompleteElliptic complete_elliptic(const EllipticParameter& parameter) {
   double a = 1.0;
   double b = std::sqrt(parameter.m1);
-  double power = 0.5;                    // 2^(n-1)
-  double sum = power * parameter.m;      // Σ 2^(n-1) c_n^2, with c_0^2 = m
+  double power = 0.5;                // 2^(n-1)
+  double sum = power * parameter.m;  // Σ 2^(n-1) c_n^2, with c_0^2 = m
   // Quadratic convergence: once c_n is below 2^-27 the next one is below the rounding.
   while (a - b > 0x1p-27 * a) {
     const double half_difference = 0.5 * (a - b);

@@ -82,8 +82,9 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
   energy.account.load_train = 0.5 * last_force * last_force / analysis.rig.stiffness;
   const auto& points = analysis.profile.points;
   const auto drop_ends_at = [&](std::size_t before, std::size_t after) {
-    return std::any_of(analysis.drops.drops.begin(), analysis.drops.drops.end(),
-                       [&](const Drop& drop) { return drop.before < after && drop.after >= after && drop.before <= before; });
+    return std::any_of(analysis.drops.drops.begin(), analysis.drops.drops.end(), [&](const Drop& drop) {
+      return drop.before < after && drop.after >= after && drop.before <= before;
+    });
   };
   FibreState previous{};
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -102,7 +103,8 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
         const double train = (state.F * state.F - previous.F * previous.F) / (2 * analysis.rig.stiffness);
         energy.account.snaps += work - (state.U - previous.U) - train;
       } else {
-        energy.account.friction += 0.5 * (points[k].mu * state.Pn + points[k - 1].mu * previous.Pn) * (state.S - previous.S);
+        energy.account.friction +=
+            0.5 * (points[k].mu * state.Pn + points[k - 1].mu * previous.Pn) * (state.S - previous.S);
       }
     }
     energy.account.bending = state.U;
@@ -133,9 +135,10 @@ History empty_history() { return {HistoryStatus::ok, {}, {}, {}}; }
 
 TestAnalysis analyse(const Record& given, const TestDescription& description, const AnalysisOptions& options) {
   const Failure found = find_failure(given);
-  const Failure failure = description.points_before_failure
-                              ? Failure{FailureStatus::found, std::min(*description.points_before_failure, given.force.size())}
-                              : found;
+  const Failure failure =
+      description.points_before_failure
+          ? Failure{FailureStatus::found, std::min(*description.points_before_failure, given.force.size())}
+          : found;
   const Record whole = first_points(given, failure.points);
   const Contact contact = find_contact(whole);
   const Record record = with_contact_at(whole, description.contact);
@@ -147,28 +150,28 @@ TestAnalysis analyse(const Record& given, const TestDescription& description, co
   const double EI = description.bending_stiffness.value_or(sloped ? slope * L * L * L / 48 : 1.0);
   const double slope_error = from_slope && sloped ? contact.slope_error / contact.slope + slope_bend : 0.0;
   const Scales scales(L, EI);
-  TestAnalysis analysis{
-      .status = AnalysisStatus::ok,
-      .scales = scales,
-      .rig = {scales.reduced_stiffness(description.load_train_stiffness)},
-      .bending_stiffness_error = description.bending_stiffness_error.value_or(std::hypot(usual_stiffness_error, slope_error)),
-      .stiffness_from_slope = from_slope,
-      .failure = failure,
-      .contact = contact,
-      .record = record,
-      .reduced = to_reduced(record, scales),
-      .force_noise = not_a_number,
-      .drops = {},
-      .profile = {},
-      .slips = {},
-      .slip_summary = {},
-      .suspects = {},
-      .fit = {},
-      .model = empty_history(),
-      .model_curve = empty_history(),
-      .replay = {},
-      .energy = {},
-      .category = SawtoothCategory::none};
+  TestAnalysis analysis{.status = AnalysisStatus::ok,
+                        .scales = scales,
+                        .rig = {scales.reduced_stiffness(description.load_train_stiffness)},
+                        .bending_stiffness_error = description.bending_stiffness_error.value_or(
+                            std::hypot(usual_stiffness_error, slope_error)),
+                        .stiffness_from_slope = from_slope,
+                        .failure = failure,
+                        .contact = contact,
+                        .record = record,
+                        .reduced = to_reduced(record, scales),
+                        .force_noise = not_a_number,
+                        .drops = {},
+                        .profile = {},
+                        .slips = {},
+                        .slip_summary = {},
+                        .suspects = {},
+                        .fit = {},
+                        .model = empty_history(),
+                        .model_curve = empty_history(),
+                        .replay = {},
+                        .energy = {},
+                        .category = SawtoothCategory::none};
   if (from_slope && !sloped) {
     analysis.status = AnalysisStatus::no_initial_slope;
     return analysis;
@@ -204,7 +207,8 @@ TestAnalysis analyse(const Record& given, const TestDescription& description, co
   const Rig rig{analysis.rig.stiffness / stiffening};
   const Friction friction = Friction::waves(chosen.friction);
   std::vector<double> stages;
-  for (const double stage : analysis.reduced.stage) stages.push_back(std::max(stage, stages.empty() ? 0.0 : stages.back()));
+  for (const double stage : analysis.reduced.stage)
+    stages.push_back(std::max(stage, stages.empty() ? 0.0 : stages.back()));
   if (stages.back() > 0) {
     const auto in_nominal_units = [&](History history) {
       const auto scaled = [&](PathPoint& point) { point.F *= stiffening; };
@@ -214,7 +218,8 @@ TestAnalysis analyse(const Record& given, const TestDescription& description, co
         scaled(snap.after);
       }
       auto& e = history.energy;
-      for (double* value : {&e.stage_work, &e.bending, &e.load_train, &e.friction, &e.snaps, &e.imbalance}) *value *= stiffening;
+      for (double* value : {&e.stage_work, &e.bending, &e.load_train, &e.friction, &e.snaps, &e.imbalance})
+        *value *= stiffening;
       return history;
     };
     analysis.model = in_nominal_units(load_in_steps(friction, rig, stages));

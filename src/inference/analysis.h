@@ -17,12 +17,13 @@ namespace flexslip {
 
 // What is known of a test besides its record.
 struct TestDescription {
-  double span;                                  // [m]
-  double load_train_stiffness;                  // [N/m] infinite for displacement control
-  std::optional<double> bending_stiffness;      // [N m^2] EI; not given: from the initial slope of the record
-  std::optional<double> bending_stiffness_error;  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says
+  double span;                              // [m]
+  double load_train_stiffness;              // [N/m] infinite for displacement control
+  std::optional<double> bending_stiffness;  // [N m^2] EI; not given: from the initial slope of the record
+  std::optional<double>
+      bending_stiffness_error;  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says
   std::optional<std::size_t> points_before_failure;  // not given: found
-  double contact = 0;                           // [m] stage position of the contact, taken off stage and deflection
+  double contact = 0;  // [m] stage position of the contact, taken off stage and deflection
 };
 
 struct AnalysisOptions {
@@ -64,18 +65,18 @@ struct TestAnalysis {
   double bending_stiffness_error;  // [1] as used
   bool stiffness_from_slope;
   Failure failure;
-  Contact contact;       // found; applied only if the description says so
-  Record record;         // up to failure, contact taken off
+  Contact contact;  // found; applied only if the description says so
+  Record record;    // up to failure, contact taken off
   ReducedRecord reduced;
-  double force_noise;    // [EI/L^2] of one reading
+  double force_noise;  // [EI/L^2] of one reading
   Drops drops;
   FrictionProfile profile;
   std::vector<Slip> slips;
   SlipSummary slip_summary;
   SuspectReport suspects;
   FrictionFit fit;
-  History model;         // the chosen model on the stage positions of the record, at the estimated bending stiffness
-  History model_curve;   // the same continuously, for drawing
+  History model;        // the chosen model on the stage positions of the record, at the estimated bending stiffness
+  History model_curve;  // the same continuously, for drawing
   Replay replay;
   MeasuredEnergy energy;
   SawtoothCategory category;

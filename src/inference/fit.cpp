@@ -1,6 +1,5 @@
 #include "inference/fit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,6 +9,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+#include <Eigen/Dense>
 
 #include "inference/sliding_map.h"
 
@@ -61,7 +62,9 @@ Noise noise_of(const VectorXd& residuals, Index parameters) {
 struct Loss {
   double variance;
   double cap;  // infinite: least squares
-  double operator()(double r2) const { return cap == infinity ? r2 / variance : r2 / variance / (1 + r2 / (cap * cap * variance)); }
+  double operator()(double r2) const {
+    return cap == infinity ? r2 / variance : r2 / variance / (1 + r2 / (cap * cap * variance));
+  }
   double weight(double r2) const {
     if (cap == infinity) return 1;
     const double t = 1 + r2 / (cap * cap * variance);
@@ -112,7 +115,8 @@ class Fitter {
   }
 
   // A wave added to a solution, from a candidate of the scan.
-  Solution add_wave(const Solution& base, const WaveCandidate& candidate, double S_reference, double amplification) const {
+  Solution add_wave(const Solution& base, const WaveCandidate& candidate, double S_reference,
+                    double amplification) const {
     const Layout layout{base.layout.drift, base.layout.waves + 1};
     const Index at = layout.wave(layout.waves - 1);
     const double turn = pi * (S_middle_ - S_reference) / candidate.wavelength;
@@ -215,7 +219,8 @@ class Fitter {
       std::complex<double> turn = std::polar(1.0, step);
       const std::complex<double> more = std::polar(1.0, 2 * step);
       const auto product = [](std::complex<double> a, std::complex<double> b) {
-        return std::complex<double>(a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real());
+        return std::complex<double>(a.real() * b.real() - a.imag() * b.imag(),
+                                    a.real() * b.imag() + a.imag() * b.real());
       };
       for (auto& value : mu) {
         value += p[at] * phase.real() + p[at + 1] * phase.imag();
@@ -267,7 +272,8 @@ class Fitter {
         model.jacobian(i, at + 1) = F_mu * s;
         model.jacobian(i, at + 2) = F_mu * (p[at] * s - p[at + 1] * c) * angle / p[at + 2];
       }
-      model.jacobian(i, layout.stiffness()) = measured.F[k] - stiffening * follow * measured.F[k] / problem_.rig.stiffness;
+      model.jacobian(i, layout.stiffness()) =
+          measured.F[k] - stiffening * follow * measured.F[k] / problem_.rig.stiffness;
     }
     return model;
   }
@@ -369,8 +375,8 @@ class Fitter {
     const auto n = static_cast<double>(residuals.size());
     const double rss = whitened(residuals, noise.rho).squaredNorm();
     const double eta = p[layout.stiffness()];
-    const double log_likelihood =
-        -0.5 * (n * std::log(std::max(rss / n, 1e-14)) - std::log(1 - noise.rho * noise.rho) + eta * eta / prior_variance());
+    const double log_likelihood = -0.5 * (n * std::log(std::max(rss / n, 1e-14)) - std::log(1 - noise.rho * noise.rho) +
+                                          eta * eta / prior_variance());
     return {layout, p, noise, log_likelihood, converged};
   }
 
@@ -419,11 +425,14 @@ ParameterEstimate estimate(double value, double standard_error) {
 
 double wrapped(double angle) { return angle - 2 * pi * std::round(angle / (2 * pi)); }
 
-ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Solution& solution, const FitProblem& problem) {
+ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Solution& solution,
+                  const FitProblem& problem) {
   const auto& [layout, likeliest, noise, log_likelihood, converged] = solution;
   const VectorXd p = fitter.levelled(solution);
   const MatrixXd covariance = fitter.covariance(solution);
-  const auto error = [&](const VectorXd& gradient) { return std::sqrt(std::max(gradient.dot(covariance * gradient), 0.0)); };
+  const auto error = [&](const VectorXd& gradient) {
+    return std::sqrt(std::max(gradient.dot(covariance * gradient), 0.0));
+  };
   const auto unit = [&](Index i) { return VectorXd(VectorXd::Unit(layout.size(), i)); };
   const Index last = layout.stiffness();
 
@@ -445,10 +454,11 @@ ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Soluti
     const double phase_at_middle = std::atan2(-b, a);
     const VectorXd of_phase = (b * unit(at) - a * unit(at + 1)) / (height * height);
     const VectorXd of_origin = of_phase + pi * fitter.S_middle() / (wavelength * wavelength) * unit(at + 2);
-    fit.waves.push_back({.amplitude = estimate(height / p[0], error(of_amplitude)),
-                         .wavelength = estimate(wavelength, error(unit(at + 2))),
-                         .phase = estimate(wrapped(phase_at_middle - pi * fitter.S_middle() / wavelength), error(of_origin)),
-                         .phase_at_middle = estimate(phase_at_middle, error(of_phase))});
+    fit.waves.push_back(
+        {.amplitude = estimate(height / p[0], error(of_amplitude)),
+         .wavelength = estimate(wavelength, error(unit(at + 2))),
+         .phase = estimate(wrapped(phase_at_middle - pi * fitter.S_middle() / wavelength), error(of_origin)),
+         .phase_at_middle = estimate(phase_at_middle, error(of_phase))});
     fit.friction.terms.push_back({height / p[0], wavelength, fit.waves.back().phase.value});
   }
   const VectorXd force = fitter.model_force(layout, p);
@@ -475,7 +485,8 @@ struct ConstantFit {
 ConstantFit fit_constant(const ReducedRecord& record, double stiffening, const SlidingMap& map) {
   std::vector<std::size_t> order(record.deflection.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return record.deflection[a] < record.deflection[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return record.deflection[a] < record.deflection[b]; });
   std::vector<double> w;
   for (const auto i : order) w.push_back(record.deflection[i]);
   const auto n = static_cast<Index>(w.size());
@@ -518,7 +529,8 @@ void estimate_constant(ModelFit& fit, const FitProblem& problem) {
   const SlidingMap map(std::min(1 + 2.5 * w_max * w_max, 2.1), 0.002, 3.0);
   const auto nominal = fit_constant(record, 1, map);
   const double deviation = problem.errors.bending_stiffness;
-  const double shift = 0.5 * (fit_constant(record, 1 + deviation, map).mu - fit_constant(record, 1 - deviation, map).mu);
+  const double shift =
+      0.5 * (fit_constant(record, 1 + deviation, map).mu - fit_constant(record, 1 - deviation, map).mu);
   fit.mu0 = estimate(nominal.mu, std::hypot(nominal.from_residuals, shift));
   fit.mu0.low = std::max(fit.mu0.low, 0.0);
   fit.bending_stiffness = estimate(1, deviation);
@@ -539,16 +551,21 @@ ReducedRecord usable_part(const ReducedRecord& record) {
 
 std::string_view name_of(ProfileModel model) {
   switch (model) {
-    case ProfileModel::constant: return "constant";
-    case ProfileModel::drift: return "drift";
-    case ProfileModel::sinusoid: return "sinusoid";
-    case ProfileModel::sinusoids: return "sinusoids";
+    case ProfileModel::constant:
+      return "constant";
+    case ProfileModel::drift:
+      return "drift";
+    case ProfileModel::sinusoid:
+      return "sinusoid";
+    case ProfileModel::sinusoids:
+      return "sinusoids";
   }
   return "";
 }
 
 FrictionFit fit_friction(const FitProblem& given, const FitOptions& options) {
-  if (!(given.rig.stiffness > 0)) throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(given.rig.stiffness));
+  if (!(given.rig.stiffness > 0))
+    throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(given.rig.stiffness));
   if (options.models.empty()) throw std::invalid_argument("no friction model to fit");
   constexpr double measurable_from = 0.05;
   const FitProblem problem{usable_part(given.record), given.rig, given.errors};
@@ -615,7 +632,9 @@ FrictionFit fit_friction(const FitProblem& given, const FitOptions& options) {
         result.models.push_back(describe(model, fitter, fitter.fit_mean(false), problem));
         estimate_constant(result.models.back(), problem);
         break;
-      case ProfileModel::drift: result.models.push_back(describe(model, fitter, drifting, problem)); break;
+      case ProfileModel::drift:
+        result.models.push_back(describe(model, fitter, drifting, problem));
+        break;
       case ProfileModel::sinusoid:
       case ProfileModel::sinusoids: {
         const auto& solution = model == ProfileModel::sinusoid ? one : many;
@@ -632,7 +651,8 @@ FrictionFit fit_friction(const FitProblem& given, const FitOptions& options) {
       }
     }
   }
-  const auto best = std::min_element(result.models.begin(), result.models.end(), [](const auto& a, const auto& b) { return a.bic < b.bic; });
+  const auto best = std::min_element(result.models.begin(), result.models.end(),
+                                     [](const auto& a, const auto& b) { return a.bic < b.bic; });
   result.chosen = static_cast<std::size_t>(best - result.models.begin());
   return result;
 }

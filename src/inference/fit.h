@@ -28,14 +28,14 @@ std::string_view name_of(ProfileModel model);
 
 // Units: reduced, with the nominal bending stiffness.
 struct FitProblem {
-  ReducedRecord record;      // one loading, up to the failure; stage rising
+  ReducedRecord record;  // one loading, up to the failure; stage rising
   Rig rig;
   MeasurementErrors errors;  // bending_stiffness is the standard deviation of its prior: 0 if it is exact
 };
 
 struct FitOptions {
   std::vector<ProfileModel> models = {ProfileModel::constant, ProfileModel::drift, ProfileModel::sinusoid,
-                                       ProfileModel::sinusoids};
+                                      ProfileModel::sinusoids};
 };
 
 struct ParameterEstimate {
@@ -60,17 +60,17 @@ enum class FitStatus {
 struct ModelFit {
   ProfileModel model;
   FitStatus status;
-  FrictionWaves friction;        // ready for forward calculation
-  ParameterEstimate mu0;                  // [1] mean friction in the middle of the data
-  ParameterEstimate drift;                // [1/L] dμ/dS of the mean
+  FrictionWaves friction;   // ready for forward calculation
+  ParameterEstimate mu0;    // [1] mean friction in the middle of the data
+  ParameterEstimate drift;  // [1/L] dμ/dS of the mean
   std::vector<WaveEstimate> waves;
-  ParameterEstimate bending_stiffness;    // [1] relative to the nominal one
-  std::vector<double> force;     // [EI/L^2] at each stage position of the record
-  double residual_rms;           // [EI/L^2]
-  double correlation;            // [1] of neighbouring residuals
-  double innovation;             // [EI/L^2] standard deviation of what is left without the correlation
-  double effective_points;       // [1] independent observations that the residuals are worth
-  int parameters;                // without the bending stiffness, which has a prior
+  ParameterEstimate bending_stiffness;  // [1] relative to the nominal one
+  std::vector<double> force;            // [EI/L^2] at each stage position of the record
+  double residual_rms;                  // [EI/L^2]
+  double correlation;                   // [1] of neighbouring residuals
+  double innovation;                    // [EI/L^2] standard deviation of what is left without the correlation
+  double effective_points;              // [1] independent observations that the residuals are worth
+  int parameters;                       // without the bending stiffness, which has a prior
   double log_likelihood, aic, bic;
 };
 

@@ -122,10 +122,11 @@ SlipSummary summarise(std::span<const Slip> slips) {
     falls.push_back(slips[i].mu_before - slips[i].mu_after);
     if (i > 0) spacings.push_back(0.5 * (slips[i].S_before - slips[i - 1].S_before));
   }
-  const double mean = spacings.empty()
-                          ? not_a_number
-                          : std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
-  return {.count = slips.size(), .median_spacing = median(spacings), .mean_spacing = mean, .median_fall = median(falls)};
+  const double mean =
+      spacings.empty() ? not_a_number
+                       : std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
+  return {
+      .count = slips.size(), .median_spacing = median(spacings), .mean_spacing = mean, .median_fall = median(falls)};
 }
 
 FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const FrictionProfile& profile,
@@ -166,7 +167,11 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
 }
 
 SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit) {
-  SuspectReport report{.limit = limit, .points = {}, .beyond_error = 0, .points_judged = 0, .suspect = false,
+  SuspectReport report{.limit = limit,
+                       .points = {},
+                       .beyond_error = 0,
+                       .points_judged = 0,
+                       .suspect = false,
                        .above_euler_bernoulli = 0};
   for (std::size_t i = 0; i < record.force.size(); ++i) {
     if (!(record.deflection[i] > judged_from)) continue;

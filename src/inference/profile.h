@@ -34,8 +34,8 @@ struct ProfilePoint {
 double standard_error(const ProfilePoint& point);
 
 struct FrictionProfile {
-  std::vector<ProfilePoint> points;       // in the order of the record
-  std::vector<std::size_t> unexplained;   // points of the record that no friction in [-20, 20] explains
+  std::vector<ProfilePoint> points;      // in the order of the record
+  std::vector<std::size_t> unexplained;  // points of the record that no friction in [-20, 20] explains
 };
 
 // Domain:     a record without faults; rig.stiffness > 0; errors >= 0; deflections below least_deflection [L] are left out, where
@@ -57,9 +57,10 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
 // The model-free counterparts of the wavelength and the amplitude of a sawtooth.
 struct SlipSummary {
   std::size_t count;
-  double median_spacing;  // [L] along the fibre, from the beginning of a slip to that of the next; NaN for fewer than two
-  double mean_spacing;    // [L] likewise
-  double median_fall;     // [1] of μ in a slip; NaN without slips
+  double
+      median_spacing;   // [L] along the fibre, from the beginning of a slip to that of the next; NaN for fewer than two
+  double mean_spacing;  // [L] likewise
+  double median_fall;   // [1] of μ in a slip; NaN without slips
 };
 SlipSummary summarise(std::span<const Slip> slips);
 
@@ -72,11 +73,11 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
 
 // Is a measured curve plausible as sliding with friction below a limit?
 struct SuspectReport {
-  double limit;                     // [1]
-  std::vector<std::size_t> points;  // of the record, past the deflection 0.1, where μ exceeds the limit
-  std::size_t beyond_error;         // of these, how many do so by more than 1.96 standard errors
-  std::size_t points_judged;        // past the deflection 0.1
-  bool suspect;                     // more than 5 % of them exceed it
+  double limit;                       // [1]
+  std::vector<std::size_t> points;    // of the record, past the deflection 0.1, where μ exceeds the limit
+  std::size_t beyond_error;           // of these, how many do so by more than 1.96 standard errors
+  std::size_t points_judged;          // past the deflection 0.1
+  bool suspect;                       // more than 5 % of them exceed it
   std::size_t above_euler_bernoulli;  // the paper's criterion: points past 0.1 with F > 48 w
 };
 SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit = 1.0);

@@ -22,7 +22,8 @@ std::vector<double> chebyshev_coefficients(const std::vector<double>& samples) {
   for (std::size_t k = 0; k < n; ++k) {
     double sum = 0;
     for (std::size_t j = 0; j < n; ++j)
-      sum += samples[j] * std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) / static_cast<double>(n));
+      sum += samples[j] * std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) /
+                                   static_cast<double>(n));
     coefficients[k] = (k == 0 ? 1.0 : 2.0) / static_cast<double>(n) * sum;
   }
   return coefficients;
@@ -70,9 +71,11 @@ std::vector<double> power_coefficients(const std::vector<double>& chebyshev, dou
 }  // namespace
 
 SlidingMap::SlidingMap(double S_max, double S_step, double mu_max) : mu_max_(mu_max) {
-  if (!(S_max > 1 && S_max <= 2.1)) throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
+  if (!(S_max > 1 && S_max <= 2.1))
+    throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
   if (!(S_step > 0)) throw std::invalid_argument("S_step must be positive, not " + std::to_string(S_step));
-  if (!(mu_max > 0 && mu_max <= 5)) throw std::invalid_argument("mu_max must lie in (0, 5], not " + std::to_string(mu_max));
+  if (!(mu_max > 0 && mu_max <= 5))
+    throw std::invalid_argument("mu_max must lie in (0, 5], not " + std::to_string(mu_max));
   const double sigma_max = std::sqrt(S_max - 1);
   const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
   sigma_step_ = sigma_max / static_cast<double>(n - 1);
@@ -213,7 +216,8 @@ MeasuredCurve measured_curve(std::span<const double> w, std::span<const double> 
         (miss < 0 ? low : high) = x;
         const double newton = x - miss / cubic.slope(x);
         const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-        const bool done = std::abs(next - x) < 1e-6;  // of a cell: Newton's next step would be below the error of interpolation
+        const bool done =
+            std::abs(next - x) < 1e-6;  // of a cell: Newton's next step would be below the error of interpolation
         x = next;
         if (done) break;
       }

@@ -16,9 +16,9 @@ class SlidingMap {
   // Cost:       1 ms.
   SlidingMap(double S_max, double S_step, double mu_max);
 
-  std::span<const double> S() const { return S_; }  // [L] 1 + (i step)^2
+  std::span<const double> S() const { return S_; }   // [L] 1 + (i step)^2
   double sigma_step() const { return sigma_step_; }  // [√L] the step in √(S - 1)
-  double mu_max() const { return mu_max_; }         // [1]
+  double mu_max() const { return mu_max_; }          // [1]
 
   struct Curve {
     std::vector<double> w;  // [L]
@@ -42,11 +42,11 @@ class SlidingMap {
 
 // A test in which the stage only advances, on a curve given at a ladder of lengths.
 struct MeasuredCurve {
-  std::vector<double> F;         // [EI/L^2] at each stage position; that of the last length if the curve does not reach it
-  std::vector<std::size_t> cell; // the state lies between the lengths cell and cell + 1,
-  std::vector<double> fraction;  // this fraction of the way
-  std::vector<double> F_slope;   // change of F over the cell at that fraction
-  std::vector<double> G_slope;   // likewise of the stage position
+  std::vector<double> F;  // [EI/L^2] at each stage position; that of the last length if the curve does not reach it
+  std::vector<std::size_t> cell;  // the state lies between the lengths cell and cell + 1,
+  std::vector<double> fraction;   // this fraction of the way
+  std::vector<double> F_slope;    // change of F over the cell at that fraction
+  std::vector<double> G_slope;    // likewise of the stage position
 };
 
 // The running maximum of the stage position G = w + compliance F, as in rig.h, interpolated by cubics between the lengths.

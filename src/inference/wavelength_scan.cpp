@@ -1,12 +1,13 @@
 #include "inference/wavelength_scan.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include <Eigen/Dense>
 
 namespace flexslip {
 namespace {
@@ -75,7 +76,8 @@ WavelengthScan scan_wavelengths(std::span<const ProfilePoint> given, const ScanO
   const double length = 0.5 * (S_last - S_first);  // along the fibre
 
   WavelengthScan scan{.S_reference = 0.5 * (S_first + S_last), .wavelengths = {}, .gains = {}, .candidates = {}};
-  for (double frequency = options.periods / length; frequency < 1 / options.least_wavelength; frequency += 1 / (8 * length))
+  for (double frequency = options.periods / length; frequency < 1 / options.least_wavelength;
+       frequency += 1 / (8 * length))
     scan.wavelengths.push_back(1 / frequency);
   const auto waves = static_cast<Eigen::Index>(scan.wavelengths.size());
   if (waves == 0) return scan;
@@ -155,9 +157,12 @@ WavelengthScan scan_wavelengths(std::span<const ProfilePoint> given, const ScanO
     const auto Sn = all.middleCols(1 + base + waves, waves);
     const Eigen::MatrixXd QC = Q.topRows(n).transpose() * C;
     const Eigen::MatrixXd QS = Q.topRows(n).transpose() * Sn;
-    const Eigen::ArrayXd cc = C.colwise().squaredNorm().transpose().array() - QC.colwise().squaredNorm().transpose().array();
-    const Eigen::ArrayXd ss = Sn.colwise().squaredNorm().transpose().array() - QS.colwise().squaredNorm().transpose().array();
-    const Eigen::ArrayXd cs = (C.array() * Sn.array()).colwise().sum().transpose() - (QC.array() * QS.array()).colwise().sum().transpose();
+    const Eigen::ArrayXd cc =
+        C.colwise().squaredNorm().transpose().array() - QC.colwise().squaredNorm().transpose().array();
+    const Eigen::ArrayXd ss =
+        Sn.colwise().squaredNorm().transpose().array() - QS.colwise().squaredNorm().transpose().array();
+    const Eigen::ArrayXd cs =
+        (C.array() * Sn.array()).colwise().sum().transpose() - (QC.array() * QS.array()).colwise().sum().transpose();
     const Eigen::ArrayXd cy = (C.transpose() * residual.head(n)).array();
     const Eigen::ArrayXd sy = (Sn.transpose() * residual.head(n)).array();
     const Eigen::ArrayXd det = cc * ss - cs * cs;

@@ -16,7 +16,7 @@ struct WaveCandidate {
   double wavelength;           // [L] along the fibre
   double cosine, sine;         // [1] of π (S - S_reference)/wavelength, in μ
   double log_likelihood_gain;  // [1] over no wave
-  double walk;                 // [1] variance of the random walk over a step, relative to that of the noise; 0: white residuals
+  double walk;  // [1] variance of the random walk over a step, relative to that of the noise; 0: white residuals
 };
 
 struct WavelengthScan {
@@ -27,9 +27,9 @@ struct WavelengthScan {
 };
 
 struct ScanOptions {
-  double least_wavelength;         // [L]
-  double periods = 3.5;            // the longest wavelength fits that often into the slip seen: longer ones are drift
-  double stiffness_error = 0.03;   // [1] prior standard deviation of ln EI
+  double least_wavelength;        // [L]
+  double periods = 3.5;           // the longest wavelength fits that often into the slip seen: longer ones are drift
+  double stiffness_error = 0.03;  // [1] prior standard deviation of ln EI
   int most_candidates = 4;
 };
 
