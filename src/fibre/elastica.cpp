@@ -82,23 +82,31 @@ HalfFibre<Dual> half_fibre_slopes(double u, const ForceLine& line) {
                            dual(value.one_minus_cn, d_m.one_minus_cn), dual(value.P, d_m.P), dual(value.R, d_m.R)});
 }
 
-// 1 - 1/S, of order u^4, and its slope in u.
+// 1 - 1/S, of order u^4, with its derivatives in u.
 struct Drawn {
   static constexpr int order = 4;
-  double value, slope;
-  Drawn(double u, const ForceLine& line, const HalfFibre<double>& half)
-      : value(half.gap / u), slope((line.s0 * half.sd * half.z - value) / u) {}
+  double value, slope, curvature;
+  Drawn(double u, const ForceLine& line, const HalfFibre<double>& half) {
+    const double bend = line.s0 * half.sd;  // dθ0/du, whose own slope is sin b
+    value = half.gap / u;
+    slope = (bend * half.z - value) / u;
+    curvature = (half.sin_b * half.z + bend * bend * (u - half.gap) - 2 * slope) / u;
+  }
 };
 
-// The deflection w, of order u^2, and its slope in u; infinite from the pole of S on, where the half span a is zero.
+// The deflection w, of order u^2, likewise; infinite from the pole of S on, where the half span a is zero.
 struct Deflection {
   static constexpr int order = 2;
-  double value, slope;
+  double value, slope, curvature;
   Deflection(double u, const ForceLine& line, const HalfFibre<double>& half) {
+    const double bend = line.s0 * half.sd;
     const double a = u - half.gap;
     const double z = half.z;
+    const double a_u = 1 - bend * z;
+    const double numerator_u = half.sin_b * (a * a + z * z) + bend * a;
     value = a > 0 ? z / (2 * a) : infinity;
-    slope = (line.s0 * half.sd * (a * a + z * z) - z) / (2 * a * a);
+    slope = (bend * (a * a + z * z) - z) / (2 * a * a);
+    curvature = numerator_u / (2 * a * a) - 2 * slope * a_u / a;
   }
 };
 
@@ -108,7 +116,7 @@ struct Phase {
   HalfFibre<double> half;
 };
 
-// The u in (0, K] at which a quantity that rises as u^order takes the value `target`, by Newton's iteration on its root of
+// The u in (0, K] at which a quantity that rises as u^order takes the value `target`, by Halley's iteration on its root of
 // that order, which is nearly linear in u. If the quantity stays below the target, u is K, the end of the branch.
 template <class Quantity>
 Phase solve_phase(double target, double u, const ForceLine& line) {
@@ -122,17 +130,20 @@ Phase solve_phase(double target, double u, const ForceLine& line) {
   double high = infinity;
   u = limited(u);
   HalfFibre<double> half = half_fibre(u, line);
-  // A step below 2^-30 u leaves, by quadratic convergence, an error below the rounding. Bisection between bounds, which
-  // only states near the end of the branch ever need, gains a bit a step: 60 steps suffice for it.
+  // A step below 2^-20 u leaves, by cubic convergence, an error below the rounding. Bisection between bounds, which only
+  // states near the end of the branch ever need, gains a bit a step: 60 steps suffice for it.
   for (int iteration = 0; iteration < 60; ++iteration) {
     const Quantity quantity(u, line, half);
     if (quantity.value < target && u == K) break;
     (quantity.value < target ? low : high) = u;
     const double root = std::sqrt(target / quantity.value);
-    const double excess = (Quantity::order == 4 ? std::sqrt(root) : root) - 1;
-    const double newton = u + Quantity::order * quantity.value * excess / quantity.slope;
-    const bool last = std::abs(newton - u) <= 0x1p-30 * u;
-    u = last || (newton > low && newton < high) ? limited(newton) : 0.5 * (low + std::min(high, K));
+    constexpr int n = Quantity::order;
+    const double miss = 1 - (n == 4 ? std::sqrt(root) : root);  // of the root of order n, relative
+    const double rate = quantity.slope / (n * quantity.value);
+    const double bend = quantity.curvature / (n * quantity.value) + (1 - n) * rate * rate;
+    const double next = u - miss * rate / (rate * rate - 0.5 * miss * bend);
+    const bool last = std::abs(next - u) <= 0x1p-20 * u;
+    u = last || (next > low && next < high) ? limited(next) : 0.5 * (low + std::min(high, K));
     half = half_fibre(u, line);
     if (last) break;
   }

@@ -40,7 +40,7 @@ struct FibreStateSlopes {
 // Max error:  relative, 3e-15 in w and Pn, 4e-15 in theta0, 8e-15 in U, 8e-15 in F times its condition number
 //             1 + |(S - 1) F_S/F| + |q F_q/F| (tests/fibre/elastica_test.cpp, docs/accuracy.md).
 // Fails:      beyond_branch.
-// Method:     closed form in Jacobi's functions at u (MODEL 2; theory.md, "The state"); u by Newton's iteration on
+// Method:     closed form in Jacobi's functions at u (theory.md, "The state"); u by Halley's iteration on
 //             (1 - 1/S)^(1/4), which is nearly linear in u.
 // Cost:       below 1 µs.
 FibreState fibre_state(double S, double q);
