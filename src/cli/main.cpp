@@ -1,1 +1,133 @@
-int main() {}
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+constexpr int exit_not_calculated = 1;
+constexpr int exit_wrong_input = 2;
+
+int complain(std::string_view message, int exit_code) {
+  std::cerr << fmt::format("flexslip: {}\n", message);
+  return exit_code;
+}
+
+// The command that was being given.
+const CLI::App& innermost(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return given.empty() ? app : innermost(*given.front());
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::string with_guess(std::string message, const std::string& meant) {
+  return meant.empty() ? message : message + fmt::format("; did you mean {}?", in_quotes(meant));
+}
+
+// What is wrong with the call, and the remedy.
+std::string explained(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = innermost(app);
+  const bool is_program = &command == &app;
+  const std::string program = is_program ? "flexslip" : fmt::format("flexslip {}", command.get_name());
+  const std::string help = fmt::format(" ({} --help shows how)", program);
+
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (!unknown.empty()) {
+    const std::string word = unknown.front().substr(0, unknown.front().find('='));
+    if (word.starts_with('-'))
+      return with_guess(fmt::format("{} has no option {}", program, in_quotes(word)),
+                        nearest(word, option_names(command))) +
+             help;
+    if (is_program)
+      return with_guess(fmt::format("unknown command {}", in_quotes(word)), nearest(word, command_names(app))) + help;
+    return fmt::format("{} has no use for {}", program, in_quotes(word)) + help;
+  }
+  if (is_program && command.get_subcommands().empty())
+    return fmt::format("expected one of the commands {}", listed(command_names(app))) + help;
+  std::string message = error.what();
+  for (char& c : message)
+    if (c == '\n') c = ' ';
+  return fmt::format("{}: {}", command.get_name(), message) + help;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "What a sawtooth in a three-point bending test means: the friction at the supports, read off the force curve");
+  app.name("flexslip");
+  app.set_version_flag("--version", "flexslip " FLEXSLIP_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.get_formatter()->column_width(28);
+  app.footer(
+      "flexslip COMMAND --help explains a command.\n\n"
+      "Examples:\n"
+      "  flexslip fit examples/simulated/case.toml --report report\n"
+      "                            fits the shipped example and writes report/report.html\n"
+      "  flexslip simulate case.toml --output test.csv\n"
+      "                            says what a test would measure\n\n"
+      "Exit status:\n"
+      "  0  done\n"
+      "  1  the calculation did not succeed; what could be calculated is written\n"
+      "  2  the input or the call was wrong");
+  add_fit_command(app);
+  add_invert_command(app);
+  add_simulate_command(app);
+  add_equilibrium_command(app);
+  add_state_command(app);
+  add_completions_command(app);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) command->group("Commands");
+
+  try {
+    app.parse(argc, argv);
+    return EXIT_SUCCESS;
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    return complain(explained(app, error), exit_wrong_input);
+  } catch (const CalculationFailed& error) {
+    return complain(error.what(), exit_not_calculated);
+  } catch (const std::invalid_argument& error) {
+    return complain(error.what(), exit_wrong_input);
+  } catch (const InputError& error) {
+    return complain(error.what(), exit_wrong_input);
+  }
+}
+
+}  // namespace
+}  // namespace flexslip
+
+int main(int argc, char** argv) {
+  // Whoever reads our output has seen enough (head, a pager): nothing went wrong.
+  std::signal(SIGPIPE, [](int) { std::_Exit(EXIT_SUCCESS); });
+  try {
+    return flexslip::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return flexslip::complain("this computer has not enough memory for that", flexslip::exit_not_calculated);
+  } catch (const std::exception& error) {
+    return flexslip::complain(error.what(), flexslip::exit_not_calculated);
+  }
+}

@@ -27,10 +27,10 @@ enum class ContactSource {
 // The part of a record that is evaluated: one loading, from the contact to the failure.
 struct Measurement {
   std::string file;
-  std::size_t rows;      // of the file
-  std::size_t first;     // row of the file, counted from 0, of the first point of the record
-  Record record;         // stage and deflection counted from the contact
-  MeasurementEnd end;    // what ends the record
+  std::size_t rows;    // of the file
+  std::size_t first;   // row of the file, counted from 0, of the first point of the record
+  Record record;       // stage and deflection counted from the contact
+  MeasurementEnd end;  // what ends the record
   ContactSource contact;
   double contact_offset;  // [m] taken off stage and deflection
   double contact_error;   // [m] standard deviation
@@ -49,13 +49,17 @@ enum class StiffnessSource {
   initial_slope,  // of the record, F = 48 EI w/L^3
 };
 
-inline constexpr double stiffness_error_assumed = 0.03;  // [1] a modulus from a data sheet and a diameter to 0.5 % give no better
+inline constexpr double stiffness_error_assumed =
+    0.03;  // [1] a modulus from a data sheet and a diameter to 0.5 % give no better
 
 struct BendingStiffnessUsed {
   double value;           // [N m^2] EI
   double relative_error;  // [1] standard deviation
   StiffnessSource source;
 };
+
+// Does the case state its bending stiffness, or leave it to the fit?
+bool states_stiffness(const Case& input);
 
 // The bending stiffness that a case states.
 // Fails:      InputError if it states none.
@@ -84,6 +88,7 @@ std::vector<double> stages_of(const Case& input);
 double farthest_stage(const Case& input);
 
 // Reduced errors of the readings, for measure_friction and fit_friction.
-MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness, const Scales& scales);
+MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,
+                            const Scales& scales);
 
 }  // namespace flexslip

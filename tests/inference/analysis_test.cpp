@@ -1,8 +1,8 @@
 #include "inference/analysis.h"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "tests/inference/simulated_test.h"
 
@@ -17,7 +17,9 @@ TestDescription description_of(const SimulatedTruth& truth) {
           .bending_stiffness = scales.bending_stiffness()};
 }
 
-SimulatedTruth toothed() { return {.friction = Friction::sinusoid(0.6, 0.3, 14.0 / 1278, 1.0), .stiffness = 90, .noise = 0.01}; }
+SimulatedTruth toothed() {
+  return {.friction = Friction::sinusoid(0.6, 0.3, 14.0 / 1278, 1.0), .stiffness = 90, .noise = 0.01};
+}
 
 TEST_CASE("identity: a simulated sawtooth is analysed end to end") {
   const auto truth = toothed();
@@ -32,7 +34,8 @@ TEST_CASE("identity: a simulated sawtooth is analysed end to end") {
   for (const auto& snap : exact.snaps) {
     bool found = false;
     for (const auto& drop : analysis.drops.drops)
-      found = found || (analysis.reduced.stage[drop.before] <= snap.stage && snap.stage <= analysis.reduced.stage[drop.after]);
+      found = found ||
+              (analysis.reduced.stage[drop.before] <= snap.stage && snap.stage <= analysis.reduced.stage[drop.after]);
     CHECK(found);
   }
   // Just before a fold the force may fall while the fibre is stable, which no one can tell from a small snap.

@@ -1,9 +1,9 @@
 #include "inference/fit.h"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <doctest/doctest.h>
 
 #include "tests/inference/simulated_test.h"
 
@@ -28,8 +28,9 @@ TEST_CASE("oracle: simulated truth is found again, wavelength to 2 %, and the si
   };
   int covered = 0;
   int asked = 0;
-  for (const Row& row : {Row{0.5, 0.15, 10.9, 90, 1.03, 0.02}, Row{0.8, 0.1, 25, 60, 0.97, 0.03}, Row{0.4, 0.3, 45, 150, 1.0, 0.05},
-                         Row{0.6, 0.2, 8.5, 200, 0.96, 0.01}, Row{0.35, 0.2, 15, 40, 1.04, 0.02}, Row{0.7, 0.08, 18, 100, 1.0, 0.02}}) {
+  for (const Row& row :
+       {Row{0.5, 0.15, 10.9, 90, 1.03, 0.02}, Row{0.8, 0.1, 25, 60, 0.97, 0.03}, Row{0.4, 0.3, 45, 150, 1.0, 0.05},
+        Row{0.6, 0.2, 8.5, 200, 0.96, 0.01}, Row{0.35, 0.2, 15, 40, 1.04, 0.02}, Row{0.7, 0.08, 18, 100, 1.0, 0.02}}) {
     CAPTURE(row.wavelength);
     const SimulatedTruth truth{.friction = Friction::sinusoid(row.mu0, row.amplitude, row.wavelength / 1278, 1.0),
                                .stiffness = row.stiffness,
@@ -72,7 +73,8 @@ TEST_CASE("identity: a wrong bending stiffness shifts the constant by what its i
 TEST_CASE("identity: a drifting mean under the teeth is told apart from them") {
   const double lambda = 11.0 / 1278;
   const SimulatedTruth truth{
-      .friction = Friction::waves({.mu0 = 0.45, .drift = 0.8, .terms = {{0.15, lambda, 0.5}}, .S_reference = 1}), .noise = 0.02};
+      .friction = Friction::waves({.mu0 = 0.45, .drift = 0.8, .terms = {{0.15, lambda, 0.5}}, .S_reference = 1}),
+      .noise = 0.02};
   const auto fit = fit_friction(problem_of(truth));
   const auto& sinusoid = fit_of(fit, ProfileModel::sinusoid);
   CHECK(sinusoid.waves.front().wavelength.value == doctest::Approx(lambda).epsilon(0.02));
@@ -81,7 +83,8 @@ TEST_CASE("identity: a drifting mean under the teeth is told apart from them") {
 
 TEST_CASE("identity: two waves are found as two") {
   const SimulatedTruth truth{
-      .friction = Friction::waves({.mu0 = 0.6, .drift = 0, .terms = {{0.15, 0.03, 0.5}, {0.1, 0.009, 2.0}}, .S_reference = 1}),
+      .friction =
+          Friction::waves({.mu0 = 0.6, .drift = 0, .terms = {{0.15, 0.03, 0.5}, {0.1, 0.009, 2.0}}, .S_reference = 1}),
       .noise = 0.02};
   const auto fit = fit_friction(problem_of(truth));
   const auto& chosen = fit.models[fit.chosen];
@@ -110,9 +113,11 @@ TEST_CASE("oracle: the force of a fitted model is the exact forward calculation 
   const auto fit = fit_friction(problem, {.models = {ProfileModel::sinusoid}});
   const auto& model = fit.models.front();
   const double stiffening = model.bending_stiffness.value;
-  const auto exact = load_in_steps(Friction::waves(model.friction), {problem.rig.stiffness / stiffening}, problem.record.stage);
+  const auto exact =
+      load_in_steps(Friction::waves(model.friction), {problem.rig.stiffness / stiffening}, problem.record.stage);
   int apart = 0;  // at a fold a stage position may fall on either side of the snap
-  for (std::size_t i = 0; i < model.force.size(); ++i) apart += std::abs(model.force[i] - stiffening * exact.path[i].F) > 2e-3;
+  for (std::size_t i = 0; i < model.force.size(); ++i)
+    apart += std::abs(model.force[i] - stiffening * exact.path[i].F) > 2e-3;
   CHECK(apart <= 2);
 }
 

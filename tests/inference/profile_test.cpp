@@ -1,8 +1,8 @@
 #include "inference/profile.h"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "fibre/elastica.h"
 #include "tests/inference/simulated_test.h"
@@ -24,7 +24,8 @@ TEST_CASE("identity: the profile of a loading without noise is the friction it w
     CHECK(point.mu == doctest::Approx(toothed().at(point.S).mu).epsilon(1e-11));
 }
 
-TEST_CASE("oracle: the parts of the error are differences of the inverse under a small change of force, stiffness, contact") {
+TEST_CASE(
+    "oracle: the parts of the error are differences of the inverse under a small change of force, stiffness, contact") {
   const double k = 90;
   const auto record = simulated_record({.friction = toothed()});
   const MeasurementErrors errors{.force = 1e-5, .bending_stiffness = 1e-5, .contact = 1e-7};
@@ -37,7 +38,8 @@ TEST_CASE("oracle: the parts of the error are differences of the inverse under a
     // one-sided differences: their truncation is of the relative order of the change itself, 1e-5 times a curvature of order 1/w
     const double tolerance = 1e-3;
     CHECK(point.from_force == doctest::Approx(std::abs(mu(w - 1e-5 / k, F + 1e-5) - point.mu)).epsilon(tolerance));
-    CHECK(point.from_bending_stiffness == doctest::Approx(std::abs(mu(w, F / (1 + 1e-5)) - point.mu)).epsilon(tolerance));
+    CHECK(point.from_bending_stiffness ==
+          doctest::Approx(std::abs(mu(w, F / (1 + 1e-5)) - point.mu)).epsilon(tolerance));
     CHECK(point.from_contact == doctest::Approx(std::abs(mu(w + 1e-7, F) - point.mu)).epsilon(tolerance));
   }
 }

@@ -14,11 +14,11 @@ namespace flexslip {
 
 struct SimulatedTruth {
   Friction friction;
-  double stiffness = 90;       // [EI/L^3] nominal
-  double stiffening = 1;       // [1] true over nominal bending stiffness
-  double noise = 0;            // [EI/L^2]
-  double step = 2.0 / 1278;    // [L] of the stage
-  double deflection = 0.4;     // [L] at which the test ends
+  double stiffness = 90;     // [EI/L^3] nominal
+  double stiffening = 1;     // [1] true over nominal bending stiffness
+  double noise = 0;          // [EI/L^2]
+  double step = 2.0 / 1278;  // [L] of the stage
+  double deflection = 0.4;   // [L] at which the test ends
   std::uint64_t seed = 1;
 };
 

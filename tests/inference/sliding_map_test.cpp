@@ -1,9 +1,9 @@
 #include "inference/sliding_map.h"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <doctest/doctest.h>
 
 #include "bending_test/history.h"
 #include "fibre/elastica.h"
@@ -41,7 +41,8 @@ TEST_CASE("oracle: the measured curve on the ladder is that of the exact folds, 
   const auto curve = map.curve(mu);
   const auto measured = measured_curve(curve.w, curve.F, 1 / k, stages);
   // 60/n^4 of a tooth's height in F, about 1, with n = 20 lengths a period
-  for (std::size_t i = 0; i < stages.size(); ++i) CHECK(std::abs(measured.F[i] - exact.path[i].F) < 60 / std::pow(20, 4));
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    CHECK(std::abs(measured.F[i] - exact.path[i].F) < 60 / std::pow(20, 4));
 }
 
 TEST_CASE("limit: a map that cannot be made is refused") {

@@ -1,10 +1,10 @@
 #include "inference/wavelength_scan.h"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
-#include <stdexcept>
 #include <numbers>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
 
 #include "tests/inference/simulated_test.h"
 
@@ -18,10 +18,17 @@ std::vector<ProfilePoint> points_on(double amplitude, double wavelength, double 
   std::vector<ProfilePoint> points;
   for (std::size_t i = 0; i < 250; ++i) {
     const double S = 1.02 + 0.28 * static_cast<double>(i) / 250;
-    const double mu = 0.6 + drift * std::sin(4 * (S - 1)) + amplitude * std::cos(std::numbers::pi * S / wavelength + 1) +
+    const double mu = 0.6 + drift * std::sin(4 * (S - 1)) +
+                      amplitude * std::cos(std::numbers::pi * S / wavelength + 1) +
                       noise * std::sqrt(12.0) * (uniform() - 0.5);
-    points.push_back({.index = i, .S = S, .mu = mu, .from_force = noise, .from_bending_stiffness = 0, .from_contact = 0,
-                      .mu_log_stiffness = -1, .mu_force = 0.2});
+    points.push_back({.index = i,
+                      .S = S,
+                      .mu = mu,
+                      .from_force = noise,
+                      .from_bending_stiffness = 0,
+                      .from_contact = 0,
+                      .mu_log_stiffness = -1,
+                      .mu_force = 0.2});
   }
   return points;
 }
@@ -33,7 +40,8 @@ TEST_CASE("identity: the wavelength put in comes out, under a drift ten times as
     const double resolution = wavelength * wavelength / 0.14 / 8;  // the step of the scan
     CHECK(std::abs(scan.candidates.front().wavelength - wavelength) <= resolution);
     CHECK(scan.candidates.front().log_likelihood_gain > 10);
-    CHECK(std::hypot(scan.candidates.front().cosine, scan.candidates.front().sine) == doctest::Approx(0.03).epsilon(0.15));
+    CHECK(std::hypot(scan.candidates.front().cosine, scan.candidates.front().sine) ==
+          doctest::Approx(0.03).epsilon(0.15));
   }
 }
 

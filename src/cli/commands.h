@@ -1,0 +1,25 @@
+// The commands of the program, one file each.
+//
+// A command reads its arguments in its callback. It throws an InputError for bad input, and CalculationFailed, once what
+// could be computed is written, if that is not all; main() turns these into messages and exit codes.
+#pragma once
+
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+namespace flexslip {
+
+// Exit code 1.
+struct CalculationFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+void add_state_command(CLI::App& app);
+void add_invert_command(CLI::App& app);
+void add_equilibrium_command(CLI::App& app);
+void add_simulate_command(CLI::App& app);
+void add_fit_command(CLI::App& app);
+void add_completions_command(CLI::App& app);
+
+}  // namespace flexslip

@@ -1,0 +1,188 @@
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "fibre/elastica.h"
+#include "inference/profile.h"
+#include "io/input_error.h"
+#include "io/problem.h"
+
+namespace flexslip {
+namespace {
+
+struct InvertRequest {
+  std::string file;
+  bool is_case = false;
+  Output output;
+};
+
+constexpr std::size_t least_points = 12;  // a noise, and a profile that is more than a handful of points
+
+void require_domain(const Table& table) {
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    for (const Column& column : table.columns)
+      if (!(column.values[row] >= 0))
+        throw InputError({.file = table.source,
+                          .line = table.line_of(row),
+                          .field = fmt::format("column '{}'", column.name),
+                          .expected = "a number of at least 0",
+                          .found = fmt::format("{}", column.values[row])});
+}
+
+void invert_states(const InvertRequest& request) {
+  const Table table = read_table(request.file, {{"w", kind::number}, {"F", kind::number}});
+  require_domain(table);
+  const std::vector<double>& w = table.columns[0].values;
+  const std::vector<double>& F = table.columns[1].values;
+  std::vector<double> S(w.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> q = S;
+  std::vector<std::size_t> unexplained;
+  for (std::size_t row = 0; row < w.size(); ++row) {
+    const FibreState state = fibre_state_from_force(w[row], F[row]);
+    if (state.status == FibreStatus::ok) {
+      S[row] = state.S;
+      q[row] = state.q;
+    } else {
+      unexplained.push_back(row);
+    }
+  }
+  const std::vector<OutputColumn> columns{{"w", w}, {"F", F}, {"S", S}, {"q", q}};
+  if (request.output.json)
+    write_json(request.output.path,
+               {{"status", unexplained.empty() ? "ok" : "no_friction"}, {"states", rows_json(columns)}});
+  else
+    write_table(request.output.path, columns);
+  if (unexplained.empty()) return;
+  const std::size_t row = unexplained.front();
+  throw CalculationFailed(fmt::format(
+      "{}:{}: no friction from -20 to 20 explains w = {}, F = {}{}", table.source, table.line_of(row), w[row], F[row],
+      unexplained.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", unexplained.size() - 1)));
+}
+
+std::string_view name_of(StiffnessSource source) {
+  switch (source) {
+    case StiffnessSource::stated:
+      return "stated";
+    case StiffnessSource::assumed_error:
+      return "stated_without_uncertainty";
+    case StiffnessSource::initial_slope:
+      return "initial_slope";
+  }
+  throw std::invalid_argument("no such source of the bending stiffness");
+}
+
+void note_assumptions(const Output& output, const BendingStiffnessUsed& stiffness) {
+  const std::string_view remedy = R"(state it in the case: modulus = { value = "29.6 GPa", uncertainty = "1.5 GPa" })";
+  if (stiffness.source == StiffnessSource::assumed_error)
+    note(output, fmt::format("the bending stiffness is taken to be uncertain by {:g} %; {}",
+                             100 * stiffness.relative_error, remedy));
+  if (stiffness.source == StiffnessSource::initial_slope)
+    note(output, fmt::format("the bending stiffness is that of the initial slope, uncertain by {:.2g} %; {}",
+                             100 * stiffness.relative_error, remedy));
+}
+
+void invert_case(const InvertRequest& request) {
+  const Case input = read_case(request.file);
+  const Measurement measurement = read_measurement(input, least_points);
+  const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
+  const Scales scales = scales_of(input, stiffness);
+  const FrictionProfile profile = measure_friction(to_reduced(measurement.record, scales), rig_of(input, scales),
+                                                   errors_of(measurement, stiffness, scales));
+  note_assumptions(request.output, stiffness);
+  if (!profile.unexplained.empty())
+    note(request.output, fmt::format("no friction from -20 to 20 explains {} readings, left out; the first is row {}",
+                                     profile.unexplained.size(), measurement.first + profile.unexplained.front() + 1));
+
+  std::vector<double> row, stage, deflection, force, length, drawn_in, position, mu, error, from_force, from_stiffness,
+      from_contact;
+  for (const ProfilePoint& point : profile.points) {
+    row.push_back(static_cast<double>(measurement.first + point.index + 1));
+    stage.push_back(measurement.record.stage[point.index]);
+    deflection.push_back(measurement.record.deflection[point.index]);
+    force.push_back(measurement.record.force[point.index]);
+    length.push_back(scales.physical_length(point.S));
+    drawn_in.push_back(scales.physical_length(point.S - 1));
+    position.push_back(scales.physical_length(0.5 * point.S));
+    mu.push_back(point.mu);
+    error.push_back(standard_error(point));
+    from_force.push_back(point.from_force);
+    from_stiffness.push_back(point.from_bending_stiffness);
+    from_contact.push_back(point.from_contact);
+  }
+  const bool json = request.output.json;
+  const auto title = [&](std::string_view name, std::string_view unit) {
+    return json ? std::string(name) : column_title(name, unit, input.reduced);
+  };
+  const std::vector<OutputColumn> columns{{"row", row},
+                                          {title(json ? "stage" : "w_s", "m"), stage},
+                                          {title(json ? "deflection" : "w", "m"), deflection},
+                                          {title(json ? "force" : "F", "N"), force},
+                                          {title(json ? "length" : "S", "m"), length},
+                                          {title("drawn_in", "m"), drawn_in},
+                                          {title("position", "m"), position},
+                                          {"mu", mu},
+                                          {"mu_error", error},
+                                          {"mu_error_force", from_force},
+                                          {"mu_error_bending_stiffness", from_stiffness},
+                                          {"mu_error_contact", from_contact}};
+  if (json) {
+    Json unexplained = Json::array();
+    for (const std::size_t index : profile.unexplained) unexplained.push_back(measurement.first + index + 1);
+    write_json(request.output.path, {{"status", profile.points.empty() ? "nothing_explained" : "ok"},
+                                     {"units", units_json(input.reduced)},
+                                     {"bending_stiffness",
+                                      {{"value", stiffness.value},
+                                       {"relative_error", stiffness.relative_error},
+                                       {"source", name_of(stiffness.source)}}},
+                                     {"contact_offset", measurement.contact_offset},
+                                     {"force_noise", measurement.force_noise},
+                                     {"last_row", measurement.first + measurement.record.force.size()},
+                                     {"profile", rows_json(columns)},
+                                     {"unexplained", unexplained}});
+  } else {
+    write_table(request.output.path, columns);
+  }
+  if (profile.points.empty())
+    throw CalculationFailed(
+        fmt::format("{}: no reading tells a friction: all deflections are below 0.02 spans, or no friction explains "
+                    "them; check the units",
+                    measurement.file));
+}
+
+void run_invert(const InvertRequest& request) {
+  if (request.is_case || request.file.ends_with(".toml"))
+    invert_case(request);
+  else
+    invert_states(request);
+}
+
+}  // namespace
+
+void add_invert_command(CLI::App& app) {
+  const auto request = std::make_shared<InvertRequest>();
+  CLI::App* command = app.add_subcommand("invert", "Friction from deflection and force, point by point");
+  command->add_option("file", request->file, "Case file (.toml), or CSV with the columns w,F; - is standard input")
+      ->type_name("FILE")
+      ->required();
+  command->add_flag("--case", request->is_case, "The file is a case, whatever its name");
+  add_output_options(*command, request->output);
+  command->footer(
+      "From CSV: reduced variables, w in spans and F in EI/L^2; writes w,F,S,q. A point that no friction\n"
+      "explains is written as nan, and the exit code is 1.\n"
+      "From a case: the friction along the specimen in its test up to failure, in SI. drawn_in is S - L;\n"
+      "position is that of the support, counted along the specimen from midspan. mu_error is the standard\n"
+      "error; its parts stem from the noise of the force, the bending stiffness and the contact point, the\n"
+      "last two of which move all points together.\n\n"
+      "Examples:\n"
+      "  flexslip invert examples/simulated/case.toml --output profile.csv\n"
+      "  flexslip invert points.csv");
+  command->callback([request] { run_invert(*request); });
+}
+
+}  // namespace flexslip

@@ -1,0 +1,39 @@
+// Where a command's results go, and in which form.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "io/figure.h"
+#include "io/json.h"
+#include "io/table.h"
+
+namespace flexslip {
+
+struct Output {
+  std::string path = "-";  // of the results; "-" is standard output
+  bool json = false;
+  bool quiet = false;
+};
+
+// Gives a command the options --json, --output and --quiet.
+void add_output_options(CLI::App& command, Output& output);
+
+// Gives a command the option --figure.
+void add_figure_option(CLI::App& command, std::string& path);
+
+// Draws a figure; without gnuplot a remark says that only its script and data are there.
+void draw_for(const Output& output, const Figure& figure, const std::string& path);
+
+// A remark on standard error: what was assumed, left out or cut short.
+void note(const Output& output, std::string_view remark);
+
+// "w [m]", or "w" if the case is reduced.
+std::string column_title(std::string_view name, std::string_view unit, bool reduced);
+
+// The columns as JSON: one object a row.
+Json rows_json(const std::vector<OutputColumn>& columns);
+
+}  // namespace flexslip

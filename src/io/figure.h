@@ -1,0 +1,55 @@
+// Figures for journals, drawn by gnuplot. Each is a script and its data as CSV, kept beside the pictures for restyling.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/quantity.h"
+
+namespace flexslip {
+
+// Data of a figure: rows of numbers; an empty row interrupts a line.
+struct FigureData {
+  std::string name;  // of its file: <figure>-<name>.csv
+  std::vector<std::string> titles;
+  std::vector<std::vector<double>> rows;
+};
+
+struct Figure {
+  std::string name;         // of its files
+  std::string title;        // what it shows
+  std::string description;  // the same for those who cannot see it
+  double width, height;     // [mm]
+  std::vector<FigureData> data;
+  std::string script;  // gnuplot commands; reads data with `using`, in the file variable that is its name
+};
+
+inline constexpr double one_column = 85;    // [mm]
+inline constexpr double two_columns = 170;  // [mm]
+
+// What a quantity is plotted in: its unit for people and the factor from the units of the test.
+struct PlotUnit {
+  std::string unit;  // "µm"; for reduced variables "L"
+  double factor;
+};
+PlotUnit plot_unit(double magnitude, const Kind& kind, bool reduced, std::string_view reduced_unit);
+
+// "Force F (mN)" in gnuplot's markup, the symbol in italics.
+std::string axis_label(std::string_view words, std::string_view symbol, const PlotUnit& unit);
+
+enum class DrawStatus {
+  drawn,
+  no_gnuplot,  // script and data are written, pictures are not
+};
+
+// Writes <folder>/<name>.gp and its data, and the pictures in the formats given: "svg", "pdf", "png".
+// Fails:      no_gnuplot; InputError if a file cannot be written; std::runtime_error, with its words, if gnuplot refuses.
+// Method:     the same figure gives the same bytes: the date in the PDF is set to SOURCE_DATE_EPOCH, or 1970.
+DrawStatus draw(const Figure& figure, const std::string& folder, const std::vector<std::string>& formats);
+
+// The same to one picture FILE.svg, FILE.pdf or FILE.png, script and data beside it under the same name.
+// Fails:      also InputError for another ending.
+DrawStatus draw(Figure figure, const std::string& picture);
+
+}  // namespace flexslip

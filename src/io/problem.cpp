@@ -1,0 +1,344 @@
+#include "io/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "io/quantity.h"
+#include "io/table.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double thickest = 0.2;      // [L] beyond it shear, which the elastica leaves out, adds 10 % to the deflection
+constexpr double most_periods = 1e6;  // of a wave: what trace_loading_curve takes, half a minute
+constexpr double most_knots = 1e6;    // of a rough profile
+constexpr double nearest_reduced = 1e-6;   // [L] of the stage: what the loading curve can be traced for
+constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
+// [1] what friction and large deflection bend the first part of a curve by, as analyse() has it.
+constexpr double slope_bend = 0.03;
+// Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
+// specimen in contact from the first row on would show.
+constexpr double least_free_rows = 5;
+
+bool begins_before_contact(const Record& record, const Contact& contact, double noise) {
+  if (contact.status != ContactStatus::found) return false;
+  const auto free = std::find_if(record.force.begin(), record.force.end(), [&](double force) { return std::abs(force) > 4 * noise; });
+  const double rise = record.force[contact.last - 1] - record.force[contact.first];
+  const double rise_per_row = rise / static_cast<double>(contact.last - 1 - contact.first);
+  return static_cast<double>(free - record.force.begin()) >= least_free_rows + 4 * noise / rise_per_row;
+}
+
+Kind kind_in(const Case& input, const Kind& kind) { return input.reduced ? kind::number : kind; }
+
+std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
+
+double required_span(const Case& input) {
+  if (!input.rig) throw missing(input, "rig");
+  return input.rig->span;
+}
+
+double required_stiffness(const Case& input) {
+  if (!input.rig) throw missing(input, "rig");
+  if (!input.rig->stiffness) throw missing(input, "rig.stiffness");
+  return *input.rig->stiffness;
+}
+
+// What the case says of the bending stiffness, if it says something.
+std::optional<BendingStiffnessUsed> stated_stiffness(const Case& input) {
+  if (!input.specimen) return std::nullopt;
+  const auto& rigidity = input.specimen->rigidity;
+  const auto* modulus = std::get_if<Modulus>(&rigidity);
+  const Estimate& estimate = modulus ? modulus->estimate : std::get<BendingStiffness>(rigidity).estimate;
+  const auto* known = std::get_if<Known>(&estimate);
+  if (!known) return std::nullopt;
+  const bool has_error = known->uncertainty > 0;
+  BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : stiffness_error_assumed,
+                            has_error ? StiffnessSource::stated : StiffnessSource::assumed_error};
+  if (modulus) {
+    const Section& section = input.specimen->section.value();
+    const auto* round = std::get_if<RoundSection>(&section);
+    const auto* rectangle = std::get_if<RectangularSection>(&section);
+    used.value *=
+        round ? round_section_moment(round->diameter) : rectangular_section_moment(rectangle->width, rectangle->height);
+  }
+  return used;
+}
+
+void require_slender(const Case& input) {
+  if (!input.specimen || !input.specimen->section) return;
+  const auto* round = std::get_if<RoundSection>(&*input.specimen->section);
+  const double thickness = round ? round->diameter : std::get<RectangularSection>(*input.specimen->section).height;
+  const double span = required_span(input);
+  if (thickness < thickest * span) return;
+  throw wrong_value(input, round ? "specimen.diameter" : "specimen.height",
+                    fmt::format("less than a fifth of the span, {}", readable_length(input, span)),
+                    readable_length(input, thickness),
+                    "beam theory does not hold for a thicker specimen: check the units of both");
+}
+
+Friction friction_from(const Case& input, const WavyFriction& wavy, const Scales& scales, double S_max) {
+  FrictionWaves waves{wavy.mu0, wavy.drift * scales.span(), {}};
+  for (std::size_t i = 0; i < wavy.waves.size(); ++i) {
+    const WaveInput& wave = wavy.waves[i];
+    waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
+    if ((S_max - 1) / (2 * waves.terms.back().wavelength) <= most_periods) continue;
+    const bool is_sum = input.friction->models.front() == FrictionModel::sinusoids;
+    throw wrong_value(input, is_sum ? fmt::format("friction.waves[{}].wavelength", i + 1) : "friction.wavelength",
+                      fmt::format("at most {:.0e} periods along the specimen", most_periods),
+                      readable_length(input, wave.wavelength), "check its unit");
+  }
+  return Friction::waves(std::move(waves));
+}
+
+Friction friction_from(const Case& input, const TabulatedFriction& tabulated, const Scales& scales, double) {
+  const Table table =
+      read_table(tabulated.file, {{tabulated.length, kind_in(input, kind::length)}, {tabulated.mu, kind::number}});
+  const auto refuse = [&](std::size_t row, std::size_t column, std::string expected, double found, const Kind& kind) {
+    const std::string& name = table.columns[column].name;
+    throw InputError({.file = table.source,
+                      .line = table.line_of(row),
+                      .field = fmt::format("column {}", in_quotes(name)),
+                      .expected = std::move(expected),
+                      .found = readable(found, kind)});
+  };
+  FrictionTable friction;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double length = table.columns[0].values[row];
+    const double mu = table.columns[1].values[row];
+    if (row > 0 && !(length > table.columns[0].values[row - 1]))
+      refuse(row, 0, "a length greater than that of the row before", length, kind_in(input, kind::length));
+    if (mu < 0) refuse(row, 1, "friction of at least 0", mu, kind::number);
+    friction.S.push_back(scales.reduced_length(length));
+    friction.mu.push_back(mu);
+  }
+  if (!(friction.S.back() > 1))
+    refuse(table.rows() - 1, 0,
+           fmt::format("lengths between the supports, which grow from the span, {}",
+                       readable_length(input, scales.span())),
+           table.columns[0].values.back(), kind_in(input, kind::length));
+  return Friction::table(std::move(friction));
+}
+
+Friction friction_from(const Case& input, const RoughFriction& rough, const Scales& scales, double S_max) {
+  const double correlation_length = scales.reduced_length(rough.correlation_length);
+  if (!((S_max - 1) / correlation_length <= most_knots))
+    throw wrong_value(input, "friction.correlation_length",
+                      fmt::format("at least {:.0e} of the length drawn in", 1 / most_knots),
+                      readable_length(input, rough.correlation_length), "check its unit");
+  return Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
+}
+
+struct Readings {
+  Table table;
+  Record record;  // of all rows
+};
+
+Readings read_readings(const Case& input) {
+  const RecordInput& asked = input.record.value();
+  const double stiffness = required_stiffness(input);
+  std::vector<WantedColumn> wanted;
+  for (const auto& title : {asked.stage, asked.deflection})
+    if (title) wanted.push_back({*title, kind_in(input, kind::length)});
+  if (asked.force) wanted.push_back({*asked.force, kind_in(input, kind::force)});
+  Table table = read_table(asked.file, wanted, asked.decimal);
+  const std::vector<double>& a = table.columns[0].values;
+  const std::vector<double>& b = table.columns[1].values;
+  Record record = !asked.force  ? record_from_stage_and_deflection(a, b, stiffness)
+                  : asked.stage ? record_from_stage_and_force(a, b, stiffness)
+                                : record_from_deflection_and_force(a, b, stiffness);
+  return {std::move(table), std::move(record)};
+}
+
+Record without_first(const Record& record, std::size_t points) {
+  const auto rest = [=](const std::vector<double>& values) {
+    return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(points), values.end());
+  };
+  return {rest(record.stage), rest(record.deflection), rest(record.force)};
+}
+
+void require_finite(const Readings& readings) {
+  const RecordCheck check = check_record(readings.record, 0);
+  if (check.fault != RecordFault::not_finite) return;
+  throw InputError({.file = readings.table.source,
+                    .line = readings.table.line_of(check.index),
+                    .expected = "readings of a bending test",
+                    .found = "numbers too large for one",
+                    .remedy = "check the units"});
+}
+
+void require_loading(const Case& input, const Table& table, const Record& record, std::size_t least_points) {
+  const RecordCheck check = check_record(record, least_points);
+  if (check.fault == RecordFault::too_short)
+    throw InputError({.file = table.source,
+                      .expected = fmt::format("at least {} rows of readings before the failure", least_points),
+                      .found = std::to_string(check.index)});
+  if (check.fault == RecordFault::stage_runs_back)
+    throw InputError({.file = table.source,
+                      .line = table.line_of(check.index),
+                      .field = "the stage",
+                      .expected = fmt::format("a position not behind that of the row before, {}",
+                                              readable_length(input, record.stage[check.index - 1])),
+                      .found = readable_length(input, record.stage[check.index]),
+                      .remedy = fmt::format("keep the loading only: write until = {} into [record]", check.index)});
+}
+
+}  // namespace
+
+Measurement read_measurement(const Case& input, std::size_t least_points) {
+  if (least_points < 11)
+    throw std::invalid_argument(fmt::format("the noise of {} points cannot be told", least_points));
+  if (!input.record) throw missing(input, "record");
+  const Readings readings = read_readings(input);
+  require_finite(readings);
+  const std::size_t rows = readings.table.rows();
+  Measurement result{.file = readings.table.source,
+                     .rows = rows,
+                     .first = 0,
+                     .record = {},
+                     .end = MeasurementEnd::last_row,
+                     .contact = ContactSource::first_point,
+                     .contact_offset = 0,
+                     .contact_error = 0,
+                     .force_noise = 0};
+
+  std::size_t points = rows;
+  if (input.record->until) {
+    points = *input.record->until;
+    if (points > rows)
+      throw wrong_value(input, "record.until", fmt::format("a row of {}, which has {}", readings.table.source, rows),
+                        std::to_string(points));
+    result.end = MeasurementEnd::until;
+  } else if (const Failure failure = find_failure(readings.record); failure.status == FailureStatus::found) {
+    points = failure.points;
+    result.end = MeasurementEnd::failure;
+  }
+  const Record whole = first_points(readings.record, points);
+  require_loading(input, readings.table, whole, least_points);
+  result.force_noise = force_noise(whole);
+
+  const Contact contact = find_contact(whole);
+  // The contact lies somewhere within a step.
+  result.contact_error = (whole.stage.back() - whole.stage.front()) / static_cast<double>(points - 1) / std::sqrt(12.0);
+  if (input.record->contact) {
+    result.contact = ContactSource::stated;
+    result.contact_offset = *input.record->contact;
+  } else if (begins_before_contact(whole, contact, result.force_noise)) {
+    result.contact = ContactSource::found;
+    result.contact_offset = contact.offset;
+    result.contact_error = contact.offset_error;
+  }
+  const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
+  if (result.contact != ContactSource::first_point)
+    result.first = static_cast<std::size_t>(begin - whole.stage.begin());
+  if (points - result.first < least_points)
+    throw wrong_value(input, "record.contact",
+                      fmt::format("at least {} rows of readings after the contact", least_points),
+                      std::to_string(points - result.first));
+  result.record = without_first(whole, result.first);
+  for (double& stage : result.record.stage) stage -= result.contact_offset;
+  for (double& deflection : result.record.deflection) deflection -= result.contact_offset;
+  return result;
+}
+
+bool states_stiffness(const Case& input) { return stated_stiffness(input).has_value(); }
+
+BendingStiffnessUsed bending_stiffness_of(const Case& input) {
+  if (const auto stated = stated_stiffness(input)) return *stated;
+  if (!input.specimen) throw missing(input, "specimen");
+  throw missing(input, std::holds_alternative<Modulus>(input.specimen->rigidity) ? "specimen.modulus"
+                                                                                 : "specimen.bending_stiffness");
+}
+
+BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& measurement) {
+  if (const auto stated = stated_stiffness(input)) return *stated;
+  const double span = required_span(input);
+  const Contact contact = find_contact(measurement.record);
+  if (contact.status != ContactStatus::found)
+    throw InputError(
+        {.file = measurement.file,
+         .expected = "a force that rises from the contact in at least 5 rows, to tell the bending stiffness",
+         .found = "none",
+         .remedy = "write the modulus or bending_stiffness into [specimen]"});
+  // The line through the contact, not through the settling.
+  const auto first = static_cast<std::ptrdiff_t>(contact.first);
+  const auto last = static_cast<std::ptrdiff_t>(contact.last);
+  const auto& [stage, deflection, force] = measurement.record;
+  const double slope =
+      std::inner_product(force.begin() + first, force.begin() + last, deflection.begin() + first, 0.0) /
+      std::inner_product(deflection.begin() + first, deflection.begin() + last, deflection.begin() + first, 0.0);
+  return {slope * span * span * span / 48,  // F = 48 EI w/L^3
+          std::hypot(stiffness_error_assumed, contact.slope_error / contact.slope + slope_bend),
+          StiffnessSource::initial_slope};
+}
+
+Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
+  const double span = required_span(input);
+  require_slender(input);
+  try {
+    return {span, stiffness.value};
+  } catch (const std::invalid_argument& error) {
+    throw wrong_value(input, "specimen", "a bending stiffness and a span that a computer can hold", error.what());
+  }
+}
+
+Rig rig_of(const Case& input, const Scales& scales) { return {scales.reduced_stiffness(required_stiffness(input))}; }
+
+Friction friction_of(const Case& input, const Scales& scales, double S_max) {
+  if (!input.friction) throw missing(input, "friction");
+  if (input.friction->models.size() != 1)
+    throw wrong_value(input, "friction.model", "one model", input.friction->models.empty() ? "a choice" : "several",
+                      "write the one to compute with, such as model = \"constant\"");
+  if (!input.friction->profile)
+    throw missing(input, input.friction->models.front() == FrictionModel::table ? "friction.file" : "friction.mu0");
+  return std::visit([&](const auto& profile) { return friction_from(input, profile, scales, S_max); },
+                    *input.friction->profile);
+}
+
+std::vector<double> stages_of(const Case& input) {
+  if (!input.stage || !input.stage->step) throw std::invalid_argument("a programme without steps");
+  const auto& [program, step] = *input.stage;
+  std::vector<double> stages{program.front()};
+  for (std::size_t i = 1; i < program.size(); ++i) {
+    const double from = program[i - 1];
+    const double way = program[i] - from;
+    const double steps = std::abs(way) / *step;
+    // The last step may be shorter; a remainder of 1e-9 of a step is rounding.
+    for (double n = 1; n < steps - 1e-9; ++n) stages.push_back(from + std::copysign(n * *step, way));
+    if (way != 0) stages.push_back(program[i]);
+  }
+  return stages;
+}
+
+double farthest_stage(const Case& input) {
+  if (!input.stage) throw missing(input, "stage");
+  const std::vector<double>& program = input.stage->program;
+  for (std::size_t i = 1; i < program.size(); ++i)
+    if (program[i] < program[i - 1])
+      throw wrong_value(input, fmt::format("stage.program[{}]", i + 1),
+                        fmt::format("a position not below the one before, {}", readable_length(input, program[i - 1])),
+                        readable_length(input, program[i]),
+                        "unloading is not simulated yet: end the programme before it");
+  const std::string last = fmt::format("stage.program[{}]", program.size());
+  if (!(program.back() >= nearest_reduced * required_span(input)))
+    throw wrong_value(input, last, fmt::format("a position of at least {:g} spans", nearest_reduced),
+                      readable_length(input, program.back()));
+  if (!(program.back() <= farthest_reduced * required_span(input)))
+    throw wrong_value(input, last, fmt::format("a position within {:g} spans", farthest_reduced),
+                      readable_length(input, program.back()), "check its unit");
+  return program.back();
+}
+
+MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,
+                            const Scales& scales) {
+  return {.force = scales.reduced_force(measurement.force_noise),
+          .bending_stiffness = stiffness.relative_error,
+          .contact = scales.reduced_length(measurement.contact_error)};
+}
+
+}  // namespace flexslip

@@ -1,0 +1,229 @@
+#!/usr/bin/python3
+"""outside: wrong input and wrong calls get exit code 2 and a line that names the place and the remedy."""
+import os
+import unittest
+
+from program import SOURCE, InFolder, run
+
+RECORD = (SOURCE / "examples/simulated/test.csv").read_text(encoding="utf-8")
+CASE = (SOURCE / "examples/simulated/case.toml").read_text(encoding="utf-8")
+TRUTH = (SOURCE / "examples/simulated/truth.toml").read_text(encoding="utf-8")
+HEADER = "stage [um],force [mN]\n"
+COMMANDS = ("invert", "fit")
+
+
+class BadRecord(InFolder):
+    def refuses_record(self, content, *says):
+        case = self.file("case.toml", CASE)
+        self.file("test.csv", content)
+        for command in COMMANDS:
+            with self.subTest(command=command):
+                self.refused(command, case, says=["test.csv", *says])
+
+    def changed(self, line, text):
+        """The example's record with another text on a line, counted from 1."""
+        lines = RECORD.splitlines(keepends=True)
+        lines[line - 1] = text + "\n"
+        return "".join(lines)
+
+    def test_empty_file(self):
+        self.refuses_record("", "expected")
+
+    def test_header_only(self):
+        self.refuses_record(HEADER, "expected", "row")
+
+    def test_one_point(self):
+        self.refuses_record(HEADER + "2,0.05\n", "rows", "found 1")
+
+    def test_nan(self):
+        self.refuses_record(self.changed(100, "192.000,nan"), ":100:", "force", "finite number", "delete the line")
+
+    def test_infinite(self):
+        self.refuses_record(self.changed(100, "192.000,inf"), ":100:", "force", "finite number", "delete the line")
+
+    def test_missing_number(self):
+        self.refuses_record(self.changed(100, "192.000,"), ":100:", "force", "empty cell")
+
+    def test_word_for_a_number(self):
+        self.refuses_record(self.changed(100, "192.000,broken"), ":100:", "force", "a number", "'broken'")
+
+    def test_numbers_too_large_for_a_test(self):
+        self.refuses_record(self.changed(100, "192.000,1e308").replace("mN", "kN"), ":100:", "too large", "check the units")
+
+    def test_missing_unit(self):
+        self.refuses_record(RECORD.replace("force [mN]", "force"), "force", 'such as "force [')
+
+    def test_wrong_unit(self):
+        self.refuses_record(RECORD.replace("force [mN]", "force [mm]"), "force", "'mm'")
+
+    def test_unknown_unit(self):
+        self.refuses_record(RECORD.replace("force [mN]", "force [mX]"), "force", "mX")
+
+    def test_decimal_comma_between_semicolons(self):
+        self.refuses_record(RECORD.replace(",", ";").replace(".", ","), "decimal")
+
+    def test_decimal_comma_between_commas(self):
+        self.refuses_record(self.changed(100, "192,000,7,5"), ":100:", "decimal")
+
+    def test_column_that_is_not_there(self):
+        self.refuses_record(RECORD.replace("force [mN]", "forze [mN]"), "force", "did you mean 'forze'?")
+
+    def test_time_running_backwards(self):
+        # Line 3 is the header, and the stage stands at 400 um on line 204.
+        self.refuses_record(self.changed(204, "390.000,8.9"), ":204:", "stage", "not behind", "until = 200")
+
+    def test_binary_file(self):
+        self.refuses_record(bytes(range(256)) * 16, "expected")
+
+    def test_directory(self):
+        case = self.file("case.toml", CASE)
+        (self.folder / "test.csv").mkdir()
+        self.refused("invert", case, says=["test.csv", "a directory"])
+
+    def test_file_that_is_not_there(self):
+        self.refused("invert", self.file("case.toml", CASE), says=["test.csv", "No such file"])
+
+    @unittest.skipIf(os.geteuid() == 0, "root may read everything")
+    def test_file_that_must_not_be_read(self):
+        case = self.file("case.toml", CASE)
+        self.file("test.csv", RECORD).chmod(0)
+        self.refused("invert", case, says=["test.csv", "Permission denied"])
+
+    def test_until_beyond_the_record(self):
+        self.file("test.csv", RECORD)
+        case = self.file("case.toml", CASE + "until = 5000\n")
+        self.refused("invert", case, says=["case.toml:15", "until", "426"])
+
+
+class BadCase(InFolder):
+    def refuses_case(self, content, *says, command="simulate"):
+        self.refused(command, self.file("case.toml", content), says=["case.toml", *says])
+
+    def test_empty_file(self):
+        self.refuses_case("", "[specimen]", "add diameter")
+
+    def test_no_toml(self):
+        self.refuses_case("this is a note\n", ":1:", "key = value")
+
+    def test_directory(self):
+        self.refused("simulate", self.folder, says=["a directory"])
+
+    def test_binary_file(self):
+        self.refuses_case(bytes(range(256)) * 16, "case file (TOML)")
+
+    def test_negative_stiffness(self):
+        self.refuses_case(TRUTH.replace("90.65", "-90.65"), ":9:", "[rig] stiffness", "-90.65 N/m")
+
+    def test_missing_unit(self):
+        self.refuses_case(TRUTH.replace("1278 um", "1278"), ":8:", "[rig] span", "1278 um")
+
+    def test_bare_number(self):
+        self.refuses_case(TRUTH.replace('"1278 um"', "1278"), ":8:", "[rig] span", "1278 um")
+
+    def test_wrong_unit(self):
+        self.refuses_case(TRUTH.replace("1278 um", "1278 mN"), ":8:", "[rig] span", "a length")
+
+    def test_unknown_key(self):
+        self.refuses_case(TRUTH.replace("span ", "spam "), ":8:", "did you mean 'span'?")
+
+    def test_unknown_model(self):
+        self.refuses_case(TRUTH.replace('"sinusoid"', '"sinusoit"'), "[friction] model", "did you mean 'sinusoid'?")
+
+    def test_specimen_as_thick_as_the_span(self):
+        self.refuses_case(TRUTH.replace("34.8 um", "1278 um"), ":4:", "[specimen] diameter", "check the units")
+
+    def test_specimen_too_thick_for_a_beam(self):
+        self.refuses_case(TRUTH.replace("34.8 um", "300 um"), ":4:", "[specimen] diameter", "fifth of the span", "beam theory")
+
+    def test_stiffness_left_to_the_fit(self):
+        self.refuses_case(TRUTH.replace("30.192 GPa", "fit"), "[specimen] modulus", "modulus = ")
+
+    def test_programme_that_goes_back(self):
+        self.refuses_case(TRUTH.replace('"850 um"', '"850 um", "0 um"'), ":19:", "program[3]", "unloading")
+
+    def test_programme_that_goes_nowhere(self):
+        self.refuses_case(TRUTH.replace('"850 um"', '"0 um"'), ":19:", "program[2]", "at least 1e-06 spans")
+
+    def test_programme_in_the_wrong_unit(self):
+        self.refuses_case(TRUTH.replace('"850 um"', '"850 mm"').replace('"2 um"', '"2 mm"'), ":19:", "check its unit")
+
+    def test_wavelength_in_the_wrong_unit(self):
+        self.refuses_case(TRUTH.replace("10.9 um", "10.9 pm"), ":15:", "[friction] wavelength", "check its unit")
+
+    def test_friction_that_becomes_negative(self):
+        self.refuses_case(TRUTH.replace("amplitude  = 0.15", "amplitude  = 1.5"), ":14:", "amplitude", "negative")
+
+    def test_section_that_is_not_there(self):
+        self.refuses_case(CASE, "[stage]", "add program")
+        self.refuses_case(TRUTH, "[record]", "add file", command="invert")
+
+
+class BadFrictionTable(InFolder):
+    def refuses_table(self, content, *says):
+        self.file("trace.csv", content)
+        case = self.file("case.toml", 'reduced = true\n[rig]\nstiffness = 30\n[friction]\nmodel = "table"\nfile = "trace.csv"\n'
+                         'length = "S"\n[stage]\nprogram = [0, 0.5]\nstep = 0.01\n')
+        self.refused("simulate", case, says=["trace.csv", *says])
+
+    def test_lengths_that_fall(self):
+        self.refuses_table("S,mu\n1,0.5\n1.2,0.6\n1.1,0.5\n", ":4:", "'S'", "greater")
+
+    def test_negative_friction(self):
+        self.refuses_table("S,mu\n1,0.5\n1.2,-0.6\n", ":3:", "'mu'", "at least 0")
+
+    def test_lengths_below_the_span(self):
+        self.refuses_table("S,mu\n0,0.5\n0.4,0.6\n", ":3:", "'S'", "the span")
+
+
+class BadStates(InFolder):
+    def test_state_outside_the_domain(self):
+        self.refused("state", "-", stdin="S,q\n1.2,0.3\n0.9,0.3\n", says=["standard input:3", "'S'", "at least 1"])
+        self.refused("state", "-", stdin="S,q\n1.2,25\n", says=["standard input:2", "'q'", "-20 to 20"])
+        self.refused("state", "--S", "0.5", "--q", "0", says=["--S", "at least 1"])
+
+    def test_negative_force(self):
+        self.refused("invert", "-", stdin="w,F\n0.2,-1\n", says=["standard input:2", "'F'", "at least 0"])
+
+    def test_states_that_do_not_exist_are_nan_and_exit_code_1(self):
+        result = run("state", "-", stdin="S,q\n1.2,0.3\n3,0\n")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stdout.splitlines()[2], "3,0,nan,nan,nan,nan,nan")
+        self.assertIn("standard input:3: no state", result.stderr)
+        result = run("invert", "-", stdin="w,F\n0.2,5\n0.2,1000\n")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stdout.splitlines()[2], "0.2,1000,nan,nan")
+        self.assertIn("standard input:3: no friction", result.stderr)
+
+
+class WrongCall(InFolder):
+    def test_no_command(self):
+        self.refused(says=["expected one of the commands", "'simulate'"])
+
+    def test_unknown_command(self):
+        self.refused("simulat", "case.toml", says=["unknown command 'simulat'", "did you mean 'simulate'?"])
+
+    def test_unknown_option(self):
+        self.refused("simulate", "case.toml", "--nois", "1", says=["'--nois'", "did you mean '--noise'?"])
+
+    def test_argument_that_is_missing(self):
+        for command in ("simulate", "equilibrium", "invert", "completions"):
+            self.refused(command, says=["required", f"flexslip {command} --help"])
+        self.refused("state", says=["either a file or --S and --q"])
+        self.refused("state", "--S", "1.1", says=["both --S and --q"])
+
+    def test_argument_that_is_too_much(self):
+        self.refused("equilibrium", "case.toml", "more", says=["has no use for 'more'"])
+
+    def test_option_without_its_unit(self):
+        truth = SOURCE / "examples/simulated/truth.toml"
+        self.refused("simulate", truth, "--noise", "10", says=["--noise", "a force with its unit"])
+        self.refused("equilibrium", truth, "--longest", "1500", says=["--longest", "a length with its unit"])
+        self.refused("equilibrium", truth, "--longest", "100 um", says=["--longest", "greater than the span"])
+
+    def test_output_that_cannot_be_written(self):
+        self.refused("state", "--S", "1.2", "--q", "0.3", "-o", self.folder / "none" / "x.csv", says=["x.csv", "No such file"])
+        self.refused("state", "--S", "1.2", "--q", "0.3", "--json", "-o", self.folder, says=["Is a directory"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,237 @@
+#!/usr/bin/python3
+"""outside: the commands' answers against the paper, closed forms and each other."""
+import json
+import math
+import subprocess
+import unittest
+
+from program import PROGRAM, SOURCE, InFolder, numbers, run, table
+
+# MODEL 7, Fig. 8B: mu = 0.6 (1 + 0.4 cos(S/0.02)), k = 30; so wavelength = 0.02 pi.
+FIG_8B = f"""reduced = true
+[rig]
+stiffness = 30
+[friction]
+model = "sinusoid"
+mu0 = 0.6
+amplitude = 0.4
+wavelength = {0.02 * math.pi!r}
+[stage]
+program = [0, 0.76]
+step = "continuous"
+"""
+# The folds at which it snaps in loading, (S, w_s), to the six digits that are known.
+FOLDS_8B = [(1.14852, 0.588456), (1.26252, 0.698273), (1.38547, 0.754599)]
+FRICTIONLESS = 'reduced = true\n[friction]\nmodel = "constant"\nmu0 = 0\n'
+PEAK = (0.238188798912727, 6.67180843438173)  # MODEL 2: w and F of the frictionless maximum of the force
+GAUSS = 0.834626841674073  # w where the force of the frictionless fibre vanishes: Gauss's constant
+SIX_DIGITS = 5e-7
+FIFTEEN_DIGITS = 1e-14  # the reference's own digits
+
+
+class State(InFolder):
+    def test_limit_straight_fibre(self):
+        self.assertEqual(self.succeeds("state", "--S", "1", "--q", "0.5").splitlines()[1].split(",")[:4], ["1", "0.5", "0", "0"])
+
+    def test_identity_slopes_balance_energy(self):
+        # dU = F dw - q P_n dS
+        for S, q in ((1.01, 0.4), (1.2, -0.3), (1.6, 1.0)):
+            at = self.json("state", "--S", S, "--q", q, "--slopes")["states"][0]
+            # 1e-13: the slopes are good to 1e-14 of terms of this size
+            self.assertLess(abs(at["U_S"] - (at["F"] * at["w_S"] - q * at["Pn"])), 1e-13 * abs(at["F"] * at["w_S"]))
+            self.assertLess(abs(at["U_q"] - at["F"] * at["w_q"]), 1e-13)
+
+    def test_identity_invert_undoes_state(self):
+        states = self.succeeds("state", "-", stdin="S,q\n1.05,0.2\n1.3,0.6\n1.5,-0.1\n")
+        inverted = self.succeeds("invert", "-", stdin=states)
+        for name in ("S", "q"):
+            for before, after in zip(numbers(states, name), numbers(inverted, name)):
+                self.assertAlmostEqual(before, after, delta=1e-12)  # 1e-14 times the condition of q, below 100 here
+
+    def test_paper_frictionless_peak(self):
+        w, F = PEAK
+        self.assertAlmostEqual(numbers(self.succeeds("invert", "-", stdin=f"w,F\n{w},{F}\n"), "q")[0], 0, delta=FIFTEEN_DIGITS * 10)
+
+
+class Equilibrium(InFolder):
+    def test_paper_frictionless_curve(self):
+        case = self.file("case.toml", FRICTIONLESS)
+        curve = self.succeeds("equilibrium", case, "--points", "20001", "--longest", "2")
+        F = numbers(curve, "F")
+        self.assertAlmostEqual(max(F), PEAK[1], delta=1e-6)  # at a maximum, half the distance of points, 1e-4, squared times F''
+        result = run("equilibrium", case, "--longest", "2.5")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("the force has fallen to zero", result.stderr)
+        self.assertAlmostEqual(numbers(result.stdout, "w")[-1], GAUSS, delta=FIFTEEN_DIGITS * 10)
+
+    def test_identity_region_holds_the_curve(self):
+        case = self.file("case.toml", FIG_8B)
+        region = self.succeeds("equilibrium", case, "--region", "--points", "20", "--levels", "5", "--longest", "1.2")
+        curve = self.succeeds("equilibrium", case, "--points", "20", "--longest", "1.2")
+        self.assertEqual(numbers(region, "F")[4::5], numbers(curve, "F"))
+        self.assertEqual(numbers(region, "q")[4::5], numbers(curve, "mu"))
+        self.assertEqual(list(table(region)), ["S", "q", "w", "F"])
+
+    def test_no_default_misses_the_roughness(self):
+        # Forty thousand periods: the extremes of mu are known.
+        case = self.file("case.toml", FIG_8B.replace(repr(0.02 * math.pi), "6e-6"))
+        mu = numbers(self.succeeds("equilibrium", case), "mu")
+        # A cosine sampled 16 times a period misses its extremes by at most 1 - cos(pi/16) = 2 %.
+        self.assertGreater(max(mu), 0.6 * (1 + 0.4 * 0.98))
+        self.assertLess(min(mu), 0.6 * (1 - 0.4 * 0.98))
+
+
+class Simulate(InFolder):
+    def test_paper_fig_8b(self):
+        answer = self.json("simulate", self.file("case.toml", FIG_8B))
+        self.assertEqual(answer["status"], "ok")
+        self.assertEqual(len(answer["snaps"]), len(FOLDS_8B))
+        for snap, (S, stage) in zip(answer["snaps"], FOLDS_8B):
+            self.assertAlmostEqual(snap["stage"], stage, delta=SIX_DIGITS)
+            self.assertAlmostEqual(snap["length_before"], S, delta=10 * SIX_DIGITS)
+            slope = (snap["force_after"] - snap["force_before"]) / (snap["deflection_after"] - snap["deflection_before"])
+            self.assertAlmostEqual(slope, -30, delta=1e-9)  # rounding of the differences
+
+    def test_identity_energy_closes(self):
+        energy = self.json("simulate", SOURCE / "examples/simulated/truth.toml")["energy"]
+        parts = sum(energy[name] for name in ("bending", "load_train", "friction", "snaps"))
+        self.assertAlmostEqual(energy["stage_work"], parts, delta=1e-10 * energy["stage_work"])  # history.h
+
+    def test_identity_physical_is_reduced_scaled(self):
+        # A bending stiffness and a span that make the units 1 mm and 1 mN.
+        physical = """[specimen]
+bending_stiffness = "1 mN mm^2"
+[rig]
+span = "1 mm"
+stiffness = "30 mN/mm"
+[friction]
+model = "sinusoid"
+mu0 = 0.6
+amplitude = 0.4
+wavelength = "0.0628 mm"
+drift = "-0.1 1/mm"
+[stage]
+program = ["0.1 mm", "0.7 mm"]
+step = "0.01 mm"
+"""
+        reduced = "reduced = true\n" + physical.replace('"1 mN mm^2"', "1")
+        for text in (" mN/mm", " 1/mm", " mm"):
+            reduced = reduced.replace(text + '"', "")
+        reduced = "\n".join(line.replace('"', "") if "model" not in line else line for line in reduced.splitlines())
+        a = self.succeeds("simulate", self.file("physical.toml", physical))
+        b = self.succeeds("simulate", self.file("reduced.toml", reduced))
+        for title, unit in (("w_s [m]", 1e-3), ("w [m]", 1e-3), ("F [N]", 1e-3), ("S [m]", 1e-3)):
+            for x, y in zip(numbers(a, title), numbers(b, title.split()[0])):
+                self.assertAlmostEqual(x / unit, y, delta=1e-12)  # rounding of the scales, times the condition of a step
+        self.assertEqual(table(a)["motion"], table(b)["motion"])
+
+    def test_every_step_is_a_row(self):
+        case = self.file("case.toml", FIG_8B.replace('"continuous"', "0.02"))
+        self.assertEqual(numbers(self.succeeds("simulate", case), "w_s"),
+                         [0.02 * n for n in range(38)] + [0.76])
+
+    def test_noise_has_its_deviation_and_its_seed(self):
+        truth = SOURCE / "examples/simulated/truth.toml"
+        plain = numbers(self.succeeds("simulate", truth), "F [N]")
+        noisy = self.succeeds("simulate", truth, "--noise", "10 uN", "--seed", "5")
+        errors = [a - b for a, b in zip(numbers(noisy, "F [N]"), plain)]
+        deviation = math.sqrt(sum(e * e for e in errors) / len(errors))
+        self.assertAlmostEqual(deviation, 10e-6, delta=4 * 10e-6 / math.sqrt(2 * len(errors)))  # four standard errors
+        self.assertEqual(noisy, self.succeeds("simulate", truth, "--noise", "10 uN", "--seed", "5"))
+        self.assertNotEqual(noisy, self.succeeds("simulate", truth, "--noise", "10 uN", "--seed", "6"))
+        for w_s, w, F in zip(*(numbers(noisy, title) for title in ("w_s [m]", "w [m]", "F [N]"))):
+            self.assertAlmostEqual(w_s - w, F / 90.65, delta=1e-15)  # rounding of the state at w_s = 1e-3 m
+
+    def test_slipping_through_is_exit_code_1(self):
+        case = self.file("case.toml", FRICTIONLESS + "[rig]\nstiffness = 30\n[stage]\nprogram = [0, 1]\nstep = 0.1\n")
+        result = run("simulate", case)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("slips through the supports", result.stderr)
+        self.assertLess(numbers(result.stdout, "w_s")[-1], 1)
+        self.assertEqual(json.loads(run("simulate", case, "--json").stdout)["status"], "slipped_through")
+
+
+class Invert(InFolder):
+    def test_oracle_the_simulated_friction_comes_back(self):
+        truth = (SOURCE / "examples/simulated/truth.toml").read_text(encoding="utf-8")
+        case = self.file("case.toml", truth + '[record]\nfile = "path.csv"\nstage = "w_s"\nforce = "F"\n')
+        path = self.succeeds("simulate", case)
+        self.file("path.csv", path)
+        result = run("invert", case)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("uncertain by 3 %", result.stderr)
+        self.assertEqual(run("invert", case, "--quiet").stderr, "")
+        q = numbers(path, "q")
+        S = numbers(path, "S [m]")
+        mu = numbers(result.stdout, "mu")
+        rows = [int(row) for row in numbers(result.stdout, "row")]
+        self.assertGreater(len(rows), 400)
+        for row, friction, length, drawn_in in zip(rows, mu, numbers(result.stdout, "S [m]"), numbers(result.stdout, "drawn_in [m]")):
+            self.assertAlmostEqual(friction, q[row - 1], delta=1e-9)  # rounding of w_s - F/k, times up to 1e5 at w = 0.02
+            self.assertAlmostEqual(length, S[row - 1], delta=1e-12)
+            self.assertAlmostEqual(drawn_in, length - 1278e-6, delta=1e-15)
+
+    def test_errors_have_their_parts(self):
+        profile = self.json("invert", SOURCE / "examples/simulated/case.toml")
+        self.assertEqual(profile["units"]["length"], "m")
+        self.assertEqual(profile["bending_stiffness"]["source"], "stated")
+        self.assertAlmostEqual(profile["bending_stiffness"]["relative_error"], 0.03, delta=1e-15)
+        self.assertAlmostEqual(profile["force_noise"], 10e-6, delta=2e-6)  # record.h: a single record tells it to 12 %
+        for point in profile["profile"]:
+            parts = [point["mu_error_" + name] for name in ("force", "bending_stiffness", "contact")]
+            self.assertAlmostEqual(point["mu_error"], math.hypot(*parts), delta=1e-15)
+
+    def test_contact_is_found_where_the_record_begins_before_it(self):
+        source = (SOURCE / "examples/simulated/test.csv").read_text(encoding="utf-8").splitlines()
+        rows = [tuple(map(float, line.split(","))) for line in source[3:]]
+        free = [f"{2 * n},{0.01 * (-1) ** n}" for n in range(20)]  # 40 um of travel without contact
+        later = [f"{stage + 40:.3f},{force:.4f}" for stage, force in rows[1:]]
+        self.file("test.csv", "\n".join([source[2], *free, *later]) + "\n")
+        case = self.file("case.toml", (SOURCE / "examples/simulated/case.toml").read_text(encoding="utf-8"))
+        answer = self.json("invert", case)
+        # The curve bends: the straight line through its beginning meets zero a few micrometres beside it (record.h).
+        self.assertAlmostEqual(answer["contact_offset"], 40e-6, delta=6e-6)
+        case.write_text(case.read_text(encoding="utf-8") + 'contact = "40 um"\n', encoding="utf-8")
+        self.assertEqual(self.json("invert", case)["contact_offset"], 40e-6)
+
+    def test_two_columns_of_three_will_do(self):
+        truth = (SOURCE / "examples/simulated/truth.toml").read_text(encoding="utf-8")
+        self.file("path.csv", self.succeeds("simulate", SOURCE / "examples/simulated/truth.toml"))
+        answers = []
+        for a, b in (("stage", "force"), ("stage", "deflection"), ("deflection", "force")):
+            columns = {"stage": "w_s", "deflection": "w", "force": "F"}
+            case = self.file("case.toml", truth + f'[record]\nfile = "path.csv"\n{a} = "{columns[a]}"\n{b} = "{columns[b]}"\n')
+            answers.append(numbers(run("invert", case).stdout, "mu"))
+        for other in answers[1:]:
+            for x, y in zip(answers[0], other):
+                self.assertAlmostEqual(x, y, delta=1e-9)  # as above
+
+
+class Program(InFolder):
+    def test_output_goes_to_a_file(self):
+        path = self.folder / "out.csv"
+        self.assertEqual(self.succeeds("state", "--S", "1.2", "--q", "0.3", "--output", path), "")
+        self.assertEqual(path.read_text(encoding="utf-8"), self.succeeds("state", "--S", "1.2", "--q", "0.3"))
+
+    def test_case_on_standard_input(self):
+        self.assertIn("snaps", json.loads(self.succeeds("simulate", "-", "--json", stdin=FIG_8B)))
+
+    def test_version_and_help(self):
+        self.assertRegex(self.succeeds("--version"), r"^flexslip \d+\.\d+\.\d+\n$")
+        text = self.succeeds("--help")
+        for command in ("fit", "invert", "simulate", "equilibrium", "state", "completions"):
+            self.assertIn(f"\n  {command} ", text)
+            self.assertIn("Examples:\n  ", self.succeeds(command, "--help"))
+
+    def test_a_reader_that_has_seen_enough_is_no_error(self):
+        command = f"'{PROGRAM}' equilibrium '{SOURCE}/examples/simulated/truth.toml' --points 100000 | head -n 1"
+        result = subprocess.run(["bash", "-c", f"set -o pipefail; {command}"], capture_output=True, text=True, check=False)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "S [m],mu,w [m],F [N]\n", ""))
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        truth = SOURCE / "examples/simulated/truth.toml"
+        self.assertEqual(self.succeeds("simulate", truth, "--json"), self.succeeds("simulate", truth, "--json"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,60 @@
+"""The program as a user has it, for the tests beside this file."""
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["FLEXSLIP"]
+SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
+
+
+def run(*arguments, stdin=""):
+    """What the program says: its exit code as .returncode, .stdout and .stderr. A hang of a minute fails the test."""
+    return subprocess.run([PROGRAM, *map(str, arguments)], input=stdin, capture_output=True, text=True, check=False, timeout=60)
+
+
+def table(text):
+    """CSV as {title: [cells]}."""
+    rows = list(csv.reader(text.splitlines()))
+    return {title: list(cells) for title, *cells in zip(*rows)}
+
+
+def numbers(text, title):
+    return [float(cell) for cell in table(text)[title]]
+
+
+class InFolder(unittest.TestCase):
+    """Each test in an empty folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, content):
+        path = self.folder / name
+        if isinstance(content, bytes):
+            path.write_bytes(content)
+        else:
+            path.write_text(content, encoding="utf-8")
+        return path
+
+    def succeeds(self, *arguments, stdin=""):
+        result = run(*arguments, stdin=stdin)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout
+
+    def json(self, *arguments):
+        return json.loads(self.succeeds(*arguments, "--json"))
+
+    def refused(self, *arguments, says, stdin=""):
+        """Exit code 2, nothing on standard output, and one line on standard error that says all of `says`."""
+        result = run(*arguments, stdin=stdin)
+        self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+        self.assertTrue(result.stderr.startswith("flexslip: "), result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        for words in says:
+            self.assertIn(words, result.stderr)

@@ -1,0 +1,28 @@
+#!/usr/bin/python3
+"""outside: ten million rows are read in seconds, and what is wrong in the last of them is found."""
+import os
+import sys
+import unittest
+
+from program import SOURCE, InFolder
+
+ROWS = 10_000_000
+BLOCK = 100_000
+
+
+class TenMillionRows(InFolder):
+    def test_last_row_wrong(self):
+        with open(self.folder / "test.csv", "w", encoding="ascii") as file:
+            file.write("stage [um],force [mN]\n")
+            for start in range(0, ROWS - 1, BLOCK):
+                file.write("".join(f"{row * 1e-4:.4f},{row * 1e-6:.6f}\n" for row in range(start, start + BLOCK)))
+            file.write("1000.0,ten\n")
+        case = self.file("case.toml", (SOURCE / "examples/simulated/case.toml").read_text(encoding="utf-8"))
+        self.refused("invert", case, says=["test.csv:10000002", "force", "a number", "'ten'"])
+
+
+if __name__ == "__main__":
+    if os.environ.get("FLEXSLIP_CONFIG") != "Release":
+        print("skipped: only the release build is fast enough")
+        sys.exit(77)
+    unittest.main()
