@@ -1,5 +1,6 @@
 #include "bending_test/equilibrium.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -9,7 +10,8 @@ namespace flexslip {
 namespace {
 
 void require_range(double S_max, int n) {
-  if (!(S_max > 1)) throw std::invalid_argument("S_max must be above 1, not " + std::to_string(S_max));
+  if (!(S_max > 1 && std::isfinite(S_max)))
+    throw std::invalid_argument("S_max must be above 1 and finite, not " + std::to_string(S_max));
   if (n < 2) throw std::invalid_argument("a curve needs at least 2 points, not " + std::to_string(n));
 }
 

@@ -91,7 +91,8 @@ void run_equilibrium(const EquilibriumRequest& request) {
                                           {title("F", "force", "N"), force}};
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};
-    draw_for(request.output, request.region ? region_figure(friction, S_max, units) : equilibrium_figure(friction, S_max, units),
+    draw_for(request.output,
+             request.region ? region_figure(friction, S_max, units) : equilibrium_figure(friction, S_max, units),
              request.figure);
   }
   if (json)

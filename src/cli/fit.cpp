@@ -131,6 +131,9 @@ std::vector<ProfileModel> models_of(const FitRequest& request, const Case& input
       case FrictionModel::constant:
         add(ProfileModel::constant);
         break;
+      case FrictionModel::drift:
+        add(ProfileModel::drift);
+        break;
       case FrictionModel::sinusoid:
         add(ProfileModel::sinusoid);
         break;
@@ -139,7 +142,7 @@ std::vector<ProfileModel> models_of(const FitRequest& request, const Case& input
         break;
       case FrictionModel::table:
       case FrictionModel::rough:
-        throw wrong_value(input, "friction.model", "models to fit: constant, sinusoid, sinusoids",
+        throw wrong_value(input, "friction.model", "models to fit: constant, drift, sinusoid, sinusoids",
                           model == FrictionModel::table ? "'table'" : "'rough'");
     }
   return models;

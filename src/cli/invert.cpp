@@ -97,12 +97,12 @@ void invert_case(const InvertRequest& request) {
   note_assumptions(request.output, stiffness);
   if (!profile.unexplained.empty())
     note(request.output, fmt::format("no friction from -20 to 20 explains {} readings, left out; the first is row {}",
-                                     profile.unexplained.size(), measurement.first + profile.unexplained.front() + 1));
+                                     profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
 
   std::vector<double> row, stage, deflection, force, length, drawn_in, position, mu, error, from_force, from_stiffness,
       from_contact;
   for (const ProfilePoint& point : profile.points) {
-    row.push_back(static_cast<double>(measurement.first + point.index + 1));
+    row.push_back(static_cast<double>(file_row(measurement, point.index)));
     stage.push_back(measurement.record.stage[point.index]);
     deflection.push_back(measurement.record.deflection[point.index]);
     force.push_back(measurement.record.force[point.index]);
@@ -133,7 +133,7 @@ void invert_case(const InvertRequest& request) {
                                           {"mu_error_contact", from_contact}};
   if (json) {
     Json unexplained = Json::array();
-    for (const std::size_t index : profile.unexplained) unexplained.push_back(measurement.first + index + 1);
+    for (const std::size_t index : profile.unexplained) unexplained.push_back(file_row(measurement, index));
     write_json(request.output.path, {{"status", profile.points.empty() ? "nothing_explained" : "ok"},
                                      {"units", units_json(input.reduced)},
                                      {"bending_stiffness",
@@ -142,7 +142,7 @@ void invert_case(const InvertRequest& request) {
                                        {"source", name_of(stiffness.source)}}},
                                      {"contact_offset", measurement.contact_offset},
                                      {"force_noise", measurement.force_noise},
-                                     {"last_row", measurement.first + measurement.record.force.size()},
+                                     {"last_row", measurement.first + measurement.record.force.size() * measurement.rows_per_point},
                                      {"profile", rows_json(columns)},
                                      {"unexplained", unexplained}});
   } else {

@@ -44,8 +44,8 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-std::string with_guess(std::string message, const std::string& meant) {
-  return meant.empty() ? message : message + fmt::format("; did you mean {}?", in_quotes(meant));
+std::string with_guess(const std::string& message, const std::string& meant) {
+  return meant.empty() ? message : fmt::format("{}; did you mean {}?", message, in_quotes(meant));
 }
 
 // What is wrong with the call, and the remedy.

@@ -18,7 +18,8 @@ void add_output_options(CLI::App& command, Output& output) {
 
 void add_figure_option(CLI::App& command, std::string& path) {
   command
-      .add_option("--figure", path, "Draw the result: FILE.svg, FILE.pdf or FILE.png; gnuplot script and data beside it")
+      .add_option("--figure", path,
+                  "Draw the result: FILE.svg, FILE.pdf or FILE.png; gnuplot script and data beside it")
       ->type_name("FILE");
 }
 

@@ -106,6 +106,7 @@ void run_simulate(const SimulateRequest& request) {
   std::vector<double> stages;  // [m] asked for
   if (input.stage->step) stages = stages_of(input);
   std::vector<double> reduced_stages;
+  reduced_stages.reserve(stages.size());
   for (const double stage : stages) reduced_stages.push_back(scales.reduced_length(stage));
   const History history = input.stage->step ? load_in_steps(friction, rig, reduced_stages)
                                             : load_continuously(friction, rig, farthest, request.points);
@@ -120,7 +121,8 @@ void run_simulate(const SimulateRequest& request) {
     const DrawnIn units{scales, input.reduced};
     const std::vector<double> marked = marked_stages(request, input, scales);
     draw_for(request.output,
-             marked.empty() ? measured_figure(friction, history, units) : overall_equilibria_figure(friction, rig, marked, units),
+             marked.empty() ? measured_figure(friction, history, units)
+                            : overall_equilibria_figure(friction, rig, marked, units),
              request.figure);
   }
   const bool json = request.output.json;

@@ -58,7 +58,7 @@ class Friction {
   FrictionPoint at(double S) const;
 
   // Lengths in S within which the profile is smooth and bends little: a quarter of the shortest period for waves
-  // (infinite for constant friction), none for tables, which are smooth between their knots.
+  // (infinite for constant friction, and infinite for tables, too, which are smooth between their knots).
   double smooth_scale() const;
   std::span<const double> knots() const;
 

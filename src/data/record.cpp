@@ -190,6 +190,21 @@ Record first_points(const Record& record, std::size_t points) {
   return {head(record.stage), head(record.deflection), head(record.force)};
 }
 
+Record averaged(const Record& record, std::size_t count) {
+  if (count == 0) throw std::invalid_argument("the number of points to average must be at least 1, not 0");
+  if (count == 1) return record;
+  const auto means = [count](const std::vector<double>& values) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i + count <= values.size(); i += count) {
+      double sum = 0;
+      for (std::size_t j = i; j < i + count; ++j) sum += values[j];
+      result.push_back(sum / static_cast<double>(count));
+    }
+    return result;
+  };
+  return {means(record.stage), means(record.deflection), means(record.force)};
+}
+
 RecordCheck check_record(const Record& record, std::size_t least_points) {
   const auto& [stage, deflection, force] = record;
   const std::size_t n = std::min({stage.size(), deflection.size(), force.size()});

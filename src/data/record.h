@@ -39,6 +39,10 @@ Record record_from_stage_and_deflection(std::span<const double> stage, std::span
 // The first points of a record: with find_failure, the part before the specimen broke.
 Record first_points(const Record& record, std::size_t points);
 
+// The means of successive points, `count` of them each; a rest of fewer at the end is left out.
+// Domain: count >= 1; std::invalid_argument otherwise.
+Record averaged(const Record& record, std::size_t count);
+
 enum class RecordFault {
   none,
   lengths_differ,   // the columns are not of one length; index = the length of the shortest

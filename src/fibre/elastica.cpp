@@ -264,7 +264,7 @@ FibreState fibre_state_from_force(double w, double F) {
   if (w == 0) return no_state(FibreStatus::no_friction, not_a_number, not_a_number, w, F);
 
   // Along w = const the force rises strictly with q (the Jacobian of Ψ is positive): a bracketed Newton iteration in q,
-  // carrying u along. Small deflection: F = 48 w (1 + 2.1 q w - 7 w^2 + ...). The bracket is a little wider than the domain, so
+  // carrying u along. To begin with, F = 48 w (1 + 2.1 q w - 7 w^2), a fit up to w = 0.3. The bracket is a little wider than the domain, so
   // that states on its border are found from either side.
   constexpr double border = 1e-6;
   double low = -largest_q * (1 + 2 * border);

@@ -2,8 +2,8 @@
 //
 // The state of a bent fibre is a difference of nearly equal lengths: S - 1 is of order u^4 while the terms of its closed
 // form are of order u. An AGM ladder gives those terms to full accuracy and their difference to none. The integrals P and
-// R below are the differences themselves. They are built by doubling the argument with formulas whose terms are all
-// positive, so every digit survives (docs/design.md, "Why not the AGM"; the AGM is the oracle in the test).
+// R below are the differences themselves. They are built by doubling the argument with formulas whose terms hardly
+// cancel, so every digit survives (docs/design.md, "Why not the AGM"; the AGM is the oracle in the test).
 #pragma once
 
 namespace flexslip {

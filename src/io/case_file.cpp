@@ -21,8 +21,9 @@ namespace {
 constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one test is a thousand times smaller
 constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
 
-constexpr std::array<std::pair<std::string_view, FrictionModel>, 5> model_names{{
+constexpr std::array<std::pair<std::string_view, FrictionModel>, 6> model_names{{
     {"constant", FrictionModel::constant},
+    {"drift", FrictionModel::drift},
     {"sinusoid", FrictionModel::sinusoid},
     {"sinusoids", FrictionModel::sinusoids},
     {"table", FrictionModel::table},
@@ -357,7 +358,7 @@ FrictionProfileInput read_profile(FrictionModel model, const Keys& keys, const C
                          keys.quantity("correlation_length", kind::length, Range::positive),
                          keys.whole_number("seed", 0)};
   const double drift = keys.optional_quantity("drift", kind::inverse_length, Range::any).value_or(0);
-  if (model == FrictionModel::constant) return WavyFriction{mu0, drift, {}};
+  if (model == FrictionModel::constant || model == FrictionModel::drift) return WavyFriction{mu0, drift, {}};
   if (model == FrictionModel::sinusoid) return WavyFriction{mu0, drift, {read_wave(keys)}};
   return WavyFriction{mu0, drift, read_waves(keys, input)};
 }
@@ -365,6 +366,7 @@ FrictionProfileInput read_profile(FrictionModel model, const Keys& keys, const C
 std::vector<std::string> keys_of(FrictionModel model) {
   switch (model) {
     case FrictionModel::constant:
+    case FrictionModel::drift:
       return {"model", "mu0", "drift"};
     case FrictionModel::sinusoid:
       return {"model", "mu0", "amplitude", "wavelength", "phase", "drift"};

@@ -75,7 +75,7 @@ struct WaveInput {
   bool operator==(const WaveInput&) const = default;
 };
 
-// mu0 (1 + Σ waves) + drift (S - span): the models "constant" (no wave), "sinusoid" (one) and "sinusoids".
+// mu0 (1 + Σ waves) + drift (S - span): the models "constant" and "drift" (no wave), "sinusoid" (one) and "sinusoids".
 struct WavyFriction {
   double mu0;    // [1]
   double drift;  // [1/m] 0 if the file has none
@@ -101,7 +101,7 @@ struct RoughFriction {
 
 using FrictionProfileInput = std::variant<WavyFriction, TabulatedFriction, RoughFriction>;
 
-enum class FrictionModel { constant, sinusoid, sinusoids, table, rough };
+enum class FrictionModel { constant, drift, sinusoid, sinusoids, table, rough };
 
 // For simulating, one model with its parameters; for fitting, the models to consider.
 struct FrictionInput {

@@ -106,6 +106,7 @@ void finish_svg(const fs::path& path, const Figure& figure) {
   const auto to = text.find("</desc>");
   if (from != std::string::npos && to != std::string::npos)
     text.replace(from, to - from, "<desc>" + escaped(figure.description));
+  replace_all(text, "<text>", "<text xml:space=\"preserve\">");
   replace_all(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
   write_text(path.string(), text);
 }

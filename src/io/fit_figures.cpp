@@ -42,7 +42,7 @@ TestUnits units_of(const FittedTest& test) {
 
 // The chosen model, continuously, at its bending stiffness; forces in nominal units.
 History drawn_model(const FittedTest& test) {
-  constexpr int points = 400;  // on each stable part: many waves of friction may lie within one
+  constexpr int points = 1000;  // on each stable part, as many waves of friction may lie within one: most are thinned out
   const auto& model = chosen_model(test);
   const double stiffening = model.bending_stiffness.value;
   const auto& stage = test.analysis.reduced.stage;
@@ -56,6 +56,18 @@ History drawn_model(const FittedTest& test) {
 double tick_within(double value) {
   const double decade = std::pow(10, std::floor(std::log10(value)));
   return (value >= 5 * decade ? 5 : value >= 2 * decade ? 2 : 1) * decade;
+}
+
+// The points of a line that can be told apart in print, with those where it begins, breaks and ends.
+std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& rows, double width, double height) {
+  constexpr double finest = 0.003;  // of the figure: half a millimetre
+  std::vector<std::vector<double>> kept;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == rows.size() || rows[i].empty() || rows[i - 1].empty() || rows[i + 1].empty();
+    if (is_end || std::hypot((rows[i][0] - kept.back()[0]) / width, (rows[i][1] - kept.back()[1]) / height) > finest)
+      kept.push_back(rows[i]);
+  }
+  return kept;
 }
 
 double rounded_up(double value) {
@@ -108,6 +120,7 @@ Figure force_figure(const FittedTest& test) {
     }
     sliding.rows.push_back({x * point.w, y * point.F});
   }
+  sliding.rows = thinned(sliding.rows, x * w_max, y * F_max);
   if (snaps.rows.empty()) snaps.rows.push_back({NAN, NAN});
 
   FigureData references{"references", {length, "Euler-Bernoulli " + force, "frictionless " + force}, {}};
@@ -135,11 +148,11 @@ Figure force_figure(const FittedTest& test) {
   set lmargin at screen 0.095; set rmargin at screen 0.985
   set xrange [0:{x_max:.6g}]
   # The curves
-  set tmargin at screen 0.975; set bmargin at screen 0.34
+  set tmargin at screen 0.895; set bmargin at screen 0.33
   set yrange [0:{y_max:.6g}]
   set format x ''; unset xlabel
   set ylabel '{force}' offset 0.8
-  set key top left Left reverse
+  set key at screen 0.535,0.99 center top vertical Left reverse maxrows 2 samplen 2.2 width -2
   plot keyentry with linespoints lw 0.6 pt 7 ps 0.25 lc rgb blue title 'Measured', \
        drops using 1:2 with lines lw 0.6 dt (6,4) lc rgb grey{drops_title}, \
        references using 1:2 with lines lw 1 dt (14,7) lc rgb orange title 'Euler–Bernoulli', \
@@ -148,7 +161,7 @@ Figure force_figure(const FittedTest& test) {
        sliding using 1:2 with lines lw 1.1 lc rgb 'black' title 'Model ({model})', \
        snaps using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{snaps_title}
   # What the model leaves over
-  set tmargin at screen 0.315; set bmargin at screen 0.115
+  set tmargin at screen 0.305; set bmargin at screen 0.112
   set yrange [{r_min:.6g}:{r_max:.6g}]
   set ytics {r_step:.6g}; set mytics 2
   set format x '%g'
@@ -158,7 +171,7 @@ Figure force_figure(const FittedTest& test) {
   plot measured using 1:3 with points pt 7 ps 0.25 lc rgb blue
   unset multiplot; unset xzeroaxis; set ytics auto
 )",
-      fmt::arg("x_max", x * w_max * 1.03), fmt::arg("y_max", y * F_max * 1.18),
+      fmt::arg("x_max", x * w_max * 1.03), fmt::arg("y_max", y * F_max * 1.12),
       fmt::arg("force", axis_label("Force", "{/:Italic F}", units.force)),
       fmt::arg("length", axis_label("Deflection at midspan", "{/:Italic w}_0", units.length)),
       fmt::arg("force_unit", units.force.unit), fmt::arg("model", name_of(model.model)),
@@ -174,7 +187,7 @@ Figure force_figure(const FittedTest& test) {
               "model without friction; {} drops are marked by load lines. Below, measured force less model.",
               name_of(model.model), analysis.drops.drops.size()),
           .width = two_columns,
-          .height = 108,
+          .height = 114,
           .data = {std::move(measured), std::move(sliding), std::move(snaps), std::move(references), std::move(drops)},
           .script = script};
 }
@@ -227,7 +240,7 @@ Figure profile_figure(const FittedTest& test) {
 
   FigureData modelled{"model", {position, "mu"}, {}};
   const Friction friction = Friction::waves(model.friction);
-  constexpr int points = 1500;
+  constexpr int points = 1000;
   const double S_begin = profile.points.empty() ? 1 : profile.points.front().S;
   for (int i = 0; i <= points; ++i) {
     const double S = S_begin + (S_end - S_begin) * i / points;

@@ -194,7 +194,8 @@ Json measurement_json(const FittedTest& test) {
   };
   return {{"rows", measurement.rows},
           {"first_row", measurement.first + 1},
-          {"last_row", measurement.first + measurement.record.force.size()},
+          {"last_row", measurement.first + measurement.record.force.size() * measurement.rows_per_point},
+          {"rows_per_point", measurement.rows_per_point},
           {"ends_with", end()}};
 }
 

@@ -419,7 +419,10 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
   if (measurement.contact != ContactSource::found && analysis.contact.status == ContactStatus::found)
     list.push_back(fmt::format("A line through the first part of the curve meets zero force at {} from there; this is reported, not corrected.",
                                readable(analysis.contact.offset, analysis.contact.offset_error, print.as(kind::length))));
-  const std::size_t last = measurement.first + measurement.record.force.size();
+  if (measurement.rows_per_point > 1)
+    list.push_back(fmt::format("The file has {} rows; each {} of them are averaged into one point, and rows below are the first of theirs.",
+                               measurement.rows, measurement.rows_per_point));
+  const std::size_t last = measurement.first + measurement.record.force.size() * measurement.rows_per_point;
   switch (measurement.end) {
     case MeasurementEnd::until: list.push_back(fmt::format("The record ends with row {}, as stated.", last)); break;
     case MeasurementEnd::failure: list.push_back(fmt::format("The specimen fails after row {}, as found; what follows is left out.", last)); break;

@@ -30,6 +30,14 @@ std::optional<double> second_moment_of(const Case& input) {
   return rectangular_section_moment(rectangle.width, rectangle.height);
 }
 
+// Without folder and ending; a case called case.toml has the name of its folder, which says more.
+std::string name_of_test(const std::string& file) {
+  if (file == "-") return "standard input";
+  const std::filesystem::path path(file);
+  const std::string folder = path.parent_path().filename().string();
+  return path.stem() == "case" && !folder.empty() ? folder : path.stem().string();
+}
+
 std::string title_with(std::string_view name, std::string_view unit, bool reduced) {
   std::string title(name);
   if (!reduced && !unit.empty()) title += " [" + std::string(unit) + "]";
@@ -60,7 +68,7 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
   if (!input.source.empty()) provenance.inputs.push_back(input_file(input.source));
   provenance.inputs.push_back(input_file(measurement.file));
-  return {.name = file == "-" ? "standard input" : std::filesystem::path(file).stem().string(),
+  return {.name = name_of_test(file),
           .reduced = input.reduced,
           .measurement = std::move(measurement),
           .stiffness = source,
@@ -69,7 +77,7 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
           .provenance = std::move(provenance)};
 }
 
-std::size_t file_row(const FittedTest& test, std::size_t point) { return test.measurement.first + point + 1; }
+std::size_t file_row(const FittedTest& test, std::size_t point) { return file_row(test.measurement, point); }
 
 const ModelFit& chosen_model(const FittedTest& test) {
   if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no model");

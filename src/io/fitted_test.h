@@ -27,7 +27,7 @@ struct Provenance {
 };
 
 struct FittedTest {
-  std::string name;  // of the case or data file, without folder and ending
+  std::string name;  // of the case or data file
   bool reduced;      // all numbers are in the model's scaled variables
   Measurement measurement;
   StiffnessSource stiffness;

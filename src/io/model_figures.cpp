@@ -40,7 +40,7 @@ class Axes {
 int points_for(const Friction& friction, double S_max) {
   constexpr double most = 20000;
   const double waves = 16 * (S_max - 1) / friction.smooth_scale();
-  return static_cast<int>(std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 600.0, most));
+  return static_cast<int>(std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, most));
 }
 
 struct Extent {
@@ -69,7 +69,7 @@ FigureData sliding_curve(const Friction& friction, double S_max, const Axes& axe
 
 constexpr std::string_view one_panel =
     "  set lmargin at screen 0.13; set rmargin at screen 0.965; set tmargin at screen 0.97; set bmargin at screen 0.165\n"
-    "  set key top left Left reverse\n";
+    "  set key top left Left reverse opaque\n";
 
 }  // namespace
 
@@ -93,11 +93,11 @@ Figure region_figure(const Friction& friction, double S_max, const DrawnIn& unit
   }
   // Arrows along the curve, in the direction of growing length.
   FigureData arrows{"arrows", {axes.title("deflection"), axes.title("force"), "step " + axes.title("deflection"), "step " + axes.title("force")}, {}};
-  for (const double share : {0.2, 0.45, 0.75}) {
+  for (const double share : {0.15, 0.42, 0.72}) {
     const auto i = static_cast<std::size_t>(share * static_cast<double>(upper.size()));
     const auto& from = upper[i];
     const auto& to = upper[std::min(i + upper.size() / 12, upper.size() - 1)];
-    const double lift = 0.08 * extent.F;
+    const double lift = 0.13 * extent.F;
     arrows.rows.push_back({axes.x(from.w), axes.y(from.F + lift), axes.x(to.w - from.w), axes.y(to.F - from.F)});
   }
 
@@ -123,7 +123,7 @@ Figure region_figure(const Friction& friction, double S_max, const DrawnIn& unit
   plot region using 3:2 with filledcurves closed lc rgb '#E2E2E2', curve using 3:2 with lines lw 1.3 lc rgb '#404040'
   unset multiplot; unset label 1
 )",
-      fmt::arg("F_max", axes.y(1.2 * extent.F)), fmt::arg("S_min", axes.x(1)), fmt::arg("w", axes.deflection()),
+      fmt::arg("F_max", axes.y(1.25 * extent.F)), fmt::arg("S_min", axes.x(1)), fmt::arg("w", axes.deflection()),
       fmt::arg("F", axes.force()), fmt::arg("S", axes.length()));
   return {.name = "region",
           .title = "The equilibria of the specimen",

@@ -18,7 +18,7 @@ namespace {
 constexpr double thickest = 0.2;      // [L] beyond it shear, which the elastica leaves out, adds 10 % to the deflection
 constexpr double most_periods = 1e6;  // of a wave: what trace_loading_curve takes, half a minute
 constexpr double most_knots = 1e6;    // of a rough profile
-constexpr double nearest_reduced = 1e-6;   // [L] of the stage: what the loading curve can be traced for
+constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
 constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
 // [1] what friction and large deflection bend the first part of a curve by, as analyse() has it.
 constexpr double slope_bend = 0.03;
@@ -28,7 +28,8 @@ constexpr double least_free_rows = 5;
 
 bool begins_before_contact(const Record& record, const Contact& contact, double noise) {
   if (contact.status != ContactStatus::found) return false;
-  const auto free = std::find_if(record.force.begin(), record.force.end(), [&](double force) { return std::abs(force) > 4 * noise; });
+  const auto free =
+      std::find_if(record.force.begin(), record.force.end(), [&](double force) { return std::abs(force) > 4 * noise; });
   const double rise = record.force[contact.last - 1] - record.force[contact.first];
   const double rise_per_row = rise / static_cast<double>(contact.last - 1 - contact.first);
   return static_cast<double>(free - record.force.begin()) >= least_free_rows + 4 * noise / rise_per_row;
@@ -172,7 +173,8 @@ void require_finite(const Readings& readings) {
                     .remedy = "check the units"});
 }
 
-void require_loading(const Case& input, const Table& table, const Record& record, std::size_t least_points) {
+void require_loading(const Case& input, const Table& table, const Record& record, std::size_t rows_per_point,
+                     std::size_t least_points) {
   const RecordCheck check = check_record(record, least_points);
   if (check.fault == RecordFault::too_short)
     throw InputError({.file = table.source,
@@ -180,12 +182,13 @@ void require_loading(const Case& input, const Table& table, const Record& record
                       .found = std::to_string(check.index)});
   if (check.fault == RecordFault::stage_runs_back)
     throw InputError({.file = table.source,
-                      .line = table.line_of(check.index),
+                      .line = table.line_of(check.index * rows_per_point),
                       .field = "the stage",
                       .expected = fmt::format("a position not behind that of the row before, {}",
                                               readable_length(input, record.stage[check.index - 1])),
                       .found = readable_length(input, record.stage[check.index]),
-                      .remedy = fmt::format("keep the loading only: write until = {} into [record]", check.index)});
+                      .remedy = fmt::format("keep the loading only: write until = {} into [record]",
+                                            check.index * rows_per_point)});
 }
 
 }  // namespace
@@ -197,8 +200,11 @@ Measurement read_measurement(const Case& input, std::size_t least_points) {
   const Readings readings = read_readings(input);
   require_finite(readings);
   const std::size_t rows = readings.table.rows();
+  const std::size_t rows_per_point = (rows + most_record_points - 1) / most_record_points;
+  const Record all = averaged(readings.record, rows_per_point);
   Measurement result{.file = readings.table.source,
                      .rows = rows,
+                     .rows_per_point = rows_per_point,
                      .first = 0,
                      .record = {},
                      .end = MeasurementEnd::last_row,
@@ -207,19 +213,20 @@ Measurement read_measurement(const Case& input, std::size_t least_points) {
                      .contact_error = 0,
                      .force_noise = 0};
 
-  std::size_t points = rows;
+  std::size_t points = all.force.size();
   if (input.record->until) {
-    points = *input.record->until;
-    if (points > rows)
+    const std::size_t until = *input.record->until;
+    if (until > rows)
       throw wrong_value(input, "record.until", fmt::format("a row of {}, which has {}", readings.table.source, rows),
-                        std::to_string(points));
+                        std::to_string(until));
+    points = std::min(points, until / rows_per_point);
     result.end = MeasurementEnd::until;
-  } else if (const Failure failure = find_failure(readings.record); failure.status == FailureStatus::found) {
+  } else if (const Failure failure = find_failure(all); failure.status == FailureStatus::found) {
     points = failure.points;
     result.end = MeasurementEnd::failure;
   }
-  const Record whole = first_points(readings.record, points);
-  require_loading(input, readings.table, whole, least_points);
+  const Record whole = first_points(all, points);
+  require_loading(input, readings.table, whole, rows_per_point, least_points);
   result.force_noise = force_noise(whole);
 
   const Contact contact = find_contact(whole);
@@ -234,16 +241,21 @@ Measurement read_measurement(const Case& input, std::size_t least_points) {
     result.contact_error = contact.offset_error;
   }
   const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
-  if (result.contact != ContactSource::first_point)
-    result.first = static_cast<std::size_t>(begin - whole.stage.begin());
-  if (points - result.first < least_points)
+  const std::size_t skipped =
+      result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - whole.stage.begin());
+  result.first = skipped * rows_per_point;
+  if (points - skipped < least_points)
     throw wrong_value(input, "record.contact",
                       fmt::format("at least {} rows of readings after the contact", least_points),
-                      std::to_string(points - result.first));
-  result.record = without_first(whole, result.first);
+                      std::to_string(points - skipped));
+  result.record = without_first(whole, skipped);
   for (double& stage : result.record.stage) stage -= result.contact_offset;
   for (double& deflection : result.record.deflection) deflection -= result.contact_offset;
   return result;
+}
+
+std::size_t file_row(const Measurement& measurement, std::size_t point) {
+  return measurement.first + point * measurement.rows_per_point + 1;
 }
 
 bool states_stiffness(const Case& input) { return stated_stiffness(input).has_value(); }
@@ -307,9 +319,9 @@ std::vector<double> stages_of(const Case& input) {
   for (std::size_t i = 1; i < program.size(); ++i) {
     const double from = program[i - 1];
     const double way = program[i] - from;
-    const double steps = std::abs(way) / *step;
     // The last step may be shorter; a remainder of 1e-9 of a step is rounding.
-    for (double n = 1; n < steps - 1e-9; ++n) stages.push_back(from + std::copysign(n * *step, way));
+    const auto steps = static_cast<long>(std::ceil(std::abs(way) / *step - 1e-9));
+    for (long n = 1; n < steps; ++n) stages.push_back(from + std::copysign(static_cast<double>(n) * *step, way));
     if (way != 0) stages.push_back(program[i]);
   }
   return stages;

@@ -17,6 +17,9 @@
 
 namespace flexslip {
 
+// Records of more rows are averaged: a test has a few hundred features, and ten million readings of them.
+inline constexpr std::size_t most_record_points = 2000;
+
 enum class MeasurementEnd { last_row, until, failure };
 enum class ContactSource {
   stated,       // by the case
@@ -28,14 +31,18 @@ enum class ContactSource {
 struct Measurement {
   std::string file;
   std::size_t rows;    // of the file
+  std::size_t rows_per_point;  // averaged into one point of the record; 1 up to most_record_points rows
   std::size_t first;   // row of the file, counted from 0, of the first point of the record
   Record record;       // stage and deflection counted from the contact
   MeasurementEnd end;  // what ends the record
   ContactSource contact;
   double contact_offset;  // [m] taken off stage and deflection
   double contact_error;   // [m] standard deviation
-  double force_noise;     // [N] standard deviation of one reading
+  double force_noise;     // [N] standard deviation of one point
 };
+
+// Row of the file, counted from 1, at which a point of the record begins.
+std::size_t file_row(const Measurement& measurement, std::size_t point);
 
 // Reads the record of a case.
 // Domain:     at least least_points points, 11 or more; std::invalid_argument otherwise.

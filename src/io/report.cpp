@@ -45,7 +45,7 @@ table.numbers td + td, table.numbers th + th { text-align: right; }
 table.numbers td:last-child, table.numbers th:last-child { padding-right: 0; }
 td.value, table.numbers td { white-space: nowrap; }
 table.parameters td:first-child { white-space: nowrap; width: 3rem; }
-table.parameters td:nth-child(2) { width: 42%; }
+table.parameters td:nth-child(2) { width: 35%; }
 td.remark { color: var(--soft); }
 tr.chosen td { font-weight: 600; }
 ul { padding-left: 1.1rem; } li { margin: .2rem 0; }
