@@ -166,7 +166,7 @@ std::string what_failed(const FittedTest& test, const std::string& status) {
 }
 
 void run_fit(const FitRequest& request) {
-  const bool is_case = request.file.ends_with(".toml");
+  const bool is_case = request.file.ends_with(".toml") || (request.file == "-" && !has_flags(request));
   if (is_case && has_flags(request))
     throw InputError({.file = request.file,
                       .expected = "a data file beside flags that describe the test",
@@ -204,7 +204,9 @@ void add_fit_command(CLI::App& app) {
   const auto request = std::make_shared<FitRequest>();
   CLI::App* command =
       app.add_subcommand("fit", "What friction a measured test shows, where along the specimen, how certainly");
-  command->add_option("file", request->file, "Case file (.toml), or a data file described by the flags below")
+  command
+      ->add_option("file", request->file,
+                   "Case file (.toml), or a data file described by the flags below; - is standard input")
       ->type_name("FILE")
       ->required();
   for (auto& flag : request->flags)
@@ -233,8 +235,19 @@ void add_fit_command(CLI::App& app) {
       ->add_option("--curves", request->curves,
                    "Write measured, model and replayed force point by point to this CSV file")
       ->type_name("FILE");
-  command->add_option("--report", request->report, "Write report.html and figures/ into this folder")->type_name("FOLDER");
+  command->add_option("--report", request->report, "Write report.html and figures/ into this folder")
+      ->type_name("FOLDER");
   add_output_options(*command, request->output);
+  command->get_option("--json")->description("Write JSON instead of text");
+  command->footer(
+      "Writes the answer, the parameters with their uncertainties, the slips, the energy account and what was\n"
+      "assumed. Rows are those of the file, counted from 1 without its header. Without gnuplot the report has\n"
+      "no pictures, but their scripts and data; the exit code is 0. It is 1 if the record tells no friction, or\n"
+      "the fit did not converge: what was reached is written.\n\n"
+      "Examples:\n"
+      "  flexslip fit examples/simulated/case.toml --report report\n"
+      "  flexslip fit test.csv --span \"1278 um\" --stiffness \"90.6 N/m\" --diameter \"34.8 um\" \\\n"
+      "    --modulus \"29.6 GPa\" --stage \"w_s [um]\" --force \"F [mN]\" --json");
   command->callback([request] { run_fit(*request); });
 }
 

@@ -149,7 +149,7 @@ Phase solve_phase(double target, double u, const ForceLine& line) {
   }
   // At the end of the branch the quantity is known to its own rounding and the target to that of S.
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  return {.exists = u < K || target <= Quantity(u, line, half).value * (1 + 16 * epsilon) + 2 * epsilon,
+  return {.exists = u < K || target <= Quantity(u, line, half).value * (1 + 6 * epsilon) + 2 * epsilon,
           .u = u,
           .half = half};
 }

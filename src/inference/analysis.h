@@ -17,12 +17,12 @@ namespace flexslip {
 
 // What is known of a test besides its record.
 struct TestDescription {
-  double span;                              // [m]
-  double load_train_stiffness;              // [N/m] infinite for displacement control
-  std::optional<double> bending_stiffness;  // [N m^2] EI; not given: from the initial slope of the record
+  double span;                                // [m]
+  double load_train_stiffness;                // [N/m] infinite for displacement control
+  std::optional<double> bending_stiffness{};  // [N m^2] EI; not given: from the initial slope of the record
   std::optional<double>
-      bending_stiffness_error;  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says
-  std::optional<std::size_t> points_before_failure;  // not given: found
+      bending_stiffness_error{};  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says
+  std::optional<std::size_t> points_before_failure{};  // not given: found
   double contact = 0;  // [m] stage position of the contact, taken off stage and deflection
 };
 

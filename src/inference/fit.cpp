@@ -185,8 +185,9 @@ class Fitter {
     const auto [least, greatest] = std::minmax_element(profile.points.begin(), profile.points.end(),
                                                        [](const auto& a, const auto& b) { return a.S < b.S; });
     constexpr double least_points_per_wave = 6;  // fewer do not show a wave between its jumps
-    constexpr double most_waves = 200;            // of more there would be hundreds of drops in a test
-    const double points_per_wave = std::max(least_points_per_wave, static_cast<double>(profile.points.size()) / most_waves);
+    constexpr double most_waves = 200;           // of more there would be hundreds of drops in a test
+    const double points_per_wave =
+        std::max(least_points_per_wave, static_cast<double>(profile.points.size()) / most_waves);
     return points_per_wave * 0.5 * (greatest->S - least->S) / static_cast<double>(profile.points.size());
   }
 
@@ -544,7 +545,8 @@ void estimate_constant(ModelFit& fit, const FitProblem& problem) {
   const auto curve = map.curve(std::vector<double>(map.S().size(), nominal.mu));
   fit.force = measured_curve(curve.w, curve.F, 1 / problem.rig.stiffness, record.stage).F;
   double sum = 0;
-  for (std::size_t i = 0; i < fit.force.size(); ++i) sum += (fit.force[i] - record.force[i]) * (fit.force[i] - record.force[i]);
+  for (std::size_t i = 0; i < fit.force.size(); ++i)
+    sum += (fit.force[i] - record.force[i]) * (fit.force[i] - record.force[i]);
   fit.residual_rms = std::sqrt(sum / static_cast<double>(fit.force.size()));
 }
 

@@ -57,6 +57,7 @@ ChildResult run_child(const std::vector<std::string>& command, const std::string
 
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t child = 0;

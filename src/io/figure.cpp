@@ -1,5 +1,6 @@
 #include "io/figure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -167,6 +168,9 @@ DrawStatus draw(Figure figure, const std::string& picture) {
                       .expected = "a picture whose name ends in .svg, .pdf or .png",
                       .found = in_quotes(path.extension().string())});
   figure.name = path.stem().string();
+  if (std::any_of(figure.name.begin(), figure.name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+    throw InputError(
+        {.file = picture, .expected = "a file name without control characters", .found = in_quotes(figure.name)});
   return draw(figure, path.parent_path().string(), {format});
 }
 

@@ -7,14 +7,12 @@
 #include <fmt/format.h>
 
 #include "bending_test/equilibrium.h"
+#include "io/fit_words.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double two_sided = 1.96;         // standard deviations: 95 % of a normal distribution
 constexpr double least_deflection = 0.05;  // [L] below it friction is hardly measurable
-constexpr double literature_low = 0.5;     // [1] glass on steel: Table 1 of the paper
-constexpr double literature_high = 0.721;  // [1]
 
 // The units in which one test is plotted.
 struct TestUnits {
@@ -42,7 +40,8 @@ TestUnits units_of(const FittedTest& test) {
 
 // The chosen model, continuously, at its bending stiffness; forces in nominal units.
 History drawn_model(const FittedTest& test) {
-  constexpr int points = 1000;  // on each stable part, as many waves of friction may lie within one: most are thinned out
+  constexpr int points =
+      1000;  // on each stable part, as many waves of friction may lie within one: most are thinned out
   const auto& model = chosen_model(test);
   const double stiffening = model.bending_stiffness.value;
   const auto& stage = test.analysis.reduced.stage;
@@ -79,10 +78,25 @@ double rounded_up(double value) {
 std::string logarithmic_tics(double a, double b) {
   const auto [low, high] = std::minmax(a, b);
   std::string tics;
-  for (double decade = std::pow(10, std::floor(std::log10(low))); decade <= high; decade *= 10)
+  for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
     for (const double digit : {1, 2, 3, 4, 6, 8})
-      if (const double tic = digit * decade; tic >= low && tic <= high) tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", tic);
+      if (const double tic = digit * std::pow(10, decade); tic >= low && tic <= high)
+        tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", tic);
   return tics;
+}
+
+// The measured profile at the bending stiffness of the chosen model.
+FrictionProfile profile_at_estimated_stiffness(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& stiffness = chosen_model(test).bending_stiffness;
+  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
+  const MeasurementErrors errors{.force = analysis.force_noise / stiffness.value,
+                                 .bending_stiffness = stiffness.standard_error / stiffness.value,
+                                 .contact = analysis.contact.status == ContactStatus::found
+                                                ? scales.reduced_length(analysis.contact.offset_error)
+                                                : 0};
+  return measure_friction(to_reduced(analysis.record, scales), Rig{analysis.rig.stiffness / stiffness.value}, errors,
+                          least_deflection);
 }
 
 }  // namespace
@@ -192,19 +206,6 @@ Figure force_figure(const FittedTest& test) {
           .script = script};
 }
 
-FrictionProfile profile_at_estimated_stiffness(const FittedTest& test) {
-  const auto& analysis = test.analysis;
-  const auto& stiffness = chosen_model(test).bending_stiffness;
-  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
-  const MeasurementErrors errors{.force = analysis.force_noise / stiffness.value,
-                                 .bending_stiffness = stiffness.standard_error / stiffness.value,
-                                 .contact = analysis.contact.status == ContactStatus::found
-                                                ? scales.reduced_length(analysis.contact.offset_error)
-                                                : 0};
-  return measure_friction(to_reduced(analysis.record, scales), Rig{analysis.rig.stiffness / stiffness.value}, errors,
-                          least_deflection);
-}
-
 Figure profile_figure(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const auto& model = chosen_model(test);
@@ -215,7 +216,7 @@ Figure profile_figure(const FittedTest& test) {
 
   FigureData measured{"profile", {position, "mu", "mu error of the point", "mu error common to all"}, {}};
   double S_end = 1;
-  double highest = literature_high;
+  double highest = glass_on_steel.high;
   double lowest = 0;
   for (const auto& point : profile.points) {
     const double common = std::hypot(point.from_bending_stiffness, point.from_contact);
@@ -256,6 +257,7 @@ Figure profile_figure(const FittedTest& test) {
   set ylabel 'Coefficient of friction {{/:Italic μ}}' offset 0.8
   set key at screen 0.535,0.985 center top vertical Left reverse maxrows 2 samplen 1.8 width -2
   set object 1 rectangle from graph 0, first {low} to graph 1, first {high} behind fc rgb green fs transparent solid 0.13 noborder
+  # 95 % of a normal distribution: 1.96 standard deviations
   plot profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured', \
        slips using 1:2 with lines lw 1 lc rgb vermillion{slips_title}, \
        profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue title '95 %: noise', \
@@ -267,10 +269,10 @@ Figure profile_figure(const FittedTest& test) {
 )",
       fmt::arg("x_max", drawn_in(S_end) * 1.02), fmt::arg("bottom", lowest < 0 ? -rounded_up(-lowest) : 0.0),
       fmt::arg("top", top),
-      fmt::arg("label",
-               axis_label("Length drawn in over one support", "({/:Italic S}\u00a0−\u00a0{/:Italic L})/2", units.small_length)),
-      fmt::arg("low", literature_low), fmt::arg("high", literature_high), fmt::arg("model", name_of(model.model)),
-      fmt::arg("slips_title", slipped.empty() ? "" : " title 'Slips'"));
+      fmt::arg("label", axis_label("Length drawn in over one support", "({/:Italic S}\u00a0−\u00a0{/:Italic L})/2",
+                                   units.small_length)),
+      fmt::arg("low", glass_on_steel.low), fmt::arg("high", glass_on_steel.high),
+      fmt::arg("model", name_of(model.model)), fmt::arg("slips_title", slipped.empty() ? "" : " title 'Slips'"));
   return {.name = "profile",
           .title = "Friction along the specimen: " + test.name,
           .description = fmt::format(

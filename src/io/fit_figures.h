@@ -11,13 +11,10 @@ namespace flexslip {
 // Force against deflection with model, references and drops, as Fig. 10 of the paper; residuals below.
 Figure force_figure(const FittedTest& test);
 
-// Friction along the specimen, with its 95 % intervals.
+// Friction along the specimen, with its 95 % intervals, at the bending stiffness of the fit: so the model can be compared.
 Figure profile_figure(const FittedTest& test);
 
 // How likely each wavelength is. Domain: waves were among the models.
 Figure wavelength_figure(const FittedTest& test);
-
-// Friction of the model with its bending stiffness, and the measured profile at the same bending stiffness, for drawing.
-FrictionProfile profile_at_estimated_stiffness(const FittedTest& test);
 
 }  // namespace flexslip

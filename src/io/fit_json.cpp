@@ -193,7 +193,7 @@ Json measurement_json(const FittedTest& test) {
     return "";
   };
   return {{"rows", measurement.rows},
-          {"first_row", measurement.first + 1},
+          {"first_row", file_row(test, 0)},
           {"last_row", measurement.first + measurement.record.force.size() * measurement.rows_per_point},
           {"rows_per_point", measurement.rows_per_point},
           {"ends_with", end()}};

@@ -18,8 +18,8 @@ inline constexpr LiteratureRange glass_on_steel{0.5, 0.721};
 std::string answer_of(const FittedTest& test);
 
 struct ParameterRow {
-  std::string name;      // as in JSON
-  std::string symbol;    // "λ"; empty for the second and third wave
+  std::string name;    // as in JSON
+  std::string symbol;  // "λ"; empty for the second and third wave
   std::string meaning;
   std::string value;     // with its standard error, digits to match
   std::string interval;  // of 95 %
@@ -34,9 +34,9 @@ struct PrintedTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
 };
-PrintedTable model_table(const FittedTest& test);   // the models and their criteria, the chosen one marked
-PrintedTable drop_table(const FittedTest& test);    // the drops measured, as slips
-PrintedTable snap_table(const FittedTest& test);    // the snaps of the chosen model
+PrintedTable model_table(const FittedTest& test);  // the models and their criteria, the chosen one marked
+PrintedTable drop_table(const FittedTest& test);   // the drops measured, as slips
+PrintedTable snap_table(const FittedTest& test);   // the snaps of the chosen model
 PrintedTable energy_table(const FittedTest& test);
 PrintedTable wavelength_table(const FittedTest& test);  // where the fit started from: the runners-up
 

@@ -18,14 +18,16 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t least_points = 30;  // fewer do not tell the noise, and so no drops
 
 InputFile input_file(const std::string& name) {
-  if (name == "-") return {name, 0, ""};
+  if (name == "-" || name == "standard input")
+    return {"standard input", 0, ""};  // the latter is what read_case calls it
   const auto digest = digest_of(*open_to_read(name));
   return {name, digest.bytes, digest.sha256};
 }
 
 std::optional<double> second_moment_of(const Case& input) {
   if (!input.specimen || !input.specimen->section) return std::nullopt;
-  if (const auto* round = std::get_if<RoundSection>(&*input.specimen->section)) return round_section_moment(round->diameter);
+  if (const auto* round = std::get_if<RoundSection>(&*input.specimen->section))
+    return round_section_moment(round->diameter);
   const auto& rectangle = std::get<RectangularSection>(*input.specimen->section);
   return rectangular_section_moment(rectangle.width, rectangle.height);
 }
@@ -64,10 +66,11 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
     static_cast<void>(scales_of(input, bending_stiffness_of(input, measurement)));
   }
   TestAnalysis analysis = analyse(measurement.record, description, options);
-  const std::string file = input.source.empty() ? measurement.file : input.source;
+  const std::string& data = input.record.value().file;
+  const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
   if (!input.source.empty()) provenance.inputs.push_back(input_file(input.source));
-  provenance.inputs.push_back(input_file(measurement.file));
+  provenance.inputs.push_back(input_file(data));
   return {.name = name_of_test(file),
           .reduced = input.reduced,
           .measurement = std::move(measurement),
@@ -78,6 +81,11 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
 }
 
 std::size_t file_row(const FittedTest& test, std::size_t point) { return file_row(test.measurement, point); }
+
+std::size_t last_row(const FittedTest& test) {
+  const std::size_t points = test.measurement.record.force.size();
+  return file_row(test, points - 1) + test.measurement.rows_per_point - 1;
+}
 
 const ModelFit& chosen_model(const FittedTest& test) {
   if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no model");

@@ -40,8 +40,11 @@ struct FittedTest {
 // Fails:      InputError as read_measurement and scales_of; for friction models that cannot be fitted.
 FittedTest fit_test(const Case& input, const AnalysisOptions& options);
 
-// The 1-based data row of a point of the record in its file.
+// The data row, counted from 1, at which a point of the record begins in its file.
 std::size_t file_row(const FittedTest& test, std::size_t point);
+
+// That of the last reading that is evaluated.
+std::size_t last_row(const FittedTest& test);
 
 // The model of least BIC. Domain: analysis.status is ok.
 const ModelFit& chosen_model(const FittedTest& test);

@@ -29,7 +29,9 @@ class Axes {
   std::string deflection() const { return axis_label("Deflection", "{/:Italic w}_0", length_); }
   std::string length() const { return axis_label("Length", "{/:Italic S}", length_); }
   std::string force() const { return axis_label("Force", "{/:Italic F}", force_); }
-  std::string title(std::string_view name) const { return fmt::format("{} [{}]", name, name == "force" ? force_.unit : length_.unit); }
+  std::string title(std::string_view name) const {
+    return fmt::format("{} [{}]", name, name == "force" ? force_.unit : length_.unit);
+  }
 
  private:
   PlotUnit length_, force_;
@@ -68,8 +70,9 @@ FigureData sliding_curve(const Friction& friction, double S_max, const Axes& axe
 }
 
 constexpr std::string_view one_panel =
-    "  set lmargin at screen 0.13; set rmargin at screen 0.965; set tmargin at screen 0.97; set bmargin at screen 0.165\n"
-    "  set key top left Left reverse opaque\n";
+    "  set lmargin at screen 0.145; set rmargin at screen 0.965; set tmargin at screen 0.845; set bmargin at screen "
+    "0.165\n"
+    "  set key at screen 0.555,0.985 center top vertical Left reverse maxrows 2\n";
 
 }  // namespace
 
@@ -92,7 +95,10 @@ Figure region_figure(const Friction& friction, double S_max, const DrawnIn& unit
     if (state.status == FibreStatus::ok) locus.rows.push_back({axes.x(state.w), axes.y(state.F), axes.x(state.S)});
   }
   // Arrows along the curve, in the direction of growing length.
-  FigureData arrows{"arrows", {axes.title("deflection"), axes.title("force"), "step " + axes.title("deflection"), "step " + axes.title("force")}, {}};
+  FigureData arrows{"arrows",
+                    {axes.title("deflection"), axes.title("force"), "step " + axes.title("deflection"),
+                     "step " + axes.title("force")},
+                    {}};
   for (const double share : {0.15, 0.42, 0.72}) {
     const auto i = static_cast<std::size_t>(share * static_cast<double>(upper.size()));
     const auto& from = upper[i];
@@ -106,18 +112,18 @@ Figure region_figure(const Friction& friction, double S_max, const DrawnIn& unit
   set tmargin at screen 0.9; set bmargin at screen 0.2
   unset key
   set label 1 '(A)' at graph 0, 1.06 font ',9'
-  set lmargin at screen 0.06; set rmargin at screen 0.31
+  set lmargin at screen 0.078; set rmargin at screen 0.325
   set xrange [0:*]; set yrange [0:{F_max:.6g}]
   set xlabel '{w}' offset 0,0.3; set ylabel '{F}' offset 1.2
   plot region using 1:2 with filledcurves closed lc rgb '#E2E2E2', curve using 1:2 with lines lw 1.3 lc rgb '#404040', \
        locus using 1:2 with lines lw 1 dt (6,4) lc rgb 'black', arrows using 1:2:3:4 with vectors lw 0.8 lc rgb 'black' filled size screen 0.012,20
   set label 1 '(B)'
-  set lmargin at screen 0.395; set rmargin at screen 0.645
+  set lmargin at screen 0.41; set rmargin at screen 0.657
   set xrange [{S_min:.6g}:*]; set yrange [0:*]
   set xlabel '{S}'; set ylabel '{w}'
   plot region using 3:1 with filledcurves closed lc rgb '#E2E2E2', curve using 3:1 with lines lw 1.3 lc rgb '#404040'
   set label 1 '(C)'
-  set lmargin at screen 0.73; set rmargin at screen 0.98
+  set lmargin at screen 0.738; set rmargin at screen 0.985
   set yrange [0:{F_max:.6g}]
   set ylabel '{F}'
   plot region using 3:2 with filledcurves closed lc rgb '#E2E2E2', curve using 3:2 with lines lw 1.3 lc rgb '#404040'
@@ -127,11 +133,14 @@ Figure region_figure(const Friction& friction, double S_max, const DrawnIn& unit
       fmt::arg("F", axes.force()), fmt::arg("S", axes.length()));
   return {.name = "region",
           .title = "The equilibria of the specimen",
-          .description = "Three panels: force against deflection, deflection against length between the supports, force against length. "
-                         "The region of equilibria is grey; its upper edge, on which the specimen slides in, is a dark curve.",
+          .description =
+              "Three panels: force against deflection, deflection against length between the supports, force against "
+              "length. "
+              "The region of equilibria is grey; its upper edge, on which the specimen slides in, is a dark curve.",
           .width = two_columns,
           .height = 58,
-          .data = {curve_data("region", boundary, axes), curve_data("curve", upper, axes), std::move(locus), std::move(arrows)},
+          .data = {curve_data("region", boundary, axes), curve_data("curve", upper, axes), std::move(locus),
+                   std::move(arrows)},
           .script = panels};
 }
 
@@ -152,10 +161,13 @@ Figure equilibrium_figure(const Friction& friction, double S_max, const DrawnIn&
       one_panel, axes.x(1.03 * w_max), axes.y(1.3 * extent.F), axes.deflection(), axes.force());
   return {.name = "equilibrium",
           .title = "The equilibrium curve",
-          .description = "Force against deflection along the equilibrium curve, with that of no friction and the Euler-Bernoulli line.",
+          .description =
+              "Force against deflection along the equilibrium curve, with that of no friction and the Euler-Bernoulli "
+              "line.",
           .width = one_column,
-          .height = 62,
-          .data = {euler_bernoulli(w_max, axes), curve_data("frictionless", smooth, axes), curve_data("curve", sliding, axes)},
+          .height = 66,
+          .data = {euler_bernoulli(w_max, axes), curve_data("frictionless", smooth, axes),
+                   curve_data("curve", sliding, axes)},
           .script = script};
 }
 
@@ -184,17 +196,20 @@ Figure measured_figure(const Friction& friction, const History& history, const D
        measured using 1:2 with lines lw 1.2 lc rgb 'black' title 'Measured curve', \
        snaps using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{}
 )",
-      one_panel, axes.x(1.03 * extent.w), axes.y(1.25 * extent.F), axes.deflection(), axes.force(), snapped ? " title 'Snaps'" : "");
+      one_panel, axes.x(1.03 * extent.w), axes.y(1.25 * extent.F), axes.deflection(), axes.force(),
+      snapped ? " title 'Snaps'" : "");
   return {.name = "measured",
           .title = "What the test measures",
-          .description = fmt::format("Force against deflection as measured, with {} snaps, over the equilibrium curve.", history.snaps.size()),
+          .description = fmt::format("Force against deflection as measured, with {} snaps, over the equilibrium curve.",
+                                     history.snaps.size()),
           .width = one_column,
-          .height = 62,
+          .height = 66,
           .data = {sliding_curve(friction, S_max, axes), std::move(measured), std::move(snaps)},
           .script = script};
 }
 
-Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::span<const double> stages, const DrawnIn& units) {
+Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::span<const double> stages,
+                                 const DrawnIn& units) {
   const double farthest = *std::max_element(stages.begin(), stages.end());
   const auto traced = trace_loading_curve(friction, rig, longest_at_stage(farthest));
   double S_max = 1.01;
@@ -223,10 +238,13 @@ Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::
     }
   }
   std::string shown = "stable using 1:2 with points pt 7 ps 0.6 lc rgb 'black' title 'stable'";
-  for (const auto& [data, type, name] : {std::tuple{&partial, 6, "partially stable"}, std::tuple{&unstable, 6, "unstable"}}) {
+  for (const auto& [data, type, name] :
+       {std::tuple{&partial, 6, "partially stable"}, std::tuple{&unstable, 6, "unstable"}}) {
     if (data->rows.empty()) continue;
-    shown += fmt::format(", \\\n       {} using 1:2 with points pt 7 ps 0.6 lc rgb 'white', \\\n       {} using 1:2 with points pt {} ps 0.6 lw 0.8 lc rgb {} title '{}'",
-                         data->name, data->name, type, data == &partial ? "vermillion" : "'black'", name);
+    shown += fmt::format(
+        ", \\\n       {} using 1:2 with points pt 7 ps 0.6 lc rgb 'white', \\\n       {} using 1:2 with points pt {} "
+        "ps 0.6 lw 0.8 lc rgb {} title '{}'",
+        data->name, data->name, type, data == &partial ? "vermillion" : "'black'", name);
   }
   for (auto* data : {&stable, &partial, &unstable})
     if (data->rows.empty()) data->rows.push_back({NAN, NAN});
@@ -240,11 +258,13 @@ Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::
       one_panel, axes.x(1.03 * extent.w), axes.y(1.25 * extent.F), axes.deflection(), axes.force(), shown);
   return {.name = "equilibria",
           .title = "Overall equilibria",
-          .description = fmt::format("The overall equilibria at {} stage positions on the equilibrium curve, with the load lines of the rig.",
-                                     stages.size()),
+          .description = fmt::format(
+              "The overall equilibria at {} stage positions on the equilibrium curve, with the load lines of the rig.",
+              stages.size()),
           .width = one_column,
-          .height = 62,
-          .data = {sliding_curve(friction, S_max, axes), std::move(lines), std::move(stable), std::move(partial), std::move(unstable)},
+          .height = 66,
+          .data = {sliding_curve(friction, S_max, axes), std::move(lines), std::move(stable), std::move(partial),
+                   std::move(unstable)},
           .script = script};
 }
 

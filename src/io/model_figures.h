@@ -30,6 +30,7 @@ Figure measured_figure(const Friction& friction, const History& history, const D
 
 // The overall equilibria at some stage positions [L]: stable ones filled, unstable ones open, partially stable ones in red; load lines
 // of the rig through them (Fig. 8B).
-Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::span<const double> stages, const DrawnIn& units);
+Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::span<const double> stages,
+                                 const DrawnIn& units);
 
 }  // namespace flexslip

@@ -181,14 +181,14 @@ void require_loading(const Case& input, const Table& table, const Record& record
                       .expected = fmt::format("at least {} rows of readings before the failure", least_points),
                       .found = std::to_string(check.index)});
   if (check.fault == RecordFault::stage_runs_back)
-    throw InputError({.file = table.source,
-                      .line = table.line_of(check.index * rows_per_point),
-                      .field = "the stage",
-                      .expected = fmt::format("a position not behind that of the row before, {}",
-                                              readable_length(input, record.stage[check.index - 1])),
-                      .found = readable_length(input, record.stage[check.index]),
-                      .remedy = fmt::format("keep the loading only: write until = {} into [record]",
-                                            check.index * rows_per_point)});
+    throw InputError(
+        {.file = table.source,
+         .line = table.line_of(check.index * rows_per_point),
+         .field = "the stage",
+         .expected = fmt::format("a position not behind that of the row before, {}",
+                                 readable_length(input, record.stage[check.index - 1])),
+         .found = readable_length(input, record.stage[check.index]),
+         .remedy = fmt::format("keep the loading only: write until = {} into [record]", check.index * rows_per_point)});
 }
 
 }  // namespace

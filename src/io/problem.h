@@ -30,11 +30,11 @@ enum class ContactSource {
 // The part of a record that is evaluated: one loading, from the contact to the failure.
 struct Measurement {
   std::string file;
-  std::size_t rows;    // of the file
+  std::size_t rows;            // of the file
   std::size_t rows_per_point;  // averaged into one point of the record; 1 up to most_record_points rows
-  std::size_t first;   // row of the file, counted from 0, of the first point of the record
-  Record record;       // stage and deflection counted from the contact
-  MeasurementEnd end;  // what ends the record
+  std::size_t first;           // row of the file, counted from 0, of the first point of the record
+  Record record;               // stage and deflection counted from the contact
+  MeasurementEnd end;          // what ends the record
   ContactSource contact;
   double contact_offset;  // [m] taken off stage and deflection
   double contact_error;   // [m] standard deviation

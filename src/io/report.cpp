@@ -67,11 +67,16 @@ a { color: var(--mark); }
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '&') out += "&amp;";
-    else if (c == '"') out += "&quot;";
-    else out += c;
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
   }
   return out;
 }
@@ -94,8 +99,9 @@ std::string cells(const std::vector<std::string>& row, std::string_view tag) {
 }
 
 std::string html_table(const PrintedTable& table, std::size_t marked = static_cast<std::size_t>(-1)) {
-  std::string out = fmt::format("<div class=\"scroll\"><table class=\"numbers\">\n<thead><tr>{}</tr></thead>\n<tbody>\n",
-                                cells(table.head, "th"));
+  std::string out =
+      fmt::format("<div class=\"scroll\"><table class=\"numbers\">\n<thead><tr>{}</tr></thead>\n<tbody>\n",
+                  cells(table.head, "th"));
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     out += fmt::format("<tr{}>{}</tr>\n", i == marked ? " class=\"chosen\"" : "", cells(table.rows[i], "td"));
   return out + "</tbody></table></div>\n";
@@ -103,10 +109,12 @@ std::string html_table(const PrintedTable& table, std::size_t marked = static_ca
 
 std::string parameter_table(const FittedTest& test) {
   std::string out =
-      "<div class=\"scroll\"><table class=\"parameters\">\n<thead><tr><th></th><th>Parameter</th><th>Value</th><th>95 % interval</th><th></th></tr></thead>\n<tbody>\n";
+      "<div class=\"scroll\"><table class=\"parameters\">\n<thead><tr><th></th><th>Parameter</th><th>Value</th><th>95 "
+      "% interval</th><th></th></tr></thead>\n<tbody>\n";
   for (const auto& row : parameter_rows(test))
     out += fmt::format(
-        "<tr><td>{}</td><td><code>{}</code>, {}</td><td class=\"value\">{}</td><td class=\"value\">{}</td><td class=\"remark\">{}</td></tr>\n",
+        "<tr><td>{}</td><td><code>{}</code>, {}</td><td class=\"value\">{}</td><td class=\"value\">{}</td><td "
+        "class=\"remark\">{}</td></tr>\n",
         escaped(row.symbol), escaped(row.name), escaped(row.meaning), typeset_minus(escaped(row.value)),
         typeset_minus(escaped(row.interval)), typeset_minus(escaped(row.remark)));
   return out + "</tbody></table></div>\n";
@@ -122,7 +130,8 @@ std::string inline_svg(const fs::path& path, const Figure& figure) {
   std::string svg = read_text(path);
   svg.erase(0, svg.find("<svg"));
   const auto rename = [&](const std::string& what, const std::string& by) {
-    for (auto at = svg.find(what); at != std::string::npos; at = svg.find(what, at + by.size())) svg.replace(at, what.size(), by);
+    for (auto at = svg.find(what); at != std::string::npos; at = svg.find(what, at + by.size()))
+      svg.replace(at, what.size(), by);
   };
   for (const std::string quote : {"'", "\""}) {
     rename("id=" + quote, "id=" + quote + figure.name + "-");
@@ -142,18 +151,22 @@ std::string html_figure(const fs::path& folder, const Plate& plate, DrawStatus d
   const auto& figure = plate.figure;
   const std::string base = "figures/" + figure.name;
   const bool narrow = figure.width < two_columns;
-  const std::string picture =
-      drawn == DrawStatus::drawn
-          ? inline_svg(folder / (base + ".svg"), figure)
-          : fmt::format("<p class=\"note\">Not drawn: gnuplot is not installed. Install it and run <code>gnuplot {}.gp</code> in the folder "
-                        "figures, or fit again.</p>\n",
-                        figure.name);
+  const std::string picture = drawn == DrawStatus::drawn
+                                  ? inline_svg(folder / (base + ".svg"), figure)
+                                  : fmt::format(
+                                        "<p class=\"note\">Not drawn: gnuplot is not installed. Install it and run "
+                                        "<code>gnuplot {}.gp</code> in the folder "
+                                        "figures, or fit again.</p>\n",
+                                        figure.name);
   std::string files;
   for (const std::string_view ending : {"svg", "pdf", "png", "gp"})
-    if (drawn == DrawStatus::drawn || ending == "gp") files += fmt::format(" <a href=\"{}.{}\">{}</a>", base, ending, ending);
-  for (const auto& data : figure.data) files += fmt::format(" <a href=\"{}-{}.csv\">{}.csv</a>", base, data.name, data.name);
+    if (drawn == DrawStatus::drawn || ending == "gp")
+      files += fmt::format(" <a href=\"{}.{}\">{}</a>", base, ending, ending);
+  for (const auto& data : figure.data)
+    files += fmt::format(" <a href=\"{}-{}.csv\">{}.csv</a>", base, data.name, data.name);
   return fmt::format(
-      "<figure{}>\n<div class=\"plate\">{}</div>\n<figcaption><b>Figure {}.</b> {} <span class=\"files\">Files:{}</span></figcaption>\n</figure>\n",
+      "<figure{}>\n<div class=\"plate\">{}</div>\n<figcaption><b>Figure {}.</b> {} <span "
+      "class=\"files\">Files:{}</span></figcaption>\n</figure>\n",
       narrow ? " class=\"narrow\"" : "", picture, number, escaped(plate.caption), files);
 }
 
@@ -161,19 +174,22 @@ std::vector<Plate> plates_of(const FittedTest& test) {
   const auto& analysis = test.analysis;
   std::vector<Plate> plates;
   plates.push_back(
-      {force_figure(test),
-       fmt::format("Measured force (blue) and the model of friction '{}' (black; dashed where it snaps). Orange: Euler–Bernoulli (dashed) and the "
-                   "model without friction, both with the bending stiffness of the fit. Grey: load lines (slope: the stiffness of the load train) through the {} drops "
-                   "found. Below: measured less model.",
-                   name_of(chosen_model(test).model), analysis.drops.drops.size())});
-  plates.push_back(
-      {profile_figure(test),
-       "Friction read off the curve point by point, at the bending stiffness of the fit. Bars: what the noise of a point leaves open, 95 %. "
-       "Blue band: what bending stiffness and contact leave open, 95 %; it moves all points together. Red: the slips. Black: the model. Green: the "
-       "literature's range for glass on steel."});
+      {force_figure(test), fmt::format("Measured force (blue) and the model of friction '{}' (black; dashed where it "
+                                       "snaps). Orange: Euler–Bernoulli (dashed) and the "
+                                       "model without friction, both with the bending stiffness of the fit. Grey: load "
+                                       "lines (slope: the stiffness of the load train) through the {} drops "
+                                       "found. Below: measured less model.",
+                                       name_of(chosen_model(test).model), analysis.drops.drops.size())});
+  plates.push_back({profile_figure(test),
+                    "Friction read off the curve point by point, at the bending stiffness of the fit. Bars: what the "
+                    "noise of a point leaves open, 95 %. "
+                    "Blue band: what bending stiffness and contact leave open, 95 %; it moves all points together. "
+                    "Red: the slips. Black: the model. Green: the "
+                    "literature's range for glass on steel."});
   if (!analysis.fit.scan.wavelengths.empty())
     plates.push_back({wavelength_figure(test),
-                      "How much likelier a wave of friction makes the profile, for every wavelength, slow drift allowed for. Circles: where the "
+                      "How much likelier a wave of friction makes the profile, for every wavelength, slow drift "
+                      "allowed for. Circles: where the "
                       "fit to the curve started from; dashed: where it ended."});
   return plates;
 }
@@ -181,15 +197,20 @@ std::vector<Plate> plates_of(const FittedTest& test) {
 std::string provenance_html(const FittedTest& test) {
   const auto& provenance = test.provenance;
   std::string out = fmt::format("<p>FlexSlip {}.", escaped(provenance.version));
-  out += fmt::format(" Options: models {}; {:g} false alarms a test; friction suspect above {:g}.</p>\n", [&] {
-    std::string names;
-    for (const auto model : provenance.options.fit.models) names += (names.empty() ? "" : ", ") + std::string(name_of(model));
-    return names;
-  }(), provenance.options.drops.false_alarms_per_test, provenance.options.suspect_limit);
+  out += fmt::format(
+      " Options: models {}; {:g} false alarms a test; friction suspect above {:g}.</p>\n",
+      [&] {
+        std::string names;
+        for (const auto model : provenance.options.fit.models)
+          names += (names.empty() ? "" : ", ") + std::string(name_of(model));
+        return names;
+      }(),
+      provenance.options.drops.false_alarms_per_test, provenance.options.suspect_limit);
   PrintedTable files{{"File", "Bytes", "SHA-256"}, {}};
   for (const auto& file : provenance.inputs)
     files.rows.push_back({file.name, file.sha256.empty() ? "" : fmt::format("{}", file.bytes), file.sha256});
-  std::string table = "<div class=\"scroll\"><table><thead><tr><th>File</th><th>Bytes</th><th>SHA-256</th></tr></thead><tbody>\n";
+  std::string table =
+      "<div class=\"scroll\"><table><thead><tr><th>File</th><th>Bytes</th><th>SHA-256</th></tr></thead><tbody>\n";
   for (const auto& row : files.rows)
     table += fmt::format("<tr><td>{}</td><td>{}</td><td><code>{}</code></td></tr>\n", escaped(row[0]), row[1], row[2]);
   out += table + "</tbody></table></div>\n";
@@ -199,8 +220,10 @@ std::string provenance_html(const FittedTest& test) {
 std::string page(const FittedTest& test, const std::string& body) {
   const std::string title = test.name + ": friction in a bending test";
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
-      "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}</main>\n"
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width, "
+      "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p "
+      "class=\"answer\">{}</p>\n{}</main>\n"
       "</body>\n</html>\n",
       escaped(title), style, escaped(title), escaped(answer_of(test)), body);
 }
@@ -241,11 +264,14 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
           "<p class=\"note\">The model of least BIC is chosen. Differences below 6 say little.</p>\n";
   if (figures.size() > 2) {
     body += figures[2];
-    if (!analysis.fit.scan.candidates.empty()) body += paragraph("The wavelengths that the fit started from, the likeliest first:") + html_table(wavelength_table(test));
+    if (!analysis.fit.scan.candidates.empty())
+      body += paragraph("The wavelengths that the fit started from, the likeliest first:") +
+              html_table(wavelength_table(test));
   }
   body += section("Drops and slips") + paragraph(slips_in_words(test));
   if (!analysis.drops.drops.empty()) body += html_table(drop_table(test));
-  if (!analysis.drops.drops.empty() || !analysis.model_curve.snaps.empty()) body += section("Snaps of the model") + paragraph(snaps_in_words(test));
+  if (!analysis.drops.drops.empty() || !analysis.model_curve.snaps.empty())
+    body += section("Snaps of the model") + paragraph(snaps_in_words(test));
   if (!analysis.model_curve.snaps.empty()) body += html_table(snap_table(test));
   body += section("Where the work went") + html_table(energy_table(test));
   body += section("Can it be trusted?") + paragraph(suspicion_in_words(test)) + paragraph(replay_in_words(test));

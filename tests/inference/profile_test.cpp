@@ -14,6 +14,8 @@ constexpr double lambda = 12.0 / 1278;
 
 Friction toothed() { return Friction::sinusoid(0.6, 0.3, lambda, 1.0); }
 
+Drop drop_between(std::size_t before, std::size_t after) { return {before, after, 0, 0, 0, 0}; }
+
 TEST_CASE("identity: the profile of a loading without noise is the friction it was made with") {
   const auto record = simulated_record({.friction = toothed()});
   const auto profile = measure_friction(record, {90}, {0, 0, 0});
@@ -49,7 +51,7 @@ TEST_CASE("identity: slips of a periodic roughness are one wavelength apart alon
   const auto profile = measure_friction(record, {90}, {0, 0, 0});
   std::vector<Drop> drops;
   for (std::size_t i = 1; i < record.force.size(); ++i)
-    if (record.force[i] < record.force[i - 1] - 0.05) drops.push_back({.before = i - 1, .after = i});
+    if (record.force[i] < record.force[i - 1] - 0.05) drops.push_back(drop_between(i - 1, i));
   const auto slips = slips_of(profile, drops);
   REQUIRE(slips.size() >= 5);
   // A stage step advances the slip by about a micron: the fold is known to that.
@@ -64,7 +66,7 @@ TEST_CASE("identity: the measured profile as a table, run forward, gives the cur
   const auto profile = measure_friction(record, rig, {0.005, 0, 0});
   std::vector<Drop> drops;
   for (std::size_t i = 1; i < record.force.size(); ++i)
-    if (record.force[i] < record.force[i - 1] - 0.05) drops.push_back({.before = i - 1, .after = i});
+    if (record.force[i] < record.force[i - 1] - 0.05) drops.push_back(drop_between(i - 1, i));
   const Friction table = Friction::table(replay_table(record, rig, profile, drops));
   std::vector<double> stages(record.stage.begin(), record.stage.end());
   const auto replay = load_in_steps(table, rig, stages);

@@ -1,0 +1,193 @@
+#!/usr/bin/python3
+"""outside: what `flexslip fit` writes, held against the truth of the shipped example, itself, and other readers."""
+import hashlib
+import html.parser
+import json
+import os
+import pathlib
+import re
+import shutil
+import tomllib
+import unittest
+
+from program import SOURCE, InFolder, numbers, run, table
+
+EXAMPLE = SOURCE / "examples/simulated"
+CASE = EXAMPLE / "case.toml"
+DATA = EXAMPLE / "test.csv"
+TRUTH = tomllib.loads((EXAMPLE / "truth.toml").read_text(encoding="utf-8"))
+FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
+KEYS = ["status", "model", "category", "parameters", "residual_rms", "criteria", "snaps", "suspects", "profile", "energy", "provenance"]
+SNAP_KEYS = {"stage", "deflection_before", "deflection_after", "force_before", "force_after", "length_before", "length_after"}
+FIGURES = ["force", "profile", "wavelengths"]
+
+
+class Json(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.text = run("fit", CASE, "--json").stdout
+        cls.fit = json.loads(cls.text)
+
+    def test_outside_schema_of_design(self):
+        for key in KEYS:
+            self.assertIn(key, self.fit)
+        self.assertEqual(self.fit["status"], "ok")
+        for parameter in self.fit["parameters"].values():
+            self.assertEqual(set(parameter), {"value", "standard_error", "interval95", "unit"})
+            self.assertEqual(len(parameter["interval95"]), 2)
+        for snap in self.fit["snaps"]:
+            self.assertEqual(set(snap), SNAP_KEYS)
+
+    def test_truth_of_the_example(self):
+        """Every true value lies within five standard errors; the example is one fixed draw, so this cannot flicker."""
+        truth = TRUTH["friction"]
+        true = {"mu0": truth["mu0"], "amplitude": truth["amplitude"], "wavelength": 10.9e-6, "phase": truth["phase"]}
+        self.assertEqual((self.fit["model"], self.fit["category"], self.fit["suspect"]), ("sinusoid", "clear", False))
+        for name, value in true.items():
+            found = self.fit["parameters"][name]
+            with self.subTest(name):
+                self.assertLess(abs(found["value"] - value), 5 * found["standard_error"])
+
+    def test_identity_snap_runs_along_the_load_line(self):
+        for snap in self.fit["snaps"]:
+            fall = snap["force_before"] - snap["force_after"]
+            advance = snap["deflection_after"] - snap["deflection_before"]
+            self.assertAlmostEqual(fall / advance, 90.65, delta=90.65 * 1e-6)  # cancellation in both differences
+
+    def test_identity_energy_account_closes(self):
+        energy = self.fit["energy"]
+        parts = sum(energy[name] for name in ("bending", "load_train", "friction", "snaps", "imbalance"))
+        self.assertAlmostEqual(parts, energy["stage_work"], delta=1e-12 * energy["stage_work"])  # roundings
+
+    def test_outside_provenance_against_hashlib(self):
+        for given, path in zip(self.fit["provenance"]["inputs"], (CASE, DATA)):
+            content = path.read_bytes()
+            self.assertEqual((given["bytes"], given["sha256"]), (len(content), hashlib.sha256(content).hexdigest()))
+
+    def test_identity_same_input_same_bytes(self):
+        self.assertEqual(run("fit", CASE, "--json").stdout, self.text)
+
+    def test_identity_flags_say_what_the_case_says(self):
+        flagged = self.json("fit", DATA, *FLAGS, "--bending-stiffness", "2.130979e-9 N m^2", "--model", "constant")
+        cased = self.json("fit", CASE, "--model", "constant")
+        # The case is given a modulus and a diameter instead: their product has seven digits here.
+        self.assertAlmostEqual(flagged["parameters"]["mu0"]["value"], cased["parameters"]["mu0"]["value"], delta=1e-5)
+
+    def test_identity_drops_lie_in_the_rows_named(self):
+        lines = [line for line in DATA.read_text(encoding="utf-8").splitlines() if line[0] in "-.0123456789"]
+        force = [float(line.split(",")[1]) for line in lines]
+        for drop in self.fit["drops"]:
+            unit = drop["force_before"] / force[drop["row_before"] - 1]
+            self.assertAlmostEqual(unit, 1e-3, delta=1e-15)  # mN
+            self.assertGreater(force[drop["row_before"] - 1], force[drop["row_after"] - 1])
+
+
+    def test_identity_standard_input_is_a_file_too(self):
+        case = CASE.read_text(encoding="utf-8").replace('"test.csv"', json.dumps(str(DATA)))
+        fit = json.loads(self.succeeds("fit", "-", "--json", stdin=case))
+        self.assertEqual(fit["parameters"], self.fit["parameters"])
+        self.assertEqual([file["sha256"] is None for file in fit["provenance"]["inputs"]], [True, False])
+
+
+class Options(InFolder):
+    def test_models_restricted(self):
+        fit = self.json("fit", CASE, "--model", "drift", "--model", "constant")
+        self.assertEqual(list(fit["criteria"]), ["drift", "constant"])
+        self.assertNotIn("wavelength", fit["parameters"])
+
+    def test_suspect_limit(self):
+        self.assertTrue(self.json("fit", CASE, "--suspect-limit", "0.4")["suspect"])
+
+    def test_wrong_calls(self):
+        self.refused("fit", DATA, says=["--stage"])
+        self.refused("fit", DATA, "--diameter", "34.8 um", "--stiffness", "90 N/m", "--stage", "stage", "--force", "force", says=["span"])
+        self.refused("fit", DATA, *FLAGS[2:], "--diameter", "34.8", says=["--diameter", "34.8 um"])
+        self.refused("fit", CASE, "--span", "1 mm", says=["case file"])
+        self.refused("fit", CASE, "--model", "parabola", says=["parabola"])
+        self.refused("fit", CASE, "--false-alarms", "-1", says=["--false-alarms"])
+
+    def test_too_shallow_a_test_is_no_answer(self):
+        lines = DATA.read_text(encoding="utf-8").splitlines(keepends=True)
+        shallow = self.file("shallow.csv", "".join(lines[:45]))
+        result = run("fit", shallow, *FLAGS, "--modulus", "29.6 GPa", "--json")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(json.loads(result.stdout)["status"], "too_few_points")
+        self.assertIn("friction", result.stderr)
+
+    def test_curves_and_profile(self):
+        curves, profile = self.folder / "curves.csv", self.folder / "profile.csv"
+        self.succeeds("fit", CASE, "--curves", curves, "--profile", profile)
+        columns = table(curves.read_text(encoding="utf-8"))
+        self.assertEqual(list(columns)[:5], ["row", "stage [m]", "deflection [m]", "force [N]", "model_force [N]"])
+        fit = self.json("fit", CASE)
+        residuals = [float(a) - float(b) for a, b in zip(columns["force [N]"], columns["model_force [N]"]) if b != "nan"]
+        rms = (sum(r * r for r in residuals) / len(residuals)) ** 0.5
+        self.assertAlmostEqual(rms, fit["residual_rms"], delta=1e-12 * rms)  # roundings
+        self.assertEqual(numbers(profile.read_text(encoding="utf-8"), "mu"), [point["mu"] for point in fit["profile"]])
+
+
+class Page(html.parser.HTMLParser):
+    """Refuses what is not closed, and collects ids and outside references."""
+
+    VOID = {"meta", "link", "br", "img", "stop", "path", "use", "circle", "rect"}
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.ids, self.fetched = [], [], []
+
+    def handle_starttag(self, tag, attrs):
+        attributes = dict(attrs)
+        if "id" in attributes:
+            self.ids.append(attributes["id"])
+        if tag in {"script", "link", "img", "iframe"}:
+            self.fetched.append(tag)
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag not in self.VOID and self.open.pop() != tag:
+            raise ValueError(f"</{tag}> closes something else")
+
+
+class Report(InFolder):
+    @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
+    def test_report_is_one_sound_file_and_always_the_same(self):
+        first, second = self.folder / "first", self.folder / "second"
+        for folder in (first, second):
+            self.succeeds("fit", CASE, "--report", folder)
+        text = (first / "report.html").read_text(encoding="utf-8")
+        page = Page()
+        page.feed(text)
+        self.assertEqual(page.open, [])
+        self.assertEqual(len(page.ids), len(set(page.ids)))
+        self.assertEqual(page.fetched, [])
+        self.assertNotRegex(text, r"url\((?!#)|@import")
+        self.assertEqual(text.count("<svg"), len(FIGURES))
+        self.assertEqual(len(re.findall(r'<svg role="img" aria-label="[^"]+"', text)), len(FIGURES))
+        for link in re.findall(r'<a href="([^"]+)"', text):
+            self.assertTrue((first / link).is_file(), link)
+        written = sorted(path.relative_to(first) for path in first.rglob("*") if path.is_file())
+        self.assertTrue({pathlib.Path("figures") / f"{name}.{ending}" for name in FIGURES for ending in ("svg", "pdf", "png", "gp")} <= set(written))
+        for path in written:
+            self.assertEqual((first / path).read_bytes(), (second / path).read_bytes(), path)
+
+    def test_without_gnuplot_the_rest_is_there(self):
+        path = os.environ["PATH"]
+        self.addCleanup(os.environ.__setitem__, "PATH", path)
+        os.environ["PATH"] = str(self.folder)  # nothing in it
+        result = run("fit", CASE, "--report", self.folder / "report")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("gnuplot is not installed", result.stderr)
+        self.assertIn("gnuplot is not installed", (self.folder / "report/report.html").read_text(encoding="utf-8"))
+        self.assertTrue((self.folder / "report/figures/force.gp").is_file())
+        self.assertTrue((self.folder / "report/figures/force-measured.csv").is_file())
+
+    def test_report_into_a_file_is_refused(self):
+        self.file("taken", "")
+        result = run("fit", CASE, "--report", self.folder / "taken")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("taken", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
