@@ -11,28 +11,10 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// Without a stated uncertainty: that of a modulus from the initial slope of such a test (docs/theory.md, "Bending stiffness").
-constexpr double usual_stiffness_error = 0.03;
-
 Record with_contact_at(Record record, double contact) {
   for (auto& value : record.stage) value -= contact;
   for (auto& value : record.deflection) value -= contact;
   return record;
-}
-
-// What the first part of a curve bends, by friction and large deflection, where find_contact looks at it: a few per cent.
-constexpr double slope_bend = 0.03;
-
-// Force over deflection from the contact in use, over the points that find_contact looks at [N/m]; 0 if there are none.
-double initial_slope(const Record& record, const Contact& contact) {
-  if (contact.status != ContactStatus::found) return 0;
-  double work = 0;
-  double square = 0;
-  for (std::size_t i = contact.first; i < contact.last; ++i) {
-    work += record.force[i] * record.deflection[i];
-    square += record.deflection[i] * record.deflection[i];
-  }
-  return square > 0 ? work / square : 0;
 }
 
 Replay replay_of(const TestAnalysis& analysis) {
@@ -133,6 +115,23 @@ History empty_history() { return {HistoryStatus::ok, {}, {}, {}}; }
 
 }  // namespace
 
+StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
+  const Contact contact = find_contact(record);
+  if (contact.status != ContactStatus::found || !(contact.slope > 0))
+    return {.found = false, .value = 0, .relative_error = 0};
+  double work = 0;
+  double square = 0;
+  for (std::size_t i = contact.first; i < contact.last; ++i) {
+    work += record.force[i] * record.deflection[i];
+    square += record.deflection[i] * record.deflection[i];
+  }
+  constexpr double bend =
+      0.03;  // of the curve over these points, by friction and large deflection: the order of 2.4 q w at w = 0.03
+  return {.found = work > 0,
+          .value = work / square * span * span * span / 48,
+          .relative_error = std::hypot(usual_stiffness_error, contact.slope_error / contact.slope, bend)};
+}
+
 TestAnalysis analyse(const Record& given, const TestDescription& description, const AnalysisOptions& options) {
   const Failure found = find_failure(given);
   const Failure failure =
@@ -144,17 +143,15 @@ TestAnalysis analyse(const Record& given, const TestDescription& description, co
   const Record record = with_contact_at(whole, description.contact);
 
   const bool from_slope = !description.bending_stiffness;
-  const double slope = initial_slope(record, contact);
-  const bool sloped = slope > 0;
   const double L = description.span;
-  const double EI = description.bending_stiffness.value_or(sloped ? slope * L * L * L / 48 : 1.0);
-  const double slope_error = from_slope && sloped ? contact.slope_error / contact.slope + slope_bend : 0.0;
+  const auto slope = from_slope ? stiffness_from_slope(record, L) : StiffnessFromSlope{};
+  const double EI = description.bending_stiffness.value_or(slope.found ? slope.value : 1.0);
+  const double usual_error = slope.found ? slope.relative_error : usual_stiffness_error;
   const Scales scales(L, EI);
   TestAnalysis analysis{.status = AnalysisStatus::ok,
                         .scales = scales,
                         .rig = {scales.reduced_stiffness(description.load_train_stiffness)},
-                        .bending_stiffness_error = description.bending_stiffness_error.value_or(
-                            std::hypot(usual_stiffness_error, slope_error)),
+                        .bending_stiffness_error = description.bending_stiffness_error.value_or(usual_error),
                         .stiffness_from_slope = from_slope,
                         .failure = failure,
                         .contact = contact,
@@ -168,11 +165,10 @@ TestAnalysis analyse(const Record& given, const TestDescription& description, co
                         .suspects = {},
                         .fit = {},
                         .model = empty_history(),
-                        .model_curve = empty_history(),
                         .replay = {},
                         .energy = {},
                         .category = SawtoothCategory::none};
-  if (from_slope && !sloped) {
+  if (from_slope && !slope.found) {
     analysis.status = AnalysisStatus::no_initial_slope;
     return analysis;
   }
@@ -223,7 +219,6 @@ TestAnalysis analyse(const Record& given, const TestDescription& description, co
       return history;
     };
     analysis.model = in_nominal_units(load_in_steps(friction, rig, stages));
-    analysis.model_curve = in_nominal_units(load_continuously(friction, rig, stages.back(), 24));
   }
   return analysis;
 }

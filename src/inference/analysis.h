@@ -15,6 +15,21 @@
 
 namespace flexslip {
 
+// Bending stiffness from the initial slope, F = 48 EI w/L^3.
+struct StiffnessFromSlope {
+  bool found;    // the record has a straight rising beginning; nothing else is valid without
+  double value;  // [N m^2] EI
+  double
+      relative_error;  // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %
+};
+
+// Domain:     stage and deflection counted from the contact; span [m] > 0.
+// Method:     force over deflection by least squares, through the contact, over the points that find_contact looks at.
+StiffnessFromSlope stiffness_from_slope(const Record& record, double span);
+
+// The uncertainty of a bending stiffness that is stated without one [1]: a data sheet and a diameter to 0.5 % give no better.
+inline constexpr double usual_stiffness_error = 0.03;
+
 // What is known of a test besides its record.
 struct TestDescription {
   double span;                                // [m]
@@ -75,8 +90,7 @@ struct TestAnalysis {
   SlipSummary slip_summary;
   SuspectReport suspects;
   FrictionFit fit;
-  History model;        // the chosen model on the stage positions of the record, at the estimated bending stiffness
-  History model_curve;  // the same continuously, for drawing
+  History model;  // the chosen model on the stage positions of the record, at the estimated bending stiffness
   Replay replay;
   MeasuredEnergy energy;
   SawtoothCategory category;

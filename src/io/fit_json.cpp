@@ -292,7 +292,7 @@ Json fit_json(const FittedTest& test) {
               {"parameters", parameters},
               {"residual_rms", chosen ? Json(units.force(chosen->residual_rms)) : Json()},
               {"criteria", criteria}};
-  out["snaps"] = fitted ? snaps_json(analysis.model_curve.snaps, analysis.scales) : Json::array();
+  out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
   out["drops"] = drops_json(test);
   out["slips"] = slips_json(test, units);
   out["suspects"] = suspects_json(test, units);

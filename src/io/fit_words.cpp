@@ -305,7 +305,7 @@ PrintedTable snap_table(const FittedTest& test) {
   NumberColumn stage{"Stage", {}, length}, w_before{"Deflection before", {}, length}, w_after{"after", {}, length},
       F_before{"Force before", {}, force}, F_after{"after", {}, force}, S_before{"Length before", {}, length},
       S_after{"after", {}, length};
-  for (const auto& snap : test.analysis.model_curve.snaps) {
+  for (const auto& snap : test.analysis.model.snaps) {
     stage.values.push_back(scales.physical_length(snap.stage));
     w_before.values.push_back(scales.physical_length(snap.before.w));
     w_after.values.push_back(scales.physical_length(snap.after.w));
@@ -386,7 +386,7 @@ std::string slips_in_words(const FittedTest& test) {
 }
 
 std::string snaps_in_words(const FittedTest& test) {
-  const std::size_t snaps = test.analysis.model_curve.snaps.size();
+  const std::size_t snaps = test.analysis.model.snaps.size();
   const std::size_t drops = test.analysis.drops.drops.size();
   std::string words =
       snaps == 0 ? "The chosen model never snaps"

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "inference/analysis.h"
 #include "io/quantity.h"
 #include "io/table.h"
 
@@ -20,8 +21,6 @@ constexpr double most_periods = 1e6;  // of a wave: what trace_loading_curve tak
 constexpr double most_knots = 1e6;    // of a rough profile
 constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
 constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
-// [1] what friction and large deflection bend the first part of a curve by, as analyse() has it.
-constexpr double slope_bend = 0.03;
 // Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
 // specimen in contact from the first row on would show.
 constexpr double least_free_rows = 5;
@@ -59,7 +58,7 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Case& input) {
   const auto* known = std::get_if<Known>(&estimate);
   if (!known) return std::nullopt;
   const bool has_error = known->uncertainty > 0;
-  BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : stiffness_error_assumed,
+  BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : usual_stiffness_error,
                             has_error ? StiffnessSource::stated : StiffnessSource::assumed_error};
   if (modulus) {
     const Section& section = input.specimen->section.value();
@@ -270,23 +269,14 @@ BendingStiffnessUsed bending_stiffness_of(const Case& input) {
 BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& measurement) {
   if (const auto stated = stated_stiffness(input)) return *stated;
   const double span = required_span(input);
-  const Contact contact = find_contact(measurement.record);
-  if (contact.status != ContactStatus::found)
+  const auto slope = stiffness_from_slope(measurement.record, span);
+  if (!slope.found)
     throw InputError(
         {.file = measurement.file,
          .expected = "a force that rises from the contact in at least 5 rows, to tell the bending stiffness",
          .found = "none",
          .remedy = "write the modulus or bending_stiffness into [specimen]"});
-  // The line through the contact, not through the settling.
-  const auto first = static_cast<std::ptrdiff_t>(contact.first);
-  const auto last = static_cast<std::ptrdiff_t>(contact.last);
-  const auto& [stage, deflection, force] = measurement.record;
-  const double slope =
-      std::inner_product(force.begin() + first, force.begin() + last, deflection.begin() + first, 0.0) /
-      std::inner_product(deflection.begin() + first, deflection.begin() + last, deflection.begin() + first, 0.0);
-  return {slope * span * span * span / 48,  // F = 48 EI w/L^3
-          std::hypot(stiffness_error_assumed, contact.slope_error / contact.slope + slope_bend),
-          StiffnessSource::initial_slope};
+  return {slope.value, slope.relative_error, StiffnessSource::initial_slope};
 }
 
 Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {

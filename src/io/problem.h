@@ -52,12 +52,9 @@ Measurement read_measurement(const Case& input, std::size_t least_points);
 
 enum class StiffnessSource {
   stated,         // by the case, with its uncertainty
-  assumed_error,  // by the case, without: stiffness_error_assumed
+  assumed_error,  // by the case, without: usual_stiffness_error
   initial_slope,  // of the record, F = 48 EI w/L^3
 };
-
-inline constexpr double stiffness_error_assumed =
-    0.03;  // [1] a modulus from a data sheet and a diameter to 0.5 % give no better
 
 struct BendingStiffnessUsed {
   double value;           // [N m^2] EI

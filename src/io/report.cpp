@@ -270,9 +270,9 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
   }
   body += section("Drops and slips") + paragraph(slips_in_words(test));
   if (!analysis.drops.drops.empty()) body += html_table(drop_table(test));
-  if (!analysis.drops.drops.empty() || !analysis.model_curve.snaps.empty())
+  if (!analysis.drops.drops.empty() || !analysis.model.snaps.empty())
     body += section("Snaps of the model") + paragraph(snaps_in_words(test));
-  if (!analysis.model_curve.snaps.empty()) body += html_table(snap_table(test));
+  if (!analysis.model.snaps.empty()) body += html_table(snap_table(test));
   body += section("Where the work went") + html_table(energy_table(test));
   body += section("Can it be trusted?") + paragraph(suspicion_in_words(test)) + paragraph(replay_in_words(test));
   body += section("What was assumed") + "<ul>\n";
