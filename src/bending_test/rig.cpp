@@ -27,6 +27,7 @@ struct Sample {
 Sample sample_at(const Friction& friction, const Rig& rig, double sigma) {
   const double c = 1 / rig.stiffness;
   const double S = 1 + sigma * sigma;
+  sigma = std::sqrt(S - 1);  // that of the rounded S, at which everything below is evaluated
   const auto mu = friction.at(S);
   if (sigma == 0 || S == 1) {
     const double slope = std::sqrt(15.0) / 6 * (1 + 48 * c);
@@ -154,8 +155,8 @@ class Tracer {
     const double sigma = std::sqrt(S - 1) + smooth_step;
     const auto knots = friction_.knots();
     const auto knot = std::upper_bound(knots.begin(), knots.end(), S);
-    const double next_knot = knot == knots.end() ? infinity : *knot;
-    return std::min({S_max, S + 2 * friction_.smooth_scale(), 1 + sigma * sigma, next_knot});
+    const double smooth_end = std::min({S_max, S + 2 * friction_.smooth_scale(), 1 + sigma * sigma});
+    return knot == knots.end() ? smooth_end : std::min(smooth_end, *knot);
   }
 
   double last_existing(double exists, double ended) const {
@@ -194,7 +195,7 @@ class Tracer {
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     constexpr double accuracy = 1e-6;
     const bool changes_sign = (at_a.slope < 0) != (at_b.slope < 0);
-    const bool resolved = tail <= accuracy * scale;
+    const bool resolved = tail <= (accuracy + rounding / friction_.smooth_scale()) * scale;  // S itself is rounded, too
     const double error = std::max(4 * tail, rounding * scale);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && changes == 1 && std::min(std::abs(at_a.slope), std::abs(at_b.slope)) > error;
@@ -255,6 +256,10 @@ LoadingCurve trace_loading_curve(const Friction& friction, const Rig& rig, doubl
     throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(rig.stiffness));
   if (!(S_max > 1 && S_max < infinity))
     throw std::invalid_argument("S_max must be above 1 and finite, not " + std::to_string(S_max));
+  constexpr double finest = 1e-9;  // of a period, in spans: finer ones would be lost in the rounding of S
+  if (4 * friction.smooth_scale() < finest)
+    throw std::invalid_argument("a period of the roughness of " + std::to_string(4e9 * friction.smooth_scale()) +
+                                "e-9 spans is finer than 1e-9 spans, the finest that is traced");
   const double periods = (S_max - 1) / (4 * friction.smooth_scale());
   if (periods > most_periods)
     throw std::invalid_argument("the roughness has " + std::to_string(periods) +

@@ -51,7 +51,7 @@ struct LoadingCurve {
 //             pieces between the knots of a table), cells are halved until the interpolant is accurate to 1e-6 of the terms
 //             of G', and its roots are counted by Descartes' rule in Bernstein form (theory.md, "Folds"). Folds are then
 //             polished to the rounding of G'.
-// Fails:      std::invalid_argument if the roughness has more than 1e6 periods on this length.
+// Fails:      std::invalid_argument if the roughness has more than 1e6 periods on this length, or periods below 1e-9 spans.
 // Cost:       about 30 µs for each period of the roughness.
 LoadingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max);
 

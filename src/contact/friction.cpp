@@ -97,7 +97,7 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
     refuse("the correlation length of friction must be finite and > 0", correlation_length);
   if (!(S_max > 1 && S_max < infinity)) refuse("the end of a rough profile must be > 1", S_max);
   constexpr int per_length = 8;
-  constexpr int reach = 4 * per_length;                     // the kernel below is exp(-16) at four correlation lengths
+  constexpr std::size_t reach = 4 * per_length;             // the kernel below is exp(-16) at four correlation lengths
   const double step = 2 * correlation_length / per_length;  // S advances by twice the length along the fibre
   constexpr double most_knots = 1e6;
   if (!((S_max - 1) / step < most_knots))
@@ -112,9 +112,9 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   for (auto& value : noise) value = std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
   std::vector<double> kernel(2 * reach + 1);
   double power = 0;
-  for (int j = -reach; j <= reach; ++j) {
-    const double x = static_cast<double>(j) / per_length;
-    kernel[static_cast<std::size_t>(j + reach)] = std::exp(-x * x);
+  for (std::size_t j = 0; j < kernel.size(); ++j) {
+    const double x = (static_cast<double>(j) - static_cast<double>(reach)) / per_length;
+    kernel[j] = std::exp(-x * x);
     power += std::exp(-2 * x * x);
   }
 

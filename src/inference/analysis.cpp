@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "fibre/elastica.h"
 
@@ -132,13 +134,16 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
           .relative_error = std::hypot(usual_stiffness_error, contact.slope_error / contact.slope, bend)};
 }
 
-TestAnalysis analyse(const Record& given, const TestDescription& description, const AnalysisOptions& options) {
-  const Failure found = find_failure(given);
+TestAnalysis analyse(const Record& all, const TestDescription& description, const AnalysisOptions& options) {
+  if (const auto check = check_record(all, 0);
+      check.fault == RecordFault::lengths_differ || check.fault == RecordFault::not_finite)
+    throw std::invalid_argument("the record has a fault at point " + std::to_string(check.index));
+  const Failure found = find_failure(all);
   const Failure failure =
       description.points_before_failure
-          ? Failure{FailureStatus::found, std::min(*description.points_before_failure, given.force.size())}
+          ? Failure{FailureStatus::found, std::min(*description.points_before_failure, all.force.size())}
           : found;
-  const Record whole = first_points(given, failure.points);
+  const Record whole = first_points(all, failure.points);
   const Contact contact = find_contact(whole);
   const Record record = with_contact_at(whole, description.contact);
 

@@ -98,6 +98,6 @@ struct TestAnalysis {
 
 // Domain:     a record without faults (check_record), span and stiffness positive; std::invalid_argument otherwise.
 // Cost:       less than 0.1 s for 300 points.
-TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
+TestAnalysis analyse(const Record& all, const TestDescription& description, const AnalysisOptions& options = {});
 
 }  // namespace flexslip

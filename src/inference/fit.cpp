@@ -84,7 +84,7 @@ class Fitter {
     force_ = Eigen::Map<const VectorXd>(problem.record.force.data(), static_cast<Index>(problem.record.force.size()));
   }
 
-  double S_middle() const { return S_middle_; }
+  double middle_length() const { return S_middle_; }
   double least_wavelength() const { return least_wavelength_; }
   Index observations() const { return force_.size(); }
 
@@ -211,7 +211,7 @@ class Fitter {
   // Friction at the lengths of the map. The phase of a wave is quadratic in their number, so that it is advanced by two
   // rotations a step instead of a cosine each; the rounding of a thousand steps stays below 1e-12.
   std::vector<double> friction_on_map(const Layout& layout, const VectorXd& p) const {
-    const auto lengths = map_.S();
+    const auto lengths = map_.lengths();
     std::vector<double> mu(lengths.size());
     for (std::size_t i = 0; i < mu.size(); ++i) mu[i] = p[0] + (layout.drift ? p[1] * (lengths[i] - S_middle_) : 0);
     for (Index wave = 0; wave < layout.waves; ++wave) {
@@ -434,7 +434,9 @@ constexpr double jump_inflation = 1.1;
 
 ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Solution& solution,
                   const FitProblem& problem) {
-  const auto& [layout, likeliest, noise, log_likelihood, converged] = solution;
+  const Layout layout = solution.layout;
+  const Noise noise = solution.noise;
+  const double log_likelihood = solution.log_likelihood;
   const VectorXd p = fitter.levelled(solution);
   const MatrixXd covariance = jump_inflation * jump_inflation * fitter.covariance(solution);
   const auto error = [&](const VectorXd& gradient) {
@@ -445,11 +447,11 @@ ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Soluti
 
   ModelFit fit{};
   fit.model = model;
-  fit.status = converged ? FitStatus::ok : FitStatus::not_converged;
+  fit.status = solution.converged ? FitStatus::ok : FitStatus::not_converged;
   fit.mu0 = estimate(p[0], error(unit(0)));
   fit.drift = layout.drift ? estimate(p[1], error(unit(1))) : ParameterEstimate{};
   fit.bending_stiffness = estimate(1 + p[last], error(unit(last)));
-  fit.friction = {.mu0 = p[0], .drift = fit.drift.value, .terms = {}, .S_reference = fitter.S_middle()};
+  fit.friction = {.mu0 = p[0], .drift = fit.drift.value, .terms = {}, .S_reference = fitter.middle_length()};
   for (Index i = 0; i < layout.waves; ++i) {
     const Index at = layout.wave(i);
     const double a = p[at];
@@ -460,11 +462,11 @@ ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Soluti
     // a cos x + b sin x = height cos(x + phase), x = π (S - S_middle)/λ
     const double phase_at_middle = std::atan2(-b, a);
     const VectorXd of_phase = (b * unit(at) - a * unit(at + 1)) / (height * height);
-    const VectorXd of_origin = of_phase + pi * fitter.S_middle() / (wavelength * wavelength) * unit(at + 2);
+    const VectorXd of_origin = of_phase + pi * fitter.middle_length() / (wavelength * wavelength) * unit(at + 2);
     fit.waves.push_back(
         {.amplitude = estimate(height / p[0], error(of_amplitude)),
          .wavelength = estimate(wavelength, error(unit(at + 2))),
-         .phase = estimate(wrapped(phase_at_middle - pi * fitter.S_middle() / wavelength), error(of_origin)),
+         .phase = estimate(wrapped(phase_at_middle - pi * fitter.middle_length() / wavelength), error(of_origin)),
          .phase_at_middle = estimate(phase_at_middle, error(of_phase))});
     fit.friction.terms.push_back({height / p[0], wavelength, fit.waves.back().phase.value});
   }
@@ -498,7 +500,7 @@ ConstantFit fit_constant(const ReducedRecord& record, double stiffening, const S
   for (const auto i : order) w.push_back(record.deflection[i]);
   const auto n = static_cast<Index>(w.size());
   const auto force_at = [&](double mu) {
-    const auto curve = map.curve(std::vector<double>(map.S().size(), mu));
+    const auto curve = map.curve(std::vector<double>(map.lengths().size(), mu));
     const auto at_deflection = measured_curve(curve.w, curve.F, 0, w);
     VectorXd force(n);
     for (std::size_t i = 0; i < w.size(); ++i) force[static_cast<Index>(order[i])] = stiffening * at_deflection.F[i];
@@ -542,7 +544,7 @@ void estimate_constant(ModelFit& fit, const FitProblem& problem) {
   fit.mu0.low = std::max(fit.mu0.low, 0.0);
   fit.bending_stiffness = estimate(1, deviation);
   fit.friction = {.mu0 = nominal.mu, .drift = 0, .terms = {}};
-  const auto curve = map.curve(std::vector<double>(map.S().size(), nominal.mu));
+  const auto curve = map.curve(std::vector<double>(map.lengths().size(), nominal.mu));
   fit.force = measured_curve(curve.w, curve.F, 1 / problem.rig.stiffness, record.stage).F;
   double sum = 0;
   for (std::size_t i = 0; i < fit.force.size(); ++i)
@@ -558,6 +560,23 @@ ReducedRecord usable_part(const ReducedRecord& record) {
     part.force.push_back(record.force[i]);
   }
   return part;
+}
+
+void require_faultless(const FitProblem& problem) {
+  const auto& [stage, deflection, force] = problem.record;
+  if (stage.size() != force.size() || deflection.size() != force.size())
+    throw std::invalid_argument("the columns of the record are not of one length: " + std::to_string(stage.size()) +
+                                ", " + std::to_string(deflection.size()) + ", " + std::to_string(force.size()));
+  for (std::size_t i = 0; i < force.size(); ++i)
+    if (!std::isfinite(stage[i] + deflection[i] + force[i]) || (i > 0 && stage[i] < stage[i - 1]))
+      throw std::invalid_argument("point " + std::to_string(i) + " of the record is not finite or runs back");
+  const auto& errors = problem.errors;
+  if (!(errors.force >= 0 && errors.bending_stiffness >= 0 && errors.contact >= 0))
+    throw std::invalid_argument("measurement errors must not be negative");
+  constexpr double most_error = 0.3;  // of EI: beyond it the fit would be that of another specimen
+  if (errors.bending_stiffness > most_error)
+    throw std::invalid_argument("the bending stiffness must be known to 30 %, not " +
+                                std::to_string(errors.bending_stiffness));
 }
 
 }  // namespace
@@ -576,12 +595,13 @@ std::string_view name_of(ProfileModel model) {
   return "";
 }
 
-FrictionFit fit_friction(const FitProblem& given, const FitOptions& options) {
-  if (!(given.rig.stiffness > 0))
-    throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(given.rig.stiffness));
+FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
+  if (!(whole.rig.stiffness > 0))
+    throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(whole.rig.stiffness));
+  require_faultless(whole);
   if (options.models.empty()) throw std::invalid_argument("no friction model to fit");
   constexpr double measurable_from = 0.05;
-  const FitProblem problem{usable_part(given.record), given.rig, given.errors};
+  const FitProblem problem{usable_part(whole.record), whole.rig, whole.errors};
   const auto profile = measure_friction(problem.record, problem.rig, problem.errors, measurable_from);
   FrictionFit result{};
   if (profile.points.size() < 20) {
@@ -589,7 +609,7 @@ FrictionFit fit_friction(const FitProblem& given, const FitOptions& options) {
     return result;
   }
   const Fitter fitter(problem, profile);
-  result.S_middle = fitter.S_middle();
+  result.S_middle = fitter.middle_length();
   const double prior = std::max(problem.errors.bending_stiffness, 1e-9);
   const auto asked = [&](ProfileModel model) {
     return std::find(options.models.begin(), options.models.end(), model) != options.models.end();
@@ -625,7 +645,7 @@ FrictionFit fit_friction(const FitProblem& given, const FitOptions& options) {
         for (auto& point : rest)
           for (Index i = 0; i < current.layout.waves; ++i) {
             const Index at = current.layout.wave(i);
-            const double angle = pi * (point.S - fitter.S_middle()) / current.p[at + 2];
+            const double angle = pi * (point.S - fitter.middle_length()) / current.p[at + 2];
             point.mu -= current.p[at] * std::cos(angle) + current.p[at + 1] * std::sin(angle);
           }
         auto next = best_wave(current, scan_wavelengths(rest, scan), 2);

@@ -87,13 +87,13 @@ struct FrictionFit {
   WavelengthScan scan;           // of the profile; runner-up wavelengths among its candidates
 };
 
-// Domain:     a record without faults, stage rising; rig.stiffness > 0; errors >= 0; std::invalid_argument otherwise.
+// Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
 // Fails:      too_few_points. Deflections beyond 0.8 are left out.
 // Method:     the constant by least squares in F at the measured deflections, bending stiffness nominal (its error is carried
 //             into the interval: a constant would bend the stiffness to suit the roughness). The others: wavelengths from
 //             scan_wavelengths, each refined on F(w_s) by Levenberg-Marquardt from several starts, with a loss that first caps the
 //             residuals, because they jump where a drop shifts past a point; then searches along the axes of the error ellipsoid.
 // Cost:       less than 0.1 s for 300 points.
-FrictionFit fit_friction(const FitProblem& problem, const FitOptions& options = {});
+FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options = {});
 
 }  // namespace flexslip

@@ -16,16 +16,16 @@ class SlidingMap {
   // Cost:       1 ms.
   SlidingMap(double S_max, double S_step, double mu_max);
 
-  std::span<const double> S() const { return S_; }   // [L] 1 + (i step)^2
-  double sigma_step() const { return sigma_step_; }  // [√L] the step in √(S - 1)
-  double mu_max() const { return mu_max_; }          // [1]
+  std::span<const double> lengths() const { return S_; }  // [L] 1 + (i step)^2
+  double sigma_step() const { return sigma_step_; }       // [√L] the step in √(S - 1)
+  double mu_max() const { return mu_max_; }               // [1]
 
   struct Curve {
     std::vector<double> w;  // [L]
     std::vector<double> F;  // [EI/L^2]
   };
 
-  // The sliding curve of a friction profile given at the lengths S(). Values outside [0, mu_max] count as the nearest bound.
+  // The sliding curve of a friction profile given at those lengths. Values outside [0, mu_max] count as the nearest bound.
   Curve curve(std::span<const double> mu) const;
 
   // Its slopes with respect to friction, at fixed length.
@@ -37,7 +37,7 @@ class SlidingMap {
   double mu_max_;
   double sigma_step_;
   std::vector<double> S_;
-  std::vector<double> w_, F_;  // coefficients: degree + 1 rows of S().size()
+  std::vector<double> w_, F_;  // coefficients: degree + 1 rows of a coefficient for each length
 };
 
 // A test in which the stage only advances, on a curve given at a ladder of lengths.

@@ -65,10 +65,11 @@ Columns whitened(const Columns& columns, const Filter& filter) {
 
 }  // namespace
 
-WavelengthScan scan_wavelengths(std::span<const ProfilePoint> given, const ScanOptions& options) {
-  if (given.size() < 20)
-    throw std::invalid_argument("a scan for wavelengths needs at least 20 points, not " + std::to_string(given.size()));
-  std::vector<ProfilePoint> points(given.begin(), given.end());
+WavelengthScan scan_wavelengths(std::span<const ProfilePoint> unsorted, const ScanOptions& options) {
+  if (unsorted.size() < 20)
+    throw std::invalid_argument("a scan for wavelengths needs at least 20 points, not " +
+                                std::to_string(unsorted.size()));
+  std::vector<ProfilePoint> points(unsorted.begin(), unsorted.end());
   std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.S < b.S; });
   const auto n = static_cast<Eigen::Index>(points.size());
   const double S_first = points.front().S;
@@ -76,9 +77,10 @@ WavelengthScan scan_wavelengths(std::span<const ProfilePoint> given, const ScanO
   const double length = 0.5 * (S_last - S_first);  // along the fibre
 
   WavelengthScan scan{.S_reference = 0.5 * (S_first + S_last), .wavelengths = {}, .gains = {}, .candidates = {}};
-  for (double frequency = options.periods / length; frequency < 1 / options.least_wavelength;
-       frequency += 1 / (8 * length))
-    scan.wavelengths.push_back(1 / frequency);
+  const double frequency_step = 1 / (8 * length);
+  const double lowest = options.periods / length;
+  for (int i = 0; lowest + i * frequency_step < 1 / options.least_wavelength; ++i)
+    scan.wavelengths.push_back(1 / (lowest + i * frequency_step));
   const auto waves = static_cast<Eigen::Index>(scan.wavelengths.size());
   if (waves == 0) return scan;
 
@@ -123,6 +125,7 @@ WavelengthScan scan_wavelengths(std::span<const ProfilePoint> given, const ScanO
   const auto observations = static_cast<double>(n);
   double deviation = median([&] {
     std::vector<double> errors;
+    errors.reserve(points.size());
     for (const auto& point : points) errors.push_back(std::max(point.from_force, 1e-6) / std::abs(point.mu_force));
     return errors;
   }());

@@ -36,6 +36,6 @@ struct ScanOptions {
 // Domain:     at least 20 points; std::invalid_argument otherwise.
 // Method:     generalised least squares; frequencies an eighth of the resolution apart.
 // Cost:       10 ms for 250 points and 250 wavelengths.
-WavelengthScan scan_wavelengths(std::span<const ProfilePoint> points, const ScanOptions& options);
+WavelengthScan scan_wavelengths(std::span<const ProfilePoint> unsorted, const ScanOptions& options);
 
 }  // namespace flexslip

@@ -58,6 +58,12 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Case& input) {
   const auto* known = std::get_if<Known>(&estimate);
   if (!known) return std::nullopt;
   const bool has_error = known->uncertainty > 0;
+  constexpr double most_error = 0.3;  // beyond it the fit would be that of another specimen
+  if (known->uncertainty > most_error * known->value)
+    throw wrong_value(input, modulus ? "specimen.modulus" : "specimen.bending_stiffness",
+                      "an uncertainty of at most 30 % of the value",
+                      fmt::format("{:.0f} %", 100 * known->uncertainty / known->value),
+                      "write \"fit\" to have it found from the initial slope");
   BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : usual_stiffness_error,
                             has_error ? StiffnessSource::stated : StiffnessSource::assumed_error};
   if (modulus) {
@@ -83,6 +89,11 @@ void require_slender(const Case& input) {
 }
 
 Friction friction_from(const Case& input, const WavyFriction& wavy, const Scales& scales, double S_max) {
+  constexpr double most_friction = 20;  // what the mechanics covers
+  double most = wavy.mu0;
+  for (const auto& wave : wavy.waves) most += wavy.mu0 * wave.amplitude;
+  if (most > most_friction)
+    throw wrong_value(input, "friction.mu0", "friction of at most 20, its waves included", fmt::format("{:g}", most));
   FrictionWaves waves{wavy.mu0, wavy.drift * scales.span(), {}};
   for (std::size_t i = 0; i < wavy.waves.size(); ++i) {
     const WaveInput& wave = wavy.waves[i];

@@ -25,7 +25,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 Friction friction_of_fig_8() { return Friction::sinusoid(0.6, 0.4, 0.02 * std::numbers::pi, 0); }
 constexpr Rig rig_of_fig_8{30};
 
-doctest::Approx to(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
+doctest::Approx to(double epsilon, double value) { return doctest::Approx(value).scale(0).epsilon(epsilon); }
 
 std::string message_of(const std::function<void()>& call) {
   try {

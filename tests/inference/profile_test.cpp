@@ -23,7 +23,7 @@ TEST_CASE("identity: the profile of a loading without noise is the friction it w
   CHECK(profile.unexplained.empty());
   for (const auto& point : profile.points)
     // The inverse loses the digits that the force does not carry: ulp(F)/(dF/dμ), below 1e-12 from w = 0.02 on.
-    CHECK(point.mu == doctest::Approx(toothed().at(point.S).mu).epsilon(1e-11));
+    CHECK(point.mu == doctest::Approx(toothed().at(point.S).mu).scale(0).epsilon(1e-11));
 }
 
 TEST_CASE(
@@ -39,10 +39,11 @@ TEST_CASE(
     const auto mu = [](double deflection, double force) { return fibre_state_from_force(deflection, force).q; };
     // one-sided differences: their truncation is of the relative order of the change itself, 1e-5 times a curvature of order 1/w
     const double tolerance = 1e-3;
-    CHECK(point.from_force == doctest::Approx(std::abs(mu(w - 1e-5 / k, F + 1e-5) - point.mu)).epsilon(tolerance));
+    CHECK(point.from_force ==
+          doctest::Approx(std::abs(mu(w - 1e-5 / k, F + 1e-5) - point.mu)).scale(0).epsilon(tolerance));
     CHECK(point.from_bending_stiffness ==
-          doctest::Approx(std::abs(mu(w, F / (1 + 1e-5)) - point.mu)).epsilon(tolerance));
-    CHECK(point.from_contact == doctest::Approx(std::abs(mu(w + 1e-7, F) - point.mu)).epsilon(tolerance));
+          doctest::Approx(std::abs(mu(w, F / (1 + 1e-5)) - point.mu)).scale(0).epsilon(tolerance));
+    CHECK(point.from_contact == doctest::Approx(std::abs(mu(w + 1e-7, F) - point.mu)).scale(0).epsilon(tolerance));
   }
 }
 
@@ -55,7 +56,7 @@ TEST_CASE("identity: slips of a periodic roughness are one wavelength apart alon
   const auto slips = slips_of(profile, drops);
   REQUIRE(slips.size() >= 5);
   // A stage step advances the slip by about a micron: the fold is known to that.
-  CHECK(summarise(slips).median_spacing == doctest::Approx(lambda).epsilon(0.1));
+  CHECK(summarise(slips).median_spacing == doctest::Approx(lambda).scale(0).epsilon(0.1));
   CHECK(summarise(slips).median_fall > 0);
   CHECK(summarise(slips).median_fall < 2 * 0.3 * 0.6);
 }
@@ -82,7 +83,6 @@ TEST_CASE("limit: a curve above the limit of friction is suspect, one below is n
     const auto report = find_suspects(record, profile, 1.0);
     CHECK(report.suspect == (mu > 1));
     CHECK(report.points.empty() == (mu < 1));
-    CHECK(report.beyond_error <= report.points.size());
     CHECK(report.above_euler_bernoulli > 0);  // in the model itself F exceeds 48 w
   }
 }

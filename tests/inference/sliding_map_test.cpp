@@ -15,14 +15,15 @@ TEST_CASE("oracle: w and F of the map agree with the exact states to 1e-6, slope
   for (const double S_max : {1.05, 1.5, 2.1}) {
     const SlidingMap map(S_max, 0.004, 2.0);
     for (const double mu : {0.0, 0.013, 0.4, 1.0, 1.7, 2.0}) {
-      const auto curve = map.curve(std::vector<double>(map.S().size(), mu));
-      const auto slopes = map.slopes(std::vector<double>(map.S().size(), mu));
-      for (std::size_t i = 1; i < map.S().size(); ++i) {
-        const auto [state, exact] = fibre_state_slopes(map.S()[i], mu);
+      const auto curve = map.curve(std::vector<double>(map.lengths().size(), mu));
+      const auto slopes = map.slopes(std::vector<double>(map.lengths().size(), mu));
+      for (std::size_t i = 1; i < map.lengths().size(); ++i) {
+        const auto [state, exact] = fibre_state_slopes(map.lengths()[i], mu);
         REQUIRE(state.status == FibreStatus::ok);
         const double scale = state.F / (1 + state.F);  // F -> 0 at the end of the branch: absolute there
         CHECK(std::abs(curve.w[i] - state.w) <= 1e-6 * state.w);
-        CHECK(std::abs(curve.F[i] - state.F) <= 1e-6 * (1 + state.F) * std::max(scale, std::sqrt(map.S()[i] - 1)));
+        CHECK(std::abs(curve.F[i] - state.F) <=
+              1e-6 * (1 + state.F) * std::max(scale, std::sqrt(map.lengths()[i] - 1)));
         CHECK(std::abs(slopes.F[i] - exact.F_q) <= 1e-3 * exact.F_q);
       }
     }
@@ -37,7 +38,7 @@ TEST_CASE("oracle: the measured curve on the ladder is that of the exact folds, 
   const auto exact = load_in_steps(friction, {k}, stages);
   const SlidingMap map(1.6, 2 * 0.008 / 20, 2.0);
   std::vector<double> mu;
-  for (const double S : map.S()) mu.push_back(friction.at(S).mu);
+  for (const double S : map.lengths()) mu.push_back(friction.at(S).mu);
   const auto curve = map.curve(mu);
   const auto measured = measured_curve(curve.w, curve.F, 1 / k, stages);
   // 60/n^4 of a tooth's height in F, about 1, with n = 20 lengths a period

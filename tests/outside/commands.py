@@ -7,7 +7,7 @@ import unittest
 
 from program import PROGRAM, SOURCE, InFolder, numbers, run, table
 
-# MODEL 7, Fig. 8B: mu = 0.6 (1 + 0.4 cos(S/0.02)), k = 30; so wavelength = 0.02 pi.
+# the paper, Fig. 8B: mu = 0.6 (1 + 0.4 cos(S/0.02)), k = 30; so wavelength = 0.02 pi.
 FIG_8B = f"""reduced = true
 [rig]
 stiffness = 30
@@ -23,7 +23,7 @@ step = "continuous"
 # The folds at which it snaps in loading, (S, w_s), to the six digits that are known.
 FOLDS_8B = [(1.14852, 0.588456), (1.26252, 0.698273), (1.38547, 0.754599)]
 FRICTIONLESS = 'reduced = true\n[friction]\nmodel = "constant"\nmu0 = 0\n'
-PEAK = (0.238188798912727, 6.67180843438173)  # MODEL 2: w and F of the frictionless maximum of the force
+PEAK = (0.238188798912727, 6.67180843438173)  # w and F of the frictionless maximum of the force
 GAUSS = 0.834626841674073  # w where the force of the frictionless fibre vanishes: Gauss's constant
 SIX_DIGITS = 5e-7
 FIFTEEN_DIGITS = 1e-14  # the reference's own digits
