@@ -38,7 +38,8 @@ struct TestDescription {
   std::optional<double>
       bending_stiffness_error{};  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says
   std::optional<std::size_t> points_before_failure{};  // not given: found
-  double contact = 0;  // [m] stage position of the contact, taken off stage and deflection
+  std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: as found
+  double contact = 0;                     // [m] stage position of the contact, taken off stage and deflection
 };
 
 struct AnalysisOptions {
@@ -79,6 +80,8 @@ struct TestAnalysis {
   Rig rig;
   double bending_stiffness_error;  // [1] as used
   bool stiffness_from_slope;
+  double stiffness_over_slope;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
+  bool stiffness_implausible;   // they differ by more than 40 %: a wrong modulus, section, span or unit
   Failure failure;
   Contact contact;  // found; applied only if the description says so
   Record record;    // up to failure, contact taken off

@@ -289,6 +289,8 @@ Json fit_json(const FittedTest& test) {
               {"model", chosen ? Json(name_of(chosen->model)) : Json()},
               {"category", name_of(analysis.category)},
               {"suspect", analysis.suspects.suspect},
+              {"stiffness_over_initial_slope", analysis.stiffness_over_slope},
+              {"stiffness_implausible", analysis.stiffness_implausible},
               {"parameters", parameters},
               {"residual_rms", chosen ? Json(units.force(chosen->residual_rms)) : Json()},
               {"criteria", criteria}};

@@ -186,6 +186,13 @@ std::string answer_of(const FittedTest& test) {
   const auto& mu0 = chosen_model(test).mu0;
   std::string answer =
       fmt::format("{}: {}. Friction at the supports is {}", sawtooth(), drops_in_words(test), friction_in_words(mu0));
+  if (analysis.stiffness_implausible)
+    return fmt::format(
+               "No answer to trust: the bending stiffness stated is {:.2g} times that of the record's initial slope. "
+               "Check the modulus, the "
+               "section, the span, the columns and the unit of the force. ",
+               analysis.stiffness_over_slope) +
+           answer + ", if it is right.";
   const double share = analysis.energy.friction_share;
   if (share > 0.005)
     answer += fmt::format("; it took {} of the work done on the specimen, which is no toughness", percent(share));
@@ -264,7 +271,7 @@ PrintedTable drop_table(const FittedTest& test) {
   const auto length = print.as(kind::length);
   const auto force = print.as(kind::force);
   NumberColumn stage{"Stage", {}, length}, before{"Force before", {}, force}, fall{"Fall", {}, force, 3},
-      drawn_in{"Drawn in", {}, length, 3}, mu_before{"μ before", {}, kind::number, 3},
+      drawn_in{"Drawn in, both sides", {}, length, 3}, mu_before{"μ before", {}, kind::number, 3},
       mu_after{"μ after", {}, kind::number, 3};
   std::vector<std::string> rows, significance, reading;
   auto slip = analysis.slips.begin();

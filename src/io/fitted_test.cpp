@@ -55,7 +55,8 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
                               .load_train_stiffness = input.rig->stiffness.value(),
                               .bending_stiffness = {},
                               .bending_stiffness_error = {},
-                              .points_before_failure = measurement.record.force.size()};
+                              .points_before_failure = measurement.record.force.size(),
+                              .contact_error = measurement.contact_error};
   if (states_stiffness(input)) {
     const auto stiffness = bending_stiffness_of(input);
     static_cast<void>(scales_of(input, stiffness));  // refuses what is no slender beam
