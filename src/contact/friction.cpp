@@ -96,9 +96,10 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   if (!(correlation_length > 0 && correlation_length < infinity))
     refuse("the correlation length of friction must be finite and > 0", correlation_length);
   if (!(S_max > 1 && S_max < infinity)) refuse("the end of a rough profile must be > 1", S_max);
-  constexpr int per_length = 8;
-  constexpr std::size_t reach = 4 * per_length;             // the kernel below is exp(-16) at four correlation lengths
-  const double step = 2 * correlation_length / per_length;  // S advances by twice the length along the fibre
+  constexpr std::size_t per_length = 8;
+  constexpr std::size_t reach = 4 * per_length;  // the kernel below is exp(-16) at four correlation lengths
+  const double step =
+      2 * correlation_length / static_cast<double>(per_length);  // S advances by twice the length along the fibre
   constexpr double most_knots = 1e6;
   if (!((S_max - 1) / step < most_knots))
     refuse("a rough profile has at most 1e6 knots: the correlation length is too short", correlation_length);
@@ -113,7 +114,7 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   std::vector<double> kernel(2 * reach + 1);
   double power = 0;
   for (std::size_t j = 0; j < kernel.size(); ++j) {
-    const double x = (static_cast<double>(j) - static_cast<double>(reach)) / per_length;
+    const double x = (static_cast<double>(j) - static_cast<double>(reach)) / static_cast<double>(per_length);
     kernel[j] = std::exp(-x * x);
     power += std::exp(-2 * x * x);
   }

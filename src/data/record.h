@@ -39,9 +39,9 @@ Record record_from_stage_and_deflection(std::span<const double> stage, std::span
 // The first points of a record: with find_failure, the part before the specimen broke.
 Record first_points(const Record& record, std::size_t points);
 
-// The means of successive points, `count` of them each; a rest of fewer at the end is left out.
+// Every count-th point, the first one among them. (Means would smear the drops.)
 // Domain: count >= 1; std::invalid_argument otherwise.
-Record averaged(const Record& record, std::size_t count);
+Record every_so_many(const Record& record, std::size_t count);
 
 enum class RecordFault {
   none,

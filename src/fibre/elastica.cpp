@@ -235,6 +235,7 @@ FibreSlopes slopes_at(double S, double q, double u) {
   const double z_beta = half.z.d + z_u * u_beta;
   const double sin_b_beta = half.sin_b.d + sin_b_u * u_beta;
   const double V_beta = half.V.d + V_u * u_beta;
+  const double theta0_beta = 2 * (half.x.d * half.y.v - half.x.v * half.y.d) + bend * u_beta;  // θ0 = 2 atan2(x, y)
   return {.w_S = (z_u * u_S - z / a * a_S) / (2 * a),
           .w_q = beta_q * (z_beta - z / a * a_beta) / (2 * a),
           .F_S = 8 * a * (2 * a_S * sin_b + a * sin_b_u * u_S),
@@ -242,7 +243,9 @@ FibreSlopes slopes_at(double S, double q, double u) {
           .Pn_S = 8 * a * s0 * a_S,
           .Pn_q = beta_q * 4 * a * (2 * a_beta * s0 + a * c0),
           .U_S = 2 * s0 * s0 * (a_S * half.V.v + a * V_u * u_S),
-          .U_q = beta_q * 2 * s0 * (a_beta * s0 * half.V.v + a * (2 * c0 * half.V.v + s0 * V_beta))};
+          .U_q = beta_q * 2 * s0 * (a_beta * s0 * half.V.v + a * (2 * c0 * half.V.v + s0 * V_beta)),
+          .theta0_S = bend * u_S,
+          .theta0_q = beta_q * theta0_beta};
 }
 
 }  // namespace
@@ -251,7 +254,7 @@ FibreStateSlopes fibre_state_slopes(double S, double q) {
   const FibreState state = fibre_state(S, q);
   if (state.status != FibreStatus::ok || S == 1) {
     constexpr double nan = not_a_number;
-    return {state, {nan, nan, nan, nan, nan, nan, nan, nan}};
+    return {state, {nan, nan, nan, nan, nan, nan, nan, nan, nan, nan}};
   }
   return {state, slopes_at(S, q, state.u)};
 }
@@ -261,7 +264,8 @@ FibreState fibre_state_from_force(double w, double F) {
     throw std::invalid_argument("deflection w = " + std::to_string(w) + " is not in [0, inf)");
   if (!(F >= 0 && F < infinity)) throw std::invalid_argument("force F = " + std::to_string(F) + " is not in [0, inf)");
   if (w == 0 && F == 0) return straight(0);
-  if (w == 0) return no_state(FibreStatus::no_friction, not_a_number, not_a_number, w, F);
+  constexpr double least_w = 1e-8;  // below it S rounds to 1
+  if (w < least_w) return no_state(FibreStatus::no_friction, not_a_number, not_a_number, w, F);
 
   // Along w = const the force rises strictly with q (the Jacobian of Ψ is positive): a bracketed Newton iteration in q,
   // carrying u along. To begin with, F = 48 w (1 + 2.1 q w - 7 w^2), a fit up to w = 0.3. The bracket is a little wider than the domain, so
@@ -296,7 +300,7 @@ FibreState fibre_state_from_force(double w, double F) {
     q = std::clamp(q, -largest_q, largest_q);
     const ForceLine line = force_line(q);
     const auto [exists, phase, half] = solve_phase<Deflection>(w, u, line);
-    if (exists) return assemble(phase / (phase - half.gap), q, phase, line, half);
+    if (exists && phase > half.gap) return assemble(phase / (phase - half.gap), q, phase, line, half);
   }
   return no_state(FibreStatus::no_friction, not_a_number, not_a_number, w, F);
 }

@@ -27,7 +27,7 @@ struct FibreState {
 
 // Partial derivatives of a state with respect to S at fixed q, and to q at fixed S. Units as those of the state.
 struct FibreSlopes {
-  double w_S, w_q, F_S, F_q, Pn_S, Pn_q, U_S, U_q;
+  double w_S, w_q, F_S, F_q, Pn_S, Pn_q, U_S, U_q, theta0_S, theta0_q;
 };
 
 struct FibreStateSlopes {
@@ -53,7 +53,7 @@ FibreStateSlopes fibre_state_slopes(double S, double q);
 // The inverse of Ψ: the state with deflection w and force F.
 // Domain:     w >= 0 and F >= 0, finite; std::invalid_argument otherwise. w = F = 0 is the straight fibre, with q = 0.
 // Tolerance:  w is reproduced to 32 S ulp, F to that times its condition number; S and q as well as w and F determine them (q hardly, below w = 0.1).
-// Fails:      no_friction.
+// Fails:      no_friction; also for 0 < w < 1e-8, where S rounds to 1.
 // Method:     Newton's iteration in (u, β0), guarded by bisection in q along w = const.
 // Cost:       about 2 µs.
 FibreState fibre_state_from_force(double w, double F);

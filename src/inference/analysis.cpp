@@ -166,6 +166,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .bending_stiffness_error = description.bending_stiffness_error.value_or(usual_error),
                         .stiffness_from_slope = from_slope,
                         .stiffness_over_slope = ratio,
+                        .model_implausible = false,
                         .stiffness_implausible = ratio > most_ratio || ratio < 1 / most_ratio,
                         .failure = failure,
                         .contact = contact,
@@ -209,6 +210,13 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
     analysis.status = AnalysisStatus::too_few_points;
     return analysis;
   }
+  const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
+  const auto judged = [&](std::size_t index) { return analysis.reduced.deflection[index] > 0.1; };
+  std::size_t negative = 0;
+  for (const auto& point : analysis.profile.points) negative += judged(point.index) && point.mu < -0.1;
+  for (const auto index : analysis.profile.unexplained) negative += judged(index);
+  analysis.model_implausible = analysis.fit.models[analysis.fit.chosen].residual_rms > 0.1 * greatest ||
+                               5 * negative > analysis.suspects.points_judged;
   analysis.replay = replay_of(analysis);
   analysis.energy = measured_energy(analysis);
 

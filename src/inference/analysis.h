@@ -81,7 +81,10 @@ struct TestAnalysis {
   double bending_stiffness_error;  // [1] as used
   bool stiffness_from_slope;
   double stiffness_over_slope;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
-  bool stiffness_implausible;   // they differ by more than 40 %: a wrong modulus, section, span or unit
+  bool
+      model_implausible;  // the chosen model misses the record by more than a tenth of its greatest force, or a fifth of
+                          // the points past the deflection 0.1 need friction below -0.1 or beyond 20
+  bool stiffness_implausible;  // they differ by more than 40 %: a wrong modulus, section, span or unit
   Failure failure;
   Contact contact;  // found; applied only if the description says so
   Record record;    // up to failure, contact taken off

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -166,6 +167,15 @@ class Fitter {
       if (!(before - cost > worthwhile)) break;
     }
     return refined(solution.layout, solution.p, infinity, 1);
+  }
+
+  // The force of a model at stage positions other than those fitted.
+  std::vector<double> force_at(const Layout& layout, const VectorXd& p, std::span<const double> stages) const {
+    const auto curve = map_.curve(friction_on_map(layout, p));
+    const double stiffening = 1 + p[layout.stiffness()];
+    auto force = measured_curve(curve.w, curve.F, stiffening / problem_.rig.stiffness, stages).F;
+    for (auto& value : force) value *= stiffening;
+    return force;
   }
 
   VectorXd model_force(const Layout& layout, const VectorXd& p) const { return evaluate(layout, p, false).force; }
@@ -369,7 +379,9 @@ class Fitter {
     bool converged = false;
     for (int round = 0; round < rounds; ++round) {
       const Noise noise = noise_of(force_ - model_force(layout, p), layout.size());
-      const auto descent = descend(layout, p, noise, round == 0 ? cap : infinity);
+      double round_cap = infinity;
+      if (round == 0) round_cap = cap;
+      const auto descent = descend(layout, p, noise, round_cap);
       p = descent.p;
       converged = descent.converged;
     }
@@ -470,11 +482,12 @@ ModelFit describe(ProfileModel model, const Fitter& fitter, const Fitter::Soluti
          .phase_at_middle = estimate(phase_at_middle, error(of_phase))});
     fit.friction.terms.push_back({height / p[0], wavelength, fit.waves.back().phase.value});
   }
-  const VectorXd force = fitter.model_force(layout, p);
-  fit.force.assign(force.begin(), force.end());
-  const auto n = static_cast<double>(force.size());
-  const VectorXd residuals = Eigen::Map<const VectorXd>(problem.record.force.data(), force.size()) - force;
-  fit.residual_rms = std::sqrt(residuals.squaredNorm() / n);
+  fit.force = fitter.force_at(layout, p, problem.record.stage);
+  double sum = 0;
+  for (std::size_t i = 0; i < fit.force.size(); ++i)
+    sum += (fit.force[i] - problem.record.force[i]) * (fit.force[i] - problem.record.force[i]);
+  fit.residual_rms = std::sqrt(sum / static_cast<double>(fit.force.size()));
+  const auto n = static_cast<double>(fitter.observations());
   fit.correlation = noise.rho;
   fit.innovation = std::sqrt(noise.variance);
   fit.effective_points = n * (1 - noise.rho) / (1 + noise.rho);
@@ -497,6 +510,7 @@ ConstantFit fit_constant(const ReducedRecord& record, double stiffening, const S
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return record.deflection[a] < record.deflection[b]; });
   std::vector<double> w;
+  w.reserve(order.size());
   for (const auto i : order) w.push_back(record.deflection[i]);
   const auto n = static_cast<Index>(w.size());
   const auto force_at = [&](double mu) {
@@ -562,6 +576,19 @@ ReducedRecord usable_part(const ReducedRecord& record) {
   return part;
 }
 
+// Every so many points of a record, so that it has at most 600: the number for which starts and searches are made.
+ReducedRecord thinned(const ReducedRecord& record) {
+  constexpr std::size_t most_points = 600;
+  const std::size_t every = (record.stage.size() + most_points - 1) / most_points;
+  ReducedRecord part;
+  for (std::size_t i = 0; i < record.stage.size(); i += every) {
+    part.stage.push_back(record.stage[i]);
+    part.deflection.push_back(record.deflection[i]);
+    part.force.push_back(record.force[i]);
+  }
+  return part;
+}
+
 void require_faultless(const FitProblem& problem) {
   const auto& [stage, deflection, force] = problem.record;
   if (stage.size() != force.size() || deflection.size() != force.size())
@@ -601,7 +628,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   require_faultless(whole);
   if (options.models.empty()) throw std::invalid_argument("no friction model to fit");
   constexpr double measurable_from = 0.05;
-  const FitProblem problem{usable_part(whole.record), whole.rig, whole.errors};
+  const FitProblem usable{usable_part(whole.record), whole.rig, whole.errors};
+  const FitProblem problem{thinned(usable.record), whole.rig, whole.errors};
   const auto profile = measure_friction(problem.record, problem.rig, problem.errors, measurable_from);
   FrictionFit result{};
   if (profile.points.size() < 20) {
@@ -662,17 +690,17 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   for (const auto model : options.models) {
     switch (model) {
       case ProfileModel::constant:
-        result.models.push_back(describe(model, fitter, fitter.fit_mean(false), problem));
-        estimate_constant(result.models.back(), problem);
+        result.models.push_back(describe(model, fitter, fitter.fit_mean(false), usable));
+        estimate_constant(result.models.back(), usable);
         break;
       case ProfileModel::drift:
-        result.models.push_back(describe(model, fitter, drifting, problem));
+        result.models.push_back(describe(model, fitter, drifting, usable));
         break;
       case ProfileModel::sinusoid:
       case ProfileModel::sinusoids: {
         const auto& solution = model == ProfileModel::sinusoid ? one : many;
         if (solution) {
-          result.models.push_back(describe(model, fitter, *solution, problem));
+          result.models.push_back(describe(model, fitter, *solution, usable));
         } else {
           ModelFit missing{};
           missing.model = model;

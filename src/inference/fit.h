@@ -88,7 +88,7 @@ struct FrictionFit {
 };
 
 // Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
-// Fails:      too_few_points. Deflections beyond 0.8 are left out.
+// Fails:      too_few_points. Deflections beyond 0.8 are left out; of more than 600 points every so many are fitted.
 // Method:     the constant by least squares in F at the measured deflections, bending stiffness nominal (its error is carried
 //             into the interval: a constant would bend the stiffness to suit the roughness). The others: wavelengths from
 //             scan_wavelengths, each refined on F(w_s) by Levenberg-Marquardt from several starts, with a loss that first caps the

@@ -290,6 +290,7 @@ Json fit_json(const FittedTest& test) {
               {"category", name_of(analysis.category)},
               {"suspect", analysis.suspects.suspect},
               {"stiffness_over_initial_slope", analysis.stiffness_over_slope},
+              {"model_implausible", analysis.model_implausible},
               {"stiffness_implausible", analysis.stiffness_implausible},
               {"parameters", parameters},
               {"residual_rms", chosen ? Json(units.force(chosen->residual_rms)) : Json()},

@@ -193,6 +193,10 @@ std::string answer_of(const FittedTest& test) {
                "section, the span, the columns and the unit of the force. ",
                analysis.stiffness_over_slope) +
            answer + ", if it is right.";
+  if (analysis.model_implausible)
+    return "No answer to trust: no sliding with friction gives this record. Check the columns, their units, the span "
+           "and the section. " +
+           answer + ", if it is right.";
   const double share = analysis.energy.friction_share;
   if (share > 0.005)
     answer += fmt::format("; it took {} of the work done on the specimen, which is no toughness", percent(share));
@@ -484,9 +488,8 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
                     "not corrected.",
                     readable(analysis.contact.offset, analysis.contact.offset_error, print.as(kind::length))));
   if (measurement.rows_per_point > 1)
-    list.push_back(fmt::format(
-        "The file has {} rows; each {} of them are averaged into one point, and rows below are the first of theirs.",
-        measurement.rows, measurement.rows_per_point));
+    list.push_back(fmt::format("The file has {0} rows, of which every {1}th is used.", measurement.rows,
+                               measurement.rows_per_point));
   const std::size_t last = measurement.first + measurement.record.force.size() * measurement.rows_per_point;
   switch (measurement.end) {
     case MeasurementEnd::until:

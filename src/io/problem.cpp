@@ -211,7 +211,7 @@ Measurement read_measurement(const Case& input, std::size_t least_points) {
   require_finite(readings);
   const std::size_t rows = readings.table.rows();
   const std::size_t rows_per_point = (rows + most_record_points - 1) / most_record_points;
-  const Record all = averaged(readings.record, rows_per_point);
+  const Record all = every_so_many(readings.record, rows_per_point);
   Measurement result{.file = readings.table.source,
                      .rows = rows,
                      .rows_per_point = rows_per_point,

@@ -17,7 +17,7 @@
 
 namespace flexslip {
 
-// Records of more rows are averaged: a test has a few hundred features, and ten million readings of them.
+// Of records of more rows every so many are used: a test has a few hundred features, whatever the readings of them.
 inline constexpr std::size_t most_record_points = 2000;
 
 enum class MeasurementEnd { last_row, until, failure };
@@ -31,7 +31,7 @@ enum class ContactSource {
 struct Measurement {
   std::string file;
   std::size_t rows;            // of the file
-  std::size_t rows_per_point;  // averaged into one point of the record; 1 up to most_record_points rows
+  std::size_t rows_per_point;  // from one point of the record to the next; 1 up to most_record_points rows
   std::size_t first;           // row of the file, counted from 0, of the first point of the record
   Record record;               // stage and deflection counted from the contact
   MeasurementEnd end;          // what ends the record

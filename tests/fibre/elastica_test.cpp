@@ -158,6 +158,7 @@ Worsts measured_states() {
     };
     slopes_of("w", slopes.w_S, row.w_S, slopes.w_q, row.w_q, row.w.hi, 1);
     slopes_of("Pn", slopes.Pn_S, row.Pn_S, slopes.Pn_q, row.Pn_q, row.Pn.hi, 1);
+    slopes_of("theta0", slopes.theta0_S, row.theta0_S, slopes.theta0_q, row.theta0_q, row.theta0.hi, 1);
     slopes_of("U", slopes.U_S, row.U_S, slopes.U_q, row.U_q, row.U.hi, 1);
     slopes_of("F", slopes.F_S, row.F_S, slopes.F_q, row.F_q, row.F.hi, condition);
   }
@@ -176,7 +177,8 @@ TEST_CASE("elastica: states keep the errors promised in the header (table)") {
   check("theta0", 4e-15);
   check("U", 8e-15);
   check("F / condition", 8e-15);
-  for (const char* slope : {"w_S", "w_q", "F_S", "F_q", "Pn_S", "Pn_q", "U_S", "U_q"}) check(slope, 1e-14);
+  for (const char* slope : {"w_S", "w_q", "F_S", "F_q", "Pn_S", "Pn_q", "U_S", "U_q", "theta0_S", "theta0_q"})
+    check(slope, 1e-14);
 }
 
 TEST_CASE("elastica: the errors promised hold everywhere (oracle: AGM ladder in 50 digits)") {
