@@ -70,6 +70,13 @@ CurveWork work_between(const LoadingCurve& curve, double S_from, double S_to) {
   return work;
 }
 
+// A rig so soft that the fibre bends by less than a millionth of its span loses the digits of S - 1.
+void require_bending(const Rig& rig, double stage_max) {
+  if (!(stage_max / (1 + 48 / rig.stiffness) >= 1e-6))
+    throw std::invalid_argument("the rig is too soft, or moved too little, to bend the fibre: its stiffness is " +
+                                std::to_string(rig.stiffness) + " EI/L^3");
+}
+
 // Follows the stable parts of a traced curve.
 class Loading {
  public:
@@ -147,6 +154,7 @@ History load_in_steps(const Friction& friction, const Rig& rig, std::span<const 
     previous = stages[i];
   }
   if (!(previous > 0)) throw std::invalid_argument("the stage programme has no position above 0");
+  require_bending(rig, previous);
   Loading loading(friction, rig, previous);
   for (const double stage : stages)
     if (!loading.load_to(stage)) return loading.finish(HistoryStatus::slipped_through);
@@ -157,6 +165,7 @@ History load_continuously(const Friction& friction, const Rig& rig, double stage
   if (!(stage_max > 0))
     throw std::invalid_argument("the stage must move to a position above 0, not " + std::to_string(stage_max));
   if (n < 2) throw std::invalid_argument("a stable part needs at least 2 points, not " + std::to_string(n));
+  require_bending(rig, stage_max);
   Loading loading(friction, rig, stage_max);
   while (true) {
     const StablePart& part = loading.part();

@@ -254,10 +254,6 @@ RigPoint point_between(const LoadingCurve& curve, const RigPoint& from, const Ri
 LoadingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max) {
   if (!(rig.stiffness > 0))
     throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(rig.stiffness));
-  constexpr double softest = 1e-2;  // softer rigs hardly bend the fibre, and its S would round to 1
-  if (!(rig.stiffness >= softest))
-    throw std::invalid_argument("the rig is too soft to bend the fibre: its stiffness is " +
-                                std::to_string(rig.stiffness) + " EI/L^3, and the least is 0.01");
   if (!(S_max > 1 && S_max < infinity))
     throw std::invalid_argument("S_max must be above 1 and finite, not " + std::to_string(S_max));
   constexpr double finest = 1e-9;  // of a period, in spans: finer ones would be lost in the rounding of S

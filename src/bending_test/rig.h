@@ -45,7 +45,7 @@ struct LoadingCurve {
   CurveEnd end_reason;
 };
 
-// Domain:     rig.stiffness >= 0.01, S_max > 1; std::invalid_argument otherwise.
+// Domain:     rig.stiffness > 0, S_max > 1; std::invalid_argument otherwise.
 // Tolerance:  no fold is missed whose snap is longer than 1e-6 of the roughness's period, whatever the wavelength: G' is
 //             interpolated by Chebyshev polynomials of degree 8 on cells no longer than half the shortest period (and the
 //             pieces between the knots of a table), cells are halved until the interpolant is accurate to 1e-6 of the terms
