@@ -129,7 +129,7 @@ void test_with_25_snaps(benchmark::State& run) {
   const Friction friction = Friction::sinusoid(0.6, 0.2, 0.008, 0);
   std::vector<double> stages;
   for (int i = 1; i <= 300; ++i) stages.push_back(0.0018 * i);
-  for (auto _ : run) benchmark::DoNotOptimize(load_in_steps(friction, {80}, stages));
+  for (auto _ : run) benchmark::DoNotOptimize(follow_in_steps({friction, {80}}, stages));
 }
 BENCHMARK(test_with_25_snaps)->Unit(benchmark::kMillisecond);
 

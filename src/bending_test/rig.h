@@ -1,10 +1,11 @@
 // The fibre on a loading frame of finite stiffness: overall equilibria, their stability, and the folds where it snaps.
 //
-// Along the sliding curve q = μ(S) the frame asks for the stage position G(S) = w + F/k. At a given stage position every
-// root of G(S) = stage is an overall equilibrium; it is stable where G rises with S (4.31), and at a fold, G' = 0, the
-// fibre snaps. (The paper writes k G.)
+// Along a sliding curve, q = μ(S) drawn in or q = -μ(S) let out, the frame asks for the stage position G(S) = w + F/k. At a
+// given stage position every root of G(S) = stage is an overall equilibrium; it is stable where G rises with S (4.31), and at
+// a fold, G' = 0, the fibre snaps. (The paper writes k G.)
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bending_test/equilibrium.h"
@@ -16,7 +17,7 @@ struct Rig {
   double stiffness;  // [EI/L^3] of whatever carries the load cell; infinity for displacement control; > 0
 };
 
-// A point of the sliding curve with the stage position that holds it.
+// A point of a sliding curve with the stage position that holds it.
 struct RigPoint {
   double S;            // [L]
   double q;            // [1]
@@ -28,24 +29,28 @@ struct RigPoint {
 
 struct Fold {
   RigPoint point;
-  bool is_maximum;  // of G: where a loading fibre snaps; a minimum is where an unloading one would
+  bool is_maximum;  // of G: where a fibre drawn in snaps; a minimum is where one let out does
 };
 
 enum class CurveEnd {
-  at_S_max,
-  branch_ended,  // the force fell to zero: S_end is the end of the branch
+  reached,       // the length asked for
+  branch_ended,  // the force fell to zero: `end` is the last point with F >= 0
 };
 
-// The sliding curve of a test up to S_end, cut at its folds: between two of them G is strictly monotone.
-struct LoadingCurve {
+// A sliding curve from one length to another, on the way that the fibre slides, cut at its folds: between two of them G is
+// strictly monotone.
+struct SlidingCurve {
   Friction friction;
   Rig rig;
-  std::vector<Fold> folds;  // S rising; maxima and minima in turn, a maximum first
+  Sliding sliding;
+  RigPoint begin;
+  std::vector<Fold> folds;  // in the order of the way; maxima and minima in turn
   RigPoint end;
   CurveEnd end_reason;
 };
 
-// Domain:     rig.stiffness > 0, S_max > 1; std::invalid_argument otherwise.
+// The curve on which the fibre is drawn in, from S = 1 to S_max; and that on which it is let out, from S_from down to 1.
+// Domain:     rig.stiffness > 0, S_max > 1; S_from > 1, where a state with q = -μ exists; std::invalid_argument otherwise.
 // Tolerance:  no fold is missed whose snap is longer than 1e-6 of the roughness's period, whatever the wavelength: G' is
 //             interpolated by Chebyshev polynomials of degree 8 on cells no longer than half the shortest period (and the
 //             pieces between the knots of a table), cells are halved until the interpolant is accurate to 1e-6 of the terms
@@ -53,15 +58,16 @@ struct LoadingCurve {
 //             polished to the rounding of G'.
 // Fails:      std::invalid_argument if the roughness has more than 1e6 periods on this length, or periods below 1e-9 spans.
 // Cost:       about 30 µs for each period of the roughness.
-LoadingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max);
+SlidingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max);
+SlidingCurve trace_unloading_curve(const Friction& friction, const Rig& rig, double S_from);
 
 // A length that the fibre exceeds only at stage positions beyond `stage`: what to trace to find all equilibria at `stage`.
 // Domain:     stage >= 1e-6; std::invalid_argument otherwise. For q >= 0, as in loading.
 // Method:     w <= stage, and S - 1 <= 2.4 w^2, which is the limit of small deflection (tested for q in [0, 20]).
 double longest_at_stage(double stage);
 
-// Domain: 1 <= S <= curve.end.S.
-RigPoint point_at_length(const LoadingCurve& curve, double S);
+// Domain: S on the curve, from curve.begin to curve.end; std::invalid_argument otherwise. So for all that follows.
+RigPoint point_at_length(const SlidingCurve& curve, double S);
 
 enum class Stability {
   stable,
@@ -74,17 +80,32 @@ struct OverallEquilibrium {
   Stability stability;
 };
 
-// All overall equilibria at a stage position [L], S rising, within the curve traced (Fig. 8B).
+// All overall equilibria at a stage position [L], in the order of the way, within the curve traced (Fig. 8B).
 // Max error:  16 ulp in S, times the condition number of G(S) = stage.
-std::vector<OverallEquilibrium> overall_equilibria(const LoadingCurve& curve, double stage);
+std::vector<OverallEquilibrium> overall_equilibria(const SlidingCurve& curve, double stage);
 
-// The part of a curve that a slowly loaded test visits: the running maximum of G. Between parts the fibre snaps.
+// A part of a curve that a slowly moved test visits. On the way from one end to the other the stage only advances.
 struct StablePart {
-  RigPoint from, to;  // G rises strictly from one to the other; `to` of one part and `from` of the next have equal G
+  RigPoint from, to;
 };
-std::vector<StablePart> stable_parts(const LoadingCurve& curve);
 
-// The measured state at a stage position: the first S with G(S) >= stage. `part` must contain the stage position.
-RigPoint point_at_stage(const LoadingCurve& curve, const StablePart& part, double stage);
+// The stable part that begins at a point of the curve. It is empty, to = from, if the curve is not stable there.
+StablePart stable_part_from(const SlidingCurve& curve, const RigPoint& point);
+
+// The first point beyond a length at which the curve comes back to a stage position as a stable one: where a fibre that
+// snaps there comes to rest. None if the curve ends before.
+std::optional<RigPoint> landing_after(const SlidingCurve& curve, double S, double stage);
+
+// All stable parts of a curve from its begin, in loading the running maximum of G. Between parts the fibre snaps: `to` of one
+// and `from` of the next have equal G.
+std::vector<StablePart> stable_parts(const SlidingCurve& curve);
+
+// The state at a stage position that `part` contains. A guess of its length saves time, but changes nothing else.
+RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage);
+RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage, double S_guess);
+
+// The end of a stretch of the way from S towards S_to, over which friction and the elastica bend so little that polynomials in
+// √(S - 1) of low degree follow them: at most `scales` smooth scales of the friction (friction.h), and no knot inside.
+double end_of_stretch(const Friction& friction, double S, double S_to, double scales);
 
 }  // namespace flexslip

@@ -108,8 +108,9 @@ void run_simulate(const SimulateRequest& request) {
   std::vector<double> reduced_stages;
   reduced_stages.reserve(stages.size());
   for (const double stage : stages) reduced_stages.push_back(scales.reduced_length(stage));
-  const History history = input.stage->step ? load_in_steps(friction, rig, reduced_stages)
-                                            : load_continuously(friction, rig, farthest, request.points);
+  const History history = input.stage->step
+                              ? follow_in_steps({friction, rig}, reduced_stages)
+                              : follow_continuously({friction, rig}, input.stage->program, request.points);
 
   SimulatedTest test = physical_path(history, scales);
   // A stage in steps stands where it was asked to, without the rounding of there and back.

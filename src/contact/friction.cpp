@@ -130,14 +130,8 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
 }
 
 FrictionPoint Friction::at(double S) const {
-  if (const auto* waves = std::get_if<FrictionWaves>(&form_)) {
-    FrictionPoint point{waves->mu0 + waves->drift * (S - waves->S_reference), waves->drift};
-    for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
-      const double angle = wavenumbers_[i] * S + waves->terms[i].phase;  // (4.25)
-      const double height = waves->mu0 * waves->terms[i].amplitude;
-      point.mu += height * std::cos(angle);
-      point.slope -= height * wavenumbers_[i] * std::sin(angle);
-    }
+  if (std::holds_alternative<FrictionWaves>(form_)) {
+    const FrictionPoint point = sum_of_waves(S);
     return point.mu > 0 ? point : FrictionPoint{0, 0};
   }
   const auto& [x, y] = std::get<FrictionTable>(form_);
@@ -153,6 +147,25 @@ FrictionPoint Friction::at(double S) const {
   const double c2 = 3 * rise - 2 * d0 - d1;
   const double c3 = d0 + d1 - 2 * rise;
   return {std::max(y[i] + t * (d0 + t * (c2 + t * c3)), 0.0), (d0 + t * (2 * c2 + t * 3 * c3)) / h};
+}
+
+FrictionPoint Friction::sum_of_waves(double S) const {
+  const auto& waves = std::get<FrictionWaves>(form_);
+  FrictionPoint point{waves.mu0 + waves.drift * (S - waves.S_reference), waves.drift};
+  for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
+    const double angle = wavenumbers_[i] * S + waves.terms[i].phase;  // (4.25)
+    const double height = waves.mu0 * waves.terms[i].amplitude;
+    point.mu += height * std::cos(angle);
+    point.slope -= height * wavenumbers_[i] * std::sin(angle);
+  }
+  return point;
+}
+
+double Friction::unheld(double S) const { return may_be_held() ? sum_of_waves(S).mu : at(S).mu; }
+
+bool Friction::may_be_held() const {
+  const auto* waves = std::get_if<FrictionWaves>(&form_);
+  return waves && waves->drift != 0;
 }
 
 double Friction::smooth_scale() const {

@@ -57,6 +57,10 @@ class Friction {
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
   FrictionPoint at(double S) const;
 
+  // What μ would be, were it not held at zero: its zeros are the kinks of at(). Only a drift brings them about.
+  double unheld(double S) const;
+  bool may_be_held() const;
+
   // Lengths in S within which the profile is smooth and bends little: a quarter of the shortest period for waves
   // (infinite for constant friction, and infinite for tables, too, which are smooth between their knots).
   double smooth_scale() const;
@@ -67,6 +71,8 @@ class Friction {
  private:
   explicit Friction(FrictionWaves waves);
   explicit Friction(FrictionTable table);
+
+  FrictionPoint sum_of_waves(double S) const;
 
   std::variant<FrictionWaves, FrictionTable> form_;
   std::vector<double> wavenumbers_;  // π/λ of each term

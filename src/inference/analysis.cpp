@@ -113,7 +113,7 @@ SawtoothCategory category_of(const TestAnalysis& analysis) {
   return total >= 0.15 * greatest ? SawtoothCategory::clear : SawtoothCategory::nominal;
 }
 
-History empty_history() { return {HistoryStatus::ok, {}, {}, {}}; }
+History empty_history() { return {HistoryStatus::ok, {}, {}, {}, {}}; }
 
 }  // namespace
 
@@ -235,13 +235,18 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
       for (auto& snap : history.snaps) {
         scaled(snap.before);
         scaled(snap.after);
+        snap.friction *= stiffening;
+        snap.released *= stiffening;
       }
-      auto& e = history.energy;
-      for (double* value : {&e.stage_work, &e.bending, &e.load_train, &e.friction, &e.snaps, &e.imbalance})
-        *value *= stiffening;
+      const auto scaled_account = [&](EnergyAccount& e) {
+        for (double* value : {&e.stage_work, &e.bending, &e.load_train, &e.friction, &e.snaps, &e.imbalance})
+          *value *= stiffening;
+      };
+      scaled_account(history.energy);
+      for (auto& account : history.energy_at) scaled_account(account);
       return history;
     };
-    analysis.model = in_nominal_units(load_in_steps(friction, rig, stages));
+    analysis.model = in_nominal_units(follow_in_steps({friction, rig}, stages));
   }
   return analysis;
 }

@@ -45,8 +45,9 @@ History drawn_model(const FittedTest& test) {
   const auto& model = chosen_model(test);
   const double stiffening = model.bending_stiffness.value;
   const auto& stage = test.analysis.reduced.stage;
-  History history = load_continuously(Friction::waves(model.friction), Rig{test.analysis.rig.stiffness / stiffening},
-                                      *std::max_element(stage.begin(), stage.end()), points);
+  const double farthest = *std::max_element(stage.begin(), stage.end());
+  History history = follow_continuously(
+      {Friction::waves(model.friction), Rig{test.analysis.rig.stiffness / stiffening}}, {&farthest, 1}, points);
   for (auto& point : history.path) point.F *= stiffening;
   return history;
 }

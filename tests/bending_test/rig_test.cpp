@@ -361,7 +361,7 @@ TEST_CASE("rig: stable parts rise, and each takes over where the one before ende
 
 TEST_CASE("rig: a curve says why it ended (limit)") {
   const auto whole = trace_loading_curve(friction_of_fig_8(), rig_of_fig_8, 1.5);
-  CHECK(whole.end_reason == CurveEnd::at_S_max);
+  CHECK(whole.end_reason == CurveEnd::reached);
   CHECK(whole.end.S == to(2 * unit, 1.5));
   const auto branch = trace_loading_curve(Friction::constant(0), rig_of_fig_8, 5);
   CHECK(branch.end_reason == CurveEnd::branch_ended);

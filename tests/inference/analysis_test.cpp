@@ -30,7 +30,7 @@ TEST_CASE("identity: a simulated sawtooth is analysed end to end") {
   CHECK(!analysis.suspects.suspect);
   CHECK(analysis.force_noise ==
         doctest::Approx(0.01).scale(0).epsilon(0.4));  // a robust estimate from its quietest tenth
-  const auto exact = load_in_steps(truth.friction, {truth.stiffness}, analysis.reduced.stage);
+  const auto exact = follow_in_steps({truth.friction, {truth.stiffness}}, analysis.reduced.stage);
   CHECK(analysis.model.snaps.size() == exact.snaps.size());
   for (const auto& snap : exact.snaps) {
     bool found = false;
@@ -53,7 +53,7 @@ TEST_CASE("identity: the measured energies close, and agree with those of the mo
   const auto& measured = analysis.energy.account;
   // Trapezoids over the points of a test: a few per mille of the work.
   CHECK(std::abs(measured.imbalance) < 5e-3 * measured.stage_work);
-  const auto exact = load_in_steps(truth.friction, {truth.stiffness}, analysis.reduced.stage).energy;
+  const auto exact = follow_in_steps({truth.friction, {truth.stiffness}}, analysis.reduced.stage).energy;
   CHECK(measured.stage_work == doctest::Approx(exact.stage_work).scale(0).epsilon(5e-3));
   CHECK(measured.bending == doctest::Approx(exact.bending).scale(0).epsilon(5e-3));
   CHECK(measured.friction + measured.snaps == doctest::Approx(exact.friction + exact.snaps).scale(0).epsilon(2e-2));

@@ -111,7 +111,7 @@ TEST_CASE("oracle: the force of a fitted model is the exact forward calculation 
   const auto& model = fit.models.front();
   const double stiffening = model.bending_stiffness.value;
   const auto exact =
-      load_in_steps(Friction::waves(model.friction), {problem.rig.stiffness / stiffening}, problem.record.stage);
+      follow_in_steps({Friction::waves(model.friction), {problem.rig.stiffness / stiffening}}, problem.record.stage);
   int apart = 0;  // at a fold a stage position may fall on either side of the snap
   for (std::size_t i = 0; i < model.force.size(); ++i)
     apart += std::abs(model.force[i] - stiffening * exact.path[i].F) > 2e-3;

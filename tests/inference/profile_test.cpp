@@ -70,7 +70,7 @@ TEST_CASE("identity: the measured profile as a table, run forward, gives the cur
     if (record.force[i] < record.force[i - 1] - 0.05) drops.push_back(drop_between(i - 1, i));
   const Friction table = Friction::table(replay_table(record, rig, profile, drops));
   std::vector<double> stages(record.stage.begin(), record.stage.end());
-  const auto replay = load_in_steps(table, rig, stages);
+  const auto replay = follow_in_steps({table, rig}, stages);
   REQUIRE(replay.status == HistoryStatus::ok);
   for (std::size_t i = 0; i < stages.size(); ++i)
     if (record.deflection[i] > 0.1) CHECK(std::abs(replay.path[i].F - record.force[i]) < 1e-3);  // a fifth of the noise

@@ -28,7 +28,7 @@ inline ReducedRecord simulated_record(const SimulatedTruth& truth) {
   const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); };
   std::vector<double> stages;
   for (int i = 1; i * truth.step < 1.6 * truth.deflection + 0.3; ++i) stages.push_back(i * truth.step);
-  const auto history = load_in_steps(truth.friction, {truth.stiffness / truth.stiffening}, stages);
+  const auto history = follow_in_steps({truth.friction, {truth.stiffness / truth.stiffening}}, stages);
   ReducedRecord record;
   for (const auto& point : history.path) {
     if (point.w > truth.deflection) break;

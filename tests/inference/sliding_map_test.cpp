@@ -35,7 +35,7 @@ TEST_CASE("oracle: the measured curve on the ladder is that of the exact folds, 
   const double k = 80;
   std::vector<double> stages;
   for (int i = 1; i <= 300; ++i) stages.push_back(0.0018 * i);
-  const auto exact = load_in_steps(friction, {k}, stages);
+  const auto exact = follow_in_steps({friction, {k}}, stages);
   const SlidingMap map(1.6, 2 * 0.008 / 20, 2.0);
   std::vector<double> mu;
   for (const double S : map.lengths()) mu.push_back(friction.at(S).mu);

@@ -1,0 +1,218 @@
+#include "bending_test/motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "bending_test/quadrature.h"
+#include "fibre/elastica.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double direction_of(Sliding sliding) { return sliding == Sliding::in ? 1 : -1; }
+Motion slip(Sliding sliding) { return sliding == Sliding::in ? Motion::slip_in : Motion::slip_out; }
+
+PathPoint path_point(const RigPoint& point, Motion motion) {
+  return {point.stage, point.w, point.F, point.S, point.q, motion};
+}
+
+// A rig so soft that the fibre bends by less than a millionth of its span loses the digits of S - 1.
+void require_bending(const Rig& rig, double farthest) {
+  if (!(farthest / (1 + 48 / rig.stiffness) >= 1e-6))
+    throw std::invalid_argument("the rig is too soft, or moved too little, to bend the fibre: its stiffness is " +
+                                std::to_string(rig.stiffness) + " EI/L^3");
+}
+
+// At fixed S: ∫ F dG over q.
+double work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
+  if (S == 1) return 0;           // no force bends the straight fibre
+  constexpr double smooth = 0.5;  // of q
+  const double c = 1 / rig.stiffness;
+  const double way = q_to - q_from;
+  const auto power = [&](double q) {
+    const auto [state, slopes] = fibre_state_slopes(S, q);
+    return state.F * (slopes.w_q + c * slopes.F_q);
+  };
+  if (std::abs(way) <= 0.1 * smooth) return integral(gauss_3, q_from, q_to, power);
+  const int pieces = static_cast<int>(std::ceil(std::abs(way) / smooth));
+  double work = 0;
+  for (int i = 0; i < pieces; ++i)
+    work += integral(gauss_10, q_from + way * i / pieces, q_from + way * (i + 1) / pieces, power);
+  return work;
+}
+
+}  // namespace
+
+MovingFibre::MovingFibre(BendingTest test, double farthest)
+    : test_(std::move(test)),
+      farthest_(farthest),
+      in_(trace_loading_curve(test_.friction.kinetic, test_.rig, longest_at_stage(farthest))),
+      table_in_(test_.friction.kinetic, test_.rig, Sliding::in),
+      table_out_(test_.friction.kinetic, test_.rig, Sliding::out) {
+  require_bending(test_.rig, farthest);
+  state_ = path_point(in_.begin, Motion::stick);
+}
+
+const SlidingCurve& MovingFibre::curve_of(Sliding sliding, double S) {
+  const Friction& friction = test_.friction.kinetic;
+  if (sliding == Sliding::in) {
+    if (S > in_.end.S && in_.end_reason == CurveEnd::reached)  // only an overshoot leads there
+      in_ = trace_loading_curve(friction, test_.rig, 1 + 1.5 * (S - 1));
+    return in_;
+  }
+  const auto covers = [&] { return out_ && out_->end.S <= S && S <= out_->begin.S; };
+  if (!out_) {
+    // From the end of the programme it serves all reversals, unless the force falls to zero on the way down.
+    const auto last = landing_after(in_, 1, farthest_);
+    if (last && last->S > S && fibre_state(last->S, -last->q).status == FibreStatus::ok)
+      out_ = trace_unloading_curve(friction, test_.rig, last->S);
+  }
+  if (!covers()) out_ = trace_unloading_curve(friction, test_.rig, S);
+  return *out_;
+}
+
+std::optional<Stretch> MovingFibre::advance_towards(double stage) {
+  if (!(stage >= 0 && stage <= farthest_))
+    throw std::invalid_argument("stage position " + std::to_string(stage) + " is not between 0 and " +
+                                std::to_string(farthest_));
+  if (end_ != MotionEnd::none || stage == state_.stage) return std::nullopt;
+  const Sliding sliding = stage > state_.stage ? Sliding::in : Sliding::out;
+  if (glide_ && glide_->sliding != sliding) glide_.reset();
+  if (glide_) return slide(sliding, stage);
+  const double limit = direction_of(sliding) * static_friction(test_.friction, state_.S);
+  if (direction_of(sliding) * (limit - state_.q) > 0) return stick(sliding, limit, stage);
+  return test_.friction.static_excess.at(state_.S).mu > 0 ? snap(sliding) : slide(sliding, stage);
+}
+
+// At fixed S, until friction is exhausted, or the force.
+std::optional<Stretch> MovingFibre::stick(Sliding sliding, double limit, double stage) {
+  const double S = state_.S;
+  const FibreState last = fibre_state(S, limit);
+  const double last_stage = last.w + last.F / test_.rig.stiffness;
+  if (last.status == FibreStatus::ok && direction_of(sliding) * (stage - last_stage) >= 0)
+    return move_to({last_stage, last.w, last.F, S, limit, Motion::stick});
+  const auto [in_contact, held] = held_at(S, stage, test_.rig, state_.q);
+  if (!in_contact) end_ = MotionEnd::contact_lost;
+  const double held_stage = in_contact ? stage : held.w + held.F / test_.rig.stiffness;
+  return move_to({held_stage, held.w, held.F, S, held.q, Motion::stick});
+}
+
+std::optional<Stretch> MovingFibre::slide(Sliding sliding, double stage) {
+  const SlidingCurve& curve = curve_of(sliding, state_.S);
+  const double direction = direction_of(sliding);
+  const bool is_known = here_.S == state_.S && here_.q == state_.q;
+  const StablePart part = stable_part_from(curve, is_known ? here_ : point_at_length(curve, state_.S));
+  if (part.to.S == part.from.S) return snap(sliding);
+  const bool arrives = direction * (part.to.stage - stage) >= 0;
+  const bool moves = direction * (stage - part.from.stage) > 0;  // by more than the rounding of G
+  const auto point_there = [&] {
+    return point_at_stage(curve, part, stage, table_of(sliding).length_at_stage(stage, part.from.S, part.to.S));
+  };
+  RigPoint to = !arrives ? part.to : moves ? point_there() : part.from;
+  if (arrives) to.stage = stage;
+  if (!glide_) glide_ = Glide{sliding, direction * infinity};
+  if (direction * (to.S - glide_->to_S) >= 0) {
+    to = point_at_length(curve, glide_->to_S);
+    glide_.reset();
+  }
+  here_ = to;
+  return move_to(path_point(to, slip(sliding)));
+}
+
+std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
+  const SlidingCurve& curve = curve_of(sliding, state_.S);
+  const double direction = direction_of(sliding);
+  const double S = state_.S;
+  glide_.reset();
+  auto landing = landing_after(curve, S, state_.stage);
+  const auto work =
+      landing ? snap_work(test_.friction.kinetic, test_.rig, state_.stage, S, landing->S) : std::optional<SnapWork>();
+  if (!work) return lose(sliding);
+  landing->stage = state_.stage;
+  const double next_stop = std::max(S + direction * least_slip, 1.0);
+  const bool runs_on = test_.friction.static_excess.at(S).mu > 0 && direction * (next_stop - landing->S) > 0;
+  if (runs_on) glide_ = Glide{sliding, next_stop};
+  if (!runs_on && test_.rest == SnapRest::overshoot) return overshoot(sliding, landing->S);
+  here_ = *landing;
+  return jump_to(path_point(*landing, runs_on ? slip(sliding) : Motion::snap), *work);
+}
+
+std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, double S_landing) {
+  constexpr int most_swings = 10000;  // a friction of a thousandth stops them in fewer
+  const Friction& kinetic = test_.friction.kinetic;
+  SnapWork work{0, 0};
+  double S = state_.S;
+  FibreState rest{};
+  for (int i = 0; i < most_swings; ++i) {
+    const auto swung = swing(kinetic, test_.rig, state_.stage, S, S_landing);
+    if (!swung) return lose(sliding);
+    S = swung->S;
+    work.friction += swung->friction;
+    rest = held_at(S, state_.stage, test_.rig, direction_of(sliding) * kinetic.at(S).mu).state;
+    if (std::abs(rest.q) <= static_friction(test_.friction, S)) break;
+    sliding = rest.q > 0 ? Sliding::in : Sliding::out;
+    if (fibre_state(S, direction_of(sliding) * kinetic.at(S).mu).status != FibreStatus::ok) return lose(sliding);
+    const auto landing = landing_after(curve_of(sliding, S), S, state_.stage);
+    if (!landing) return lose(sliding);
+    S_landing = landing->S;
+  }
+  return jump_to({state_.stage, rest.w, rest.F, S, rest.q, Motion::snap}, work);
+}
+
+std::optional<Stretch> MovingFibre::lose(Sliding sliding) {
+  end_ = sliding == Sliding::in ? MotionEnd::slipped_through : MotionEnd::contact_lost;
+  return std::nullopt;
+}
+
+StretchWork MovingFibre::work_between(const PathPoint& from, const PathPoint& to) {
+  if (to.motion == Motion::stick) return {work_of_stick(from.S, from.q, to.q, test_.rig), 0, 0};
+  const SlidingWork work = (to.motion == Motion::slip_in ? table_in_ : table_out_).work(from.S, to.S);
+  return {work.stage, work.friction, 0};
+}
+
+Stretch MovingFibre::move_to(const PathPoint& point) {
+  const Stretch stretch{state_, point, work_between(state_, point)};
+  state_ = point;
+  return stretch;
+}
+
+Stretch MovingFibre::jump_to(const PathPoint& point, const SnapWork& work) {
+  const Stretch stretch{state_, point, {0, work.friction, work.released}};
+  state_ = point;
+  return stretch;
+}
+
+std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
+  if (n < 2) throw std::invalid_argument("a stretch has at least 2 points, not " + std::to_string(n));
+  const auto& [from, to, work] = stretch;
+  if (from.stage == to.stage) return {stretch};
+  const Motion motion = to.motion;
+  const double low = motion == Motion::stick ? from.q : std::sqrt(from.S - 1);
+  const double high = motion == Motion::stick ? to.q : std::sqrt(to.S - 1);
+  const auto state_at = [&](double x) {
+    if (motion == Motion::stick) return fibre_state(stretch.from.S, x);
+    const double S = 1 + x * x;
+    return fibre_state(S, (motion == Motion::slip_in ? 1 : -1) * test_.friction.kinetic.at(S).mu);
+  };
+  std::vector<Stretch> parts;
+  parts.reserve(static_cast<std::size_t>(n - 1));
+  PathPoint last = from;
+  for (int i = 1; i < n; ++i) {
+    PathPoint next = to;
+    if (i < n - 1) {
+      const FibreState state = state_at(low + (high - low) * i / (n - 1));
+      next = {state.w + state.F / test_.rig.stiffness, state.w, state.F, state.S, state.q, motion};
+    }
+    parts.push_back({last, next, work_between(last, next)});
+    last = next;
+  }
+  return parts;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,119 @@
+// How the fibre moves while the stage does: at rest on its supports, sliding over them, or in a snap.
+//
+// The state of a test is (S, q), which fixes deflection, force and stage position. Moving the stage changes q at fixed S as
+// long as friction holds (stick); then the fibre slides in along q = μ(S), or out along q = -μ(S); where the curve folds back
+// it snaps, at constant stage position. So any programme is a chain of stretches, each of one kind, from one event to the
+// next, and nothing depends on how fast or in which steps the stage is moved (theory.md, "Any history").
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bending_test/rig.h"
+#include "bending_test/sliding_table.h"
+#include "bending_test/snap.h"
+#include "contact/friction_law.h"
+
+namespace flexslip {
+
+enum class Motion { stick, slip_in, slip_out, snap };
+
+struct PathPoint {
+  double stage;   // [L]
+  double w;       // [L]
+  double F;       // [EI/L^2]
+  double S;       // [L]
+  double q;       // [1]
+  Motion motion;  // by which the fibre came to this point from the one before
+};
+
+// Where a snap comes to rest.
+enum class SnapRest {
+  nearest_stable,  // at the next stable state, q = μ_k: whatever is set free is lost at once (the paper's postulate, (4.32))
+  overshoot,  // the energy set free carries the fibre on, until friction has consumed it: it rests with |q| below the
+              // static friction, after swinging back if need be. Ten thousand swings do not end: then as above.
+};
+
+struct BendingTest {
+  FrictionLaw friction;
+  Rig rig;
+  SnapRest rest = SnapRest::nearest_stable;
+};
+
+// [EI/L]
+struct StretchWork {
+  double stage;     // ∫ F d(stage)
+  double friction;  // heat at the supports
+  double released;  // what a snap sets free beyond friction
+};
+
+// Part of the way between two events, or to the stage position asked for.
+struct Stretch {
+  PathPoint from, to;  // to.motion is that of the stretch: in stick S is constant, in a snap the stage
+  StretchWork work;
+};
+
+enum class MotionEnd {
+  none,
+  slipped_through,  // the fibre is drawn in beyond every equilibrium: it slips through the supports
+  contact_lost,     // the force has fallen to zero: the wedge lifts off
+};
+
+// A slip shorter than this [L] runs on into the next: a nanometre for a span of a millimetre. Without it, static friction on a
+// straight fibre would mean infinitely many slips, for their length goes as w^3.
+inline constexpr double least_slip = 1e-6;
+
+class MovingFibre {
+ public:
+  // Straight, at the stage position 0. It can be moved up to `farthest` [L].
+  // Domain: rig.stiffness > 0, farthest >= 1e-6; std::invalid_argument otherwise.
+  MovingFibre(BendingTest test, double farthest);
+
+  const PathPoint& state() const { return state_; }
+  MotionEnd end() const { return end_; }
+
+  // The next stretch on the way to a stage position; none when it is there, or when end() says why it never will be.
+  // Domain:     0 <= stage <= farthest; std::invalid_argument otherwise.
+  // Max error:  events (the end of stick, folds, landings) to the rounding of the stage position.
+  // Max error:  of work, 1e-12 of the greatest energy of the stretch.
+  // Cost:       a few µs; the first that slides in a direction traces its curve (rig.h).
+  std::optional<Stretch> advance_towards(double stage);
+
+  // The same stretch in n - 1 parts of equal length: in √(S - 1) where the fibre slides, in q where it sticks. A stretch at a
+  // fixed stage position is one part.
+  // Domain:     n >= 2; a stretch of this fibre.
+  std::vector<Stretch> parts_of(const Stretch& stretch, int n);
+
+  // The stage halts: sliding stops, and static friction holds again.
+  void halt() { glide_.reset(); }
+
+ private:
+  // Sliding that has not stopped: friction stays kinetic, up to a length at least.
+  struct Glide {
+    Sliding sliding;
+    double to_S;  // [L] infinite: until the stage turns back or halts
+  };
+
+  std::optional<Stretch> stick(Sliding sliding, double limit, double stage);
+  std::optional<Stretch> slide(Sliding sliding, double stage);
+  std::optional<Stretch> snap(Sliding sliding);
+  std::optional<Stretch> overshoot(Sliding sliding, double S_landing);
+  std::optional<Stretch> lose(Sliding sliding);
+  Stretch move_to(const PathPoint& point);
+  Stretch jump_to(const PathPoint& point, const SnapWork& work);
+  StretchWork work_between(const PathPoint& from, const PathPoint& to);
+  SlidingTable& table_of(Sliding sliding) { return sliding == Sliding::in ? table_in_ : table_out_; }
+  const SlidingCurve& curve_of(Sliding sliding, double S);
+
+  BendingTest test_;
+  double farthest_;
+  SlidingCurve in_;
+  std::optional<SlidingCurve> out_;
+  SlidingTable table_in_, table_out_;
+  PathPoint state_{};
+  RigPoint here_{};  // the last point met on a curve
+  MotionEnd end_ = MotionEnd::none;
+  std::optional<Glide> glide_;
+};
+
+}  // namespace flexslip

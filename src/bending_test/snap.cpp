@@ -1,0 +1,163 @@
+#include "bending_test/snap.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "bending_test/quadrature.h"
+
+namespace flexslip {
+namespace {
+
+// Per length slid.
+struct Power {
+  double friction = 0;
+  double released = 0;
+  Power& operator+=(const Power& other) {
+    friction += other.friction;
+    released += other.released;
+    return *this;
+  }
+  friend Power operator*(double factor, const Power& power) {
+    return {factor * power.friction, factor * power.released};
+  }
+};
+
+// A fibre that slides at a fixed stage position, from S towards some other length.
+class Slide {
+ public:
+  Slide(const Friction& friction, const Rig& rig, double stage, double S, double S_to)
+      : friction_(friction),
+        rig_(rig),
+        stage_(stage),
+        direction_(S_to >= S ? 1 : -1),
+        q_(direction_ * friction.at(S).mu) {}
+
+  // With respect to σ = √(S - 1), in which Π is smooth at S = 1.
+  Power power_at(double sigma) {
+    const double S = 1 + sigma * sigma;
+    const double resisting = direction_ * friction_.at(S).mu;
+    const auto [q, Pn] = held_friction(S);
+    return {resisting * Pn * 2 * sigma, (q - resisting) * Pn * 2 * sigma};
+  }
+
+  Power work(double S_from, double S_to) {
+    return integral(gauss_6, std::sqrt(S_from - 1), std::sqrt(S_to - 1), [this](double x) { return power_at(x); });
+  }
+
+  double next(double S, double S_to) const { return end_of_stretch(friction_, S, S_to, 1); }
+
+  bool in_contact() const { return in_contact_; }
+
+ private:
+  struct Held {
+    double q, Pn;
+  };
+
+  // As held_at, from the q of the length before.
+  Held held_friction(double S) {
+    const double c = 1 / rig_.stiffness;
+    for (int iteration = 0; iteration < 10; ++iteration) {
+      const auto [state, slopes] = fibre_state_slopes(S, q_);
+      if (state.status != FibreStatus::ok) break;
+      const double step = (stage_ - state.w - c * state.F) / (slopes.w_q + c * slopes.F_q);
+      if (!(std::abs(q_ + step) < 20)) break;
+      q_ += step;
+      if (std::abs(step) <= 1e-6) return {q_, state.Pn + slopes.Pn_q * step};  // to the square of the step
+    }
+    const HeldState held = held_at(S, stage_, rig_, direction_ * friction_.at(S).mu);
+    in_contact_ = in_contact_ && held.in_contact;
+    q_ = held.state.q;
+    return {q_, held.state.Pn};
+  }
+
+  const Friction& friction_;
+  const Rig& rig_;
+  double stage_;
+  double direction_;
+  double q_;
+  bool in_contact_ = true;
+};
+
+}  // namespace
+
+HeldState held_at(double S, double stage, const Rig& rig, double q) {
+  constexpr double most = 20;  // the range of elastica.h
+  if (!(S >= 1 && stage >= 0 && std::abs(q) <= most))
+    throw std::invalid_argument("no fibre rests at S = " + std::to_string(S) + ", stage " + std::to_string(stage) +
+                                ", q " + std::to_string(q));
+  const double c = 1 / rig.stiffness;
+  double low = -most;
+  double high = most;
+  FibreState held{};        // the last with F >= 0, found so far
+  bool in_contact = false;  // the stage stands beyond a state
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    const auto [state, slopes] = fibre_state_slopes(S, q);
+    double next = low;
+    if (state.status == FibreStatus::ok) {
+      const double error = state.w + c * state.F - stage;
+      held = state;
+      in_contact = in_contact || error <= 0;
+      if (std::abs(error) <= 0x1p-50 * stage) return {true, state};
+      (error < 0 ? low : high) = q;
+      next = q - error / (slopes.w_q + c * slopes.F_q);
+      if (std::abs(next - q) <= 0x1p-53 * (1 + std::abs(q))) return {true, state};
+    } else {
+      low = q;
+    }
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (!(next > low && next < high)) break;
+    q = next;
+  }
+  return {in_contact, held};
+}
+
+std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, double stage, double S_from, double S_to) {
+  Slide slide(friction, rig, stage, S_from, S_to);
+  Power sum;
+  for (double S = S_from; S != S_to;) {
+    const double next = slide.next(S, S_to);
+    sum += slide.work(S, next);
+    S = next;
+  }
+  if (!slide.in_contact()) return std::nullopt;
+  return SnapWork{sum.friction, sum.released};
+}
+
+std::optional<Swing> swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
+  constexpr double farthest = 10;  // beyond it no fibre comes back
+  const bool inwards = S_landing > S_from;
+  const double S_end = inwards ? farthest : 1;
+  Slide slide(friction, rig, stage, S_from, S_landing);
+  const auto first = snap_work(friction, rig, stage, S_from, S_landing);
+  if (!first) return std::nullopt;
+  Power sum{first->friction, first->released};
+  for (double S = S_landing; sum.released > 0;) {
+    if (S == S_end) return std::nullopt;
+    const double next = slide.next(S, S_end);
+    const Power work = slide.work(S, next);
+    if (!slide.in_contact()) return std::nullopt;
+    if (sum.released + work.released > 0) {
+      sum += work;
+      S = next;
+      continue;
+    }
+    // The root of the energy left, by Newton's iteration guarded by bisection.
+    double holds = S;
+    double spent = next;
+    double end = 0.5 * (S + next);
+    for (int iteration = 0; iteration < 60; ++iteration) {
+      const double left = sum.released + slide.work(S, end).released;
+      (left > 0 ? holds : spent) = end;
+      const double sigma = std::sqrt(end - 1);
+      double better = end - left / slide.power_at(sigma).released * 2 * sigma;
+      if (!((better > holds && better < spent) || (better < holds && better > spent))) better = 0.5 * (holds + spent);
+      if (std::abs(better - end) <= 0x1p-50 * end) break;
+      end = better;
+    }
+    return Swing{end, sum.friction + slide.work(S, end).friction + sum.released + slide.work(S, end).released};
+  }
+  return Swing{S_landing, sum.friction + sum.released};
+}
+
+}  // namespace flexslip

@@ -1,0 +1,46 @@
+// What happens at a fixed stage position: the fibre held at rest, and the snap, in which it slides because friction cannot
+// hold it.
+//
+// At a fixed stage position S is the only freedom left. The friction that would hold the fibre there is q(S); the elastic
+// energy of fibre and frame, Π = U + F^2/2k, falls by q Pn dS as the fibre slides by dS, of which friction takes μ Pn dS. The
+// rest is set free (theory.md, "Snaps").
+#pragma once
+
+#include <optional>
+
+#include "bending_test/rig.h"
+#include "contact/friction.h"
+#include "fibre/elastica.h"
+
+namespace flexslip {
+
+struct HeldState {
+  bool in_contact;   // false: even without a force the stage stands farther back; `state` is the last with F >= 0
+  FibreState state;  // w + F/k = stage
+};
+
+// The state of a fibre that rests at the length S. q is a first guess.
+// Domain:     S >= 1, stage >= 0, |q| <= 20; std::invalid_argument otherwise.
+// Max error:  of w + F/k, 4 ulp of the stage position.
+// Method:     w and F rise strictly with q at fixed S; Newton's iteration guarded by bisection.
+HeldState held_at(double S, double stage, const Rig& rig, double q);
+
+struct SnapWork {
+  double friction;  // [EI/L] ∫ μ Pn |dS|, never negative
+  double released;  // [EI/L] what is set free beyond friction
+};
+
+// The energies of a snap at a stage position from one length to another. None if the fibre loses contact on the way.
+// Max error:  1e-12 of the friction heat.
+std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, double stage, double S_from, double S_to);
+
+struct Swing {
+  double S;         // [L] where it ends
+  double friction;  // [EI/L] heat up to there: all that the elastic energy has fallen
+};
+
+// Where the energy that is set free from S_from to S_landing, a stable state, is consumed by friction: so far beyond it a snap
+// goes that nothing else damps. None if the fibre loses contact, or is drawn in beyond S = 10, before.
+std::optional<Swing> swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing);
+
+}  // namespace flexslip
