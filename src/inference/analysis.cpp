@@ -177,6 +177,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .profile = {},
                         .slips = {},
                         .slip_summary = {},
+                        .teeth = {},
                         .suspects = {},
                         .fit = {},
                         .model = empty_history(),
@@ -203,6 +204,8 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
   analysis.slips = slips_of(analysis.profile, analysis.drops.drops);
   analysis.slip_summary = summarise(analysis.slips);
+  if (analysis.drops.drops.size() >= 2 && std::isfinite(analysis.rig.stiffness))
+    analysis.teeth = judge_teeth(analysis.reduced, analysis.rig, errors, analysis.drops.drops, options.teeth);
   analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);
   analysis.category = category_of(analysis);
   analysis.fit = fit_friction({analysis.reduced, analysis.rig, errors}, options.fit);

@@ -12,6 +12,7 @@
 #include "data/scales.h"
 #include "inference/fit.h"
 #include "inference/profile.h"
+#include "inference/teeth.h"
 
 namespace flexslip {
 
@@ -46,6 +47,7 @@ struct AnalysisOptions {
   FitOptions fit;
   DropOptions drops;
   double suspect_limit = 1.0;  // [1] friction above it is implausible
+  ToothOptions teeth{};
 };
 
 // How the curve looks, by a fixed rule on its drops (theory.md, "Categories").
@@ -94,6 +96,8 @@ struct TestAnalysis {
   FrictionProfile profile;
   std::vector<Slip> slips;
   SlipSummary slip_summary;
+  std::optional<Teeth>
+      teeth;  // stick or slide between the drops; none under displacement control, or with fewer than two drops
   SuspectReport suspects;
   FrictionFit fit;
   History model;  // the chosen model on the stage positions of the record, at the estimated bending stiffness

@@ -187,6 +187,8 @@ Json measurement_json(const FittedTest& test) {
         return "last_row";
       case MeasurementEnd::until:
         return "until";
+      case MeasurementEnd::turn:
+        return "turn";
       case MeasurementEnd::failure:
         return "failure";
     }

@@ -498,6 +498,10 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
     case MeasurementEnd::failure:
       list.push_back(fmt::format("The specimen fails after row {}, as found; what follows is left out.", last));
       break;
+    case MeasurementEnd::turn:
+      list.push_back(fmt::format(
+          "The stage turns back after row {}: what is said of the loading holds for the rows before.", last));
+      break;
     case MeasurementEnd::last_row:
       list.push_back(fmt::format("No failure was found: all rows to the last, {}, are used.", last));
       break;

@@ -67,6 +67,12 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
     static_cast<void>(scales_of(input, bending_stiffness_of(input, measurement)));
   }
   TestAnalysis analysis = analyse(measurement.record, description, options);
+  std::optional<CyclicTest> cycles;
+  if (measurement.cycles) {
+    CyclesOptions cycles_options;
+    if (source == StiffnessSource::stated) cycles_options.stiffness_error = description.bending_stiffness_error.value();
+    cycles = analyse_cycles(*measurement.cycles, analysis.scales, analysis.rig, cycles_options);
+  }
   const std::string& data = input.record.value().file;
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
@@ -78,6 +84,7 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
           .stiffness = source,
           .section_moment = second_moment_of(input),
           .analysis = std::move(analysis),
+          .cycles = std::move(cycles),
           .provenance = std::move(provenance)};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "inference/analysis.h"
+#include "inference/cyclic_test.h"
 #include "io/case_file.h"
 #include "io/problem.h"
 
@@ -32,7 +33,8 @@ struct FittedTest {
   Measurement measurement;
   StiffnessSource stiffness;
   std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
-  TestAnalysis analysis;
+  TestAnalysis analysis;                 // of the first loading
+  std::optional<CyclicTest> cycles;      // if it was unloaded; in the scales of the analysis
   Provenance provenance;
 };
 

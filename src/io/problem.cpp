@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "data/legs.h"
 #include "inference/analysis.h"
 #include "io/quantity.h"
 #include "io/table.h"
@@ -201,6 +202,17 @@ void require_loading(const Case& input, const Table& table, const Record& record
          .remedy = fmt::format("keep the loading only: write until = {} into [record]", check.index * rows_per_point)});
 }
 
+void require_loading_first(const Table& table, const Record& record, const Leg& first) {
+  if (first.direction == Direction::loading && record.stage[first.last - 1] > record.stage[first.first]) return;
+  throw InputError({.file = table.source,
+                    .line = table.line_of(0),
+                    .field = "the stage",
+                    .expected = "a record that begins by loading",
+                    .found = "one that begins by unloading",
+                    .remedy = "if the stage is counted the other way, change its sign; otherwise leave out what comes "
+                              "before the first loading"});
+}
+
 }  // namespace
 
 Measurement read_measurement(const Case& input, std::size_t least_points) {
@@ -210,19 +222,23 @@ Measurement read_measurement(const Case& input, std::size_t least_points) {
   const Readings readings = read_readings(input);
   require_finite(readings);
   const std::size_t rows = readings.table.rows();
-  const std::size_t rows_per_point = (rows + most_record_points - 1) / most_record_points;
+  const bool may_turn = find_legs(readings.record.stage).size() > 1;
+  const std::size_t most_points = may_turn ? most_cyclic_points : most_record_points;
+  const std::size_t rows_per_point = (rows + most_points - 1) / most_points;
   const Record all = every_so_many(readings.record, rows_per_point);
   Measurement result{.file = readings.table.source,
                      .rows = rows,
                      .rows_per_point = rows_per_point,
                      .first = 0,
                      .record = {},
+                     .cycles = {},
                      .end = MeasurementEnd::last_row,
                      .contact = ContactSource::first_point,
                      .contact_offset = 0,
                      .contact_error = 0,
                      .force_noise = 0};
 
+  const std::vector<Leg> legs = find_legs(all.stage);
   std::size_t points = all.force.size();
   if (input.record->until) {
     const std::size_t until = *input.record->until;
@@ -231,11 +247,20 @@ Measurement read_measurement(const Case& input, std::size_t least_points) {
                         std::to_string(until));
     points = std::min(points, until / rows_per_point);
     result.end = MeasurementEnd::until;
-  } else if (const Failure failure = find_failure(all); failure.status == FailureStatus::found) {
+  } else if (const Failure failure = find_failure(all);
+             failure.status == FailureStatus::found && (legs.size() < 2 || failure.points <= legs.front().last)) {
     points = failure.points;
     result.end = MeasurementEnd::failure;
   }
-  const Record whole = first_points(all, points);
+  if (legs.size() > 1 && legs.front().last < points) {
+    require_loading_first(readings.table, all, legs.front());
+    result.cycles = first_points(all, points);
+    points = legs.front().last;
+    result.end = MeasurementEnd::turn;
+  }
+  Record whole = first_points(all, points);
+  if (result.cycles)  // what the stage runs back within a leg is noise
+    for (std::size_t i = 1; i < points; ++i) whole.stage[i] = std::max(whole.stage[i], whole.stage[i - 1]);
   require_loading(input, readings.table, whole, rows_per_point, least_points);
   result.force_noise = force_noise(whole);
 
@@ -259,8 +284,12 @@ Measurement read_measurement(const Case& input, std::size_t least_points) {
                       fmt::format("at least {} rows of readings after the contact", least_points),
                       std::to_string(points - skipped));
   result.record = without_first(whole, skipped);
-  for (double& stage : result.record.stage) stage -= result.contact_offset;
-  for (double& deflection : result.record.deflection) deflection -= result.contact_offset;
+  const auto take_contact_off = [&](Record& record) {
+    for (double& stage : record.stage) stage -= result.contact_offset;
+    for (double& deflection : record.deflection) deflection -= result.contact_offset;
+  };
+  take_contact_off(result.record);
+  if (result.cycles) take_contact_off(*result.cycles);
   return result;
 }
 

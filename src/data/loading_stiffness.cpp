@@ -1,0 +1,166 @@
+#include "data/loading_stiffness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace flexslip {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t least_points = 6;  // twice what a line with a scatter needs, for the two halves
+
+[[noreturn]] void refuse(const char* name, double value) {
+  std::ostringstream message;
+  message << name << " = " << value << " is out of range";
+  throw std::invalid_argument(message.str());
+}
+
+void require(const Record& record, std::span<const LoadingRange> loadings, const LoadingStiffnessOptions& options) {
+  if (!(options.from >= 0 && options.from < options.up_to)) refuse("lower end of the window", options.from);
+  if (!(options.up_to <= 1)) refuse("upper end of the window", options.up_to);
+  if (!(options.relevant_loss > 0 && options.relevant_loss < 1)) refuse("relevant loss", options.relevant_loss);
+  if (!(options.confidence > 0.5 && options.confidence < 1)) refuse("confidence", options.confidence);
+  const std::size_t rows = record.force.size();
+  if (record.stage.size() != rows || record.deflection.size() != rows)
+    throw std::invalid_argument("the columns of the record differ in length");
+  std::size_t reached = 0;
+  for (const auto& [first, last] : loadings) {
+    if (first < reached || last <= first || last > rows) refuse("loading from row", static_cast<double>(first));
+    reached = last;
+  }
+}
+
+// x with P(standard Gaussian < x) = probability.
+double gaussian_quantile(double probability) {
+  double low = -10, high = 10;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::midpoint(low, high);
+    (0.5 * std::erfc(-middle / std::numbers::sqrt2) < probability ? low : high) = middle;
+  }
+  return std::midpoint(low, high);
+}
+
+struct Slope {
+  double value, error;  // [N/m]; value NaN if there is none
+};
+
+// dF/dw0 over the rows [first, last), by way of the stage.
+Slope slope_of(const Record& record, std::size_t first, std::size_t last) {
+  const auto n = static_cast<double>(last - first);
+  const auto mean = [&](const std::vector<double>& values) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += values[i];
+    return sum / n;
+  };
+  const double stage = mean(record.stage), deflection = mean(record.deflection), force = mean(record.force);
+  double xx = 0, xw = 0, xF = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const double x = record.stage[i] - stage;
+    xx += x * x;
+    xw += x * (record.deflection[i] - deflection);
+    xF += x * (record.force[i] - force);
+  }
+  if (!(xw > 0 && xF > 0)) return {not_a_number, not_a_number};
+  const double slope = xF / xw;
+
+  double sum = 0, lagged = 0, previous = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const double residual = record.force[i] - force - slope * (record.deflection[i] - deflection);
+    sum += residual * residual;
+    lagged += residual * previous;
+    previous = residual;
+  }
+  // Residuals of a line show less correlation than the noise has, by about (2 + 4 rho)/n.
+  const double shown = sum > 0 ? lagged / sum : 0;
+  const double rho = std::clamp(shown + (2 + 4 * shown) / n, 0.0, 0.9);
+  return {slope, std::sqrt(sum / (n - 2) * (1 + rho) / (1 - rho) * xx) / xw};
+}
+
+struct Window {
+  double from, middle, up_to;  // [N]
+};
+
+struct MeasuredLoading {
+  LoadingStatus status;
+  std::size_t first, last;
+  Slope whole, lower, upper;
+};
+
+// The rows of a rising force between two levels: from the last one below `from` before it first exceeds up_to.
+MeasuredLoading measure(const Record& record, const LoadingRange& loading, const Window& window) {
+  const Slope none{not_a_number, not_a_number};
+  MeasuredLoading result{LoadingStatus::window_not_covered, loading.first, loading.first, none, none, none};
+  std::size_t last = loading.first;
+  while (last < loading.last && record.force[last] <= window.up_to) ++last;
+  std::size_t first = last;
+  while (first > loading.first && record.force[first - 1] >= window.from) --first;
+  if (last == loading.last || first == loading.first) return result;
+  result.first = first;
+  result.last = last;
+  std::size_t middle = first;
+  while (middle < last && record.force[middle] <= window.middle) ++middle;
+  result.status = LoadingStatus::too_few_points;
+  if (last - first < least_points || middle - first < least_points / 2 || last - middle < least_points / 2)
+    return result;
+
+  result.whole = slope_of(record, first, last);
+  result.lower = slope_of(record, first, middle);
+  result.upper = slope_of(record, middle, last);
+  const bool rising = result.whole.value > 0 && result.lower.value > 0 && result.upper.value > 0;
+  result.status = rising ? LoadingStatus::ok : LoadingStatus::not_rising;
+  return result;
+}
+
+}  // namespace
+
+std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings,
+                                               const LoadingStiffnessOptions& options) {
+  require(record, loadings, options);
+  if (loadings.empty()) return {};
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [first, last] : loadings) {
+    const auto rows = std::span(record.force).subspan(first, last - first);
+    least = std::min(least, *std::max_element(rows.begin(), rows.end()));
+  }
+  const Window window{options.from * least, 0.5 * (options.from + options.up_to) * least, options.up_to * least};
+  const double quantile = gaussian_quantile(options.confidence);
+
+  const MeasuredLoading reference = measure(record, loadings.front(), window);
+  std::vector<LoadingStiffness> result;
+  result.reserve(loadings.size());
+  for (const LoadingRange& loading : loadings) {
+    const MeasuredLoading measured = measure(record, loading, window);
+    const bool is_reference = result.empty();
+    LoadingStiffness stiffness{.status = measured.status,
+                               .first = measured.first,
+                               .last = measured.last,
+                               .slope = measured.whole.value,
+                               .slope_error = measured.whole.error,
+                               .ratio = 1,
+                               .ratio_error = 0,
+                               .ratio_systematic = 0,
+                               .verdict = DamageVerdict::not_damaged};
+    if (!is_reference && stiffness.status == LoadingStatus::ok) {
+      stiffness.ratio = measured.whole.value / reference.whole.value;
+      stiffness.ratio_error = stiffness.ratio * std::hypot(measured.whole.error / measured.whole.value,
+                                                           reference.whole.error / reference.whole.value);
+      stiffness.ratio_systematic =
+          0.5 * std::abs(measured.upper.value / reference.upper.value - measured.lower.value / reference.lower.value);
+      const double bound = quantile * std::hypot(stiffness.ratio_error, stiffness.ratio_systematic);
+      const double loss = 1 - stiffness.ratio;
+      stiffness.verdict = loss - bound > options.relevant_loss   ? DamageVerdict::damaged
+                          : loss + bound < options.relevant_loss ? DamageVerdict::not_damaged
+                                                                 : DamageVerdict::undecided;
+      if (reference.status != LoadingStatus::ok) stiffness.status = LoadingStatus::no_reference;
+    }
+    result.push_back(stiffness);
+  }
+  return result;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,62 @@
+// Is a specimen as stiff when loaded again as it was at first? The initial slopes of several loadings, and their ratios.
+//
+// A loss of stiffness means damage; friction on the supports, which makes the loops of a load-unload-reload test, leaves the initial
+// slope alone, for it acts through a tangential force that is small there.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "data/record.h"
+
+namespace flexslip {
+
+// The rows [first, last) of one loading, from its beginning to its turning point.
+struct LoadingRange {
+  std::size_t first, last;
+};
+
+struct LoadingStiffnessOptions {
+  double from = 0.05;   // [least of the loadings' greatest forces] window of force, the same one [N] for all loadings:
+  double up_to = 0.30;  //    what lies below from may still be settling; what lies above up_to is bent
+  double relevant_loss = 0.10;  // [1] a loss of stiffness smaller than this is of no relevance
+  double confidence = 0.95;     // [1] of each verdict, one-sided
+};
+
+enum class DamageVerdict {
+  damaged,      // that the loss is at most the relevant one is rejected
+  not_damaged,  // that the loss is at least the relevant one is rejected
+  undecided,    // neither
+};
+
+enum class LoadingStatus {
+  ok,
+  window_not_covered,  // it begins above the window's lower end, was not unloaded far enough, or never leaves it
+  too_few_points,      // fewer than 6 in the window, or 3 in one of its halves
+  not_rising,          // the force does not rise in the window, or in one of its halves
+  no_reference,        // the first loading has no slope
+};
+
+struct LoadingStiffness {
+  LoadingStatus status;       // nothing else is valid unless ok
+  std::size_t first, last;    // rows [first, last) in the window
+  double slope, slope_error;  // [N/m] dF/dw0 and its standard error from scatter
+  double ratio;               // [1] to the slope of the first loading; for that itself 1, with errors 0 and not_damaged
+  double ratio_error;         // [1] standard error from scatter
+  double ratio_systematic;    // [1] half the difference of the ratios in the lower and in the upper half of the window
+  DamageVerdict verdict;
+};
+
+// Domain:  a record whose columns are finite and of one length; ranges within it, in time order, not overlapping; 0 <= from < up_to <= 1,
+//          0 < relevant_loss < 1, 0.5 < confidence < 1; std::invalid_argument otherwise.
+// Max error: wrong verdicts are no more frequent than 1 - confidence, and ratio +- 1.96 ratio_error covers 95 %, less 3 %, for noise of the
+//          force that is white or AR(1) up to 0.5, and 30 rows or more in the window (tests/data/loading_stiffness_test.cpp).
+// Method:  the window is one of force, not of deflection: the force tells where on its curve a specimen is, whatever the offset of the
+//          contact, and a bend of the curve cancels in the ratio. Force and deflection are regressed on the stage, which is imposed and
+//          free of their noise; errors allow for AR(1). That they know nothing of contacts that settle differently is what the
+//          systematic error is for: real ratios depend on the window by more than the scatter (docs/validation.md).
+std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings,
+                                               const LoadingStiffnessOptions& options = {});
+
+}  // namespace flexslip

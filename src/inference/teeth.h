@@ -1,0 +1,92 @@
+// Stick or slide between the drops of a sawtooth: on each rise, the slope of the force between that of a fibre stuck on its
+// supports and that of one sliding over them.
+//
+// While the stage moves by d(stage), w_S dS + w_q dq + (F_S dS + F_q dq)/k = G_S dS + G_q dq. The slope of the force is so the mean
+//     dF/d(stage) = (1 - p) F_S/G_S + p F_q/G_q,   1 - p = G_S dS/d(stage),
+// of that at constant friction and that at constant S. The position p is 1 where the fibre sticks, 0 where it slides with friction
+// constant, between them where it slides while friction rises, below 0 where friction falls; 1 - p is the share of the stage's
+// motion that draws fibre in. Static-kinetic stick-slip says p = 1 on every rise; sliding over rough ground says p < 1.
+// A stuck fibre on supports that give way by C times the tangential force, dS = C d(q Pn), has p < 1 as well, but with one C for all teeth.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "bending_test/rig.h"
+#include "data/drops.h"
+#include "data/record.h"
+#include "inference/profile.h"
+
+namespace flexslip {
+
+struct ToothOptions {
+  double confidence = 0.95;  // [1] of each verdict, one-sided
+  // [1] a fibre counts as stuck if less of the stage's motion than this draws fibre in. Empirical: on the first six rows after a
+  // reversal, where a fibre must stick, the authors' cyclic tests show 0.08 to 0.35 (supports and load train give way); on rigid
+  // supports 0.1 is safe.
+  double least_share = 0.35;
+  std::size_t least_rows = 4;      // of a rise that is judged; at least 4
+  double stiffness_error = 0.003;  // [1] relative, of the load-train stiffness
+};
+
+enum class ToothVerdict {
+  sliding,    // that it is stuck, 1 - p <= least_share, is rejected
+  sticking,   // that it slides, 1 - p >= least_share, is rejected
+  undecided,  // neither
+};
+
+struct Tooth {
+  std::size_t first, last;          // rows [first, last) of the record: from the end of a drop to the begin of the next
+  double S_begin, q_begin;          // [L], [1] at row first; NaN where no friction explains the row
+  double S_end, q_end;              // [L], [1] at row last - 1; likewise
+  double slope, slope_error;        // [EI/L^3] dF/d(stage), mean of the rise, and its standard error
+  double stick_slope, slide_slope;  // [EI/L^3] the limits, at the middle of the rise
+  double position;                  // [1] p
+  double position_error;            // [1] standard error from scatter
+  double position_systematic;       // [1] from EI, contact and load train together: common to all teeth of a test
+  double advance, advance_error;    // [L] of S over the rise, its standard error with all parts
+  ToothVerdict verdict;
+  double compliant_position;   // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
+  double compliant_deviation;  // [standard errors] of the position from that; the error of the compliance is left out
+  bool compliant_rejected;     // that deviation is beyond the two-sided confidence: the tooth slides all the same
+};
+
+enum class ComplianceStatus {
+  ok,
+  too_few_teeth,  // fewer than two: nothing to compare
+  none_fits,      // no positive compliance describes any tooth
+};
+
+struct SupportCompliance {
+  ComplianceStatus status;  // nothing else is valid unless ok
+  double value;             // [L^3/EI] C, both supports together; in um/mN: times L^3/EI in [m/N], times 1000
+  double error;             // [L^3/EI] standard error from scatter
+  double systematic;        // [L^3/EI] from EI, contact and load train
+  double chi_squared;       // [1] of the slopes about it, from scatter alone
+  std::size_t freedom;      // teeth - 1
+  double p_value;           // [1] of so large a chi_squared if it were the same fibre, stuck, on each tooth
+};
+
+struct Teeth {
+  std::vector<Tooth> teeth;
+  std::size_t too_short;    // rises of fewer rows than least_rows
+  std::size_t unexplained;  // rises whose middle no friction explains
+  SupportCompliance compliance;
+};
+
+// Domain:  a faultless record of one loading; drops = those found in it, in order; rig.stiffness > 0 and finite (without a load train
+//          no snap is seen); 0.5 < confidence < 1, 0 < least_share < 1, least_rows >= 4, errors >= 0; std::invalid_argument otherwise.
+// Max error: on rigid supports wrong verdicts are no more frequent than 1 - confidence where the force errs by Gaussian noise,
+//          white or AR(1) up to 0.5 (tests/inference/teeth_test.cpp, least_share = 0.1). Supports that give way by more than
+//          least_share, and slips within a rise too small to be found as drops, look like sliding: compare the compliance with
+//          that of a reversal on the same rig.
+// Method:  force regressed on the stage, which is imposed and free of noise; the standard error is that of the rise's own residuals,
+//          allowing for AR(1), and not below that of errors.force; Student's t. A curved rise errs on the side of undecided. Systematic
+//          errors by shifting EI, contact and load train by one standard deviation each. One compliance by weighted least squares;
+//          p_value by Wilson and Hilferty's cube root, good to 0.01 (0.03 for two teeth).
+// Cost:    40 µs a tooth.
+Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
+                  std::span<const Drop> drops, const ToothOptions& options = {});
+
+}  // namespace flexslip
