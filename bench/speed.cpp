@@ -133,6 +133,23 @@ void test_with_25_snaps(benchmark::State& run) {
 }
 BENCHMARK(test_with_25_snaps)->Unit(benchmark::kMillisecond);
 
+// Ten cycles in 3,000 stage steps over a roughness like the spicules', with energies at each: 60 snaps, both ways.
+void ten_cycles_3000_steps(benchmark::State& run) {
+  const Friction friction = Friction::sinusoid(0.6, 0.15, 0.0085, 1);
+  std::vector<double> stages;
+  for (int cycle = 0; cycle < 10; ++cycle)
+    for (const int direction : {1, -1})
+      for (int i = 1; i <= 150; ++i) stages.push_back(0.25 + direction * (0.3 * i / 150 - 0.15));
+  std::size_t snaps = 0;
+  for (auto _ : run) {
+    const History history = follow_in_steps({friction, {50}}, stages);
+    snaps = history.snaps.size();
+    benchmark::DoNotOptimize(snaps);
+  }
+  run.counters["snaps"] = static_cast<double>(snaps);
+}
+BENCHMARK(ten_cycles_3000_steps)->Unit(benchmark::kMillisecond);
+
 // A test of 300 points, all models, intervals and the report's numbers included.
 void analyse_300_points(benchmark::State& run) {
   const Scales scales(1278e-6, 2.1e-9);

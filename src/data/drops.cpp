@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "data/distributions.h"
+
 namespace flexslip {
 namespace {
 
@@ -36,15 +38,6 @@ void require_faultless(const Record& record) {
 
 // Degrees of freedom of step_noise, from its scatter in simulations: 8 at 30 points, 33 at 260, 110 at 1000.
 double noise_freedom(std::size_t points) { return 5 + static_cast<double>(points) / 10; }
-
-// P(t > x) of Student's distribution: Wallace's transformation to a Gaussian (Ann. Math. Stat. 30, 1959), good to 2 % of
-// the probability for nu >= 8 down to 1e-6.
-double student_tail(double x, double nu) {
-  const double z = (8 * nu + 1) / (8 * nu + 3) * std::sqrt(nu * std::log1p(x * x / nu));
-  return 0.5 * std::erfc(std::copysign(z, x) / std::numbers::sqrt2);
-}
-
-double gaussian_tail(double x) { return 0.5 * std::erfc(x / std::numbers::sqrt2); }
 
 // A stretch of successive falling steps, from point `from` to point `to`.
 struct Stretch {

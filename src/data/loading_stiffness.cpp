@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
+
+#include "data/distributions.h"
+#include "data/line.h"
 
 namespace flexslip {
 namespace {
@@ -35,50 +36,23 @@ void require(const Record& record, std::span<const LoadingRange> loadings, const
   }
 }
 
-// x with P(standard Gaussian < x) = probability.
-double gaussian_quantile(double probability) {
-  double low = -10, high = 10;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = std::midpoint(low, high);
-    (0.5 * std::erfc(-middle / std::numbers::sqrt2) < probability ? low : high) = middle;
-  }
-  return std::midpoint(low, high);
-}
-
 struct Slope {
   double value, error;  // [N/m]; value NaN if there is none
 };
 
 // dF/dw0 over the rows [first, last), by way of the stage.
 Slope slope_of(const Record& record, std::size_t first, std::size_t last) {
-  const auto n = static_cast<double>(last - first);
-  const auto mean = [&](const std::vector<double>& values) {
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i) sum += values[i];
-    return sum / n;
-  };
-  const double stage = mean(record.stage), deflection = mean(record.deflection), force = mean(record.force);
-  double xx = 0, xw = 0, xF = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const double x = record.stage[i] - stage;
-    xx += x * x;
-    xw += x * (record.deflection[i] - deflection);
-    xF += x * (record.force[i] - force);
-  }
-  if (!(xw > 0 && xF > 0)) return {not_a_number, not_a_number};
-  const double slope = xF / xw;
-
-  double sum = 0, lagged = 0, previous = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const double residual = record.force[i] - force - slope * (record.deflection[i] - deflection);
-    sum += residual * residual;
-    lagged += residual * previous;
-    previous = residual;
-  }
-  // Residuals of a line show less correlation than the noise has, by about (2 + 4 rho)/n.
-  const double shown = sum > 0 ? lagged / sum : 0;
-  const double rho = std::clamp(shown + (2 + 4 * shown) / n, 0.0, 0.9);
-  return {slope, std::sqrt(sum / (n - 2) * (1 + rho) / (1 - rho) * xx) / xw};
+  const auto rows = [&](const std::vector<double>& values) { return std::span(values).subspan(first, last - first); };
+  const Line force = line_through(rows(record.stage), rows(record.force));
+  const Line deflection = line_through(rows(record.stage), rows(record.deflection));
+  if (!(deflection.slope > 0 && force.slope > 0)) return {not_a_number, not_a_number};
+  const double slope = force.slope / deflection.slope;
+  std::vector<double> residuals(last - first);
+  for (std::size_t i = first; i < last; ++i)
+    residuals[i - first] = record.force[i] - force.mean_y - slope * (record.deflection[i] - deflection.mean_y);
+  constexpr double most_correlation = 0.9;
+  const double scatter = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), most_correlation);
+  return {slope, scatter / (deflection.slope * std::sqrt(force.sum_xx))};
 }
 
 struct Window {

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "data/line.h"
+
 namespace flexslip {
 namespace {
 
@@ -114,37 +116,6 @@ double resolution_of(std::vector<double> force) {
 
 // What the quietest tenth of the windows shows of the true scale, for Gaussian noise: fitted to simulations of 30 to 3000 points.
 double shown_by_quietest(std::size_t windows) { return 0.70 + 0.30 * std::exp(-0.1 * static_cast<double>(windows)); }
-
-struct Line {
-  double mean_x, mean_y, slope, sum_xx;
-};
-
-Line line_through(std::span<const double> x, std::span<const double> y) {
-  const auto n = static_cast<double>(x.size());
-  Line line{.mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
-            .mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n,
-            .slope = 0,
-            .sum_xx = 0};
-  double sum_xy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    line.sum_xx += (x[i] - line.mean_x) * (x[i] - line.mean_x);
-    sum_xy += (x[i] - line.mean_x) * (y[i] - line.mean_y);
-  }
-  line.slope = line.sum_xx > 0 ? sum_xy / line.sum_xx : 0;
-  return line;
-}
-
-// Standard deviation of the mean of one residual, times √n: larger than the plain one if neighbours err alike.
-double effective_deviation(std::span<const double> residuals, std::size_t parameters) {
-  double sum = 0, lagged = 0;
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    sum += residuals[i] * residuals[i];
-    if (i > 0) lagged += residuals[i] * residuals[i - 1];
-  }
-  if (sum == 0) return 0;
-  const double rho = std::clamp(lagged / sum, 0.0, 0.95);  // AR(1); beyond 0.95 the stretch is too short to tell
-  return std::sqrt(sum / static_cast<double>(residuals.size() - parameters) * (1 + rho) / (1 - rho));
-}
 
 }  // namespace
 
@@ -272,6 +243,7 @@ Contact find_contact(const Record& record, const ContactOptions& options) {
   const Line deflection_line = line_through(stage, deflection);
   if (!(force_line.slope > 0 && deflection_line.slope > 0)) return failed(ContactStatus::not_rising);
 
+  constexpr double most_correlation = 0.95;  // beyond it the stretch is too short to tell
   // Residuals of force = a (stage - offset) set the error of the offset, those of force = slope (deflection - offset) that of
   // the slope.
   const double slope = force_line.slope / deflection_line.slope;
@@ -285,16 +257,16 @@ Contact find_contact(const Record& record, const ContactOptions& options) {
   const auto points_before =
       std::count_if(record.stage.begin(), record.stage.begin() + static_cast<std::ptrdiff_t>(last),
                     [=](double ws) { return ws < offset; });
-  return {
-      .status = ContactStatus::found,
-      .offset = offset,
-      .offset_error = effective_deviation(off_stage, 2) / force_line.slope *
-                      std::sqrt(1 / static_cast<double>(n) + lever * lever / force_line.sum_xx),
-      .slope = slope,
-      .slope_error = effective_deviation(off_deflection, 2) / (deflection_line.slope * std::sqrt(force_line.sum_xx)),
-      .points_before = static_cast<std::size_t>(points_before),
-      .first = first,
-      .last = last};
+  return {.status = ContactStatus::found,
+          .offset = offset,
+          .offset_error = effective_deviation(off_stage, 2, 0, most_correlation) / force_line.slope *
+                          std::sqrt(1 / static_cast<double>(n) + lever * lever / force_line.sum_xx),
+          .slope = slope,
+          .slope_error = effective_deviation(off_deflection, 2, 0, most_correlation) /
+                         (deflection_line.slope * std::sqrt(force_line.sum_xx)),
+          .points_before = static_cast<std::size_t>(points_before),
+          .first = first,
+          .last = last};
 }
 
 std::vector<double> smooth_steps(const Record& record) {

@@ -4,12 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
+#include "data/distributions.h"
+#include "data/line.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {
@@ -45,28 +46,6 @@ void require(const ReducedRecord& record, const Rig& rig, const MeasurementError
   }
 }
 
-// x with P(standard Gaussian < x) = probability.
-double gaussian_quantile(double probability) {
-  double low = -10, high = 10;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = std::midpoint(low, high);
-    (0.5 * std::erfc(-middle / std::numbers::sqrt2) < probability ? low : high) = middle;
-  }
-  return std::midpoint(low, high);
-}
-
-// That of Student's t for a Gaussian quantile z: Wallace's transformation, at most 4 % too large at nu = 2 for 95 % two-sided, and better beyond.
-double student_quantile(double z, double nu) {
-  const double x = z * (8 * nu + 3) / (8 * nu + 1);
-  return std::sqrt(nu * std::expm1(x * x / nu));
-}
-
-// P(chi squared > x) by Wilson and Hilferty.
-double chi_squared_tail(double x, double nu) {
-  const double spread = 2 / (9 * nu);
-  return 0.5 * std::erfc((std::cbrt(x / nu) - 1 + spread) / std::sqrt(2 * spread));
-}
-
 // A rise as a straight line.
 struct Rise {
   std::size_t first, last;
@@ -75,37 +54,23 @@ struct Rise {
 };
 
 Rise straight_rise(const ReducedRecord& record, std::size_t first, std::size_t last, double force_error) {
-  const auto n = static_cast<double>(last - first);
   const auto stage = std::span(record.stage).subspan(first, last - first);
   const auto force = std::span(record.force).subspan(first, last - first);
+  const Line line = line_through(stage, force);
   Rise rise{.first = first,
             .last = last,
-            .stage = std::accumulate(stage.begin(), stage.end(), 0.0) / n,
-            .force = std::accumulate(force.begin(), force.end(), 0.0) / n,
-            .slope = 0,
+            .stage = line.mean_x,
+            .force = line.mean_y,
+            .slope = line.slope,
             .slope_error = 0,
             .travel = stage.back() - stage.front()};
-  double sum_xx = 0, sum_xy = 0;
-  for (std::size_t i = 0; i < stage.size(); ++i) {
-    const double x = stage[i] - rise.stage;
-    sum_xx += x * x;
-    sum_xy += x * (force[i] - rise.force);
-  }
-  if (!(sum_xx > 0)) return rise;
-  rise.slope = sum_xy / sum_xx;
-
-  double sum = 0, lagged = 0, previous = 0;
-  for (std::size_t i = 0; i < stage.size(); ++i) {
-    const double residual = force[i] - rise.force - rise.slope * (stage[i] - rise.stage);
-    sum += residual * residual;
-    lagged += residual * previous;
-    previous = residual;
-  }
-  // Residuals of a line show less correlation than the noise has, by about (2 + 4 rho)/n.
-  const double shown = sum > 0 ? lagged / sum : 0;
-  const double rho = std::clamp(shown + (2 + 4 * shown) / n, 0.0, 0.8);
-  const double scatter = std::sqrt(sum / (n - 2) * (1 + rho) / (1 - rho));
-  rise.slope_error = std::max(scatter, force_error) / std::sqrt(sum_xx);
+  if (!(line.sum_xx > 0)) return rise;
+  std::vector<double> residuals(stage.size());
+  for (std::size_t i = 0; i < stage.size(); ++i)
+    residuals[i] = force[i] - line.mean_y - line.slope * (stage[i] - line.mean_x);
+  constexpr double most_correlation = 0.8;
+  const double scatter = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), most_correlation);
+  rise.slope_error = std::max(scatter, force_error) / std::sqrt(line.sum_xx);
   return rise;
 }
 

@@ -20,9 +20,9 @@ namespace {
 // Everything is simulated by its own code here: only the map Ψ is shared with what is tested.
 constexpr double k = 90;             // [EI/L^3] of the authors' tests
 constexpr double step = 2.0 / 1278;  // [L] likewise
-constexpr double noise = 0.004;      // [EI/L^2] likewise: 5 µN for EI/L^3 = 1 N/m
+constexpr double usual_noise = 0.004;      // [EI/L^2] likewise: 5 µN for EI/L^3 = 1 N/m
 const Scales scales(1278e-6, 1278e-6 * 1278e-6 * 1278e-6);
-constexpr MeasurementErrors known{.force = noise, .bending_stiffness = 0.03, .contact = 1e-3};
+constexpr MeasurementErrors known{.force = usual_noise, .bending_stiffness = 0.03, .contact = 1e-3};
 
 struct Simulated {
   ReducedRecord record;
@@ -30,7 +30,7 @@ struct Simulated {
 };
 
 struct Noise {
-  double deviation = noise;
+  double deviation = usual_noise;
   double rho = 0;
   unsigned seed = 1;
 };
