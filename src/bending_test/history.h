@@ -35,7 +35,8 @@ struct History {
 // The states at given stage positions: loading, unloading, reloading, in any order; a position repeated is a halt. A test starts
 // with the straight fibre at stage 0.
 // Domain:     stages finite and >= 0, the greatest at least 1e-6; std::invalid_argument, naming the index, otherwise.
-// Max error:  as MovingFibre; the energy account closes to 1e-10 of the greatest energy in it.
+// Max error:  as MovingFibre; the energy account closes to 1e-10 + 2^-48/(S - 1) of the greatest energy in it, S being
+//             the least length at which the stage turned: near the straight fibre S - 1 has few digits.
 // Fails:      slipped_through, contact_lost.
 History follow_in_steps(const BendingTest& test, std::span<const double> stages);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -24,9 +25,12 @@ PathPoint path_point(const RigPoint& point, Motion motion) {
 
 // A rig so soft that the fibre bends by less than a millionth of its span loses the digits of S - 1.
 void require_bending(const Rig& rig, double farthest) {
-  if (!(farthest / (1 + 48 / rig.stiffness) >= 1e-6))
-    throw std::invalid_argument("the rig is too soft, or moved too little, to bend the fibre: its stiffness is " +
-                                std::to_string(rig.stiffness) + " EI/L^3");
+  if (!(farthest / (1 + 48 / rig.stiffness) >= 1e-6)) {
+    std::ostringstream message;
+    message << "the rig is too soft, or moved too little, to bend the fibre: its stiffness is " << rig.stiffness
+            << " EI/L^3, and it moves to " << farthest << " spans";
+    throw std::invalid_argument(message.str());
+  }
 }
 
 // At fixed S: ∫ F dG over q.
@@ -138,31 +142,32 @@ std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
   const double next_stop = std::max(S + direction * least_slip, 1.0);
   const bool runs_on = test_.friction.static_excess.at(S).mu > 0 && direction * (next_stop - landing->S) > 0;
   if (runs_on) glide_ = Glide{sliding, next_stop};
-  if (!runs_on && test_.rest == SnapRest::overshoot) return overshoot(sliding, landing->S);
+  if (!runs_on && test_.rest == SnapRest::overshoot) return overshoot(sliding, *landing, *work);
   here_ = *landing;
   return jump_to(path_point(*landing, runs_on ? slip(sliding) : Motion::snap), *work);
 }
 
-std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, double S_landing) {
-  constexpr int most_swings = 10000;  // a friction of a thousandth stops them in fewer
+std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& nearest, const SnapWork& nearest_work) {
+  constexpr int most_swings = 1000;  // more there are only where friction is all but nothing
   const Friction& kinetic = test_.friction.kinetic;
   SnapWork work{0, 0};
   double S = state_.S;
-  FibreState rest{};
+  double S_landing = nearest.S;
   for (int i = 0; i < most_swings; ++i) {
     const auto swung = swing(kinetic, test_.rig, state_.stage, S, S_landing);
     if (!swung) return lose(sliding);
     S = swung->S;
     work.friction += swung->friction;
-    rest = held_at(S, state_.stage, test_.rig, direction_of(sliding) * kinetic.at(S).mu).state;
-    if (std::abs(rest.q) <= static_friction(test_.friction, S)) break;
+    const FibreState rest = held_at(S, state_.stage, test_.rig, direction_of(sliding) * kinetic.at(S).mu).state;
+    if (std::abs(rest.q) <= static_friction(test_.friction, S))
+      return jump_to({state_.stage, rest.w, rest.F, S, rest.q, Motion::snap}, work);
     sliding = rest.q > 0 ? Sliding::in : Sliding::out;
     if (fibre_state(S, direction_of(sliding) * kinetic.at(S).mu).status != FibreStatus::ok) return lose(sliding);
     const auto landing = landing_after(curve_of(sliding, S), S, state_.stage);
     if (!landing) return lose(sliding);
     S_landing = landing->S;
   }
-  return jump_to({state_.stage, rest.w, rest.F, S, rest.q, Motion::snap}, work);
+  return jump_to(path_point(nearest, Motion::snap), nearest_work);
 }
 
 std::optional<Stretch> MovingFibre::lose(Sliding sliding) {

@@ -31,7 +31,7 @@ struct PathPoint {
 enum class SnapRest {
   nearest_stable,  // at the next stable state, q = μ_k: whatever is set free is lost at once (the paper's postulate, (4.32))
   overshoot,  // the energy set free carries the fibre on, until friction has consumed it: it rests with |q| below the
-              // static friction, after swinging back if need be. Ten thousand swings do not end: then as above.
+              // static friction, after swinging back if need be. What does not end in 1,000 swings rests as above.
 };
 
 struct BendingTest {
@@ -66,7 +66,8 @@ inline constexpr double least_slip = 1e-6;
 class MovingFibre {
  public:
   // Straight, at the stage position 0. It can be moved up to `farthest` [L].
-  // Domain: rig.stiffness > 0, farthest >= 1e-6; std::invalid_argument otherwise.
+  // Domain: rig.stiffness > 0, farthest >= 1e-6, static friction at most 20 wherever the fibre gets; std::invalid_argument
+  //         otherwise.
   MovingFibre(BendingTest test, double farthest);
 
   const PathPoint& state() const { return state_; }
@@ -74,8 +75,7 @@ class MovingFibre {
 
   // The next stretch on the way to a stage position; none when it is there, or when end() says why it never will be.
   // Domain:     0 <= stage <= farthest; std::invalid_argument otherwise.
-  // Max error:  events (the end of stick, folds, landings) to the rounding of the stage position.
-  // Max error:  of work, 1e-12 of the greatest energy of the stretch.
+  // Max error:  events (the end of stick, folds, landings) to the rounding of the stage position; work as sliding_table.h.
   // Cost:       a few µs; the first that slides in a direction traces its curve (rig.h).
   std::optional<Stretch> advance_towards(double stage);
 
@@ -97,7 +97,7 @@ class MovingFibre {
   std::optional<Stretch> stick(Sliding sliding, double limit, double stage);
   std::optional<Stretch> slide(Sliding sliding, double stage);
   std::optional<Stretch> snap(Sliding sliding);
-  std::optional<Stretch> overshoot(Sliding sliding, double S_landing);
+  std::optional<Stretch> overshoot(Sliding sliding, const RigPoint& nearest, const SnapWork& nearest_work);
   std::optional<Stretch> lose(Sliding sliding);
   Stretch move_to(const PathPoint& point);
   Stretch jump_to(const PathPoint& point, const SnapWork& work);

@@ -86,10 +86,15 @@ SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
   if (state.status != FibreStatus::ok) return {0, {0, 0}, 0};
   const double G_S = slopes.w_S + c * slopes.F_S + direction_ * (slopes.w_q + c * slopes.F_q) * mu.slope;
   const double corrected = sigma / rounded;
+  // The slopes err by their own accuracy, and friction and its slope by the rounding of the length where they vary fast.
+  const double per_period = 0x1p-50 / friction_.smooth_scale() * std::abs(mu.slope);
+  const double slope_error =
+      4e-14 * (state.w + c * state.F) * (std::abs(mu.slope) + 1 / (S - 1)) + per_period * (slopes.w_q + c * slopes.F_q);
+  const double friction_error = 0x1p-50 * std::abs(mu.slope) * state.Pn;
   const double G = (state.w + c * state.F) * corrected;
   return {G,
           {state.F * G_S * 2 * sigma, direction_ * mu.mu * state.Pn * 2 * sigma * corrected},
-          4e-14 * G * (std::abs(mu.slope) + 1 / (S - 1)) * state.F * 2 * sigma};
+          std::max(slope_error * state.F, friction_error) * 2 * sigma};
 }
 
 void SlidingTable::fill(Cell& cell, double from, double to, double scale, int halvings) const {

@@ -47,7 +47,16 @@ class Slide {
 
   double next(double S, double S_to) const { return end_of_stretch(friction_, S, S_to, 1); }
 
-  bool in_contact() const { return in_contact_; }
+  // None if contact is lost on the way.
+  std::optional<Power> work_in_contact(double S_from, double S_to) {
+    in_contact_ = true;
+    const Power done = work(S_from, S_to);
+    if (!in_contact_) {
+      q_ = direction_ * friction_.at(S_from).mu;
+      return std::nullopt;
+    }
+    return done;
+  }
 
  private:
   struct Held {
@@ -78,6 +87,24 @@ class Slide {
   double q_;
   bool in_contact_ = true;
 };
+
+// Where, between two lengths, the energy left is spent: by Newton's iteration guarded by bisection.
+Swing end_between(Slide& slide, const Power& left, double S, double next) {
+  double holds = S;
+  double spent = next;
+  double end = 0.5 * (S + next);
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const double released = left.released + slide.work(S, end).released;
+    (released > 0 ? holds : spent) = end;
+    const double sigma = std::sqrt(end - 1);
+    double better = end - released / slide.power_at(sigma).released * 2 * sigma;
+    if (!((better > holds && better < spent) || (better < holds && better > spent))) better = 0.5 * (holds + spent);
+    if (std::abs(better - end) <= 0x1p-50 * end) break;
+    end = better;
+  }
+  const Power last = slide.work(S, end);
+  return {end, left.friction + last.friction + left.released + last.released};
+}
 
 }  // namespace
 
@@ -117,45 +144,39 @@ std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, doub
   Power sum;
   for (double S = S_from; S != S_to;) {
     const double next = slide.next(S, S_to);
-    sum += slide.work(S, next);
+    const auto work = slide.work_in_contact(S, next);
+    if (!work) return std::nullopt;
+    sum += *work;
     S = next;
   }
-  if (!slide.in_contact()) return std::nullopt;
+  if (!held_at(S_to, stage, rig, 0).in_contact) return std::nullopt;
   return SnapWork{sum.friction, sum.released};
 }
 
 std::optional<Swing> swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
   constexpr double farthest = 10;  // beyond it no fibre comes back
-  const bool inwards = S_landing > S_from;
-  const double S_end = inwards ? farthest : 1;
+  const double S_end = S_landing > S_from ? farthest : 1;
   Slide slide(friction, rig, stage, S_from, S_landing);
   const auto first = snap_work(friction, rig, stage, S_from, S_landing);
   if (!first) return std::nullopt;
   Power sum{first->friction, first->released};
-  for (double S = S_landing; sum.released > 0;) {
+  double S = S_landing;
+  double reach =
+      0.25 * std::abs(S_landing - S_from);  // of the next stretch: the energy may be spent long before its end
+  while (sum.released > 0) {
     if (S == S_end) return std::nullopt;
-    const double next = slide.next(S, S_end);
-    const Power work = slide.work(S, next);
-    if (!slide.in_contact()) return std::nullopt;
-    if (sum.released + work.released > 0) {
-      sum += work;
-      S = next;
+    const double smooth = slide.next(S, S_end);
+    const double next = std::abs(smooth - S) <= reach ? smooth : S + std::copysign(reach, S_end - S);
+    const auto work = slide.work_in_contact(S, next);
+    if (!work && reach > 0x1p-40 * S) {
+      reach *= 0.5;
       continue;
     }
-    // The root of the energy left, by Newton's iteration guarded by bisection.
-    double holds = S;
-    double spent = next;
-    double end = 0.5 * (S + next);
-    for (int iteration = 0; iteration < 60; ++iteration) {
-      const double left = sum.released + slide.work(S, end).released;
-      (left > 0 ? holds : spent) = end;
-      const double sigma = std::sqrt(end - 1);
-      double better = end - left / slide.power_at(sigma).released * 2 * sigma;
-      if (!((better > holds && better < spent) || (better < holds && better > spent))) better = 0.5 * (holds + spent);
-      if (std::abs(better - end) <= 0x1p-50 * end) break;
-      end = better;
-    }
-    return Swing{end, sum.friction + slide.work(S, end).friction + sum.released + slide.work(S, end).released};
+    if (!work) return std::nullopt;
+    if (sum.released + work->released <= 0) return end_between(slide, sum, S, next);
+    sum += *work;
+    S = next;
+    reach *= 2;
   }
   return Swing{S_landing, sum.friction + sum.released};
 }

@@ -15,12 +15,12 @@
 namespace flexslip {
 
 struct HeldState {
-  bool in_contact;   // false: even without a force the stage stands farther back; `state` is the last with F >= 0
+  bool in_contact;   // false: even without a force, or with q = -20, the stage stands beyond; `state` is that one
   FibreState state;  // w + F/k = stage
 };
 
 // The state of a fibre that rests at the length S. q is a first guess.
-// Domain:     S >= 1, stage >= 0, |q| <= 20; std::invalid_argument otherwise.
+// Domain:     S >= 1, stage >= 0, |q| <= 20; std::invalid_argument otherwise. A stage that no q up to 20 holds gives that of q = 20.
 // Max error:  of w + F/k, 4 ulp of the stage position.
 // Method:     w and F rise strictly with q at fixed S; Newton's iteration guarded by bisection.
 HeldState held_at(double S, double stage, const Rig& rig, double q);

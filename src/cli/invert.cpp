@@ -73,6 +73,8 @@ std::string_view name_of(StiffnessSource source) {
       return "stated_without_uncertainty";
     case StiffnessSource::initial_slope:
       return "initial_slope";
+    case StiffnessSource::mirror:
+      return "mirror_symmetry";
   }
   throw std::invalid_argument("no such source of the bending stiffness");
 }

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +15,7 @@
 #include "cli/output.h"
 #include "io/input_error.h"
 #include "io/model_figures.h"
+#include "io/path_legs.h"
 #include "io/problem.h"
 
 namespace flexslip {
@@ -23,6 +26,7 @@ struct SimulateRequest {
   int points = 200;
   std::string noise;
   std::uint64_t seed = 1;
+  bool energies = false;
   std::string figure;
   std::vector<std::string> equilibria_at;
   Output output;
@@ -46,6 +50,7 @@ std::string_view name_of(Motion motion) {
 struct SimulatedTest {
   std::vector<double> stage, deflection, force, length, friction;
   std::vector<std::string_view> motion;
+  std::vector<double> stage_work, bending, load_train, friction_heat, snaps;  // from the start of the test
 };
 
 SimulatedTest physical_path(const History& history, const Scales& scales) {
@@ -57,6 +62,13 @@ SimulatedTest physical_path(const History& history, const Scales& scales) {
     test.length.push_back(scales.physical_length(point.S));
     test.friction.push_back(point.q);
     test.motion.push_back(name_of(point.motion));
+  }
+  for (const EnergyAccount& account : history.energy_at) {
+    test.stage_work.push_back(scales.physical_energy(account.stage_work));
+    test.bending.push_back(scales.physical_energy(account.bending));
+    test.load_train.push_back(scales.physical_energy(account.load_train));
+    test.friction_heat.push_back(scales.physical_energy(account.friction));
+    test.snaps.push_back(scales.physical_energy(account.snaps));
   }
   return test;
 }
@@ -95,60 +107,113 @@ std::vector<double> marked_stages(const SimulateRequest& request, const Case& in
   return stages;
 }
 
+std::string_view name_of(HistoryStatus status) {
+  switch (status) {
+    case HistoryStatus::ok:
+      return "ok";
+    case HistoryStatus::slipped_through:
+      return "slipped_through";
+    case HistoryStatus::contact_lost:
+      return "contact_lost";
+  }
+  throw std::invalid_argument("no such status");
+}
+
+// The snaps, each with the heat of its friction and the energy that it sets free.
+Json snaps_with_energy_json(const std::vector<Snap>& snaps, const Scales& scales) {
+  Json out = snaps_json(snaps, scales);
+  for (std::size_t i = 0; i < snaps.size(); ++i) {
+    out[i]["friction"] = scales.physical_energy(snaps[i].friction);
+    out[i]["released"] = scales.physical_energy(snaps[i].released);
+  }
+  return out;
+}
+
+// The energies of a whole test, and what they make of the area under its curve.
+Json test_energy_json(const EnergyAccount& account, const Scales& scales) {
+  Json out = energy_json(account, scales);
+  const double lost = account.friction + account.snaps;
+  out["work_of_fracture"] = scales.physical_energy(work_of_fracture(account));
+  out["friction_share"] = lost / work_of_fracture(account);
+  out["remaining"] = scales.physical_energy(work_of_fracture(account) - lost);
+  return out;
+}
+
+// The path of a history as a user reads it: on request with the energies.
+std::vector<OutputColumn> columns_of(const SimulatedTest& test, const SimulateRequest& request, bool reduced) {
+  const bool json = request.output.json;
+  const auto title = [&](std::string_view symbol, std::string_view word, std::string_view unit) {
+    return json ? std::string(word) : column_title(symbol, unit, reduced);
+  };
+  std::vector<OutputColumn> columns{{title("w_s", "stage", "m"), test.stage},
+                                    {title("w", "deflection", "m"), test.deflection},
+                                    {title("F", "force", "N"), test.force},
+                                    {title("S", "length", "m"), test.length},
+                                    {"q", test.friction},
+                                    {"motion", test.motion}};
+  if (!request.energies) return columns;
+  for (const auto& [name, values] : {std::pair{"stage_work", &test.stage_work}, std::pair{"bending", &test.bending},
+                                     std::pair{"load_train", &test.load_train},
+                                     std::pair{"friction", &test.friction_heat}, std::pair{"snaps", &test.snaps}})
+    columns.push_back({title(name, name, "J"), *values});
+  return columns;
+}
+
+// Why the path ends before its programme does.
+std::string reason_of_end(const Case& input, HistoryStatus status, const SimulatedTest& test) {
+  const std::string last =
+      readable(test.stage.empty() ? 0 : test.stage.back(), input.reduced ? kind::number : kind::length);
+  if (status == HistoryStatus::slipped_through)
+    return fmt::format("{}: the specimen slips through the supports after the stage position {}: the path ends there",
+                       input.source, last);
+  return fmt::format(
+      "{}: the wedge lifts off the specimen, on which no force is left, after the stage position {}: the path ends "
+      "there",
+      input.source, last);
+}
+
 void run_simulate(const SimulateRequest& request) {
+  constexpr double least_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
+  constexpr double least_stated_travel = 1e-9;    // of one that was written down
   const Case input = read_case(request.file);
   const double noise = noise_of(request, input);
   const Scales scales = scales_of(input, bending_stiffness_of(input));
-  const Rig rig = rig_of(input, scales);
-  const double farthest = scales.reduced_length(farthest_stage(input));
-  const Friction friction = friction_of(input, scales, longest_at_stage(farthest));
+  const StageProgramme programme = programme_of(input);
+  const BendingTest bending_test = bending_test_of(input, scales, scales.reduced_length(programme.farthest));
 
-  std::vector<double> stages;  // [m] asked for
-  if (input.stage->step) stages = stages_of(input);
-  std::vector<double> reduced_stages;
-  reduced_stages.reserve(stages.size());
-  for (const double stage : stages) reduced_stages.push_back(scales.reduced_length(stage));
-  const History history = input.stage->step
-                              ? follow_in_steps({friction, rig}, reduced_stages)
-                              : follow_continuously({friction, rig}, input.stage->program, request.points);
+  std::vector<double> stages;
+  stages.reserve(programme.positions.size());
+  for (const double position : programme.positions) stages.push_back(scales.reduced_length(position));
+  const History history = programme.in_steps ? follow_in_steps(bending_test, stages)
+                                             : follow_continuously(bending_test, stages, request.points);
+  const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
 
   SimulatedTest test = physical_path(history, scales);
   // A stage in steps stands where it was asked to, without the rounding of there and back.
-  if (input.stage->step)
-    test.stage.assign(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(test.stage.size()));
+  if (programme.in_steps) std::copy_n(programme.positions.begin(), test.stage.size(), test.stage.begin());
   add_noise(test, noise, input.rig->stiffness.value(), request.seed);
 
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};
     const std::vector<double> marked = marked_stages(request, input, scales);
+    // Also between the readings of a stage in steps.
+    const History drawn = programme.in_steps ? follow_continuously(bending_test, stages, 2) : history;
     draw_for(request.output,
-             marked.empty() ? measured_figure(friction, history, units)
-                            : overall_equilibria_figure(friction, rig, marked, units),
+             marked.empty() ? measured_figure(bending_test.friction, drawn, legs_of(drawn, leg_options), units)
+                            : overall_equilibria_figure(bending_test.friction.kinetic, bending_test.rig, marked, units),
              request.figure);
   }
-  const bool json = request.output.json;
-  const auto title = [&](std::string_view symbol, std::string_view word, std::string_view unit) {
-    return json ? std::string(word) : column_title(symbol, unit, input.reduced);
-  };
-  const std::vector<OutputColumn> columns{{title("w_s", "stage", "m"), test.stage},
-                                          {title("w", "deflection", "m"), test.deflection},
-                                          {title("F", "force", "N"), test.force},
-                                          {title("S", "length", "m"), test.length},
-                                          {"q", test.friction},
-                                          {"motion", test.motion}};
-  const bool slipped_through = history.status == HistoryStatus::slipped_through;
-  if (json)
-    write_json(request.output.path, {{"status", slipped_through ? "slipped_through" : "ok"},
+  const std::vector<OutputColumn> columns = columns_of(test, request, input.reduced);
+  if (request.output.json)
+    write_json(request.output.path, {{"status", name_of(history.status)},
                                      {"units", units_json(input.reduced)},
                                      {"path", rows_json(columns)},
-                                     {"snaps", snaps_json(history.snaps, scales)},
-                                     {"energy", energy_json(history.energy, scales)}});
+                                     {"snaps", snaps_with_energy_json(history.snaps, scales)},
+                                     {"legs", legs_json(history, legs_of(history, leg_options), scales)},
+                                     {"energy", test_energy_json(history.energy, scales)}});
   else
     write_table(request.output.path, columns);
-  if (slipped_through)
-    throw CalculationFailed(fmt::format(
-        "{}: the specimen slips through the supports after the stage position {}: the path ends there", input.source,
-        readable(test.stage.empty() ? 0 : test.stage.back(), input.reduced ? kind::number : kind::length)));
+  if (history.status != HistoryStatus::ok) throw CalculationFailed(reason_of_end(input, history.status, test));
 }
 
 }  // namespace
@@ -158,7 +223,8 @@ void add_simulate_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("simulate", "What a test would measure: its path, snaps and energy account");
   command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
   command
-      ->add_option("--points", request->points, "Points on each stable part, if the stage has the step \"continuous\"")
+      ->add_option("--points", request->points,
+                   "Points on each stretch of sticking or sliding, if the stage has the step \"continuous\"")
       ->type_name("N")
       ->check(CLI::Range(2, 1000000).description(""))
       ->capture_default_str();
@@ -167,6 +233,7 @@ void add_simulate_command(CLI::App& app) {
   command->add_option("--seed", request->seed, "Of the noise: the same seed gives the same readings")
       ->type_name("N")
       ->capture_default_str();
+  command->add_flag("--energies", request->energies, "Also the energies up to each point of the path");
   add_figure_option(*command, request->figure);
   command
       ->add_option("--equilibria-at", request->equilibria_at,
@@ -175,9 +242,11 @@ void add_simulate_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction\n"
-      "and how the specimen moved there (slip_in, snap); in SI, or reduced if the case is. With --json also\n"
-      "the snaps and the energy account. The output is a record that `flexslip fit` reads. If the specimen\n"
-      "slips through the supports, the path ends there, and the exit code is 1.\n\n"
+      "and how the specimen moved there (stick, slip_in, slip_out, snap); in SI, or reduced if the case is.\n"
+      "--energies adds stage_work, bending, load_train, friction and snaps, from the start. With --json also the\n"
+      "snaps, the energies of each loading and unloading, and the energy account. The output is a record that\n"
+      "`flexslip fit` reads. If the specimen slips through the supports, or the wedge lifts off it, the path ends\n"
+      "there, and the exit code is 1. The figure of a test that is unloaded shows its loops and their direction.\n\n"
       "Examples:\n"
       "  flexslip simulate case.toml --output test.csv\n"
       "  flexslip simulate case.toml --noise \"10 uN\" --seed 7 --json");

@@ -29,6 +29,9 @@ void require(const Record& record, std::span<const LoadingRange> loadings, const
   const std::size_t rows = record.force.size();
   if (record.stage.size() != rows || record.deflection.size() != rows)
     throw std::invalid_argument("the columns of the record differ in length");
+  for (std::size_t i = 0; i < rows; ++i)
+    if (!(std::isfinite(record.stage[i]) && std::isfinite(record.deflection[i]) && std::isfinite(record.force[i])))
+      throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
   std::size_t reached = 0;
   for (const auto& [first, last] : loadings) {
     if (first < reached || last <= first || last > rows) refuse("loading from row", static_cast<double>(first));
@@ -131,6 +134,10 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
                           : loss + bound < options.relevant_loss ? DamageVerdict::not_damaged
                                                                  : DamageVerdict::undecided;
       if (reference.status != LoadingStatus::ok) stiffness.status = LoadingStatus::no_reference;
+    }
+    if (stiffness.status != LoadingStatus::ok) {
+      stiffness.ratio = stiffness.ratio_error = stiffness.ratio_systematic = not_a_number;
+      stiffness.verdict = DamageVerdict::undecided;
     }
     result.push_back(stiffness);
   }

@@ -29,7 +29,7 @@ std::vector<double> forces_of(const BendingTest& test, const std::vector<double>
   std::vector<double> forces;
   forces.reserve(stages.size());
   for (const LoopRows& loop : loops) {
-    if (forces.size() >= loop.last) continue;
+    if (forces.size() > loop.first) continue;
     forces.resize(loop.first, not_a_number);
     const std::vector<double> rest(stages.begin() + static_cast<std::ptrdiff_t>(loop.first), stages.end());
     constexpr double least = 1e-4;  // [L] a stage that hardly moves bends nothing

@@ -38,6 +38,9 @@ void require(const ReducedRecord& record, const Rig& rig, const MeasurementError
   require_error("load-train stiffness error", options.stiffness_error);
   if (record.stage.size() != record.force.size() || record.deflection.size() != record.force.size())
     throw std::invalid_argument("the columns of the record differ in length");
+  for (std::size_t i = 0; i < record.force.size(); ++i)
+    if (!(std::isfinite(record.stage[i]) && std::isfinite(record.deflection[i]) && std::isfinite(record.force[i])))
+      throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
   std::size_t reached = 0;
   for (const Drop& drop : drops) {
     if (drop.before < reached || drop.after <= drop.before || drop.after >= record.force.size())
@@ -299,7 +302,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
         std::hypot(student_quantile(one_sided, nu) * tooth.position_error, one_sided * tooth.position_systematic);
     const double share = 1 - tooth.position;
     if (share - bound > options.least_share) tooth.verdict = ToothVerdict::sliding;
-    if (share + bound < options.least_share) tooth.verdict = ToothVerdict::sticking;
+    if (share + bound < options.least_share) tooth.verdict = ToothVerdict::as_if_stuck;
 
     if (result.compliance.status == ComplianceStatus::ok) {
       tooth.compliant_position = middle.compliant_position(result.compliance.value);

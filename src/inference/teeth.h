@@ -31,9 +31,9 @@ struct ToothOptions {
 };
 
 enum class ToothVerdict {
-  sliding,    // that it is stuck, 1 - p <= least_share, is rejected
-  sticking,   // that it slides, 1 - p >= least_share, is rejected
-  undecided,  // neither
+  sliding,      // that it is stuck, 1 - p <= least_share, is rejected
+  as_if_stuck,  // that it draws in least_share or more is rejected: stuck, or sliding where friction rises steeply
+  undecided,    // neither
 };
 
 struct Tooth {

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one test is a thousand times smaller
 constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
+constexpr double most_turns = 1e5;             // of a stage programme with its cycles: likewise
 
 constexpr std::array<std::pair<std::string_view, FrictionModel>, 6> model_names{{
     {"constant", FrictionModel::constant},
@@ -29,6 +30,9 @@ constexpr std::array<std::pair<std::string_view, FrictionModel>, 6> model_names{
     {"table", FrictionModel::table},
     {"rough", FrictionModel::rough},
 }};
+
+constexpr std::array<std::pair<std::string_view, SnapRest>, 2> snap_names{
+    {{"nearest", SnapRest::nearest_stable}, {"overshoot", SnapRest::overshoot}}};
 
 // What to write for a section or key that is missing.
 struct Example {
@@ -63,6 +67,8 @@ constexpr std::array examples{
     Example{"friction.seed", "seed = 1", "seed = 1"},
     Example{"stage", R"(program = ["0 um", "900 um"])", "program = [0, 0.7]"},
     Example{"stage.program", R"(program = ["0 um", "900 um"])", "program = [0, 0.7]"},
+    Example{"stage.stage", R"(stage = "stage [um]", the title of its column)",
+            R"(stage = "w_s", the title of its column)"},
     Example{"record", R"(file = "ss14.csv", stage = "w_s_m [m]" and force = "F_N [N]")",
             R"(file = "test.csv", stage = "w_s" and force = "F")"},
     Example{"record.file", R"(file = "ss14.csv")", R"(file = "test.csv")"},
@@ -367,15 +373,15 @@ std::vector<std::string> keys_of(FrictionModel model) {
   switch (model) {
     case FrictionModel::constant:
     case FrictionModel::drift:
-      return {"model", "mu0", "drift"};
+      return {"model", "mu0", "drift", "static_excess"};
     case FrictionModel::sinusoid:
-      return {"model", "mu0", "amplitude", "wavelength", "phase", "drift"};
+      return {"model", "mu0", "amplitude", "wavelength", "phase", "drift", "static_excess"};
     case FrictionModel::sinusoids:
-      return {"model", "mu0", "waves", "drift"};
+      return {"model", "mu0", "waves", "drift", "static_excess"};
     case FrictionModel::table:
-      return {"model", "file", "length", "mu"};
+      return {"model", "file", "length", "mu", "static_excess"};
     case FrictionModel::rough:
-      return {"model", "mu0", "rms", "correlation_length", "seed"};
+      return {"model", "mu0", "rms", "correlation_length", "seed", "static_excess"};
   }
   throw std::invalid_argument("keys_of: no such model");
 }
@@ -390,29 +396,67 @@ FrictionInput read_friction(const Keys& keys, const Case& input) {
   FrictionInput friction{read_models(keys, input), {}};
   keys.only(friction.models.size() == 1 ? keys_of(friction.models.front()) : std::vector<std::string>{"model"});
   if (keys.size() > 1) friction.profile = read_profile(friction.models.front(), keys, input);
+  if (keys.has("static_excess")) friction.static_excess = keys.number("static_excess", Range::non_negative);
   return friction;
 }
 
-StageInput read_stage(const Keys& keys) {
-  keys.only({"program", "step"});
+char read_decimal(const Keys& keys) {
+  if (!keys.has("decimal")) return '.';
+  const std::string decimal = keys.text("decimal");
+  if (decimal != "." && decimal != ",") keys.refuse("decimal", "\".\" or \",\"", in_quotes(decimal));
+  return decimal.front();
+}
+
+TurningPoints read_turning_points(const Keys& keys) {
   const toml::node& node = keys.need("program");
   const toml::array* turns = node.as_array();
   if (!turns || turns->size() < 2)
     keys.refuse("program", "at least two stage positions, where it starts and where it goes",
                 turns ? std::to_string(turns->size()) : kind_of_node(node));
-  StageInput stage;
-  double travel = 0;
-  for (std::size_t i = 0; i < turns->size(); ++i) {
-    stage.program.push_back(
+  TurningPoints stage{{}, keys.has("cycles") ? keys.whole_number("cycles", 1) : 1, {}};
+  for (std::size_t i = 0; i < turns->size(); ++i)
+    stage.positions.push_back(
         keys.value((*turns)[i], fmt::format("{}[{}]", keys.key("program"), i + 1), kind::length, Range::non_negative));
-    if (i > 0) travel += std::abs(stage.program[i] - stage.program[i - 1]);
-  }
+  const auto times = static_cast<double>(stage.cycles);
+  if (!(times * static_cast<double>(turns->size() - 1) <= most_turns))
+    keys.refuse(keys.has("cycles") ? "cycles" : "program", fmt::format("at most {:.0e} turning points", most_turns),
+                fmt::format("{:.1e}", times * static_cast<double>(turns->size() - 1)));
   const toml::node* step = keys.find("step");
-  if (step && step->value_exact<std::string_view>() != "continuous")
-    stage.step = keys.quantity("step", kind::length, Range::positive);
-  if (stage.step && !(travel / *stage.step <= most_steps))
-    keys.refuse("step", fmt::format("at most {:.0e} steps", most_steps), fmt::format("{:.1e}", travel / *stage.step),
+  if (!step || step->value_exact<std::string_view>() == "continuous") return stage;
+  stage.step = keys.quantity("step", kind::length, Range::positive);
+  const auto& [positions, cycles, length] = stage;
+  double travel = times * std::abs(positions[1] - positions.back());
+  for (std::size_t i = 2; i < positions.size(); ++i) travel += times * std::abs(positions[i] - positions[i - 1]);
+  travel += std::abs(positions[1] - positions[0]);
+  if (!(travel / *length <= most_steps))
+    keys.refuse("step", fmt::format("at most {:.0e} steps", most_steps), fmt::format("{:.1e}", travel / *length),
                 "take a larger step, or \"continuous\"");
+  return stage;
+}
+
+StageInput read_stage(const Keys& keys) {
+  keys.only({"program", "cycles", "step", "file", "stage", "time", "decimal", "snaps"});
+  StageInput stage;
+  const bool is_measured = keys.has("file");
+  for (const std::string_view other : {"program", "cycles", "step"})
+    if (is_measured && keys.has(other))
+      keys.refuse(other, "either a program or the file of one", "both",
+                  other == "step" ? "the rows of the file are the steps" : "delete one");
+  for (const std::string_view other : {"stage", "time", "decimal"})
+    if (!is_measured && keys.has(other))
+      keys.refuse(other, "it beside the file it is about", "no file", "add file = \"run.csv\"");
+  if (is_measured)
+    stage.programme = MeasuredProgramme{
+        keys.path("file"), keys.column("stage", kind::length),
+        keys.has("time") ? std::optional(keys.column("time", kind::time)) : std::nullopt, read_decimal(keys)};
+  else
+    stage.programme = read_turning_points(keys);
+  if (!keys.has("snaps")) return stage;
+  const auto known = std::find_if(snap_names.begin(), snap_names.end(), [&](const auto& name) {
+    return keys.need("snaps").value_exact<std::string_view>() == name.first;
+  });
+  if (known == snap_names.end()) keys.refuse("snaps", R"("nearest" or "overshoot")", kind_of_node(keys.need("snaps")));
+  stage.snaps = known->second;
   return stage;
 }
 
@@ -439,11 +483,7 @@ RecordInput read_record(const Keys& keys) {
                 "the third follows from the rig's stiffness");
   if (keys.has("until")) record.until = static_cast<std::size_t>(keys.whole_number("until", 1));
   record.contact = keys.optional_quantity("contact", kind::length, Range::any);
-  if (keys.has("decimal")) {
-    const std::string decimal = keys.text("decimal");
-    if (decimal != "." && decimal != ",") keys.refuse("decimal", "\".\" or \",\"", in_quotes(decimal));
-    record.decimal = decimal.front();
-  }
+  record.decimal = read_decimal(keys);
   return record;
 }
 
@@ -715,14 +755,30 @@ void write(Writer& out, const FrictionInput& friction) {
     out.line("model", names.size() == 1 ? names.front() : array_text(names));
   if (friction.profile)
     std::visit([&](const auto& profile) { write(out, profile, friction.models.front()); }, *friction.profile);
+  if (friction.static_excess != 0) out.line("static_excess", plain(friction.static_excess));
+}
+
+void write(Writer& out, const TurningPoints& stage) {
+  std::vector<std::string> turns;
+  for (const double turn : stage.positions) turns.push_back(out.quantity(turn, kind::length));
+  out.line("program", array_text(turns));
+  if (stage.cycles != 1) out.line("cycles", std::to_string(stage.cycles));
+  out.line("step", stage.step ? out.quantity(*stage.step, kind::length) : "\"continuous\"");
+}
+
+void write(Writer& out, const MeasuredProgramme& stage) {
+  out.line("file", basic_string(stage.file));
+  out.line("stage", basic_string(stage.stage));
+  if (stage.time) out.line("time", basic_string(*stage.time));
+  if (stage.decimal != '.') out.line("decimal", basic_string({&stage.decimal, 1}));
 }
 
 void write(Writer& out, const StageInput& stage) {
   out.section("stage");
-  std::vector<std::string> turns;
-  for (const double turn : stage.program) turns.push_back(out.quantity(turn, kind::length));
-  out.line("program", array_text(turns));
-  out.line("step", stage.step ? out.quantity(*stage.step, kind::length) : "\"continuous\"");
+  std::visit([&](const auto& programme) { write(out, programme); }, stage.programme);
+  if (stage.snaps == SnapRest::nearest_stable) return;
+  for (const auto& [name, rest] : snap_names)
+    if (rest == stage.snaps) out.line("snaps", fmt::format("\"{}\"", name));
 }
 
 void write(Writer& out, const RecordInput& record) {

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "bending_test/motion.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -107,12 +108,30 @@ enum class FrictionModel { constant, drift, sinusoid, sinusoids, table, rough };
 struct FrictionInput {
   std::vector<FrictionModel> models;            // empty: the fit chooses among all it knows
   std::optional<FrictionProfileInput> profile;  // there if the file gives parameters; then there is one model
+  double static_excess = 0;                     // [1] of the static friction over the kinetic one, the profile
   bool operator==(const FrictionInput&) const = default;
 };
 
+// Positions between which the stage moves straight on; one that is repeated is a halt.
+struct TurningPoints {
+  std::vector<double> positions;  // [m] at least two
+  std::uint64_t cycles;           // how often all after the first is gone through
+  std::optional<double> step;     // [m] none: continuous, with exact snaps
+  bool operator==(const TurningPoints&) const = default;
+};
+
+// Positions row by row from a table. Titles of columns as read_table takes them.
+struct MeasuredProgramme {
+  std::string file;  // relative to the working directory
+  std::string stage;
+  std::optional<std::string> time;  // must not run back
+  char decimal;                     // '.' or ','
+  bool operator==(const MeasuredProgramme&) const = default;
+};
+
 struct StageInput {
-  std::vector<double> program;  // [m] turning points of the stage, at least two
-  std::optional<double> step;   // [m] none: continuous, with exact snaps
+  std::variant<TurningPoints, MeasuredProgramme> programme;
+  SnapRest snaps = SnapRest::nearest_stable;
   bool operator==(const StageInput&) const = default;
 };
 

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "io/cycles_json.h"
+#include "io/teeth_json.h"
+
 namespace flexslip {
 namespace {
 
@@ -235,6 +238,8 @@ Json stiffness_json(const FittedTest& test) {
         return "stated_without_uncertainty";
       case StiffnessSource::initial_slope:
         return "initial_slope";
+      case StiffnessSource::mirror:
+        return "mirror_symmetry";
     }
     return "";
   };
@@ -278,6 +283,9 @@ Json fit_json(const FittedTest& test) {
     energy = energy_json(analysis.energy.account, analysis.scales);
     energy["work_of_fracture"] = analysis.scales.physical_energy(analysis.energy.work_of_fracture);
     energy["friction_share"] = analysis.energy.friction_share;
+    const auto& account = analysis.energy.account;
+    energy["remaining"] =
+        analysis.scales.physical_energy(analysis.energy.work_of_fracture - account.friction - account.snaps);
   }
   Json replay = nullptr;
   if (fitted)
@@ -300,10 +308,12 @@ Json fit_json(const FittedTest& test) {
   out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
   out["drops"] = drops_json(test);
   out["slips"] = slips_json(test, units);
+  out["teeth"] = teeth_json(test);
   out["suspects"] = suspects_json(test, units);
   out["suspect_criteria"] = suspect_criteria_json(analysis.suspects);
   out["energy"] = energy;
   out["replay"] = replay;
+  out["cycles"] = cycles_json(test);
   out["models"] = models;
   out["middle"] = fitted ? Json(units.length(analysis.fit.S_middle)) : Json();
   out["wavelength_candidates"] = candidates_json(analysis.fit.scan, units);

@@ -1,4 +1,4 @@
-// A fitted test as JSON: the form that docs/json.md describes and scripts read.
+// A fitted test as JSON: the form that scripts read.
 #pragma once
 
 #include "io/fitted_test.h"

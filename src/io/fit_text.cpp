@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "io/cycles_words.h"
 #include "io/fit_words.h"
+#include "io/teeth_words.h"
 
 namespace flexslip {
 namespace {
@@ -88,7 +90,18 @@ std::string fit_text(const FittedTest& test) {
   text += "\n[[Slips]]\n";
   paragraph(slips_in_words(test));
   if (!test.analysis.drops.drops.empty()) text += laid_out(drop_table(test));
-  text += "\n[[Energy]]\n" + laid_out(energy_table(test));
+  text += "\n[[Stick or slide]]\n";
+  paragraph(teeth_in_words(test));
+  if (const auto table = tooth_table(test); !table.rows.empty()) text += laid_out(table);
+  if (test.cycles) {
+    text += "\n[[Load and unload]]\n";
+    for (const auto& words : cycles_in_words(test)) paragraph(words);
+    if (const auto table = loop_table(test); !table.rows.empty())
+      text += laid_out(table) + laid_out(loop_energy_table(test));
+    paragraph(reloading_in_words(test));
+    text += laid_out(loading_table(test));
+  }
+  text += fmt::format("\n[[Energy]]{}\n", test.cycles ? " of the first loading" : "") + laid_out(energy_table(test));
   text += "\n[[Plausibility]]\n";
   paragraph(friction_in_literature(test));
   paragraph(suspicion_in_words(test));

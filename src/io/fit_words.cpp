@@ -9,84 +9,14 @@
 
 #include <fmt/format.h>
 
+#include "io/cycles_words.h"
+#include "io/printed.h"
 #include "io/quantity.h"
 
 namespace flexslip {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-// Numbers of one test in print: physical, or reduced without units.
-class Print {
- public:
-  explicit Print(const FittedTest& test) : scales_(test.analysis.scales), reduced_(test.reduced) {}
-
-  Kind as(const Kind& kind) const { return reduced_ ? kind::number : kind; }
-  std::string length(double value) const { return known(scales_.physical_length(value), kind::length); }
-  std::string force(double value) const { return known(scales_.physical_force(value), kind::force); }
-  std::string energy(double value) const { return known(scales_.physical_energy(value), kind::energy); }
-  // Already in the units of the test.
-  std::string own(double value, const Kind& kind) const { return known(value, kind); }
-
- private:
-  std::string known(double value, const Kind& kind) const {
-    return std::isfinite(value) ? readable(value, as(kind)) : "not known";
-  }
-
-  const Scales& scales_;
-  bool reduced_;
-};
-
-// A column of numbers in one unit, which stands in its title, to some digits of the largest.
-class PrintedColumn {
- public:
-  PrintedColumn(std::string_view title, const std::vector<double>& values, const Kind& kind, int digits) {
-    double largest = 0;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
-    const std::string_view unit = best_unit(largest, kind);
-    if (!unit.empty()) scale_ = parse_unit(unit);
-    title_ = unit.empty()    ? std::string(title)
-             : title.empty() ? typeset(unit)
-                             : fmt::format("{} ({})", title, typeset(unit));
-    const double shown = from_si(largest, scale_);
-    decimals_ = shown > 0 ? std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(shown))), 0, 9) : 1;
-  }
-  const std::string& title() const { return title_; }
-  std::string cell(double value) const {
-    return std::isfinite(value) ? fmt::format("{:.{}f}", from_si(value, scale_), decimals_) : "";
-  }
-
- private:
-  std::string title_;
-  Unit scale_{};
-  int decimals_ = 1;
-};
-
-struct NumberColumn {
-  std::string title;
-  std::vector<double> values;  // in the units of the test; NaN leaves a cell empty
-  Kind kind;
-  int digits = 4;
-};
-
-PrintedTable printed(const std::vector<NumberColumn>& columns) {
-  PrintedTable table;
-  for (const auto& column : columns) {
-    const PrintedColumn print(column.title, column.values, column.kind, column.digits);
-    table.head.push_back(print.title());
-    table.rows.resize(column.values.size());
-    for (std::size_t i = 0; i < column.values.size(); ++i) table.rows[i].push_back(print.cell(column.values[i]));
-  }
-  return table;
-}
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-std::string percent(double share) {
-  return std::isfinite(share) ? fmt::format("{:.0f} %", 100 * share) : "an unknown share";
-}
 
 // A drop that the specimen's sliding explains: length is drawn in, and friction stays between nothing and what is plausible.
 bool is_explained(const Slip& slip, double limit) {
@@ -104,13 +34,6 @@ constexpr double no_friction = 1e-6;
 
 std::string friction_in_words(const ParameterEstimate& mu0) {
   return readable(mu0.value <= no_friction ? 0 : mu0.value, mu0.standard_error, kind::number);
-}
-
-// To two digits.
-std::string roughly(double value, const Kind& kind) {
-  if (!std::isfinite(value) || value == 0) return readable(value, kind);
-  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
-  return readable(step * std::round(value / step), kind);
 }
 
 std::string drops_in_words(const FittedTest& test) {
@@ -202,8 +125,9 @@ std::string answer_of(const FittedTest& test) {
     answer += fmt::format("; it took {} of the work done on the specimen, which is no toughness", percent(share));
   else
     answer += ", too little to take a measurable part of the work";
-  return answer + (analysis.suspects.suspect ? ". The test is suspect: it needs more friction than is plausible."
-                                             : ". Nothing about it is suspect.");
+  answer += analysis.suspects.suspect ? ". The test is suspect: it needs more friction than is plausible."
+                                      : ". Nothing about it is suspect.";
+  return test.cycles ? answer + " " + cycles_in_short(test) : answer;
 }
 
 std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
@@ -237,12 +161,13 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
                           print.as(kind::inverse_length)));
   rows.push_back(row_of("bending_stiffness", "EI", "of the specimen", model.bending_stiffness,
                         scales.bending_stiffness(), print.as(kind::bending_stiffness)));
-  rows.back().remark =
-      model.model == ProfileModel::constant
-          ? "not fitted: a constant friction would bend it to the roughness"
-          : fmt::format("{:+.1f} % from {}, ± {:.1f} %", 100 * (model.bending_stiffness.value - 1),
-                        test.stiffness == StiffnessSource::initial_slope ? "the initial slope" : "that given",
-                        100 * test.analysis.bending_stiffness_error);
+  rows.back().remark = model.model == ProfileModel::constant
+                           ? "not fitted: a constant friction would bend it to the roughness"
+                           : fmt::format("{:+.1f} % from {}, ± {:.1f} %", 100 * (model.bending_stiffness.value - 1),
+                                         test.stiffness == StiffnessSource::initial_slope ? "the initial slope"
+                                         : test.stiffness == StiffnessSource::mirror      ? "that of the loops"
+                                                                                          : "that given",
+                                         100 * test.analysis.bending_stiffness_error);
   if (test.section_moment && !test.reduced)
     rows.push_back(row_of("modulus", "E", "flexural modulus, EI/I", model.bending_stiffness,
                           scales.bending_stiffness() / *test.section_moment, kind::pressure));
@@ -460,6 +385,12 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
           fmt::format("The bending stiffness is stated without an uncertainty; {} (standard deviation) is assumed, and "
                       "within that it is fitted.",
                       error));
+      break;
+    case StiffnessSource::mirror:
+      list.push_back(fmt::format(
+          "The bending stiffness is that at which friction is the same in loading and unloading, known to {} "
+          "(standard deviation); within that it is fitted.",
+          error));
       break;
     case StiffnessSource::initial_slope:
       list.push_back(

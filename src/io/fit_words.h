@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/fitted_test.h"
+#include "io/printed.h"
 
 namespace flexslip {
 
@@ -29,11 +30,6 @@ struct ParameterRow {
 // Domain of all below: analysis.status is ok.
 std::vector<ParameterRow> parameter_rows(const FittedTest& test);
 
-// A table for people: every cell as it is printed.
-struct PrintedTable {
-  std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;
-};
 PrintedTable model_table(const FittedTest& test);  // the models and their criteria, the chosen one marked
 PrintedTable drop_table(const FittedTest& test);   // the drops measured, as slips
 PrintedTable snap_table(const FittedTest& test);   // the snaps of the chosen model

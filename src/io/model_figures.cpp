@@ -69,6 +69,128 @@ FigureData sliding_curve(const Friction& friction, double S_max, const Axes& axe
   return curve_data("curve", equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max)).points, axes);
 }
 
+struct TrackPoint {
+  double w, F, S, q;
+  Motion motion;        // by which it was reached
+  Direction direction;  // of the stage
+};
+
+std::vector<TrackPoint> track_of(const History& history, std::span<const Leg> legs) {
+  std::vector<TrackPoint> track;
+  track.reserve(history.path.size());
+  for (const Leg& leg : legs)
+    for (std::size_t i = leg.first; i < leg.last; ++i) {
+      const PathPoint& p = history.path[i];
+      track.push_back({p.w, p.F, p.S, p.q, p.motion, leg.direction});
+    }
+  return track;
+}
+
+struct Panel {
+  double x, y;    // reduced extents of the axes
+  double aspect;  // height over width
+};
+
+struct Spot {
+  double x, y;  // [width of the panel]
+};
+
+using Projection = Spot (*)(const TrackPoint& point, const Panel& panel);
+Spot in_force(const TrackPoint& point, const Panel& panel) {
+  return {point.w / panel.x, point.F / panel.y * panel.aspect};
+}
+Spot in_friction(const TrackPoint& point, const Panel& panel) {
+  return {point.S / panel.x, point.q / panel.y * panel.aspect};
+}
+
+double distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+bool is_sticking(const TrackPoint& point) { return point.motion == Motion::stick; }
+
+struct Arrow {
+  Spot from, to;
+};
+
+Spot between(const Spot& a, const Spot& b, double share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+
+// Places arrows on a track, each not too near to another of the same direction of the stage.
+class Arrows {
+ public:
+  Arrows(std::vector<Spot> spots) : spots_(std::move(spots)) {}
+
+  // With its tip in the piece that ends with point i, as far along it as `share` says.
+  void place(std::size_t first, std::size_t i, double share) {
+    constexpr double length = 0.03;  // [width of the panel]
+    constexpr double nearest = 0.2;  // likewise, of another arrow
+    const Spot tip = between(spots_[i - 1], spots_[i], share);
+    std::size_t back = i - 1;
+    while (back > first && distance(spots_[back], tip) < length) --back;
+    const double way = distance(spots_[back], tip);
+    if (!(way > 0) || std::any_of(arrows_.begin(), arrows_.end(),
+                                  [&](const Arrow& other) { return distance(other.to, tip) < nearest; }))
+      return;
+    arrows_.push_back({between(tip, spots_[back], std::min(1.0, length / way)), tip});
+  }
+
+  const Spot& spot(std::size_t i) const { return spots_[i]; }
+  const std::vector<Arrow>& placed() const { return arrows_; }
+
+ private:
+  std::vector<Spot> spots_;
+  std::vector<Arrow> arrows_;
+};
+
+constexpr double arrow_at = 0.55;        // of a way
+constexpr double shortest_marked = 0.2;  // [width of the panel] way that has an arrow
+
+// On a leg from point `first` to `last`, where the fibre has gone half its way.
+void mark_leg(Arrows& arrows, std::size_t first, std::size_t last) {
+  const double way = arrows.spot(last).x - arrows.spot(first).x;
+  if (std::abs(way) < shortest_marked) return;
+  const double target = arrows.spot(first).x + arrow_at * way;
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    const double to = arrows.spot(i).x;
+    if ((to - target) * way < 0) continue;
+    const double from = arrows.spot(i - 1).x;
+    return arrows.place(first, i, to == from ? 1 : (target - from) / (to - from));
+  }
+}
+
+// On a stretch of sticking from point `first` to `last`.
+void mark_sticking(Arrows& arrows, std::size_t first, std::size_t last) {
+  const double way = distance(arrows.spot(first), arrows.spot(last));  // it is almost straight
+  if (way < shortest_marked) return;
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    const double to = distance(arrows.spot(first), arrows.spot(i));
+    if (to < arrow_at * way) continue;
+    const double from = distance(arrows.spot(first), arrows.spot(i - 1));
+    return arrows.place(first, i, (arrow_at * way - from) / (to - from));
+  }
+}
+
+std::vector<Arrow> arrows_on(const std::vector<TrackPoint>& track, Projection projection, const Panel& panel,
+                             Direction direction) {
+  std::vector<Spot> spots;
+  spots.reserve(track.size());
+  for (const TrackPoint& point : track) spots.push_back(projection(point, panel));
+  Arrows arrows(std::move(spots));
+  const auto belongs = [&](std::size_t i) { return track[i].direction == direction; };
+  const auto sticks = [&](std::size_t i) { return belongs(i) && is_sticking(track[i]); };
+  const auto mark = [&](const auto& is_part, const auto& mark_part) {
+    for (std::size_t i = 1; i < track.size(); ++i) {
+      if (!is_part(i)) continue;
+      const std::size_t first = i - 1;
+      while (i + 1 < track.size() && is_part(i + 1)) ++i;
+      mark_part(arrows, first, i);
+    }
+  };
+  mark(belongs, mark_leg);
+  mark(sticks, mark_sticking);
+  return arrows.placed();
+}
+
 constexpr std::string_view one_panel =
     "  set lmargin at screen 0.145; set rmargin at screen 0.965; set tmargin at screen 0.845; set bmargin at screen "
     "0.165\n"
@@ -171,24 +293,56 @@ Figure equilibrium_figure(const Friction& friction, double S_max, const DrawnIn&
           .script = script};
 }
 
-Figure measured_figure(const Friction& friction, const History& history, const DrawnIn& units) {
+namespace {
+
+double longest_of(const History& history) {
   double S_max = 1.01;
   for (const auto& point : history.path) S_max = std::max(S_max, point.S);
-  const auto extent = extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max)).points);
+  for (const auto& snap : history.snaps) S_max = std::max({S_max, snap.before.S, snap.after.S});
+  return S_max;
+}
+
+// gnuplot refuses to plot data without a point.
+void fill_if_empty(FigureData& data) {
+  if (data.rows.empty()) data.rows.emplace_back(data.titles.size(), NAN);
+}
+
+// The pieces of a track that `belongs` chooses, thinned to what can be told apart in print.
+template <typename Predicate>
+FigureData pieces_of(std::string name, const std::vector<TrackPoint>& track, const Axes& axes, const Extent& extent,
+                     Predicate belongs) {
+  constexpr double finest = 0.002;  // of the figure: a sixth of a millimetre
+  FigureData data{
+      std::move(name), {axes.title("deflection"), axes.title("force"), axes.title("length"), "mobilised friction"}, {}};
+  const auto add = [&](const TrackPoint& p) { data.rows.push_back({axes.x(p.w), axes.y(p.F), axes.x(p.S), p.q}); };
+  const TrackPoint* kept = nullptr;
+  for (std::size_t i = 1; i < track.size(); ++i) {
+    if (!belongs(track[i])) continue;
+    if (i == 1 || !belongs(track[i - 1])) {
+      if (!data.rows.empty()) data.rows.emplace_back();
+      add(track[i - 1]);
+      kept = &track[i - 1];
+    }
+    const bool is_end = i + 1 == track.size() || !belongs(track[i + 1]);
+    const double step = std::hypot((track[i].w - kept->w) / extent.w, (track[i].F - kept->F) / extent.F);
+    if (!is_end && step < finest && std::abs(track[i].q - kept->q) < finest) continue;
+    add(track[i]);
+    kept = &track[i];
+  }
+  fill_if_empty(data);
+  return data;
+}
+
+bool is_snap(const TrackPoint& point) { return point.motion == Motion::snap; }
+
+Figure loading_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs, const DrawnIn& units) {
+  const double S_max = longest_of(history);
+  const Friction& friction = law.kinetic;
+  auto extent = extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max)).points);
+  const auto track = track_of(history, legs);
+  for (const auto& point : track) extent = {std::max(extent.w, point.w), std::max(extent.F, point.F)};
   const Axes axes(units, extent.w, extent.F);
-  FigureData measured{"measured", {axes.title("deflection"), axes.title("force")}, {}};
-  FigureData snaps{"snaps", {axes.title("deflection"), axes.title("force")}, {}};
-  for (const auto& point : history.path) {
-    if (point.motion == Motion::snap) measured.rows.emplace_back();
-    measured.rows.push_back({axes.x(point.w), axes.y(point.F)});
-  }
-  for (const auto& snap : history.snaps) {
-    snaps.rows.push_back({axes.x(snap.before.w), axes.y(snap.before.F)});
-    snaps.rows.push_back({axes.x(snap.after.w), axes.y(snap.after.F)});
-    snaps.rows.emplace_back();
-  }
-  const bool snapped = !snaps.rows.empty();
-  if (!snapped) snaps.rows.push_back({NAN, NAN});
+  const bool snapped = !history.snaps.empty();
   const std::string script = fmt::format(
       R"({}  set xrange [0:{:.6g}]; set yrange [0:{:.6g}]
   set xlabel '{}' offset 0,0.4; set ylabel '{}' offset 0.8
@@ -204,8 +358,121 @@ Figure measured_figure(const Friction& friction, const History& history, const D
                                      history.snaps.size()),
           .width = one_column,
           .height = 66,
-          .data = {sliding_curve(friction, S_max, axes), std::move(measured), std::move(snaps)},
+          .data = {sliding_curve(friction, S_max, axes),
+                   pieces_of("measured", track, axes, extent, [](const auto& point) { return !is_snap(point); }),
+                   pieces_of("snaps", track, axes, extent, is_snap)},
           .script = script};
+}
+
+FigureData arrow_data(std::string name, const std::vector<Arrow>& arrows, const Panel& panel, double x_unit,
+                      double y_unit) {
+  FigureData data{std::move(name), {"x", "y", "step x", "step y"}, {}};
+  const double x = panel.x * x_unit;
+  const double y = panel.y * y_unit / panel.aspect;
+  for (const auto& [from, to] : arrows)
+    data.rows.push_back({x * from.x, y * from.y, x * (to.x - from.x), y * (to.y - from.y)});
+  fill_if_empty(data);
+  return data;
+}
+
+Figure loops_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs, const DrawnIn& units) {
+  const double S_max = longest_of(history);
+  const Friction& friction = law.kinetic;
+  const auto track = track_of(history, legs);
+  const int n = points_for(friction, S_max);
+  auto upper = equilibrium_curve(friction, Sliding::in, S_max, n).points;
+  auto lower = equilibrium_curve(friction, Sliding::out, S_max, n).points;
+  Extent extent = extent_of(upper);
+  double q_least = 0;
+  double q_most = 0;
+  for (const auto& point : track) {
+    extent = {std::max(extent.w, point.w), std::max(extent.F, point.F)};
+    q_least = std::min(q_least, point.q);
+    q_most = std::max(q_most, point.q);
+  }
+  const Axes axes(units, extent.w, extent.F);
+  const double q_range = 1.3 * std::max({q_most, -q_least, 0.05});
+  const double S_margin = 0.04 * (S_max - 1);
+  const double F_range = 1.1 * extent.F;
+  const double w_range = 1.04 * extent.w;
+  constexpr double aspect = 0.84;  // of the panels below
+  const Panel force_panel{w_range, F_range, aspect};
+  const Panel friction_panel{S_max - 1 + 2 * S_margin, 2 * q_range, aspect};
+
+  FigureData limits = curve_data("limits", upper, axes);
+  limits.titles.emplace_back("friction");
+  for (std::size_t i = 0; i < upper.size(); ++i) limits.rows[i].push_back(upper[i].q);
+  limits.rows.emplace_back();
+  for (const auto& point : lower) limits.rows.push_back({axes.x(point.w), axes.y(point.F), axes.x(point.S), point.q});
+  const auto part = [&](const char* name, Direction direction, bool sticking) {
+    return pieces_of(name, track, axes, extent, [=](const TrackPoint& point) {
+      return !is_snap(point) && point.direction == direction && is_sticking(point) == sticking;
+    });
+  };
+  const auto arrows = [&](const char* name, Projection projection, const Panel& panel, Direction direction) {
+    const bool is_force = projection == in_force;
+    return arrow_data(name, arrows_on(track, projection, panel, direction), panel, axes.x(1), is_force ? axes.y(1) : 1);
+  };
+  const auto panel_script = [&](std::string_view letter, std::string_view columns, std::string_view suffix) {
+    return fmt::format(
+        R"(  set label 1 '({0})' at graph 0.03, 0.945 font ',9'
+  plot limits using {1} with lines lw 2.2 lc rgb '#CFCFCF', \
+       snaps using {1} with lines lw 0.9 dt (7,4) lc rgb 'black', \
+       sticking_in using {1} with lines lw 1 dt (3,2) lc rgb blue, \
+       sticking_out using {1} with lines lw 1 dt (3,2) lc rgb vermillion, \
+       loading using {1} with lines lw 1.5 lc rgb blue, \
+       unloading using {1} with lines lw 1.5 lc rgb vermillion, \
+       arrows_in_{2} using 1:2:3:4 with vectors lw 1 lc rgb blue filled size screen 0.013,22,90, \
+       arrows_out_{2} using 1:2:3:4 with vectors lw 1 lc rgb vermillion filled size screen 0.013,22,90)",
+        letter, columns, suffix);
+  };
+  const std::string script = fmt::format(
+      R"(  set multiplot
+  set tmargin at screen 0.91; set bmargin at screen 0.155
+  set key at screen 0.53,0.99 center top vertical Left reverse maxrows 1 width 1 samplen 2
+  set lmargin at screen 0.075; set rmargin at screen 0.48
+  set xrange [0:{:.6g}]; set yrange [0:{:.6g}]
+  set xlabel '{}' offset 0,0.4; set ylabel '{}' offset 1.2
+{}, \
+       keyentry with lines lw 1.5 lc rgb blue title 'Loading', \
+       keyentry with lines lw 1.5 lc rgb vermillion title 'Unloading', \
+       keyentry with lines lw 1 dt (3,2) lc rgb 'black' title 'Sticking', \
+       {}keyentry with lines lw 2.2 lc rgb '#CFCFCF' title 'q = ±μ'
+  unset key
+  set lmargin at screen 0.58; set rmargin at screen 0.985
+  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]
+  set xlabel '{}'; set ylabel 'Mobilised friction {{/:Italic q}}' offset 0.6
+{}
+  unset multiplot; unset label 1
+)",
+      axes.x(w_range), axes.y(F_range), axes.deflection(), axes.force(), panel_script("A", "1:2", "force"),
+      history.snaps.empty() ? "" : "keyentry with lines lw 0.9 dt (7,4) lc rgb 'black' title 'Snaps', ",
+      axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range, q_range, axes.length(),
+      panel_script("B", "3:4", "friction"));
+  return {
+      .name = "measured",
+      .title = "What the test measures",
+      .description = fmt::format(
+          "Two panels: force against deflection, and mobilised friction against the length between the supports, in {} "
+          "loading and unloading legs with {} snaps. Arrows show the direction.",
+          legs.size(), history.snaps.size()),
+      .width = two_columns,
+      .height = 72,
+      .data = {std::move(limits), pieces_of("snaps", track, axes, extent, is_snap),
+               part("sticking_in", Direction::loading, true), part("sticking_out", Direction::unloading, true),
+               part("loading", Direction::loading, false), part("unloading", Direction::unloading, false),
+               arrows("arrows_in_force", in_force, force_panel, Direction::loading),
+               arrows("arrows_out_force", in_force, force_panel, Direction::unloading),
+               arrows("arrows_in_friction", in_friction, friction_panel, Direction::loading),
+               arrows("arrows_out_friction", in_friction, friction_panel, Direction::unloading)},
+      .script = script};
+}
+
+}  // namespace
+
+Figure measured_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs,
+                       const DrawnIn& units) {
+  return legs.size() < 2 ? loading_figure(law, history, legs, units) : loops_figure(law, history, legs, units);
 }
 
 Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::span<const double> stages,

@@ -6,6 +6,8 @@
 #include "bending_test/history.h"
 #include "bending_test/rig.h"
 #include "contact/friction.h"
+#include "contact/friction_law.h"
+#include "data/legs.h"
 #include "data/scales.h"
 #include "io/figure.h"
 
@@ -25,8 +27,9 @@ Figure region_figure(const Friction& friction, double S_max, const DrawnIn& unit
 // The curve along which the specimen slides, with that of no friction and the Euler-Bernoulli line (Fig. 8A).
 Figure equilibrium_figure(const Friction& friction, double S_max, const DrawnIn& units);
 
-// What a rig measures along that curve, its snaps dashed (Fig. 8C).
-Figure measured_figure(const Friction& friction, const History& history, const DrawnIn& units);
+// What a test measures, its snaps dashed: over the equilibrium curve (Fig. 8C) if it only loads; otherwise its loops with their
+// direction, beside the boxes that they are in length and mobilised friction. The history is one followed continuously.
+Figure measured_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs, const DrawnIn& units);
 
 // The overall equilibria at some stage positions [L]: stable ones filled, unstable ones open, partially stable ones in red; load lines
 // of the rig through them (Fig. 8B).

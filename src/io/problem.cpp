@@ -146,6 +146,93 @@ Friction friction_from(const Case& input, const RoughFriction& rough, const Scal
   return Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
 }
 
+double most_kinetic(const Friction& friction) {
+  if (const auto* table = std::get_if<FrictionTable>(&friction.form()))
+    return *std::max_element(table->mu.begin(), table->mu.end());
+  const auto& waves = std::get<FrictionWaves>(friction.form());
+  double most = waves.mu0;
+  for (const Sinusoid& term : waves.terms) most += waves.mu0 * term.amplitude;
+  return most;
+}
+
+// All positions at which the stage turns, halts or ends, cycle by cycle.
+std::vector<double> written_out(const TurningPoints& programme) {
+  std::vector<double> turns{programme.positions.front()};
+  turns.reserve(1 + programme.cycles * (programme.positions.size() - 1));
+  for (std::uint64_t cycle = 0; cycle < programme.cycles; ++cycle)
+    turns.insert(turns.end(), programme.positions.begin() + 1, programme.positions.end());
+  return turns;
+}
+
+std::vector<double> stepped(const std::vector<double>& turns, double step) {
+  std::vector<double> stages{turns.front()};
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    const double from = turns[i - 1];
+    const double way = turns[i] - from;
+    // The last step may be shorter; a remainder of 1e-9 of a step is rounding.
+    const auto steps = static_cast<long>(std::ceil(std::abs(way) / step - 1e-9));
+    for (long n = 1; n < steps; ++n) stages.push_back(from + std::copysign(static_cast<double>(n) * step, way));
+    stages.push_back(turns[i]);
+  }
+  return stages;
+}
+
+StageProgramme programme_from(const Case& input, const TurningPoints& programme) {
+  const auto& positions = programme.positions;
+  const auto farthest = std::max_element(positions.begin(), positions.end());
+  const std::string key = fmt::format("stage.program[{}]", farthest - positions.begin() + 1);
+  if (!(*farthest >= nearest_reduced * required_span(input)))
+    throw wrong_value(input, fmt::format("stage.program[{}]", positions.size()),
+                      fmt::format("a position of at least {:g} spans", nearest_reduced),
+                      readable_length(input, positions.back()));
+  if (!(*farthest <= farthest_reduced * required_span(input)))
+    throw wrong_value(input, key, fmt::format("a position within {:g} spans", farthest_reduced),
+                      readable_length(input, *farthest), "check its unit");
+  std::vector<double> turns = written_out(programme);
+  if (!programme.step) return {std::move(turns), *farthest, false, false};
+  return {stepped(turns, *programme.step), *farthest, true, false};
+}
+
+StageProgramme programme_from(const Case& input, const MeasuredProgramme& measured) {
+  std::vector<WantedColumn> wanted{{measured.stage, kind_in(input, kind::length)}};
+  if (measured.time) wanted.push_back({*measured.time, kind_in(input, kind::time)});
+  Table table = read_table(measured.file, wanted, measured.decimal);
+  const auto refuse = [&](std::size_t row, const Column& column, std::string expected, std::string found,
+                          std::string remedy) {
+    throw InputError({.file = table.source,
+                      .line = table.line_of(row),
+                      .field = fmt::format("column {}", in_quotes(column.name)),
+                      .expected = std::move(expected),
+                      .found = std::move(found),
+                      .remedy = std::move(remedy)});
+  };
+  const Column& stage = table.columns.front();
+  const double span = required_span(input);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double position = stage.values[row];
+    if (position < 0)
+      refuse(row, stage, "a stage position of at least 0, the contact", readable_length(input, position),
+             "count the stage from where it touches the specimen, and leave out what comes before");
+    if (!(position <= farthest_reduced * span))
+      refuse(row, stage, fmt::format("a stage position within {:g} spans", farthest_reduced),
+             readable_length(input, position), "check its unit");
+    if (!measured.time || row == 0) continue;
+    const Column& time = table.columns[1];
+    if (time.values[row] < time.values[row - 1])
+      refuse(row, time,
+             fmt::format("a time not before that of the row before, {}",
+                         readable(time.values[row - 1], kind_in(input, kind::time))),
+             readable(time.values[row], kind_in(input, kind::time)), "sort the rows by time");
+  }
+  const auto farthest = std::max_element(stage.values.begin(), stage.values.end());
+  if (!(*farthest >= nearest_reduced * span))
+    refuse(static_cast<std::size_t>(farthest - stage.values.begin()), stage,
+           fmt::format("a stage that moves to at least {:g} spans", nearest_reduced),
+           readable_length(input, *farthest) + " as the farthest", "check the unit");
+  const double reach = *farthest;
+  return {std::move(table.columns.front().values), reach, true, true};
+}
+
 struct Readings {
   Table table;
   Record record;  // of all rows
@@ -342,38 +429,26 @@ Friction friction_of(const Case& input, const Scales& scales, double S_max) {
                     *input.friction->profile);
 }
 
-std::vector<double> stages_of(const Case& input) {
-  if (!input.stage || !input.stage->step) throw std::invalid_argument("a programme without steps");
-  const auto& [program, step] = *input.stage;
-  std::vector<double> stages{program.front()};
-  for (std::size_t i = 1; i < program.size(); ++i) {
-    const double from = program[i - 1];
-    const double way = program[i] - from;
-    // The last step may be shorter; a remainder of 1e-9 of a step is rounding.
-    const auto steps = static_cast<long>(std::ceil(std::abs(way) / *step - 1e-9));
-    for (long n = 1; n < steps; ++n) stages.push_back(from + std::copysign(static_cast<double>(n) * *step, way));
-    if (way != 0) stages.push_back(program[i]);
-  }
-  return stages;
+StageProgramme programme_of(const Case& input) {
+  if (!input.stage) throw missing(input, "stage");
+  return std::visit([&](const auto& programme) { return programme_from(input, programme); }, input.stage->programme);
 }
 
-double farthest_stage(const Case& input) {
-  if (!input.stage) throw missing(input, "stage");
-  const std::vector<double>& program = input.stage->program;
-  for (std::size_t i = 1; i < program.size(); ++i)
-    if (program[i] < program[i - 1])
-      throw wrong_value(input, fmt::format("stage.program[{}]", i + 1),
-                        fmt::format("a position not below the one before, {}", readable_length(input, program[i - 1])),
-                        readable_length(input, program[i]),
-                        "unloading is not simulated yet: end the programme before it");
-  const std::string last = fmt::format("stage.program[{}]", program.size());
-  if (!(program.back() >= nearest_reduced * required_span(input)))
-    throw wrong_value(input, last, fmt::format("a position of at least {:g} spans", nearest_reduced),
-                      readable_length(input, program.back()));
-  if (!(program.back() <= farthest_reduced * required_span(input)))
-    throw wrong_value(input, last, fmt::format("a position within {:g} spans", farthest_reduced),
-                      readable_length(input, program.back()), "check its unit");
-  return program.back();
+BendingTest bending_test_of(const Case& input, const Scales& scales, double farthest) {
+  constexpr double most_friction = 20;  // what the mechanics covers
+  const Rig rig = rig_of(input, scales);
+  if (!(farthest / (1 + 48 / rig.stiffness) >= nearest_reduced))
+    throw wrong_value(input, "rig.stiffness",
+                      fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
+                      readable(required_stiffness(input), kind_in(input, kind::stiffness)), "check its unit");
+  Friction kinetic = friction_of(input, scales, longest_at_stage(farthest));
+  const double excess = input.friction->static_excess;
+  const double most = most_kinetic(kinetic) + excess;
+  if (excess > 0 && most > most_friction)
+    throw wrong_value(input, "friction.static_excess", "static friction of at most 20", fmt::format("{:g}", most));
+  return {{std::move(kinetic), Friction::constant(excess)},
+          rig,
+          input.stage ? input.stage->snaps : SnapRest::nearest_stable};
 }
 
 MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bending_test/motion.h"
 #include "bending_test/rig.h"
 #include "contact/friction.h"
 #include "data/record.h"
@@ -60,6 +61,7 @@ enum class StiffnessSource {
   stated,         // by the case, with its uncertainty
   assumed_error,  // by the case, without: usual_stiffness_error
   initial_slope,  // of the record, F = 48 EI w/L^3
+  mirror,         // of the loops of a test that is unloaded, which friction makes mirror images in (S, q)
 };
 
 struct BendingStiffnessUsed {
@@ -85,17 +87,26 @@ Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness);
 // Fails:      InputError if the case has no stiffness of the rig.
 Rig rig_of(const Case& input, const Scales& scales);
 
-// The friction of a case for lengths up to S_max [L]; a table is read from its file.
+// The kinetic friction of a case for lengths up to S_max [L]; a table is read from its file.
 // Fails:      InputError if the case has none, several models, or one without parameters.
 Friction friction_of(const Case& input, const Scales& scales, double S_max);
 
-// The stage positions [m] of a programme with a step, its turning points among them.
-// Domain:     the case has a stage with a step; std::invalid_argument otherwise.
-std::vector<double> stages_of(const Case& input);
+// What the stage is to do.
+struct StageProgramme {
+  std::vector<double> positions;  // [m] in steps: of every reading; else the turning points, exactly followed
+  double farthest;                // [m] the greatest of them
+  bool in_steps;
+  bool measured;  // read from a file
+};
 
-// The farthest stage position [m] of a programme that only loads.
-// Fails:      InputError if the case has no programme, or one that goes back or nowhere.
-double farthest_stage(const Case& input);
+// The programme of a case, its cycles and steps written out; a measured one is read from its file.
+// Fails:      InputError if the case has none, or one that goes nowhere, farther than a specimen bends, behind the contact, or
+//             back in time.
+StageProgramme programme_of(const Case& input);
+
+// The test that a case describes, for stage positions up to `farthest` [L]: friction at rest and in sliding, rig, snaps.
+// Fails:      InputError as friction_of and rig_of, and if the rig is too soft to bend the specimen.
+BendingTest bending_test_of(const Case& input, const Scales& scales, double farthest);
 
 // Reduced errors of the readings, for measure_friction and fit_friction.
 MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,

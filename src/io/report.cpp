@@ -4,15 +4,20 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "io/cycles_figures.h"
+#include "io/cycles_words.h"
 #include "io/fit_figures.h"
 #include "io/fit_words.h"
 #include "io/input_error.h"
+#include "io/teeth_figure.h"
+#include "io/teeth_words.h"
 #include "io/text_file.h"
 
 namespace flexslip {
@@ -85,7 +90,7 @@ std::string escaped(std::string_view text) {
 std::string typeset_minus(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool begins = i == 0 || text[i - 1] == ' ';
+    const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '(';
     const bool number = i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
     out += text[i] == '-' && begins && number ? std::string("−") : std::string(1, text[i]);
   }
@@ -194,6 +199,37 @@ std::vector<Plate> plates_of(const FittedTest& test) {
   return plates;
 }
 
+std::optional<Plate> teeth_plate(const FittedTest& test) {
+  if (!test.analysis.teeth || test.analysis.teeth->teeth.empty()) return std::nullopt;
+  return Plate{
+      teeth_figure(test),
+      "Every rise between two drops, between sliding with friction constant (0) and sticking (1): below 1 the "
+      "specimen is drawn in, below 0 friction falls as it is. Thin bars: noise, 95 %; wide grey bars: stiffness "
+      "and contact, 95 %, common to all. Orange: as steep as if stuck, which sliding against "
+      "steeply rising friction is too. Crosses: a stuck specimen on supports that give way by the one compliance that "
+      "fits "
+      "best."};
+}
+
+std::vector<Plate> cycles_plates(const FittedTest& test) {
+  const auto& friction = test.cycles->friction;
+  if (friction.status != CyclesStatus::ok && friction.status != CyclesStatus::no_mirror) return {};
+  std::vector<Plate> plates;
+  plates.push_back(
+      {loops_figure(test),
+       "Force against deflection, loading (blue) and unloading (red); arrows show the direction. Black: one "
+       "friction profile for all loops and both directions, run forward over the stage positions."});
+  plates.push_back(
+      {boxes_figure(test),
+       fmt::format(
+           "Top: each loop is a box, sliding in along its upper side, sticking while the stage turns back, sliding "
+           "out along the lower one. Below{}: friction of both directions at the same points of the specimen. Bands: "
+           "95 %, noise, bending stiffness and contact; the latter two move a whole band. Points that noise throws "
+           "beyond the axis are not shown.",
+           friction.loops.size() > most_drawn_loops ? fmt::format(", the first {} loops", most_drawn_loops) : "")});
+  return plates;
+}
+
 std::string provenance_html(const FittedTest& test) {
   const auto& provenance = test.provenance;
   std::string out = fmt::format("<p>FlexSlip {}.", escaped(provenance.version));
@@ -228,7 +264,7 @@ std::string page(const FittedTest& test, const std::string& body) {
       escaped(title), style, escaped(title), escaped(answer_of(test)), body);
 }
 
-std::string paragraph(const std::string& words) { return fmt::format("<p>{}</p>\n", escaped(words)); }
+std::string paragraph(const std::string& words) { return fmt::format("<p>{}</p>\n", typeset_minus(escaped(words))); }
 
 std::string section(const std::string& title) { return fmt::format("<h2>{}</h2>\n", title); }
 
@@ -250,13 +286,14 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
     return DrawStatus::drawn;
   }
   const auto& analysis = test.analysis;
-  const auto plates = plates_of(test);
   DrawStatus drawn = DrawStatus::drawn;
-  std::vector<std::string> figures;
-  for (const auto& plate : plates) {
+  int number = 0;
+  const auto figure = [&](const Plate& plate) {
     drawn = draw(plate.figure, (base / "figures").string(), {"svg", "pdf", "png"});
-    figures.push_back(html_figure(base, plate, drawn, static_cast<int>(figures.size()) + 1));
-  }
+    return html_figure(base, plate, drawn, ++number);
+  };
+  std::vector<std::string> figures;
+  for (const auto& plate : plates_of(test)) figures.push_back(figure(plate));
 
   std::string body = figures[0] + figures[1];
   body += section("Friction") + parameter_table(test) + paragraph(friction_in_literature(test));
@@ -273,7 +310,18 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
   if (!analysis.drops.drops.empty() || !analysis.model.snaps.empty())
     body += section("Snaps of the model") + paragraph(snaps_in_words(test));
   if (!analysis.model.snaps.empty()) body += html_table(snap_table(test));
-  body += section("Where the work went") + html_table(energy_table(test));
+  body += section("Stick or slide") + paragraph(teeth_in_words(test));
+  if (const auto plate = teeth_plate(test)) body += figure(*plate) + html_table(tooth_table(test));
+  if (test.cycles) {
+    body += section("Load and unload");
+    for (const auto& plate : cycles_plates(test)) body += figure(plate);
+    for (const auto& words : cycles_in_words(test)) body += paragraph(words);
+    if (const auto table = loop_table(test); !table.rows.empty())
+      body += html_table(table) + html_table(loop_energy_table(test));
+    body += paragraph(reloading_in_words(test)) + html_table(loading_table(test));
+  }
+  body += section(test.cycles ? "Where the work of the first loading went" : "Where the work went") +
+          html_table(energy_table(test));
   body += section("Can it be trusted?") + paragraph(suspicion_in_words(test)) + paragraph(replay_in_words(test));
   body += section("What was assumed") + "<ul>\n";
   for (const auto& sentence : assumptions_of(test)) body += fmt::format("<li>{}</li>\n", escaped(sentence));

@@ -359,7 +359,7 @@ TEST_CASE(
     "curve)") {
   int folding = 0;
   CHECK(rc::check("random roughness", [&] {
-    const auto friction = Friction::sinusoid(0.9, *between(0.2, 0.9), *between(0.002, 0.02), *between(0, 6.3));
+    const auto friction = Friction::sinusoid(0.9, *between(0.4, 0.9), *between(0.002, 0.006), *between(0, 6.3));
     const auto history = follow_continuously({friction, {infinity}}, std::vector{0.3, 0.1, 0.3}, 3);
     const auto deflection = [&](double S, double sign) { return fibre_state(S, sign * friction.at(S).mu).w; };
     for (const Snap& snap : history.snaps) {

@@ -37,7 +37,8 @@ TEST_CASE("line: the scatter of a mean of correlated readings (oracle: 4,000 sim
       const double deviation = effective_deviation(readings, 0, 0, 0.95);
       estimates += deviation * deviation / n;
     }
-    CHECK(estimates / means == doctest::Approx(1).epsilon(0.1));  // 2/√4000 of scatter, and the bias of ρ in 100 readings
+    CHECK(estimates / means ==
+          doctest::Approx(1).epsilon(0.1));  // 2/√4000 of scatter, and the bias of ρ in 100 readings
   }
 }
 

@@ -18,9 +18,9 @@ using namespace flexslip;
 namespace {
 
 // Everything is simulated by its own code here: only the map Ψ is shared with what is tested.
-constexpr double k = 90;             // [EI/L^3] of the authors' tests
-constexpr double step = 2.0 / 1278;  // [L] likewise
-constexpr double usual_noise = 0.004;      // [EI/L^2] likewise: 5 µN for EI/L^3 = 1 N/m
+constexpr double k = 90;               // [EI/L^3] of the authors' tests
+constexpr double step = 2.0 / 1278;    // [L] likewise
+constexpr double usual_noise = 0.004;  // [EI/L^2] likewise: 5 µN for EI/L^3 = 1 N/m
 const Scales scales(1278e-6, 1278e-6 * 1278e-6 * 1278e-6);
 constexpr MeasurementErrors known{.force = usual_noise, .bending_stiffness = 0.03, .contact = 1e-3};
 
@@ -119,7 +119,7 @@ TEST_CASE("oracle: stick-slip simulated without noise has position 1 and no adva
     CHECK(std::abs(tooth.position - 1) < 2e-3);  // second order in the rise, a few hundredths of a span
     CHECK(std::abs(tooth.advance) < 1e-4);       // likewise
     CHECK(tooth.position_systematic < 0.02);     // the stick limit is hardly anything but k
-    CHECK(tooth.verdict == ToothVerdict::sticking);
+    CHECK(tooth.verdict == ToothVerdict::as_if_stuck);
   }
 }
 
@@ -146,12 +146,12 @@ TEST_CASE(
     for (unsigned seed = 0; seed < 200; ++seed) {
       const auto still = judged(with_noise(held, {.rho = rho, .seed = seed}));
       stuck += still.teeth.size();
-      stuck_right += count(still, ToothVerdict::sticking);
+      stuck_right += count(still, ToothVerdict::as_if_stuck);
       stuck_wrong += count(still, ToothVerdict::sliding);
       const auto moving = judged(with_noise(rough[seed % 2], {.rho = rho, .seed = seed}));
       slid += moving.teeth.size();
       slid_right += count(moving, ToothVerdict::sliding);
-      slid_wrong += count(moving, ToothVerdict::sticking);
+      slid_wrong += count(moving, ToothVerdict::as_if_stuck);
     }
     MESSAGE("rho " << rho << ": of " << stuck << " stuck teeth " << stuck_right << " sticking, " << stuck_wrong
                    << " sliding; of " << slid << " sliding teeth " << slid_right << " sliding, " << slid_wrong
@@ -179,7 +179,7 @@ TEST_CASE(
     rejected += teeth.compliance.p_value < 0.05;
     for (const Tooth& tooth : teeth.teeth) teeth_rejected += tooth.compliant_rejected;
     teeth_all += teeth.teeth.size();
-    sticking += static_cast<int>(count(teeth, ToothVerdict::sticking));
+    sticking += static_cast<int>(count(teeth, ToothVerdict::as_if_stuck));
   }
   MESSAGE("C covered in " << covered << " of " << tests << " tests, one compliance rejected at 5 % in " << rejected
                           << ", of " << teeth_all << " teeth " << teeth_rejected << " rejected, " << sticking

@@ -75,7 +75,7 @@ TEST_CASE("table: the documented example, in SI") {
   CHECK(input.specimen == SpecimenInput{RoundSection{34.8e-6}, Modulus{Known{29.6e9, 1.5e9}}});
   CHECK(input.rig == RigInput{1278e-6, 90.65});
   CHECK(input.friction == FrictionInput{{FrictionModel::sinusoid}, WavyFriction{0.5, 0, {{0.15, 10.9e-6, 1.0}}}});
-  CHECK(input.stage == StageInput{{0, 900e-6, 0, 900e-6}, 2e-6});
+  CHECK(input.stage == StageInput{TurningPoints{{0, 900e-6, 0, 900e-6}, 1, 2e-6}});
   CHECK(input.record == RecordInput{"data/ss14.csv", "w_s_m [m]", {}, "F_N [N]", 267, {}, '.'});
   CHECK(input.lines.at("specimen.diameter") == 2);
   CHECK(input.lines.at("specimen.modulus.uncertainty") == 3);
@@ -115,6 +115,8 @@ TEST_CASE("table: the friction that can be described") {
                  "[[friction.waves]]\namplitude = 0.2\nwavelength = '3 um'") == two);
   CHECK(friction("model = 'table'\nfile = 'afm.csv'\nlength = 'S [um]'") ==
         FrictionInput{{FrictionModel::table}, TabulatedFriction{"data/afm.csv", "S [um]", "mu"}});
+  CHECK(friction("model = 'constant'\nmu0 = 0.5\nstatic_excess = 0.05") ==
+        FrictionInput{{FrictionModel::constant}, WavyFriction{0.5, 0, {}}, 0.05});
   CHECK(friction("model = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7") ==
         FrictionInput{{FrictionModel::rough}, RoughFriction{0.5, 0.1, 5e-6, 7}});
 }
@@ -124,8 +126,15 @@ TEST_CASE("table: rigs, stages and records that can be described") {
   CHECK(read("[rig]\nspan = '1 mm'\nstiffness = 'inf'").rig == RigInput{1e-3, infinity});
   CHECK(read("[rig]\nspan = '1 mm'\nstiffness = inf").rig == RigInput{1e-3, infinity});
   CHECK(read("[rig]\nspan = '1 mm'").rig == RigInput{1e-3, {}});
-  CHECK(read("[stage]\nprogram = ['0 um', '1 mm']\nstep = 'continuous'").stage == StageInput{{0, 1e-3}, {}});
-  CHECK(read("[stage]\nprogram = ['0 um', '1 mm']").stage == StageInput{{0, 1e-3}, {}});
+  CHECK(read("[stage]\nprogram = ['0 um', '1 mm']\nstep = 'continuous'").stage ==
+        StageInput{TurningPoints{{0, 1e-3}, 1, {}}});
+  CHECK(read("[stage]\nprogram = ['0 um', '1 mm']").stage == StageInput{TurningPoints{{0, 1e-3}, 1, {}}});
+  CHECK(read("[stage]\nprogram = ['0 um', '1 mm', '1 mm', '0 um']\ncycles = 10\nsnaps = 'overshoot'").stage ==
+        StageInput{TurningPoints{{0, 1e-3, 1e-3, 0}, 10, {}}, SnapRest::overshoot});
+  CHECK(read("[stage]\nfile = 'run.csv'\nstage = 'w_s [um]'").stage ==
+        StageInput{MeasuredProgramme{"data/run.csv", "w_s [um]", {}, '.'}});
+  CHECK(read("[stage]\nfile = 'run.csv'\nstage = 's'\ntime = 't [s]'\ndecimal = ','\nsnaps = 'nearest'").stage ==
+        StageInput{MeasuredProgramme{"data/run.csv", "s", "t [s]", ','}});
   CHECK(read("[record]\nfile = '/a/b.csv'\ndeflection = 'w'\nforce = 'F [mN]'\ncontact = '-3 um'\ndecimal = ','")
             .record == RecordInput{"/a/b.csv", {}, "w", "F [mN]", {}, -3e-6, ','});
   CHECK(read_case("[record]\nfile = 'b.csv'\nstage = 's'\nforce = 'F'", "standard input").record->file == "b.csv");
@@ -139,7 +148,7 @@ TEST_CASE("table: reduced cases hold plain numbers, and have the span and EI of 
   CHECK(input.specimen == SpecimenInput{{}, BendingStiffness{Known{1, 0}}});
   CHECK(input.rig == RigInput{1, 30});
   CHECK(input.friction->profile == FrictionProfileInput{WavyFriction{0.6, 0, {{0.4, 0.0628, std::numbers::pi}}}});
-  CHECK(input.stage == StageInput{{0, 0.75}, 0.01});
+  CHECK(input.stage == StageInput{TurningPoints{{0, 0.75}, 1, 0.01}});
   CHECK(read("reduced = true\n[specimen]\nbending_stiffness = { value = 1, uncertainty = 0.05 }").specimen->rigidity ==
         std::variant<Modulus, BendingStiffness>{BendingStiffness{Known{1, 0.05}}});
   CHECK(std::isinf(*read("reduced = true\n[rig]\nspan = 1\nstiffness = 'inf'").rig->stiffness));
@@ -180,6 +189,14 @@ TEST_CASE("table: a bare number, a wrong unit or an impossible value is refused 
   CHECK(has(complaint_with("\"900 um\"", "\"-900 um\""), ":14: [stage] program[2]: expected a non-negative length"));
   CHECK(
       has(complaint_with("\"2 um\"", "\"1e-9 um\""), ":15: [stage] step: expected at most 1e+07 steps, found 2.7e+12"));
+  CHECK(
+      has(complaint_with("step = \"2 um\"", "cycles = 0"), ":15: [stage] cycles: expected a whole number, at least 1"));
+  CHECK(has(complaint_with("step = \"2 um\"", "cycles = 1000000000000"),
+            ":15: [stage] cycles: expected at most 1e+05 turning points, found 3.0e+12"));
+  CHECK(has(complaint_with("step = \"2 um\"", "snaps = \"far\""),
+            ":15: [stage] snaps: expected \"nearest\" or \"overshoot\", found 'far'"));
+  CHECK(has(complaint_with("mu0 = 0.5", "mu0 = 0.5\nstatic_excess = -0.1"),
+            ":10: [friction] static_excess: expected a non-negative plain number"));
   CHECK(has(complaint_with("until = 267", "until = 0"), ":20: [record] until: expected a whole number, at least 1"));
   CHECK(has(complaint_with("until = 267", "until = 2.5"), ":20: [record] until: expected a whole number"));
   CHECK(has(complaint_with("[N]\"", "[um]\""),
@@ -196,7 +213,7 @@ TEST_CASE("table: an unknown key or section is refused with the nearest known") 
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), ":8: [friction] model: expected one of the models"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), "did you mean 'sinusoid'?"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"constant\""),
-            ": expected one of the keys 'model', 'mu0' and 'drift', found an unknown key"));
+            ": expected one of the keys 'model', 'mu0', 'drift' and 'static_excess', found an unknown key"));
   CHECK(has(complaint_with("uncertainty", "sd"), ":3: [specimen] modulus.sd: expected one of the keys"));
   CHECK(has(complaint_with("model", "modle"), "did you mean 'model'?"));
   CHECK(has(complaint_with("force", "forse"), ":19: [record] forse: expected one of the keys"));
@@ -243,6 +260,17 @@ TEST_CASE("table: what contradicts itself is refused") {
   CHECK(has(complaint("[friction]\nmodel = 'sinusoids'\nmu0 = 1\nwaves = [{ amplitude = 0.6, wavelength = '1 um' }, "
                       "{ amplitude = 0.6, wavelength = '2 um' }]"),
             "expected amplitudes of at most 1 in sum, found 1.2"));
+  const std::string run = "[stage]\nfile = 'run.csv'\nstage = 's [um]'\n";
+  CHECK(has(complaint(run + "program = ['0 um', '1 um']"),
+            ":4: [stage] program: expected either a program or the file of one, found both; delete one"));
+  CHECK(has(complaint(run + "step = '1 um'"), ":4: [stage] step: expected either a program or the file of one"));
+  CHECK(has(complaint(run + "step = '1 um'"), "the rows of the file are the steps"));
+  CHECK(has(complaint(run + "cycles = 3"), ":4: [stage] cycles: expected either"));
+  CHECK(has(complaint(run + "time = 't [um]'"), ":4: [stage] time: expected a unit of time"));
+  CHECK(has(complaint("[stage]\nfile = 'run.csv'"),
+            "[stage] stage: expected it in the file, found nothing; add stage = "));
+  CHECK(has(complaint("[stage]\nprogram = ['0 um', '1 um']\ntime = 't [s]'"),
+            ":3: [stage] time: expected it beside the file it is about, found no file"));
   CHECK(has(complaint("[friction]\nmodel = ['constant', 'constant']"), "each model once"));
   CHECK(has(complaint("[friction]\nmodel = ['constant', 'sinusoid']\nmu0 = 1"),
             "[friction] mu0: expected no other key than 'model'"));

@@ -19,7 +19,7 @@ TRUTH = tomllib.loads((EXAMPLE / "truth.toml").read_text(encoding="utf-8"))
 FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
 KEYS = ["status", "model", "category", "parameters", "residual_rms", "criteria", "snaps", "suspects", "profile", "energy", "provenance"]
 SNAP_KEYS = {"stage", "deflection_before", "deflection_after", "force_before", "force_after", "length_before", "length_after"}
-FIGURES = ["force", "profile", "wavelengths"]
+FIGURES = ["force", "profile", "wavelengths", "teeth"]
 
 
 class Json(InFolder):

@@ -1,0 +1,250 @@
+#!/usr/bin/python3
+"""outside: stage programmes of every kind, static friction, energies of legs, and the programmes that are refused."""
+import json
+import shutil
+import unittest
+
+from program import InFolder, numbers, run, table
+
+RIG = "reduced = true\n[rig]\nstiffness = 30\n"
+WAVY = RIG + '[friction]\nmodel = "sinusoid"\nmu0 = 0.5\namplitude = 0.3\nwavelength = 0.02\n'
+CONSTANT = RIG + '[friction]\nmodel = "constant"\nmu0 = 0.4\n'
+STATIC = CONSTANT + "static_excess = 0.1\n"
+LOOP = "[stage]\nprogram = [0, 0.5, 0.1, 0.6, 0.6, 0]\n"
+RUN = '[stage]\nfile = "run.csv"\nstage = "w_s"\n'
+TIMED = RUN + 'time = "t"\n'
+ENERGIES = ("stage_work", "bending", "load_train", "friction", "snaps")
+
+
+class Programmes(InFolder):
+    def simulated(self, case, *options):
+        return self.json("simulate", self.file("case.toml", case), *options)
+
+    def test_identity_continuous_and_in_steps_agree(self):
+        exact = self.simulated(WAVY + LOOP)
+        stepped = self.simulated(WAVY + LOOP + "step = 0.01\n")
+        # Two ways to the same states: rounding of the stage position times the condition of S there, below 1e4.
+        self.assertEqual(len(exact["snaps"]), len(stepped["snaps"]))
+        self.assertGreater(len(exact["snaps"]), 3)
+        for a, b in zip(exact["snaps"], stepped["snaps"]):
+            self.assertEqual(a.keys(), b.keys())
+            for name, value in a.items():
+                self.assertAlmostEqual(value, b[name], delta=1e-9)
+        for name in ENERGIES:
+            self.assertAlmostEqual(exact["energy"][name], stepped["energy"][name], delta=1e-9)
+
+    def test_identity_a_closed_cycle_returns(self):
+        path = self.simulated(CONSTANT + "[stage]\nprogram = [0, 0.5, 0.1]\ncycles = 3\nstep = 0.05\n")["path"]
+        turns = [point for point in path if point["stage"] == 0.1]
+        self.assertEqual(len(turns), 4)  # on the first loading, and where each of three cycles ends
+        ends = [point for point, before in zip(path[1:], path) if point["stage"] == 0.1 < before["stage"]]
+        self.assertEqual(len(ends), 3)
+        for end in ends[1:]:
+            self.assertAlmostEqual(end["force"], ends[0]["force"], delta=1e-12)  # the issue's bound
+
+    def test_motions_of_a_loop(self):
+        motions = [point["motion"] for point in self.simulated(CONSTANT + "[stage]\nprogram = [0, 0.5, 0]\n")["path"]]
+        kinds = [a for a, b in zip(motions, [None, *motions]) if a != b]
+        self.assertEqual(kinds, ["stick", "slip_in", "stick", "slip_out"])
+
+    def test_a_halt_is_a_row_in_which_nothing_moves(self):
+        path = self.simulated(CONSTANT + "[stage]\nprogram = [0, 0.2, 0.2, 0.3]\nstep = 0.1\n")["path"]
+        self.assertEqual([point["stage"] for point in path], [0, 0.1, 0.2, 0.2, 0.3])
+        self.assertEqual(path[3]["motion"], "stick")
+        self.assertEqual({**path[3], "motion": ""}, {**path[2], "motion": ""})
+
+    def test_identity_a_physical_programme_is_the_reduced_one_scaled(self):
+        # A span and a bending stiffness that make the units 1 mm and 1 mN.
+        reduced = self.simulated(WAVY + LOOP)
+        physical = self.simulated(
+            '[specimen]\nbending_stiffness = "1 mN mm^2"\n[rig]\nspan = "1 mm"\nstiffness = "30 mN/mm"\n'
+            + WAVY.split("stiffness = 30\n")[1].replace("0.02", '"0.02 mm"')
+            + '[stage]\nprogram = ["0 um", "500 um", "100 um", "600 um", "600 um", "0 um"]\n')
+        self.assertEqual(len(physical["path"]), len(reduced["path"]))
+        for a, b in zip(physical["path"], reduced["path"]):
+            self.assertAlmostEqual(a["force"] / 1e-3, b["force"], delta=1e-9)  # rounding, times the condition of a fold
+
+    def test_a_measured_programme_is_followed_row_by_row(self):
+        stages = [0, 0.1, 0.2, 0.35, 0.35, 0.2, 0.05, 0.3]
+        self.file("run.csv", "t,w_s\n" + "".join(f"{row / 2},{stage}\n" for row, stage in enumerate(stages)))
+        measured = self.simulated(WAVY + TIMED)
+        self.assertEqual([point["stage"] for point in measured["path"]], stages)
+        self.assertEqual([leg["to"] for leg in measured["legs"]], [0.35, 0.05, 0.3])
+        program = self.simulated(WAVY + f"[stage]\nprogram = {stages}\nstep = 10\n")
+        self.assertEqual(measured["path"], program["path"])
+        self.assertEqual(measured["energy"], program["energy"])
+
+    def test_a_measured_programme_in_its_own_units(self):
+        self.file("run.csv", "t;stage [um]\n0;0,5\n0;100,5\n1;40\n")
+        physical = ('[specimen]\nbending_stiffness = "2.1e-12 N m^2"\n[rig]\nspan = "1278 um"\nstiffness = "inf"\n'
+                    '[friction]\nmodel = "constant"\nmu0 = 0.4\n[stage]\nfile = "run.csv"\nstage = "stage"\n'
+                    'time = "t [s]"\ndecimal = ","\n')
+        path = self.simulated(physical)["path"]
+        for point, stage in zip(path, (0.5e-6, 100.5e-6, 40e-6), strict=True):
+            self.assertAlmostEqual(point["stage"], stage, delta=1e-20)
+            self.assertAlmostEqual(point["deflection"], stage, delta=1e-16)  # displacement control; rounding of S = 1 + 2.4 w^2
+
+
+class StaticFriction(InFolder):
+    def simulated(self, case):
+        return self.json("simulate", self.file("case.toml", case))
+
+    def test_it_makes_a_sawtooth_without_roughness(self):
+        stage = "[stage]\nprogram = [0, 0.5]\nstep = 0.5\n"
+        self.assertEqual(self.simulated(CONSTANT + stage)["snaps"], [])
+        snaps = self.simulated(STATIC + stage)["snaps"]
+        self.assertGreater(len(snaps), 20)
+        for snap in snaps:
+            self.assertLess(snap["force_after"], snap["force_before"])
+            self.assertGreater(snap["friction"], 0)
+            self.assertGreater(snap["released"], 0)
+
+    def check_overshoot(self, case):
+        stage = "[stage]\nprogram = [0, 0.6, 0.2]\nstep = 0.1\n"
+        nearest = self.simulated(case + stage)["energy"]
+        over = self.simulated(case + stage + 'snaps = "overshoot"\n')["energy"]
+        self.assertEqual(self.simulated(case + stage + 'snaps = "nearest"\n')["energy"], nearest)
+        self.assertGreater(nearest["snaps"], 0)
+        # What snaps set free friction consumes; short slips of a static friction run on into others, and keep theirs.
+        self.assertLess(over["snaps"], 1e-3 * nearest["snaps"])
+        for energy in (nearest, over):
+            self.assertLess(abs(energy["imbalance"]), 1e-10 * energy["stage_work"])  # history.h
+
+    def test_an_overshoot_loses_all_it_sets_free_to_friction(self):
+        self.check_overshoot(WAVY)
+
+    def test_an_overshoot_of_static_on_constant_friction(self):
+        self.check_overshoot(STATIC)
+
+    def test_more_than_the_mechanics_covers_is_refused(self):
+        case = self.file("case.toml", STATIC.replace("0.1", "25") + LOOP)
+        self.refused("simulate", case, says=["case.toml:7", "[friction] static_excess", "at most 20"])
+
+
+class Energies(InFolder):
+    def test_identity_legs_add_up(self):
+        answer = self.json("simulate", self.file("case.toml", WAVY + LOOP))
+        legs = answer["legs"]
+        self.assertEqual([(leg["direction"], leg["from"], leg["to"]) for leg in legs],
+                         [("loading", 0, 0.5), ("unloading", 0.5, 0.1), ("loading", 0.1, 0.6), ("unloading", 0.6, 0)])
+        for name in (*ENERGIES, "work_of_fracture"):
+            self.assertAlmostEqual(sum(leg[name] for leg in legs), answer["energy"][name], delta=1e-12)  # rounding of sums of 1
+        for leg in legs:
+            parts = sum(leg[name] for name in ENERGIES[1:])
+            self.assertAlmostEqual(leg["stage_work"], parts, delta=1e-10)  # history.h
+
+    def test_the_account_of_a_test(self):
+        answer = self.json("simulate", self.file("case.toml", WAVY + LOOP.replace(", 0]", ", 0.3]")))
+        energy = answer["energy"]
+        self.assertEqual(list(energy), [*ENERGIES, "imbalance", "work_of_fracture", "friction_share", "remaining"])
+        self.assertAlmostEqual(energy["work_of_fracture"], energy["stage_work"] - energy["load_train"], delta=1e-15)
+        self.assertAlmostEqual(energy["friction_share"],
+                               (energy["friction"] + energy["snaps"]) / energy["work_of_fracture"], delta=1e-15)
+        self.assertAlmostEqual(energy["remaining"], energy["bending"], delta=1e-10)  # the account closes
+        self.assertAlmostEqual(sum(snap["released"] for snap in answer["snaps"]), energy["snaps"], delta=1e-12)
+
+    def test_columns_on_request(self):
+        case = self.file("case.toml", WAVY + LOOP + "step = 0.01\n")
+        plain = self.succeeds("simulate", case)
+        self.assertEqual(list(table(plain)), ["w_s", "w", "F", "S", "q", "motion"])
+        more = self.succeeds("simulate", case, "--energies")
+        self.assertEqual(list(table(more)), ["w_s", "w", "F", "S", "q", "motion", *ENERGIES])
+        self.assertEqual(table(plain)["F"], table(more)["F"])
+        answer = self.json("simulate", case, "--energies")
+        for name in ENERGIES:
+            self.assertEqual(numbers(more, name)[-1], answer["energy"][name])
+            self.assertEqual(answer["path"][-1][name], answer["energy"][name])
+
+
+class Ends(InFolder):
+    def test_losing_contact_is_exit_code_1(self):
+        # Displacement control far out: let go, the smooth fibre is shorter than the way back of the stage.
+        case = self.file("case.toml", CONSTANT + "[stage]\nprogram = [0, 1.15, 0]\nstep = 0.01\n")
+        result = run("simulate", case, "--json")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["status"], "contact_lost")
+        self.assertIn("the wedge lifts off the specimen", result.stderr)
+        self.assertGreater(answer["path"][-1]["stage"], 0)
+        self.assertEqual(max(point["stage"] for point in answer["path"]), 1.15)
+        self.assertTrue(all(point["force"] >= 0 for point in answer["path"]))
+        continuous = run("simulate", self.file("case.toml", CONSTANT + "[stage]\nprogram = [0, 1.15, 0]\n"))
+        self.assertEqual(continuous.returncode, 1)
+        self.assertGreater(len(numbers(continuous.stdout, "F")), 100)
+
+
+@unittest.skipIf(shutil.which("gnuplot") is None, "no gnuplot")
+class Figures(InFolder):
+    def drawn(self, case):
+        self.succeeds("simulate", self.file("case.toml", case), "--figure", self.folder / "loop.svg")
+        return (self.folder / "loop.svg").read_text(encoding="utf-8")
+
+    def test_a_test_that_is_unloaded_is_drawn_as_loops_with_arrows(self):
+        for stage in (LOOP, LOOP + "step = 0.02\n", "[stage]\nprogram = [0, 0.5, 0.1]\ncycles = 10\n"):
+            for case in (WAVY, STATIC):
+                picture = self.drawn(case + stage)
+                for word in ("Loading", "Unloading", "Sticking", "Two panels"):
+                    self.assertIn(word, picture)
+                for arrows in ("arrows_in_force", "arrows_out_force", "arrows_in_friction", "arrows_out_friction"):
+                    text = (self.folder / f"loop-{arrows}.csv").read_text(encoding="utf-8")
+                    self.assertNotIn("nan", text)
+                    self.assertLess(text.count("\n"), 12)  # few enough to see the curve
+
+    def test_a_test_that_only_loads_is_drawn_as_in_the_paper(self):
+        picture = self.drawn(WAVY + "[stage]\nprogram = [0, 0.6]\n")
+        self.assertIn("Equilibrium curve", picture)
+        self.assertNotIn("Unloading", picture)
+
+
+class BadProgrammes(InFolder):
+    def refuses(self, stage, *says):
+        self.refused("simulate", self.file("case.toml", CONSTANT + stage), says=says)
+
+    def refuses_run(self, content, *says, stage=TIMED):
+        self.file("run.csv", content)
+        self.refuses(stage, "run.csv", *says)
+
+    def test_empty(self):
+        self.refuses("[stage]\n", "case.toml:7", "add program")
+        self.refuses("[stage]\nprogram = []\n", "case.toml:8", "at least two stage positions", "found 0")
+        self.refuses_run("", "expected")
+        self.refuses_run("t,w_s\n", "row")
+
+    def test_nothing_above_zero(self):
+        self.refuses("[stage]\nprogram = [0, 0, 0]\n", "case.toml:8", "program[3]", "at least 1e-06 spans")
+        self.refuses_run("t,w_s\n0,0\n1,0\n", "run.csv:2", "'w_s'", "at least 1e-06 spans")
+
+    def test_negative(self):
+        self.refuses("[stage]\nprogram = [0, 0.5, -0.1]\n", "case.toml:8", "program[3]", "non-negative")
+        self.refuses_run("t,w_s\n0,0\n1,0.5\n2,-0.1\n", "run.csv:4", "'w_s'", "at least 0", "-0.1")
+
+    def test_beyond_every_specimen(self):
+        self.refuses("[stage]\nprogram = [0, 500, 0]\n", "case.toml:8", "program[2]", "within 100 spans", "check its unit")
+        self.refuses_run("t,w_s\n0,0\n1,500\n", "run.csv:3", "'w_s'", "within 100 spans", "check its unit")
+
+    def test_not_finite(self):
+        self.refuses("[stage]\nprogram = [0, inf]\n", "case.toml:8", "program[2]", "finite")
+        self.refuses("[stage]\nprogram = [0, nan]\n", "case.toml:8", "program[2]")
+        self.refuses_run("t,w_s\n0,0\n1,nan\n", "run.csv:3", "w_s", "finite number")
+        self.refuses_run("t,w_s\n0,0\ninf,1\n", "run.csv:3", "'t'", "finite number")
+
+    def test_time_running_back(self):
+        self.refuses_run("t,w_s\n0,0\n2,0.1\n1,0.2\n", "run.csv:4", "'t'", "not before that of the row before", "sort the rows")
+
+    def test_columns_and_files_that_are_not_there(self):
+        self.refuses_run("t,ws\n0,0\n1,0.1\n", "w_s", "did you mean 'ws'?")
+        self.refuses_run("w_s\n0\n0.1\n", "'t'")
+        self.refuses('[stage]\nfile = "none.csv"\nstage = "w_s"\n', "none.csv", "No such file")
+
+    def test_contradictions(self):
+        self.refuses(RUN + "step = 0.1\n", "case.toml:10", "[stage] step", "the rows of the file are the steps")
+        self.refuses(RUN + "program = [0, 1]\n", "case.toml:10", "[stage] program", "either a program or the file")
+        self.refuses('[stage]\nprogram = [0, 1]\nsnaps = "away"\n', "case.toml:9", "nearest", "overshoot", "'away'")
+
+    def test_a_rig_too_soft_to_bend_the_specimen(self):
+        case = self.file("case.toml", CONSTANT.replace("= 30", "= 1e-9") + LOOP)
+        self.refused("simulate", case, says=["case.toml:3", "[rig] stiffness", "bends the specimen"])
+
+
+if __name__ == "__main__":
+    unittest.main()
