@@ -101,7 +101,8 @@ std::optional<Stretch> MovingFibre::stick(Sliding sliding, double limit, double 
   const double last_stage = last.w + last.F / test_.rig.stiffness;
   if (last.status == FibreStatus::ok && direction_of(sliding) * (stage - last_stage) >= 0)
     return move_to({last_stage, last.w, last.F, S, limit, Motion::stick});
-  const auto [in_contact, held] = held_at(S, stage, test_.rig, state_.q);
+  const auto [holding, held] = held_at(S, stage, test_.rig, state_.q);
+  const bool in_contact = holding != Holding::no_contact;
   if (!in_contact) end_ = MotionEnd::contact_lost;
   const double held_stage = in_contact ? stage : held.w + held.F / test_.rig.stiffness;
   return move_to({held_stage, held.w, held.F, S, held.q, Motion::stick});
@@ -154,10 +155,11 @@ std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& n
   double S = state_.S;
   double S_landing = nearest.S;
   for (int i = 0; i < most_swings; ++i) {
-    const auto swung = swing(kinetic, test_.rig, state_.stage, S, S_landing);
-    if (!swung) return lose(sliding);
-    S = swung->S;
-    work.friction += swung->friction;
+    const Swing swung = swing(kinetic, test_.rig, state_.stage, S, S_landing);
+    if (swung.end == Holding::no_contact) return lose(sliding);
+    if (swung.end == Holding::beyond_friction) break;
+    S = swung.S;
+    work.friction += swung.friction;
     const FibreState rest = held_at(S, state_.stage, test_.rig, direction_of(sliding) * kinetic.at(S).mu).state;
     if (std::abs(rest.q) <= static_friction(test_.friction, S))
       return jump_to({state_.stage, rest.w, rest.F, S, rest.q, Motion::snap}, work);

@@ -31,7 +31,8 @@ struct PathPoint {
 enum class SnapRest {
   nearest_stable,  // at the next stable state, q = μ_k: whatever is set free is lost at once (the paper's postulate, (4.32))
   overshoot,  // the energy set free carries the fibre on, until friction has consumed it: it rests with |q| below the
-              // static friction, after swinging back if need be. What does not end in 1,000 swings rests as above.
+              // static friction, after swinging back if need be. What does not end in 1,000 swings, or swings so
+              // far back that only a friction beyond 20 would hold the fibre, rests as above.
 };
 
 struct BendingTest {

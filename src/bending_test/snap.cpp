@@ -45,18 +45,26 @@ class Slide {
     return integral(gauss_6, std::sqrt(S_from - 1), std::sqrt(S_to - 1), [this](double x) { return power_at(x); });
   }
 
-  double next(double S, double S_to) const { return end_of_stretch(friction_, S, S_to, 1); }
-
-  // None if contact is lost on the way.
-  std::optional<Power> work_in_contact(double S_from, double S_to) {
-    in_contact_ = true;
-    const Power done = work(S_from, S_to);
-    if (!in_contact_) {
-      q_ = direction_ * friction_.at(S_from).mu;
-      return std::nullopt;
-    }
-    return done;
+  // Near the straight fibre q varies like a power of 1/σ: there stretches are a part of σ.
+  double next(double S, double S_to) const {
+    constexpr double part = 0.15;
+    constexpr double least = 1e-12;  // of S - 1: what is left is less than its rounding
+    const double end = end_of_stretch(friction_, S, S_to, 1);
+    if (S - 1 <= least) return end;
+    const double near = 1 + (S - 1) * (1 + direction_ * part) * (1 + direction_ * part);
+    return direction_ > 0 ? std::min(end, near) : std::max(end, near);
   }
+
+  // None if the fibre is not held all the way: holding() tells why.
+  std::optional<Power> work_if_held(double S_from, double S_to) {
+    holding_ = Holding::held;
+    const Power done = work(S_from, S_to);
+    if (holding_ == Holding::held) return done;
+    q_ = direction_ * friction_.at(S_from).mu;
+    return std::nullopt;
+  }
+
+  Holding holding() const { return holding_; }
 
  private:
   struct Held {
@@ -75,7 +83,7 @@ class Slide {
       if (std::abs(step) <= 1e-6) return {q_, state.Pn + slopes.Pn_q * step};  // to the square of the step
     }
     const HeldState held = held_at(S, stage_, rig_, direction_ * friction_.at(S).mu);
-    in_contact_ = in_contact_ && held.in_contact;
+    if (held.holding != Holding::held) holding_ = held.holding;
     q_ = held.state.q;
     return {q_, held.state.Pn};
   }
@@ -85,7 +93,7 @@ class Slide {
   double stage_;
   double direction_;
   double q_;
-  bool in_contact_ = true;
+  Holding holding_ = Holding::held;
 };
 
 // Where, between two lengths, the energy left is spent: by Newton's iteration guarded by bisection.
@@ -103,7 +111,7 @@ Swing end_between(Slide& slide, const Power& left, double S, double next) {
     end = better;
   }
   const Power last = slide.work(S, end);
-  return {end, left.friction + last.friction + left.released + last.released};
+  return {Holding::held, end, left.friction + last.friction + left.released + last.released};
 }
 
 }  // namespace
@@ -116,19 +124,21 @@ HeldState held_at(double S, double stage, const Rig& rig, double q) {
   const double c = 1 / rig.stiffness;
   double low = -most;
   double high = most;
-  FibreState held{};        // the last with F >= 0, found so far
-  bool in_contact = false;  // the stage stands beyond a state
+  FibreState held{};
+  bool is_below = false;   // the stage stands beyond a state met,
+  bool is_beyond = false;  // or before it
   for (int iteration = 0; iteration < 100; ++iteration) {
     const auto [state, slopes] = fibre_state_slopes(S, q);
     double next = low;
     if (state.status == FibreStatus::ok) {
       const double error = state.w + c * state.F - stage;
       held = state;
-      in_contact = in_contact || error <= 0;
-      if (std::abs(error) <= 0x1p-50 * stage) return {true, state};
+      is_below = is_below || error <= 0;
+      is_beyond = is_beyond || error >= 0;
+      if (std::abs(error) <= 0x1p-50 * stage) return {Holding::held, state};
       (error < 0 ? low : high) = q;
       next = q - error / (slopes.w_q + c * slopes.F_q);
-      if (std::abs(next - q) <= 0x1p-53 * (1 + std::abs(q))) return {true, state};
+      if (is_below && is_beyond && std::abs(next - q) <= 0x1p-53 * (1 + std::abs(q))) return {Holding::held, state};
     } else {
       low = q;
     }
@@ -136,7 +146,7 @@ HeldState held_at(double S, double stage, const Rig& rig, double q) {
     if (!(next > low && next < high)) break;
     q = next;
   }
-  return {in_contact, held};
+  return {!is_below ? Holding::no_contact : !is_beyond ? Holding::beyond_friction : Holding::held, held};
 }
 
 std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, double stage, double S_from, double S_to) {
@@ -144,41 +154,41 @@ std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, doub
   Power sum;
   for (double S = S_from; S != S_to;) {
     const double next = slide.next(S, S_to);
-    const auto work = slide.work_in_contact(S, next);
+    const auto work = slide.work_if_held(S, next);
     if (!work) return std::nullopt;
     sum += *work;
     S = next;
   }
-  if (!held_at(S_to, stage, rig, 0).in_contact) return std::nullopt;
+  if (held_at(S_to, stage, rig, 0).holding != Holding::held) return std::nullopt;
   return SnapWork{sum.friction, sum.released};
 }
 
-std::optional<Swing> swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
+Swing swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
   constexpr double farthest = 10;  // beyond it no fibre comes back
   const double S_end = S_landing > S_from ? farthest : 1;
   Slide slide(friction, rig, stage, S_from, S_landing);
   const auto first = snap_work(friction, rig, stage, S_from, S_landing);
-  if (!first) return std::nullopt;
+  if (!first) return {Holding::no_contact, S_landing, 0};
   Power sum{first->friction, first->released};
   double S = S_landing;
   double reach =
       0.25 * std::abs(S_landing - S_from);  // of the next stretch: the energy may be spent long before its end
   while (sum.released > 0) {
-    if (S == S_end) return std::nullopt;
+    if (S == S_end) return {Holding::no_contact, S, 0};
     const double smooth = slide.next(S, S_end);
     const double next = std::abs(smooth - S) <= reach ? smooth : S + std::copysign(reach, S_end - S);
-    const auto work = slide.work_in_contact(S, next);
+    const auto work = slide.work_if_held(S, next);
     if (!work && reach > 0x1p-40 * S) {
       reach *= 0.5;
       continue;
     }
-    if (!work) return std::nullopt;
+    if (!work) return {slide.holding(), S, 0};
     if (sum.released + work->released <= 0) return end_between(slide, sum, S, next);
     sum += *work;
     S = next;
     reach *= 2;
   }
-  return Swing{S_landing, sum.friction + sum.released};
+  return {Holding::held, S_landing, sum.friction + sum.released};
 }
 
 }  // namespace flexslip

@@ -14,13 +14,19 @@
 
 namespace flexslip {
 
+enum class Holding {
+  held,
+  no_contact,      // even without a force, or with q = -20, the stage stands beyond
+  beyond_friction  // only a friction beyond 20 holds the fibre there
+};
+
 struct HeldState {
-  bool in_contact;   // false: even without a force, or with q = -20, the stage stands beyond; `state` is that one
-  FibreState state;  // w + F/k = stage
+  Holding holding;
+  FibreState state;  // w + F/k = stage if held; otherwise the last one, with q = -20 or without a force, or with q = 20
 };
 
 // The state of a fibre that rests at the length S. q is a first guess.
-// Domain:     S >= 1, stage >= 0, |q| <= 20; std::invalid_argument otherwise. A stage that no q up to 20 holds gives that of q = 20.
+// Domain:     S >= 1, stage >= 0, |q| <= 20; std::invalid_argument otherwise.
 // Max error:  of w + F/k, 4 ulp of the stage position.
 // Method:     w and F rise strictly with q at fixed S; Newton's iteration guarded by bisection.
 HeldState held_at(double S, double stage, const Rig& rig, double q);
@@ -30,17 +36,18 @@ struct SnapWork {
   double released;  // [EI/L] what is set free beyond friction
 };
 
-// The energies of a snap at a stage position from one length to another. None if the fibre loses contact on the way.
+// The energies of a snap at a stage position from one length to another. None if the fibre is not held all the way.
 // Max error:  1e-12 of the friction heat.
 std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, double stage, double S_from, double S_to);
 
 struct Swing {
-  double S;         // [L] where it ends
+  Holding end;      // where it is not held, nothing else is valid
+  double S;         // [L] where the energy is spent
   double friction;  // [EI/L] heat up to there: all that the elastic energy has fallen
 };
 
 // Where the energy that is set free from S_from to S_landing, a stable state, is consumed by friction: so far beyond it a snap
-// goes that nothing else damps. None if the fibre loses contact, or is drawn in beyond S = 10, before.
-std::optional<Swing> swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing);
+// goes that nothing else damps. no_contact also if it is drawn in beyond S = 10.
+Swing swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing);
 
 }  // namespace flexslip
