@@ -189,7 +189,7 @@ double SlidingTable::length_at_stage(double stage, double S_from, double S_to) {
     const Piece& piece = piece_at(cell(i), sigma);
     return (sum_at(piece.G, place_on(piece, sigma)) < stage) == onwards;
   };
-  while (i != last && lies_beyond(edges_[onwards ? i + 1 : i])) i += onwards ? 1 : -1;
+  while (i != last && lies_beyond(edges_[onwards ? i + 1 : i])) i = onwards ? i + 1 : i - 1;
   double low = std::sqrt(std::max(edges_[i], std::min(S_from, S_to)) - 1);
   double high = std::sqrt(std::min(edges_[i + 1], std::max(S_from, S_to)) - 1);
   double sigma = 0.5 * (low + high);

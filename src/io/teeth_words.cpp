@@ -64,7 +64,7 @@ std::string teeth_in_words(const FittedTest& test) {
   if (judged.teeth.empty()) return "No rise between two drops can be judged." + left_out;
   const std::size_t sliding = count(ToothVerdict::sliding);
   const std::size_t sticking = count(ToothVerdict::as_if_stuck);
-  const double n = static_cast<double>(judged.teeth.size());
+  const auto n = static_cast<double>(judged.teeth.size());
   const std::size_t open = count(ToothVerdict::undecided);
   std::string words = fmt::format(
       "Of {} between drops, {} that the specimen is stuck; {} as steep as if it were stuck; {} "

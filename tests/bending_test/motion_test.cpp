@@ -20,7 +20,6 @@
 namespace flexslip {
 namespace {
 
-constexpr double unit = 0x1p-52;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The oracle knows energies only, no forces and no curves. At each of many small steps of the stage the fibre may slide, a
