@@ -13,6 +13,7 @@
 #include "fibre/elastica.h"
 #include "tests/generators.h"
 #include "tests/literal_algorithm1.h"
+#include "tests/refusal.h"
 
 namespace flexslip {
 namespace {
@@ -23,15 +24,6 @@ constexpr double unit = 0x1p-52;
 Friction friction_of_fig_7() { return Friction::sinusoid(0.3, 0.2, 0.02 * std::numbers::pi, 0); }
 
 doctest::Approx to(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
-}
 
 }  // namespace
 

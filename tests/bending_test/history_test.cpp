@@ -16,6 +16,7 @@
 #include "tests/approximately.h"
 #include "tests/bending_test/some_programme.h"
 #include "tests/generators.h"
+#include "tests/refusal.h"
 
 namespace flexslip {
 namespace {
@@ -30,15 +31,6 @@ constexpr Rig rig_of_fig_8{30};
 // Loaded from the straight fibre, the whole curve.
 History load_continuously(const Friction& friction, const Rig& rig, double stage, int n) {
   return follow_continuously({friction, rig}, std::vector{stage}, n);
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
 }
 
 // The paper's Algorithm 2 taken literally: at each stage position all roots of R(S) = k (w_s - w) - F on the equilibrium curve,

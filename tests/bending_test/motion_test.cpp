@@ -16,6 +16,7 @@
 #include "tests/approximately.h"
 #include "tests/bending_test/some_programme.h"
 #include "tests/generators.h"
+#include "tests/refusal.h"
 
 namespace flexslip {
 namespace {
@@ -106,15 +107,6 @@ BendingTest some_stick_slip_test() {
   const Friction excess =
       *whole(0, 1) ? Friction::constant(*between(0.03, 0.3)) : Friction::sinusoid(*between(0.05, 0.3), 0.8, 0.07, 2);
   return {{kinetic, excess}, {*between(20, 300)}};
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "fibre/elastica.h"
 #include "tests/generators.h"
+#include "tests/refusal.h"
 
 namespace flexslip {
 namespace {
@@ -28,15 +29,6 @@ Friction friction_of_fig_8() { return Friction::sinusoid(0.6, 0.4, 0.02 * std::n
 constexpr Rig rig_of_fig_8{30};
 
 doctest::Approx to(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
-}
 
 struct FoldRow {
   bool is_maximum;

@@ -15,10 +15,6 @@ namespace {
 // The same integrals, over pieces a twentieth of a period long.
 SlidingWork by_quadrature(const Friction& friction, const Rig& rig, double sign, double from, double to, double piece) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 21>;
-  const auto stage_at = [&](double S) {
-    const auto state = fibre_state(S, sign * friction.at(S).mu);
-    return state.w + state.F / rig.stiffness;
-  };
   SlidingWork sum{0, 0};
   const int n = static_cast<int>(std::ceil((to - from) / piece));
   for (int i = 0; i < n; ++i) {
@@ -36,7 +32,6 @@ SlidingWork by_quadrature(const Friction& friction, const Rig& rig, double sign,
     sum.friction += Rule::integrate(friction_power, a, b, 0);
     sum.stage += Rule::integrate(stage_power, a, b, 0);
   }
-  static_cast<void>(stage_at);
   return sum;
 }
 

@@ -16,6 +16,7 @@
 #include "tests/fibre/ladder.h"
 #include "tests/generators.h"
 #include "tests/literal_algorithm1.h"
+#include "tests/refusal.h"
 
 namespace flexslip {
 namespace {
@@ -122,15 +123,6 @@ FibreState peak(double q) {
 
 // doctest's Approx, relative.
 doctest::Approx to(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
-}
 
 }  // namespace
 

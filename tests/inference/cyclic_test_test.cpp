@@ -55,7 +55,6 @@ TEST_CASE("cyclic test: loops of known friction are run forward again, and their
 TEST_CASE("cyclic test: what comes after a loss of contact is not run forward, the next loop is (limit)") {
   // Friction so high that the wedge lifts off far above the end of the first unloading.
   const Friction friction = Friction::constant(0.9);
-  std::vector<double> stages;
   Record record = record_of(friction, 100, {0.45, 0.3});
   const Record again = record_of(friction, 100, {0.2, 0.02, 0.3, 0.05});
   for (std::size_t i = 0; i < again.force.size(); ++i) {
