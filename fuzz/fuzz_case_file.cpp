@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/case_file.h"
+#include "cases/case_file.h"
 
 using flexslip::InputError;
 using flexslip::read_case;

@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
+#include "cases/problem.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"
-#include "io/model_figures.h"
-#include "io/problem.h"
+#include "report/model_figures.h"
 
 namespace flexslip {
 namespace {

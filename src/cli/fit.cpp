@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "cases/fitted_test.h"
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "io/fit_json.h"
-#include "io/fit_text.h"
-#include "io/fitted_test.h"
 #include "io/input_error.h"
-#include "io/report.h"
 #include "io/text_file.h"
+#include "report/fit_json.h"
+#include "report/fit_text.h"
+#include "report/report.h"
 
 namespace flexslip {
 namespace {

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "cases/problem.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "fibre/elastica.h"
 #include "inference/profile.h"
 #include "io/input_error.h"
-#include "io/problem.h"
 
 namespace flexslip {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "io/figure.h"
 #include "io/json.h"
 #include "io/table.h"
+#include "report/figure.h"
 
 namespace flexslip {
 

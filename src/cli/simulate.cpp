@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 
 #include "bending_test/history.h"
+#include "cases/problem.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"
-#include "io/model_figures.h"
-#include "io/path_legs.h"
-#include "io/problem.h"
+#include "report/model_figures.h"
+#include "report/path_legs.h"
 
 namespace flexslip {
 namespace {

@@ -1,0 +1,869 @@
+#include "cases/case_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <istream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "io/quantity.h"
+#include "io/table.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one test is a thousand times smaller
+constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
+constexpr double most_turns = 1e5;             // of a stage programme with its cycles: likewise
+
+constexpr std::array<std::pair<std::string_view, FrictionModel>, 6> model_names{{
+    {"constant", FrictionModel::constant},
+    {"drift", FrictionModel::drift},
+    {"sinusoid", FrictionModel::sinusoid},
+    {"sinusoids", FrictionModel::sinusoids},
+    {"table", FrictionModel::table},
+    {"rough", FrictionModel::rough},
+}};
+
+constexpr std::array<std::pair<std::string_view, SnapRest>, 2> snap_names{
+    {{"nearest", SnapRest::nearest_stable}, {"overshoot", SnapRest::overshoot}}};
+
+// What to write for a section or key that is missing.
+struct Example {
+  std::string_view key;
+  std::string_view physical;
+  std::string_view reduced;
+};
+
+constexpr std::array examples{
+    Example{"specimen", R"(diameter = "34.8 um" and modulus = "29.6 GPa")", ""},
+    Example{"specimen.diameter", R"(diameter = "34.8 um", or width and height, or bending_stiffness = "2.1e-12 N m^2")",
+            "diameter = 0.027"},
+    Example{"specimen.width", R"(width = "50 um")", "width = 0.04"},
+    Example{"specimen.height", R"(height = "30 um")", "height = 0.02"},
+    Example{"specimen.modulus", R"(modulus = "29.6 GPa")", ""},
+    Example{"specimen.bending_stiffness", R"(bending_stiffness = "2.1e-12 N m^2")", "bending_stiffness = 1"},
+    Example{"rig", R"(span = "1278 um" and stiffness = "90.65 N/m")", "stiffness = 30"},
+    Example{"rig.span", R"(span = "1278 um")", "span = 1"},
+    Example{"rig.stiffness", R"(stiffness = "90.65 N/m", or "inf" for displacement control)",
+            R"(stiffness = 30, or "inf" for displacement control)"},
+    Example{"friction", R"(model = "constant" and mu0 = 0.5)", R"(model = "constant" and mu0 = 0.5)"},
+    Example{"friction.model", R"(model = "sinusoid")", R"(model = "sinusoid")"},
+    Example{"friction.mu0", "mu0 = 0.5", "mu0 = 0.5"},
+    Example{"friction.amplitude", "amplitude = 0.15", "amplitude = 0.15"},
+    Example{"friction.wavelength", R"(wavelength = "10.9 um")", "wavelength = 0.0085"},
+    Example{"friction.waves", R"(waves = [{ amplitude = 0.15, wavelength = "10.9 um", phase = 1.0 }])",
+            "waves = [{ amplitude = 0.15, wavelength = 0.0085, phase = 1.0 }]"},
+    Example{"friction.file", R"(file = "trace.csv")", R"(file = "trace.csv")"},
+    Example{"friction.length", R"(length = "S [um]")", R"(length = "S")"},
+    Example{"friction.rms", "rms = 0.1", "rms = 0.1"},
+    Example{"friction.correlation_length", R"(correlation_length = "5 um")", "correlation_length = 0.004"},
+    Example{"friction.seed", "seed = 1", "seed = 1"},
+    Example{"stage", R"(program = ["0 um", "900 um"])", "program = [0, 0.7]"},
+    Example{"stage.program", R"(program = ["0 um", "900 um"])", "program = [0, 0.7]"},
+    Example{"stage.stage", R"(stage = "stage [um]", the title of its column)",
+            R"(stage = "w_s", the title of its column)"},
+    Example{"record", R"(file = "ss14.csv", stage = "w_s_m [m]" and force = "F_N [N]")",
+            R"(file = "test.csv", stage = "w_s" and force = "F")"},
+    Example{"record.file", R"(file = "ss14.csv")", R"(file = "test.csv")"},
+};
+
+// "specimen.diameter" as the user finds it: "[specimen] diameter".
+std::string field_name(std::string_view key) {
+  const std::size_t dot = key.find('.');
+  if (dot != std::string_view::npos) return fmt::format("[{}] {}", key.substr(0, dot), key.substr(dot + 1));
+  for (const std::string_view section : {"specimen", "rig", "friction", "stage", "record"})
+    if (key == section) return fmt::format("[{}]", key);
+  return std::string(key);
+}
+
+// The line of a key; one that the file does not have is looked for where it would stand, in its section.
+std::size_t line_of(const Case& input, std::string_view key) {
+  while (!key.empty()) {
+    if (const auto at = input.lines.find(key); at != input.lines.end()) return at->second;
+    const std::size_t end = key.find_last_of(".[");
+    key = end == std::string_view::npos ? "" : key.substr(0, end);
+  }
+  return 0;
+}
+
+void note_lines(const toml::node& node, const std::string& key, Case& input) {
+  if (!key.empty()) input.lines[key] = node.source().begin.line;
+  if (const toml::table* table = node.as_table())
+    for (auto&& [name, value] : *table)
+      note_lines(value, key.empty() ? std::string(name.str()) : fmt::format("{}.{}", key, name.str()), input);
+  if (const toml::array* array = node.as_array())
+    for (std::size_t i = 0; i < array->size(); ++i) note_lines((*array)[i], fmt::format("{}[{}]", key, i + 1), input);
+}
+
+std::string kind_of_node(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string_view>()) return in_quotes(*text);
+  if (const auto number = node.value_exact<double>()) return fmt::format("the number {}", *number);
+  if (const auto number = node.value_exact<std::int64_t>()) return fmt::format("the number {}", *number);
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "an array";
+  if (node.is_boolean()) return "true or false";
+  return "a date or time";
+}
+
+// One table of the file.
+class Keys {
+ public:
+  Keys(const toml::table& table, std::string path, const Case& input)
+      : table_(table), path_(std::move(path)), input_(input) {}
+
+  std::string key(std::string_view name) const {
+    return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
+  }
+
+  // Refuses all keys but these. To be called first: a key misspelt should not be reported as one that is missing.
+  void only(const std::vector<std::string>& known) const {
+    for (auto&& [name, value] : table_) {
+      if (std::find(known.begin(), known.end(), name.str()) != known.end()) continue;
+      const std::string meant = nearest(name.str(), known);
+      refuse(name.str(), (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known),
+             "an unknown key", meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
+    }
+  }
+
+  const toml::node* find(std::string_view name) const { return table_.get(name); }
+
+  std::size_t size() const { return table_.size(); }
+  bool has(std::string_view name) const { return find(name) != nullptr; }
+
+  const toml::node& need(std::string_view name) const {
+    if (const toml::node* node = find(name)) return *node;
+    throw missing(input_, key(name));
+  }
+
+  double quantity(std::string_view name, const Kind& kind, Range range) const {
+    return value(need(name), key(name), kind, range);
+  }
+
+  std::optional<double> optional_quantity(std::string_view name, const Kind& kind, Range range) const {
+    if (!has(name)) return std::nullopt;
+    return quantity(name, kind, range);
+  }
+
+  double number(std::string_view name, Range range) const { return quantity(name, kind::number, range); }
+
+  std::uint64_t whole_number(std::string_view name, std::int64_t least) const {
+    const toml::node& node = need(name);
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value || *value < least) refuse(name, fmt::format("a whole number, at least {}", least), kind_of_node(node));
+    return static_cast<std::uint64_t>(*value);
+  }
+
+  std::string text(std::string_view name) const {
+    const toml::node& node = need(name);
+    const auto value = node.value_exact<std::string>();
+    if (!value || value->empty()) refuse(name, "text in quotes", kind_of_node(node));
+    return *value;
+  }
+
+  // The title of a column that holds a quantity of this kind; its unit may also stand in the file it is in.
+  std::string column(std::string_view name, const Kind& kind) const {
+    std::string title = text(name);
+    try {
+      const ColumnTitle parts = parse_column_title(title);
+      if (!parts.unit.empty()) parse_unit(parts.unit, kind_in_file(kind));
+    } catch (const InputError& error) {
+      throw placed(error, key(name));
+    }
+    return title;
+  }
+
+  // A path, relative to the folder of the case file, as one relative to the working directory.
+  std::string path(std::string_view name) const {
+    const std::string file = text(name);
+    return file == "-" ? file : (std::filesystem::path(input_.source).parent_path() / file).string();
+  }
+
+  Estimate estimate(std::string_view name, const Kind& kind) const {
+    const toml::node& node = need(name);
+    if (const toml::table* parts = node.as_table()) {
+      const Keys keys(*parts, key(name), input_);
+      keys.only({"value", "uncertainty"});
+      Known known{keys.quantity("value", kind, Range::positive), 0};
+      known.uncertainty = keys.uncertainty(known.value, kind);
+      return known;
+    }
+    if (node.value_exact<std::string_view>() == "fit") return ToFit{};
+    return Known{value(node, key(name), kind, Range::positive), 0};
+  }
+
+  double value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const {
+    const auto text = node.value_exact<std::string_view>();
+    const bool is_number = node.is_number();
+    if (!text && !is_number) throw wrong_value(input_, key, std::string(kind.name), kind_of_node(node));
+    const bool is_plain = kind.dimension == Dimension{} || (input_.reduced && kind.dimension != kind::angle.dimension);
+    const bool is_radians = is_number && kind.dimension == kind::angle.dimension;
+    try {
+      if (is_number && (is_plain || is_radians)) {
+        const double plain = node.value<double>().value_or(0);
+        return within(range, plain, fmt::format("{}", plain), kind);
+      }
+      if (is_number) return parse_quantity(fmt::format("{}", node.value<double>().value_or(0)), kind, range);
+      if (is_plain && !(*text == "inf" && range == Range::positive_or_infinite))
+        throw InputError({.expected = "a plain number",
+                          .found = in_quotes(*text),
+                          .remedy = kind.dimension == Dimension{}
+                                        ? "write it without quotes and unit"
+                                        : "the case is reduced: write it in the model's variables, "
+                                          "without quotes and unit, or delete reduced = true"});
+      return parse_quantity(*text, kind, range);
+    } catch (const InputError& error) {
+      throw placed(error, key);
+    }
+  }
+
+  [[noreturn]] void refuse(std::string_view name, std::string expected, std::string found,
+                           std::string remedy = "") const {
+    throw wrong_value(input_, key(name), std::move(expected), std::move(found), std::move(remedy));
+  }
+
+ private:
+  InputError placed(const InputError& error, const std::string& key) const {
+    return wrong_value(input_, key, error.fault.expected, error.fault.found, error.fault.remedy);
+  }
+
+  Kind kind_in_file(const Kind& kind) const { return input_.reduced ? kind::number : kind; }
+
+  double uncertainty(double value_of_it, const Kind& kind) const {
+    const toml::node& node = need("uncertainty");
+    const auto text = node.value_exact<std::string_view>();
+    if (!text || text->find('%') == std::string_view::npos)
+      return value(node, key("uncertainty"), kind, Range::positive);
+    try {
+      return value_of_it * parse_quantity(*text, kind::number, Range::positive);
+    } catch (const InputError& error) {
+      throw placed(error, key("uncertainty"));
+    }
+  }
+
+  const toml::table& table_;
+  std::string path_;
+  const Case& input_;
+};
+
+std::optional<Section> read_section(const Keys& keys) {
+  const bool is_round = keys.has("diameter");
+  const bool is_rectangular = keys.has("width") || keys.has("height");
+  if (is_round && is_rectangular)
+    keys.refuse("diameter", "either a diameter or a width and height", "both", "delete one");
+  if (is_round) return RoundSection{keys.quantity("diameter", kind::length, Range::positive)};
+  if (!is_rectangular) return std::nullopt;
+  return RectangularSection{keys.quantity("width", kind::length, Range::positive),
+                            keys.quantity("height", kind::length, Range::positive)};
+}
+
+SpecimenInput read_specimen(const Keys& keys, const Case& input) {
+  keys.only({"diameter", "width", "height", "modulus", "bending_stiffness"});
+  SpecimenInput specimen{read_section(keys), BendingStiffness{Known{1, 0}}};
+  const bool has_product = keys.has("bending_stiffness");
+  if (keys.has("modulus") && (has_product || input.reduced))
+    keys.refuse("modulus", input.reduced ? "no modulus in a reduced case" : "either a modulus or a bending_stiffness",
+                input.reduced ? "one" : "both",
+                input.reduced ? "the bending stiffness is 1, or \"fit\"" : "delete one");
+  if (has_product) {
+    const Estimate product = keys.estimate("bending_stiffness", kind::bending_stiffness);
+    const Known* known = std::get_if<Known>(&product);
+    if (input.reduced && known && known->value != 1)
+      keys.refuse("bending_stiffness", "1, the unit of reduced variables", fmt::format("{}", known->value));
+    specimen.rigidity = BendingStiffness{product};
+  } else if (!input.reduced) {
+    if (!specimen.section) throw missing(input, keys.key("diameter"));
+    specimen.rigidity = Modulus{keys.has("modulus") ? keys.estimate("modulus", kind::pressure) : ToFit{}};
+  }
+  return specimen;
+}
+
+RigInput read_rig(const Keys& keys, const Case& input) {
+  keys.only({"span", "stiffness"});
+  RigInput rig{1, std::nullopt};
+  if (!input.reduced || keys.has("span")) rig.span = keys.quantity("span", kind::length, Range::positive);
+  if (input.reduced && rig.span != 1)
+    keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", rig.span));
+  rig.stiffness = keys.optional_quantity("stiffness", kind::stiffness, Range::positive_or_infinite);
+  return rig;
+}
+
+FrictionModel read_model(const toml::node& node, const std::string& key, const Case& input) {
+  std::vector<std::string> names;
+  for (const auto& [name, model] : model_names) {
+    if (node.value_exact<std::string_view>() == name) return model;
+    names.emplace_back(name);
+  }
+  const std::string meant = nearest(node.value_exact<std::string>().value_or(""), names);
+  throw wrong_value(input, key, "one of the models " + listed(names), kind_of_node(node),
+                    meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
+}
+
+std::vector<FrictionModel> read_models(const Keys& keys, const Case& input) {
+  const toml::node& node = keys.need("model");
+  if (node.value_exact<std::string_view>() == "choose") return {};
+  const toml::array* several = node.as_array();
+  if (!several) return {read_model(node, keys.key("model"), input)};
+  if (several->empty()) keys.refuse("model", "at least one model", "an empty array", "write \"choose\" for all");
+  std::vector<FrictionModel> models;
+  for (std::size_t i = 0; i < several->size(); ++i) {
+    const FrictionModel model = read_model((*several)[i], fmt::format("{}[{}]", keys.key("model"), i + 1), input);
+    if (std::find(models.begin(), models.end(), model) != models.end())
+      keys.refuse("model", "each model once", kind_of_node((*several)[i]) + " twice");
+    models.push_back(model);
+  }
+  return models;
+}
+
+WaveInput read_wave(const Keys& keys) {
+  const WaveInput wave{keys.number("amplitude", Range::non_negative),
+                       keys.quantity("wavelength", kind::length, Range::positive),
+                       keys.optional_quantity("phase", kind::angle, Range::any).value_or(0)};
+  if (wave.amplitude > 1)
+    keys.refuse("amplitude", "at most 1", fmt::format("{}", wave.amplitude),
+                "it is relative to mu0, and friction cannot be negative");
+  return wave;
+}
+
+std::vector<WaveInput> read_waves(const Keys& keys, const Case& input) {
+  const toml::node& node = keys.need("waves");
+  const toml::array* several = node.as_array();
+  if (!several || several->empty())
+    keys.refuse("waves", "an array of waves", several ? "an empty one" : kind_of_node(node));
+  std::vector<WaveInput> waves;
+  double sum = 0;
+  for (std::size_t i = 0; i < several->size(); ++i) {
+    const std::string path = fmt::format("{}[{}]", keys.key("waves"), i + 1);
+    const toml::table* table = (*several)[i].as_table();
+    if (!table)
+      throw wrong_value(input, path, "{ amplitude = …, wavelength = …, phase = … }", kind_of_node((*several)[i]));
+    const Keys wave(*table, path, input);
+    wave.only({"amplitude", "wavelength", "phase"});
+    waves.push_back(read_wave(wave));
+    sum += waves.back().amplitude;
+  }
+  if (sum > 1)
+    keys.refuse("waves", "amplitudes of at most 1 in sum", fmt::format("{}", sum),
+                "they are relative to mu0, and friction cannot be negative");
+  return waves;
+}
+
+FrictionProfileInput read_profile(FrictionModel model, const Keys& keys, const Case& input) {
+  if (model == FrictionModel::table)
+    return TabulatedFriction{keys.path("file"), keys.column("length", kind::length),
+                             keys.has("mu") ? keys.column("mu", kind::number) : "mu"};
+  const double mu0 = keys.number("mu0", Range::non_negative);
+  if (model == FrictionModel::rough)
+    return RoughFriction{mu0, keys.number("rms", Range::non_negative),
+                         keys.quantity("correlation_length", kind::length, Range::positive),
+                         keys.whole_number("seed", 0)};
+  const double drift = keys.optional_quantity("drift", kind::inverse_length, Range::any).value_or(0);
+  if (model == FrictionModel::constant || model == FrictionModel::drift) return WavyFriction{mu0, drift, {}};
+  if (model == FrictionModel::sinusoid) return WavyFriction{mu0, drift, {read_wave(keys)}};
+  return WavyFriction{mu0, drift, read_waves(keys, input)};
+}
+
+std::vector<std::string> keys_of(FrictionModel model) {
+  switch (model) {
+    case FrictionModel::constant:
+    case FrictionModel::drift:
+      return {"model", "mu0", "drift", "static_excess"};
+    case FrictionModel::sinusoid:
+      return {"model", "mu0", "amplitude", "wavelength", "phase", "drift", "static_excess"};
+    case FrictionModel::sinusoids:
+      return {"model", "mu0", "waves", "drift", "static_excess"};
+    case FrictionModel::table:
+      return {"model", "file", "length", "mu", "static_excess"};
+    case FrictionModel::rough:
+      return {"model", "mu0", "rms", "correlation_length", "seed", "static_excess"};
+  }
+  throw std::invalid_argument("keys_of: no such model");
+}
+
+FrictionInput read_friction(const Keys& keys, const Case& input) {
+  std::vector<std::string> all;
+  for (const auto& [name, model] : model_names)
+    for (const std::string& key : keys_of(model))
+      if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
+  keys.only(all);
+  if (keys.size() == 0) return {};
+  FrictionInput friction{read_models(keys, input), {}};
+  keys.only(friction.models.size() == 1 ? keys_of(friction.models.front()) : std::vector<std::string>{"model"});
+  if (keys.size() > 1) friction.profile = read_profile(friction.models.front(), keys, input);
+  if (keys.has("static_excess")) friction.static_excess = keys.number("static_excess", Range::non_negative);
+  return friction;
+}
+
+char read_decimal(const Keys& keys) {
+  if (!keys.has("decimal")) return '.';
+  const std::string decimal = keys.text("decimal");
+  if (decimal != "." && decimal != ",") keys.refuse("decimal", "\".\" or \",\"", in_quotes(decimal));
+  return decimal.front();
+}
+
+TurningPoints read_turning_points(const Keys& keys) {
+  const toml::node& node = keys.need("program");
+  const toml::array* turns = node.as_array();
+  if (!turns || turns->size() < 2)
+    keys.refuse("program", "at least two stage positions, where it starts and where it goes",
+                turns ? std::to_string(turns->size()) : kind_of_node(node));
+  TurningPoints stage{{}, keys.has("cycles") ? keys.whole_number("cycles", 1) : 1, {}};
+  for (std::size_t i = 0; i < turns->size(); ++i)
+    stage.positions.push_back(
+        keys.value((*turns)[i], fmt::format("{}[{}]", keys.key("program"), i + 1), kind::length, Range::non_negative));
+  const auto times = static_cast<double>(stage.cycles);
+  if (!(times * static_cast<double>(turns->size() - 1) <= most_turns))
+    keys.refuse(keys.has("cycles") ? "cycles" : "program", fmt::format("at most {:.0e} turning points", most_turns),
+                fmt::format("{:.1e}", times * static_cast<double>(turns->size() - 1)));
+  const toml::node* step = keys.find("step");
+  if (!step || step->value_exact<std::string_view>() == "continuous") return stage;
+  stage.step = keys.quantity("step", kind::length, Range::positive);
+  const auto& [positions, cycles, length] = stage;
+  double travel = times * std::abs(positions[1] - positions.back());
+  for (std::size_t i = 2; i < positions.size(); ++i) travel += times * std::abs(positions[i] - positions[i - 1]);
+  travel += std::abs(positions[1] - positions[0]);
+  if (!(travel / *length <= most_steps))
+    keys.refuse("step", fmt::format("at most {:.0e} steps", most_steps), fmt::format("{:.1e}", travel / *length),
+                "take a larger step, or \"continuous\"");
+  return stage;
+}
+
+StageInput read_stage(const Keys& keys) {
+  keys.only({"program", "cycles", "step", "file", "stage", "time", "decimal", "snaps"});
+  StageInput stage;
+  const bool is_measured = keys.has("file");
+  for (const std::string_view other : {"program", "cycles", "step"})
+    if (is_measured && keys.has(other))
+      keys.refuse(other, "either a program or the file of one", "both",
+                  other == "step" ? "the rows of the file are the steps" : "delete one");
+  for (const std::string_view other : {"stage", "time", "decimal"})
+    if (!is_measured && keys.has(other))
+      keys.refuse(other, "it beside the file it is about", "no file", "add file = \"run.csv\"");
+  if (is_measured)
+    stage.programme = MeasuredProgramme{
+        keys.path("file"), keys.column("stage", kind::length),
+        keys.has("time") ? std::optional(keys.column("time", kind::time)) : std::nullopt, read_decimal(keys)};
+  else
+    stage.programme = read_turning_points(keys);
+  if (!keys.has("snaps")) return stage;
+  const auto known = std::find_if(snap_names.begin(), snap_names.end(), [&](const auto& name) {
+    return keys.need("snaps").value_exact<std::string_view>() == name.first;
+  });
+  if (known == snap_names.end()) keys.refuse("snaps", R"("nearest" or "overshoot")", kind_of_node(keys.need("snaps")));
+  stage.snaps = known->second;
+  return stage;
+}
+
+RecordInput read_record(const Keys& keys) {
+  keys.only({"file", "stage", "deflection", "force", "until", "contact", "decimal"});
+  RecordInput record{.file = keys.path("file"),
+                     .stage = {},
+                     .deflection = {},
+                     .force = {},
+                     .until = {},
+                     .contact = {},
+                     .decimal = '.'};
+  std::string found;
+  const auto column = [&](std::string_view name, const Kind& kind) -> std::optional<std::string> {
+    if (!keys.has(name)) return std::nullopt;
+    found += (found.empty() ? "" : " and ") + std::string(name);
+    return keys.column(name, kind);
+  };
+  record.stage = column("stage", kind::length);
+  record.deflection = column("deflection", kind::length);
+  record.force = column("force", kind::force);
+  if (record.stage.has_value() + record.deflection.has_value() + record.force.has_value() != 2)
+    keys.refuse("stage", "two of the columns stage, deflection and force", found.empty() ? "none" : found,
+                "the third follows from the rig's stiffness");
+  if (keys.has("until")) record.until = static_cast<std::size_t>(keys.whole_number("until", 1));
+  record.contact = keys.optional_quantity("contact", kind::length, Range::any);
+  record.decimal = read_decimal(keys);
+  return record;
+}
+
+// What one section alone cannot tell.
+void check_together(const Case& input) {
+  if (input.specimen && input.specimen->section && input.rig) {
+    const auto* round = std::get_if<RoundSection>(&*input.specimen->section);
+    const double thickness = round ? round->diameter : std::get<RectangularSection>(*input.specimen->section).height;
+    if (thickness >= input.rig->span)
+      throw wrong_value(
+          input, round ? "specimen.diameter" : "specimen.height",
+          "a specimen thinner than the span, " + readable(input.rig->span, input.reduced ? kind::number : kind::length),
+          readable(thickness, input.reduced ? kind::number : kind::length), "check the units of both");
+  }
+  if (input.record && !input.record->force && input.rig && input.rig->stiffness && std::isinf(*input.rig->stiffness))
+    throw wrong_value(input, "record", "a force column, since the rig is infinitely stiff", "stage and deflection",
+                      "these are then the same, and say nothing of the force");
+}
+
+// Holds a text to the tokens that case files are made of: words, plain numbers, texts in quotes on one line, = [ ] { } , and
+// comments. toml++ 3.3 answers some of what is outside them, most of it no TOML, with undefined behaviour or a failed
+// assertion, as fuzzing showed: "µ" outside quotes, "[" without a name, "[}", "1262-05-7n 3". Dates and multi-line strings
+// go with them, for which a case file has no use.
+class TokenCheck {
+ public:
+  TokenCheck(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+
+  void run() {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    at_ = text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '\n') {
+        ++line_;
+        if (in_header_) open_.clear();  // if its bracket is not closed, TOML refuses it
+        in_header_ = false;
+        line_is_blank_ = true;
+        ++at_;
+      } else if (blanks.find(c) != std::string_view::npos) {
+        ++at_;
+      } else if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else {
+        take_token(c);
+        line_is_blank_ = false;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::string_view blanks = " \t\r";
+  static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.";
+
+  [[noreturn]] void refuse(std::string expected, std::string found) const {
+    throw InputError({source_, line_, "", std::move(expected), std::move(found), ""});
+  }
+
+  std::string_view text_to_blank() const { return text_.substr(at_, text_.find_first_of(" =\r\n", at_) - at_); }
+
+  char next_after(std::size_t at) const {
+    const std::size_t next = text_.find_first_not_of(" \t", at);
+    return next < text_.size() ? text_[next] : '\n';
+  }
+
+  void take_token(char c) {
+    if (c == '"' || c == '\'')
+      take_text(c);
+    else if (letters.find(c) != std::string_view::npos)
+      take_word();
+    else if (std::string_view("=[]{},").find(c) != std::string_view::npos)
+      take_mark(c);
+    else
+      refuse("plain letters outside quotes", in_quotes(text_to_blank()));
+  }
+
+  void take_text(char quote) {
+    if (at_ > 0 && std::string_view(" \t\r\n=[{,").find(text_[at_ - 1]) == std::string_view::npos)
+      refuse("quotes around a whole text", "one in its middle");
+    if (text_.substr(at_, 3) == std::string(3, quote)) refuse("text in quotes on one line", "a multi-line string");
+    for (++at_; at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n'; ++at_)
+      if (quote == '"' && text_[at_] == '\\') ++at_;
+    if (at_ >= text_.size() || text_[at_] == '\n') refuse("text in quotes on one line", "no closing quote");
+    last_ = text_[at_++];
+  }
+
+  void take_word() {
+    const std::size_t end = std::min(text_.find_first_not_of(letters, at_), text_.size());
+    const std::string_view word = text_.substr(at_, end - at_);
+    const bool is_key = next_after(end) == '=' && last_ != '=' && (open_.empty() || open_.back() == '{');
+    const bool is_whole =
+        end == text_.size() || std::string_view(" \t\r\n,]}#").find(text_[end]) != std::string_view::npos;
+    if (!is_key && !in_header_ && line_is_blank_ && open_.empty())
+      refuse("a [section] or key = value in plain letters", in_quotes(text_to_blank()));
+    if (!is_key && !in_header_ && !(is_value(word) && is_whole))
+      refuse("a number, true, false or text in quotes", in_quotes(text_to_blank()));
+    last_ = word.back();
+    at_ = end;
+  }
+
+  static bool is_value(std::string_view word) {
+    if (word == "true" || word == "false") return true;
+    if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+    if (word == "inf" || word == "nan") return true;
+    const std::size_t sign = word.find_first_of("+-");  // of the exponent, or else it is a date
+    const bool has_odd_sign = sign != std::string_view::npos && word.find_first_of("eE") + 1 != sign;
+    return word.find_first_of("0123456789") == 0 && !has_odd_sign &&
+           word.find_first_not_of("0123456789.eE+-_") == std::string_view::npos;
+  }
+
+  void take_mark(char c) {
+    if (c == '[' && line_is_blank_ && open_.empty()) {
+      const char first = next_after(text_.substr(at_ + 1, 1) == "[" ? at_ + 2 : at_ + 1);
+      in_header_ = true;
+      if (first != '"' && first != '\'' && letters.substr(0, letters.size() - 2).find(first) == std::string_view::npos)
+        refuse("the name of a section after [", "none");
+    }
+    if (c == '=' && (line_is_blank_ || std::string_view("=[{,").find(last_) != std::string_view::npos))
+      refuse("a key before =", "none");
+    if (c == '}' && (last_ == '[' || last_ == ',')) refuse("a value", "'}'");
+    if (c == '[' || c == '{') open_ += c;
+    if ((c == ']' || c == '}') && !open_.empty()) open_.pop_back();
+    last_ = c;
+    ++at_;
+  }
+
+  std::string_view text_;
+  const std::string& source_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+  bool line_is_blank_ = true;
+  bool in_header_ = false;
+  std::string open_;  // the brackets that are
+  char last_ = '\n';  // of the tokens so far
+};
+
+toml::table parsed(std::string_view text, const std::string& source) {
+  if (text.find('\0') != std::string_view::npos)
+    throw InputError({.file = source, .expected = "a case file (TOML)", .found = "binary data (a NUL byte)"});
+  TokenCheck(text, source).run();
+  try {
+    return toml::parse(text, source);
+  } catch (const toml::parse_error& error) {
+    std::string description(error.description());
+    if (description.starts_with('E')) description.replace(0, 1, "an e");  // "Error while parsing …"
+    throw InputError({.file = source,
+                      .line = error.source().begin.line,
+                      .expected = "a case file (TOML)",
+                      .found = std::move(description)});
+  }
+}
+
+// The fewest digits that identify the bits, as a TOML number.
+std::string plain(double value) { return fmt::format("{}", value); }
+
+std::string basic_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += fmt::format("\\{}", c);
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+std::string array_text(const std::vector<std::string>& values) {
+  std::string out;
+  for (const std::string& value : values) out += (out.empty() ? "" : ", ") + value;
+  return fmt::format("[{}]", out);
+}
+
+class Writer {
+ public:
+  explicit Writer(bool reduced) : reduced_(reduced) {
+    if (reduced_) text_ = "reduced = true\n";
+  }
+
+  void section(std::string_view name) { text_ += fmt::format("{}[{}]\n", text_.empty() ? "" : "\n", name); }
+  void line(std::string_view key, std::string_view value) { text_ += fmt::format("{} = {}\n", key, value); }
+
+  std::string quantity(double value, const Kind& kind) const {
+    return reduced_ ? plain(value) : fmt::format("\"{}\"", exact_text(value, kind));
+  }
+
+  void estimate(std::string_view key, const Estimate& estimate, const Kind& kind) {
+    const Known* known = std::get_if<Known>(&estimate);
+    if (!known)
+      line(key, "\"fit\"");
+    else if (known->uncertainty == 0)
+      line(key, quantity(known->value, kind));
+    else
+      line(key, fmt::format("{{ value = {}, uncertainty = {} }}", quantity(known->value, kind),
+                            quantity(known->uncertainty, kind)));
+  }
+
+  std::string text() const { return text_; }
+
+ private:
+  bool reduced_;
+  std::string text_;
+};
+
+void write(Writer& out, const SpecimenInput& specimen) {
+  out.section("specimen");
+  if (specimen.section) {
+    if (const auto* round = std::get_if<RoundSection>(&*specimen.section)) {
+      out.line("diameter", out.quantity(round->diameter, kind::length));
+    } else {
+      const auto& rectangle = std::get<RectangularSection>(*specimen.section);
+      out.line("width", out.quantity(rectangle.width, kind::length));
+      out.line("height", out.quantity(rectangle.height, kind::length));
+    }
+  }
+  if (const auto* modulus = std::get_if<Modulus>(&specimen.rigidity))
+    out.estimate("modulus", modulus->estimate, kind::pressure);
+  else
+    out.estimate("bending_stiffness", std::get<BendingStiffness>(specimen.rigidity).estimate, kind::bending_stiffness);
+}
+
+void write(Writer& out, const RigInput& rig) {
+  out.section("rig");
+  out.line("span", out.quantity(rig.span, kind::length));
+  if (rig.stiffness) out.line("stiffness", out.quantity(*rig.stiffness, kind::stiffness));
+}
+
+std::string wave_text(const Writer& out, const WaveInput& wave) {
+  return fmt::format("{{ amplitude = {}, wavelength = {}, phase = {} }}", plain(wave.amplitude),
+                     out.quantity(wave.wavelength, kind::length), plain(wave.phase));
+}
+
+void write(Writer& out, const WavyFriction& wavy, FrictionModel model) {
+  out.line("mu0", plain(wavy.mu0));
+  if (model == FrictionModel::sinusoid) {
+    out.line("amplitude", plain(wavy.waves.front().amplitude));
+    out.line("wavelength", out.quantity(wavy.waves.front().wavelength, kind::length));
+    out.line("phase", plain(wavy.waves.front().phase));
+  } else if (model == FrictionModel::sinusoids) {
+    std::vector<std::string> waves;
+    for (const WaveInput& wave : wavy.waves) waves.push_back(wave_text(out, wave));
+    out.line("waves", array_text(waves));
+  }
+  if (wavy.drift != 0) out.line("drift", out.quantity(wavy.drift, kind::inverse_length));
+}
+
+void write(Writer& out, const TabulatedFriction& table, FrictionModel) {
+  out.line("file", basic_string(table.file));
+  out.line("length", basic_string(table.length));
+  out.line("mu", basic_string(table.mu));
+}
+
+void write(Writer& out, const RoughFriction& rough, FrictionModel) {
+  out.line("mu0", plain(rough.mu0));
+  out.line("rms", plain(rough.rms));
+  out.line("correlation_length", out.quantity(rough.correlation_length, kind::length));
+  out.line("seed", std::to_string(rough.seed));
+}
+
+void write(Writer& out, const FrictionInput& friction) {
+  out.section("friction");
+  std::vector<std::string> names;
+  for (const FrictionModel each : friction.models)
+    for (const auto& [name, model] : model_names)
+      if (model == each) names.push_back(fmt::format("\"{}\"", name));
+  if (names.empty())
+    out.line("model", "\"choose\"");
+  else
+    out.line("model", names.size() == 1 ? names.front() : array_text(names));
+  if (friction.profile)
+    std::visit([&](const auto& profile) { write(out, profile, friction.models.front()); }, *friction.profile);
+  if (friction.static_excess != 0) out.line("static_excess", plain(friction.static_excess));
+}
+
+void write(Writer& out, const TurningPoints& stage) {
+  std::vector<std::string> turns;
+  for (const double turn : stage.positions) turns.push_back(out.quantity(turn, kind::length));
+  out.line("program", array_text(turns));
+  if (stage.cycles != 1) out.line("cycles", std::to_string(stage.cycles));
+  out.line("step", stage.step ? out.quantity(*stage.step, kind::length) : "\"continuous\"");
+}
+
+void write(Writer& out, const MeasuredProgramme& stage) {
+  out.line("file", basic_string(stage.file));
+  out.line("stage", basic_string(stage.stage));
+  if (stage.time) out.line("time", basic_string(*stage.time));
+  if (stage.decimal != '.') out.line("decimal", basic_string({&stage.decimal, 1}));
+}
+
+void write(Writer& out, const StageInput& stage) {
+  out.section("stage");
+  std::visit([&](const auto& programme) { write(out, programme); }, stage.programme);
+  if (stage.snaps == SnapRest::nearest_stable) return;
+  for (const auto& [name, rest] : snap_names)
+    if (rest == stage.snaps) out.line("snaps", fmt::format("\"{}\"", name));
+}
+
+void write(Writer& out, const RecordInput& record) {
+  out.section("record");
+  out.line("file", basic_string(record.file));
+  if (record.stage) out.line("stage", basic_string(*record.stage));
+  if (record.deflection) out.line("deflection", basic_string(*record.deflection));
+  if (record.force) out.line("force", basic_string(*record.force));
+  if (record.until) out.line("until", std::to_string(*record.until));
+  if (record.contact) out.line("contact", out.quantity(*record.contact, kind::length));
+  if (record.decimal != '.') out.line("decimal", basic_string({&record.decimal, 1}));
+}
+
+}  // namespace
+
+Case read_case(std::string_view text, const std::string& source) {
+  const toml::table table = parsed(text, source);
+  Case input{source, false, {}, {}, {}, {}, {}, {}};
+  note_lines(table, "", input);
+  const Keys top(table, "", input);
+  top.only({"reduced", "specimen", "rig", "friction", "stage", "record"});
+  if (const toml::node* reduced = top.find("reduced")) {
+    if (!reduced->is_boolean()) top.refuse("reduced", "true or false", kind_of_node(*reduced));
+    input.reduced = reduced->value_or(false);
+  }
+  const auto section = [&](const char* name) -> const toml::table* {
+    const toml::node* node = top.find(name);
+    if (node && !node->is_table()) top.refuse(name, fmt::format("a section [{}]", name), kind_of_node(*node));
+    return node ? node->as_table() : nullptr;
+  };
+  const toml::table* specimen = section("specimen");
+  const toml::table* rig = section("rig");
+  const toml::table* friction = section("friction");
+  const toml::table* stage = section("stage");
+  const toml::table* record = section("record");
+  const toml::table nothing;
+  if (specimen || input.reduced)
+    input.specimen = read_specimen({specimen ? *specimen : nothing, "specimen", input}, input);
+  if (rig || input.reduced) input.rig = read_rig({rig ? *rig : nothing, "rig", input}, input);
+  if (friction) input.friction = read_friction({*friction, "friction", input}, input);
+  if (stage) input.stage = read_stage({*stage, "stage", input});
+  if (record) input.record = read_record({*record, "record", input});
+  check_together(input);
+  return input;
+}
+
+Case read_case(const std::string& path) {
+  const std::string source = path == "-" ? "standard input" : path;
+  const std::shared_ptr<std::istream> in = open_to_read(path);
+  std::string text(largest_file + 1, '\0');
+  in->read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in->bad()) throw InputError({.file = source, .expected = "a readable file", .found = "an error while reading"});
+  text.resize(static_cast<std::size_t>(in->gcount()));
+  if (text.size() > largest_file)
+    throw InputError({.file = source, .expected = "a case file (TOML)", .found = "a file of more than 1 MiB"});
+  return read_case(text, source);
+}
+
+std::string to_toml(const Case& input) {
+  Writer out(input.reduced);
+  if (input.specimen) write(out, *input.specimen);
+  if (input.rig) write(out, *input.rig);
+  if (input.friction) write(out, *input.friction);
+  if (input.stage) write(out, *input.stage);
+  if (input.record) write(out, *input.record);
+  return out.text();
+}
+
+InputError wrong_value(const Case& input, std::string_view key, std::string expected, std::string found,
+                       std::string remedy) {
+  return InputError(
+      {input.source, line_of(input, key), field_name(key), std::move(expected), std::move(found), std::move(remedy)});
+}
+
+InputError missing(const Case& input, std::string_view key) {
+  // The waves of a sum have the keys of a single one.
+  std::string known(key);
+  const std::size_t index = key.find('[');
+  if (index != std::string_view::npos) known = "friction" + known.substr(std::min(known.rfind('.'), known.size()));
+  for (const Example& example : examples) {
+    const std::string_view text = input.reduced ? example.reduced : example.physical;
+    if (example.key == known && !text.empty())
+      return wrong_value(input, key, "it in the file", "nothing", fmt::format("add {}", text));
+  }
+  return wrong_value(input, key, "it in the file", "nothing");
+}
+
+}  // namespace flexslip

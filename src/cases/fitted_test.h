@@ -1,0 +1,66 @@
+// A measured test together with its answers and where they come from: what JSON, text, figures and the report present.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/case_file.h"
+#include "cases/problem.h"
+#include "inference/analysis.h"
+#include "inference/cyclic_test.h"
+
+namespace flexslip {
+
+struct InputFile {
+  std::string name;  // as the user named it
+  unsigned long bytes;
+  std::string sha256;  // empty for standard input, which can be read only once
+};
+
+// What to give to the same version of the program to get the same bytes again.
+struct Provenance {
+  std::string version;
+  std::vector<InputFile> inputs;
+  std::string test;  // the case as TOML, also where it was given by flags
+  AnalysisOptions options;
+};
+
+struct FittedTest {
+  std::string name;  // of the case or data file
+  bool reduced;      // all numbers are in the model's scaled variables
+  Measurement measurement;
+  StiffnessSource stiffness;
+  std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
+  TestAnalysis analysis;                 // of the first loading
+  std::optional<CyclicTest> cycles;      // if it was unloaded; in the scales of the analysis
+  Provenance provenance;
+};
+
+// Reads the record of a case and analyses it.
+// Fails:      InputError as read_measurement and scales_of; for friction models that cannot be fitted.
+FittedTest fit_test(const Case& input, const AnalysisOptions& options);
+
+// The data row, counted from 1, at which a point of the record begins in its file.
+std::size_t file_row(const FittedTest& test, std::size_t point);
+
+// That of the last reading that is evaluated.
+std::size_t last_row(const FittedTest& test);
+
+// The model of least BIC. Domain: analysis.status is ok.
+const ModelFit& chosen_model(const FittedTest& test);
+
+// Its waves, the largest first.
+std::vector<WaveEstimate> waves_by_size(const ModelFit& model);
+
+// "ok", or why not: "not_converged", "too_few_points", "no_initial_slope".
+std::string status_of(const FittedTest& test);
+
+std::string name_of(SawtoothCategory category);
+
+// In a table that a user may restyle or read into Excel: the curves point by point, and the friction profile.
+void write_curves(const std::string& path, const FittedTest& test);
+void write_profile(const std::string& path, const FittedTest& test);
+
+}  // namespace flexslip

@@ -1,0 +1,461 @@
+#include "cases/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "data/legs.h"
+#include "inference/analysis.h"
+#include "io/quantity.h"
+#include "io/table.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double thickest = 0.2;      // [L] beyond it shear, which the elastica leaves out, adds 10 % to the deflection
+constexpr double most_periods = 1e6;  // of a wave: what trace_loading_curve takes, half a minute
+constexpr double most_knots = 1e6;    // of a rough profile
+constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
+constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
+// Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
+// specimen in contact from the first row on would show.
+constexpr double least_free_rows = 5;
+
+bool begins_before_contact(const Record& record, const Contact& contact, double noise) {
+  if (contact.status != ContactStatus::found) return false;
+  const auto free =
+      std::find_if(record.force.begin(), record.force.end(), [&](double force) { return std::abs(force) > 4 * noise; });
+  const double rise = record.force[contact.last - 1] - record.force[contact.first];
+  const double rise_per_row = rise / static_cast<double>(contact.last - 1 - contact.first);
+  return static_cast<double>(free - record.force.begin()) >= least_free_rows + 4 * noise / rise_per_row;
+}
+
+Kind kind_in(const Case& input, const Kind& kind) { return input.reduced ? kind::number : kind; }
+
+std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
+
+double required_span(const Case& input) {
+  if (!input.rig) throw missing(input, "rig");
+  return input.rig->span;
+}
+
+double required_stiffness(const Case& input) {
+  if (!input.rig) throw missing(input, "rig");
+  if (!input.rig->stiffness) throw missing(input, "rig.stiffness");
+  return *input.rig->stiffness;
+}
+
+// What the case says of the bending stiffness, if it says something.
+std::optional<BendingStiffnessUsed> stated_stiffness(const Case& input) {
+  if (!input.specimen) return std::nullopt;
+  const auto& rigidity = input.specimen->rigidity;
+  const auto* modulus = std::get_if<Modulus>(&rigidity);
+  const Estimate& estimate = modulus ? modulus->estimate : std::get<BendingStiffness>(rigidity).estimate;
+  const auto* known = std::get_if<Known>(&estimate);
+  if (!known) return std::nullopt;
+  const bool has_error = known->uncertainty > 0;
+  constexpr double most_error = 0.3;  // beyond it the fit would be that of another specimen
+  if (known->uncertainty > most_error * known->value)
+    throw wrong_value(input, modulus ? "specimen.modulus" : "specimen.bending_stiffness",
+                      "an uncertainty of at most 30 % of the value",
+                      fmt::format("{:.0f} %", 100 * known->uncertainty / known->value),
+                      "write \"fit\" to have it found from the initial slope");
+  BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : usual_stiffness_error,
+                            has_error ? StiffnessSource::stated : StiffnessSource::assumed_error};
+  if (modulus) {
+    const Section& section = input.specimen->section.value();
+    const auto* round = std::get_if<RoundSection>(&section);
+    const auto* rectangle = std::get_if<RectangularSection>(&section);
+    used.value *=
+        round ? round_section_moment(round->diameter) : rectangular_section_moment(rectangle->width, rectangle->height);
+  }
+  return used;
+}
+
+void require_slender(const Case& input) {
+  if (!input.specimen || !input.specimen->section) return;
+  const auto* round = std::get_if<RoundSection>(&*input.specimen->section);
+  const double thickness = round ? round->diameter : std::get<RectangularSection>(*input.specimen->section).height;
+  const double span = required_span(input);
+  if (thickness < thickest * span) return;
+  throw wrong_value(input, round ? "specimen.diameter" : "specimen.height",
+                    fmt::format("less than a fifth of the span, {}", readable_length(input, span)),
+                    readable_length(input, thickness),
+                    "beam theory does not hold for a thicker specimen: check the units of both");
+}
+
+Friction friction_from(const Case& input, const WavyFriction& wavy, const Scales& scales, double S_max) {
+  constexpr double most_friction = 20;  // what the mechanics covers
+  double most = wavy.mu0;
+  for (const auto& wave : wavy.waves) most += wavy.mu0 * wave.amplitude;
+  if (most > most_friction)
+    throw wrong_value(input, "friction.mu0", "friction of at most 20, its waves included", fmt::format("{:g}", most));
+  FrictionWaves waves{wavy.mu0, wavy.drift * scales.span(), {}};
+  for (std::size_t i = 0; i < wavy.waves.size(); ++i) {
+    const WaveInput& wave = wavy.waves[i];
+    waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
+    if ((S_max - 1) / (2 * waves.terms.back().wavelength) <= most_periods) continue;
+    const bool is_sum = input.friction->models.front() == FrictionModel::sinusoids;
+    throw wrong_value(input, is_sum ? fmt::format("friction.waves[{}].wavelength", i + 1) : "friction.wavelength",
+                      fmt::format("at most {:.0e} periods along the specimen", most_periods),
+                      readable_length(input, wave.wavelength), "check its unit");
+  }
+  return Friction::waves(std::move(waves));
+}
+
+Friction friction_from(const Case& input, const TabulatedFriction& tabulated, const Scales& scales, double) {
+  const Table table =
+      read_table(tabulated.file, {{tabulated.length, kind_in(input, kind::length)}, {tabulated.mu, kind::number}});
+  const auto refuse = [&](std::size_t row, std::size_t column, std::string expected, double found, const Kind& kind) {
+    const std::string& name = table.columns[column].name;
+    throw InputError({.file = table.source,
+                      .line = table.line_of(row),
+                      .field = fmt::format("column {}", in_quotes(name)),
+                      .expected = std::move(expected),
+                      .found = readable(found, kind)});
+  };
+  FrictionTable friction;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double length = table.columns[0].values[row];
+    const double mu = table.columns[1].values[row];
+    if (row > 0 && !(length > table.columns[0].values[row - 1]))
+      refuse(row, 0, "a length greater than that of the row before", length, kind_in(input, kind::length));
+    if (mu < 0) refuse(row, 1, "friction of at least 0", mu, kind::number);
+    friction.S.push_back(scales.reduced_length(length));
+    friction.mu.push_back(mu);
+  }
+  if (!(friction.S.back() > 1))
+    refuse(table.rows() - 1, 0,
+           fmt::format("lengths between the supports, which grow from the span, {}",
+                       readable_length(input, scales.span())),
+           table.columns[0].values.back(), kind_in(input, kind::length));
+  return Friction::table(std::move(friction));
+}
+
+Friction friction_from(const Case& input, const RoughFriction& rough, const Scales& scales, double S_max) {
+  const double correlation_length = scales.reduced_length(rough.correlation_length);
+  if (!((S_max - 1) / correlation_length <= most_knots))
+    throw wrong_value(input, "friction.correlation_length",
+                      fmt::format("at least {:.0e} of the length drawn in", 1 / most_knots),
+                      readable_length(input, rough.correlation_length), "check its unit");
+  return Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
+}
+
+double most_kinetic(const Friction& friction) {
+  if (const auto* table = std::get_if<FrictionTable>(&friction.form()))
+    return *std::max_element(table->mu.begin(), table->mu.end());
+  const auto& waves = std::get<FrictionWaves>(friction.form());
+  double most = waves.mu0;
+  for (const Sinusoid& term : waves.terms) most += waves.mu0 * term.amplitude;
+  return most;
+}
+
+// All positions at which the stage turns, halts or ends, cycle by cycle.
+std::vector<double> written_out(const TurningPoints& programme) {
+  std::vector<double> turns{programme.positions.front()};
+  turns.reserve(1 + programme.cycles * (programme.positions.size() - 1));
+  for (std::uint64_t cycle = 0; cycle < programme.cycles; ++cycle)
+    turns.insert(turns.end(), programme.positions.begin() + 1, programme.positions.end());
+  return turns;
+}
+
+std::vector<double> stepped(const std::vector<double>& turns, double step) {
+  std::vector<double> stages{turns.front()};
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    const double from = turns[i - 1];
+    const double way = turns[i] - from;
+    // The last step may be shorter; a remainder of 1e-9 of a step is rounding.
+    const auto steps = static_cast<long>(std::ceil(std::abs(way) / step - 1e-9));
+    for (long n = 1; n < steps; ++n) stages.push_back(from + std::copysign(static_cast<double>(n) * step, way));
+    stages.push_back(turns[i]);
+  }
+  return stages;
+}
+
+StageProgramme programme_from(const Case& input, const TurningPoints& programme) {
+  const auto& positions = programme.positions;
+  const auto farthest = std::max_element(positions.begin(), positions.end());
+  const std::string key = fmt::format("stage.program[{}]", farthest - positions.begin() + 1);
+  if (!(*farthest >= nearest_reduced * required_span(input)))
+    throw wrong_value(input, fmt::format("stage.program[{}]", positions.size()),
+                      fmt::format("a position of at least {:g} spans", nearest_reduced),
+                      readable_length(input, positions.back()));
+  if (!(*farthest <= farthest_reduced * required_span(input)))
+    throw wrong_value(input, key, fmt::format("a position within {:g} spans", farthest_reduced),
+                      readable_length(input, *farthest), "check its unit");
+  std::vector<double> turns = written_out(programme);
+  if (!programme.step) return {std::move(turns), *farthest, false, false};
+  return {stepped(turns, *programme.step), *farthest, true, false};
+}
+
+StageProgramme programme_from(const Case& input, const MeasuredProgramme& measured) {
+  std::vector<WantedColumn> wanted{{measured.stage, kind_in(input, kind::length)}};
+  if (measured.time) wanted.push_back({*measured.time, kind_in(input, kind::time)});
+  Table table = read_table(measured.file, wanted, measured.decimal);
+  const auto refuse = [&](std::size_t row, const Column& column, std::string expected, std::string found,
+                          std::string remedy) {
+    throw InputError({.file = table.source,
+                      .line = table.line_of(row),
+                      .field = fmt::format("column {}", in_quotes(column.name)),
+                      .expected = std::move(expected),
+                      .found = std::move(found),
+                      .remedy = std::move(remedy)});
+  };
+  const Column& stage = table.columns.front();
+  const double span = required_span(input);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double position = stage.values[row];
+    if (position < 0)
+      refuse(row, stage, "a stage position of at least 0, the contact", readable_length(input, position),
+             "count the stage from where it touches the specimen, and leave out what comes before");
+    if (!(position <= farthest_reduced * span))
+      refuse(row, stage, fmt::format("a stage position within {:g} spans", farthest_reduced),
+             readable_length(input, position), "check its unit");
+    if (!measured.time || row == 0) continue;
+    const Column& time = table.columns[1];
+    if (time.values[row] < time.values[row - 1])
+      refuse(row, time,
+             fmt::format("a time not before that of the row before, {}",
+                         readable(time.values[row - 1], kind_in(input, kind::time))),
+             readable(time.values[row], kind_in(input, kind::time)), "sort the rows by time");
+  }
+  const auto farthest = std::max_element(stage.values.begin(), stage.values.end());
+  if (!(*farthest >= nearest_reduced * span))
+    refuse(static_cast<std::size_t>(farthest - stage.values.begin()), stage,
+           fmt::format("a stage that moves to at least {:g} spans", nearest_reduced),
+           readable_length(input, *farthest) + " as the farthest", "check the unit");
+  const double reach = *farthest;
+  return {std::move(table.columns.front().values), reach, true, true};
+}
+
+struct Readings {
+  Table table;
+  Record record;  // of all rows
+};
+
+Readings read_readings(const Case& input) {
+  const RecordInput& asked = input.record.value();
+  const double stiffness = required_stiffness(input);
+  std::vector<WantedColumn> wanted;
+  for (const auto& title : {asked.stage, asked.deflection})
+    if (title) wanted.push_back({*title, kind_in(input, kind::length)});
+  if (asked.force) wanted.push_back({*asked.force, kind_in(input, kind::force)});
+  Table table = read_table(asked.file, wanted, asked.decimal);
+  const std::vector<double>& a = table.columns[0].values;
+  const std::vector<double>& b = table.columns[1].values;
+  Record record = !asked.force  ? record_from_stage_and_deflection(a, b, stiffness)
+                  : asked.stage ? record_from_stage_and_force(a, b, stiffness)
+                                : record_from_deflection_and_force(a, b, stiffness);
+  return {std::move(table), std::move(record)};
+}
+
+Record without_first(const Record& record, std::size_t points) {
+  const auto rest = [=](const std::vector<double>& values) {
+    return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(points), values.end());
+  };
+  return {rest(record.stage), rest(record.deflection), rest(record.force)};
+}
+
+void require_finite(const Readings& readings) {
+  const RecordCheck check = check_record(readings.record, 0);
+  if (check.fault != RecordFault::not_finite) return;
+  throw InputError({.file = readings.table.source,
+                    .line = readings.table.line_of(check.index),
+                    .expected = "readings of a bending test",
+                    .found = "numbers too large for one",
+                    .remedy = "check the units"});
+}
+
+void require_loading(const Case& input, const Table& table, const Record& record, std::size_t rows_per_point,
+                     std::size_t least_points) {
+  const RecordCheck check = check_record(record, least_points);
+  if (check.fault == RecordFault::too_short)
+    throw InputError({.file = table.source,
+                      .expected = fmt::format("at least {} rows of readings before the failure", least_points),
+                      .found = std::to_string(check.index)});
+  if (check.fault == RecordFault::stage_runs_back)
+    throw InputError(
+        {.file = table.source,
+         .line = table.line_of(check.index * rows_per_point),
+         .field = "the stage",
+         .expected = fmt::format("a position not behind that of the row before, {}",
+                                 readable_length(input, record.stage[check.index - 1])),
+         .found = readable_length(input, record.stage[check.index]),
+         .remedy = fmt::format("keep the loading only: write until = {} into [record]", check.index * rows_per_point)});
+}
+
+void require_loading_first(const Table& table, const Record& record, const Leg& first) {
+  if (first.direction == Direction::loading && record.stage[first.last - 1] > record.stage[first.first]) return;
+  throw InputError({.file = table.source,
+                    .line = table.line_of(0),
+                    .field = "the stage",
+                    .expected = "a record that begins by loading",
+                    .found = "one that begins by unloading",
+                    .remedy = "if the stage is counted the other way, change its sign; otherwise leave out what comes "
+                              "before the first loading"});
+}
+
+}  // namespace
+
+Measurement read_measurement(const Case& input, std::size_t least_points) {
+  if (least_points < 11)
+    throw std::invalid_argument(fmt::format("the noise of {} points cannot be told", least_points));
+  if (!input.record) throw missing(input, "record");
+  const Readings readings = read_readings(input);
+  require_finite(readings);
+  const std::size_t rows = readings.table.rows();
+  const bool may_turn = find_legs(readings.record.stage).size() > 1;
+  const std::size_t most_points = may_turn ? most_cyclic_points : most_record_points;
+  const std::size_t rows_per_point = (rows + most_points - 1) / most_points;
+  const Record all = every_so_many(readings.record, rows_per_point);
+  Measurement result{.file = readings.table.source,
+                     .rows = rows,
+                     .rows_per_point = rows_per_point,
+                     .first = 0,
+                     .record = {},
+                     .cycles = {},
+                     .end = MeasurementEnd::last_row,
+                     .contact = ContactSource::first_point,
+                     .contact_offset = 0,
+                     .contact_error = 0,
+                     .force_noise = 0};
+
+  const std::vector<Leg> legs = find_legs(all.stage);
+  std::size_t points = all.force.size();
+  if (input.record->until) {
+    const std::size_t until = *input.record->until;
+    if (until > rows)
+      throw wrong_value(input, "record.until", fmt::format("a row of {}, which has {}", readings.table.source, rows),
+                        std::to_string(until));
+    points = std::min(points, until / rows_per_point);
+    result.end = MeasurementEnd::until;
+  } else if (const Failure failure = find_failure(all);
+             failure.status == FailureStatus::found && (legs.size() < 2 || failure.points <= legs.front().last)) {
+    points = failure.points;
+    result.end = MeasurementEnd::failure;
+  }
+  if (legs.size() > 1 && legs.front().last < points) {
+    require_loading_first(readings.table, all, legs.front());
+    result.cycles = first_points(all, points);
+    points = legs.front().last;
+    result.end = MeasurementEnd::turn;
+  }
+  Record whole = first_points(all, points);
+  if (result.cycles)  // what the stage runs back within a leg is noise
+    for (std::size_t i = 1; i < points; ++i) whole.stage[i] = std::max(whole.stage[i], whole.stage[i - 1]);
+  require_loading(input, readings.table, whole, rows_per_point, least_points);
+  result.force_noise = force_noise(whole);
+
+  const Contact contact = find_contact(whole);
+  // The contact lies somewhere within a step.
+  result.contact_error = (whole.stage.back() - whole.stage.front()) / static_cast<double>(points - 1) / std::sqrt(12.0);
+  if (input.record->contact) {
+    result.contact = ContactSource::stated;
+    result.contact_offset = *input.record->contact;
+  } else if (begins_before_contact(whole, contact, result.force_noise)) {
+    result.contact = ContactSource::found;
+    result.contact_offset = contact.offset;
+    result.contact_error = contact.offset_error;
+  }
+  const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
+  const std::size_t skipped =
+      result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - whole.stage.begin());
+  result.first = skipped * rows_per_point;
+  if (points - skipped < least_points)
+    throw wrong_value(input, "record.contact",
+                      fmt::format("at least {} rows of readings after the contact", least_points),
+                      std::to_string(points - skipped));
+  result.record = without_first(whole, skipped);
+  const auto take_contact_off = [&](Record& record) {
+    for (double& stage : record.stage) stage -= result.contact_offset;
+    for (double& deflection : record.deflection) deflection -= result.contact_offset;
+  };
+  take_contact_off(result.record);
+  if (result.cycles) take_contact_off(*result.cycles);
+  return result;
+}
+
+std::size_t file_row(const Measurement& measurement, std::size_t point) {
+  return measurement.first + point * measurement.rows_per_point + 1;
+}
+
+bool states_stiffness(const Case& input) { return stated_stiffness(input).has_value(); }
+
+BendingStiffnessUsed bending_stiffness_of(const Case& input) {
+  if (const auto stated = stated_stiffness(input)) return *stated;
+  if (!input.specimen) throw missing(input, "specimen");
+  throw missing(input, std::holds_alternative<Modulus>(input.specimen->rigidity) ? "specimen.modulus"
+                                                                                 : "specimen.bending_stiffness");
+}
+
+BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& measurement) {
+  if (const auto stated = stated_stiffness(input)) return *stated;
+  const double span = required_span(input);
+  const auto slope = stiffness_from_slope(measurement.record, span);
+  if (!slope.found)
+    throw InputError(
+        {.file = measurement.file,
+         .expected = "a force that rises from the contact in at least 5 rows, to tell the bending stiffness",
+         .found = "none",
+         .remedy = "write the modulus or bending_stiffness into [specimen]"});
+  return {slope.value, slope.relative_error, StiffnessSource::initial_slope};
+}
+
+Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
+  const double span = required_span(input);
+  require_slender(input);
+  try {
+    return {span, stiffness.value};
+  } catch (const std::invalid_argument& error) {
+    throw wrong_value(input, "specimen", "a bending stiffness and a span that a computer can hold", error.what());
+  }
+}
+
+Rig rig_of(const Case& input, const Scales& scales) { return {scales.reduced_stiffness(required_stiffness(input))}; }
+
+Friction friction_of(const Case& input, const Scales& scales, double S_max) {
+  if (!input.friction) throw missing(input, "friction");
+  if (input.friction->models.size() != 1)
+    throw wrong_value(input, "friction.model", "one model", input.friction->models.empty() ? "a choice" : "several",
+                      "write the one to compute with, such as model = \"constant\"");
+  if (!input.friction->profile)
+    throw missing(input, input.friction->models.front() == FrictionModel::table ? "friction.file" : "friction.mu0");
+  return std::visit([&](const auto& profile) { return friction_from(input, profile, scales, S_max); },
+                    *input.friction->profile);
+}
+
+StageProgramme programme_of(const Case& input) {
+  if (!input.stage) throw missing(input, "stage");
+  return std::visit([&](const auto& programme) { return programme_from(input, programme); }, input.stage->programme);
+}
+
+BendingTest bending_test_of(const Case& input, const Scales& scales, double farthest) {
+  constexpr double most_friction = 20;  // what the mechanics covers
+  const Rig rig = rig_of(input, scales);
+  if (!(farthest / (1 + 48 / rig.stiffness) >= nearest_reduced))
+    throw wrong_value(input, "rig.stiffness",
+                      fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
+                      readable(required_stiffness(input), kind_in(input, kind::stiffness)), "check its unit");
+  Friction kinetic = friction_of(input, scales, longest_at_stage(farthest));
+  const double excess = input.friction->static_excess;
+  const double most = most_kinetic(kinetic) + excess;
+  if (excess > 0 && most > most_friction)
+    throw wrong_value(input, "friction.static_excess", "static friction of at most 20", fmt::format("{:g}", most));
+  return {{std::move(kinetic), Friction::constant(excess)},
+          rig,
+          input.stage ? input.stage->snaps : SnapRest::nearest_stable};
+}
+
+MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,
+                            const Scales& scales) {
+  return {.force = scales.reduced_force(measurement.force_noise),
+          .bending_stiffness = stiffness.relative_error,
+          .contact = scales.reduced_length(measurement.contact_error)};
+}
+
+}  // namespace flexslip

@@ -1,0 +1,115 @@
+// A case made ready to compute: the one place where what a user wrote meets the types of the core.
+//
+// A reduced case has the scales 1 and 1: "SI" below is then the model's scaled variables. All functions throw an InputError
+// that points at the line of the case, or of the file it names, that cannot be computed.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bending_test/motion.h"
+#include "bending_test/rig.h"
+#include "cases/case_file.h"
+#include "contact/friction.h"
+#include "data/record.h"
+#include "data/scales.h"
+#include "inference/profile.h"
+
+namespace flexslip {
+
+// Of records of more rows every so many are used: a test has a few hundred features, whatever the readings of them.
+inline constexpr std::size_t most_record_points = 2000;
+inline constexpr std::size_t most_cyclic_points = 10000;  // of a test that is unloaded
+
+// What ends the loading that is evaluated.
+enum class MeasurementEnd { last_row, until, failure, turn };
+enum class ContactSource {
+  stated,       // by the case
+  found,        // the record begins before the contact, see find_contact
+  first_point,  // the record begins at the contact
+};
+
+// The part of a record that is evaluated: one loading, from the contact to the failure or to where the stage turns back; of a
+// test that is unloaded, all of it besides.
+struct Measurement {
+  std::string file;
+  std::size_t rows;              // of the file
+  std::size_t rows_per_point;    // from one point of the record to the next; 1 up to most_record_points rows
+  std::size_t first;             // row of the file, counted from 0, of the first point of the record
+  Record record;                 // stage and deflection counted from the contact
+  std::optional<Record> cycles;  // from the first row of the file, if the stage turns back before the failure; contact
+                                 // taken off as well
+  MeasurementEnd end;            // what ends the loading
+  ContactSource contact;
+  double contact_offset;  // [m] taken off stage and deflection
+  double contact_error;   // [m] standard deviation
+  double force_noise;     // [N] standard deviation of one point
+};
+
+// Row of the file, counted from 1, at which a point of the record begins.
+std::size_t file_row(const Measurement& measurement, std::size_t point);
+
+// Reads the record of a case.
+// Domain:     at least least_points points, 11 or more; std::invalid_argument otherwise.
+// Fails:      InputError, besides what read_table throws, for too few points, a record that begins by unloading, an `until`
+//             beyond the file, no stiffness of the rig.
+Measurement read_measurement(const Case& input, std::size_t least_points);
+
+enum class StiffnessSource {
+  stated,         // by the case, with its uncertainty
+  assumed_error,  // by the case, without: usual_stiffness_error
+  initial_slope,  // of the record, F = 48 EI w/L^3
+  mirror,         // of the loops of a test that is unloaded, which friction makes mirror images in (S, q)
+};
+
+struct BendingStiffnessUsed {
+  double value;           // [N m^2] EI
+  double relative_error;  // [1] standard deviation
+  StiffnessSource source;
+};
+
+// Does the case state its bending stiffness, or leave it to the fit?
+bool states_stiffness(const Case& input);
+
+// The bending stiffness that a case states.
+// Fails:      InputError if it states none.
+BendingStiffnessUsed bending_stiffness_of(const Case& input);
+
+// The same, or where the case leaves it to the fit, from the initial slope of the record.
+// Fails:      InputError if the force does not rise where the record begins.
+BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& measurement);
+
+// Fails:      InputError if the case has no span, or its specimen is as thick as a fifth of it: no slender beam.
+Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness);
+
+// Fails:      InputError if the case has no stiffness of the rig.
+Rig rig_of(const Case& input, const Scales& scales);
+
+// The kinetic friction of a case for lengths up to S_max [L]; a table is read from its file.
+// Fails:      InputError if the case has none, several models, or one without parameters.
+Friction friction_of(const Case& input, const Scales& scales, double S_max);
+
+// What the stage is to do.
+struct StageProgramme {
+  std::vector<double> positions;  // [m] in steps: of every reading; else the turning points, exactly followed
+  double farthest;                // [m] the greatest of them
+  bool in_steps;
+  bool measured;  // read from a file
+};
+
+// The programme of a case, its cycles and steps written out; a measured one is read from its file.
+// Fails:      InputError if the case has none, or one that goes nowhere, farther than a specimen bends, behind the contact, or
+//             back in time.
+StageProgramme programme_of(const Case& input);
+
+// The test that a case describes, for stage positions up to `farthest` [L]: friction at rest and in sliding, rig, snaps.
+// Fails:      InputError as friction_of and rig_of, and if the rig is too soft to bend the specimen.
+BendingTest bending_test_of(const Case& input, const Scales& scales, double farthest);
+
+// Reduced errors of the readings, for measure_friction and fit_friction.
+MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,
+                            const Scales& scales);
+
+}  // namespace flexslip

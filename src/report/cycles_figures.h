@@ -1,0 +1,20 @@
+// Load-unload-reload tests, drawn.
+#pragma once
+
+#include "cases/fitted_test.h"
+#include "report/figure.h"
+
+namespace flexslip {
+
+// Loops that have a panel of their own in boxes_figure: the first ones.
+inline constexpr std::size_t most_drawn_loops = 4;
+
+// For all: Domain: test.cycles is given, its friction is ok or has no mirror.
+
+// Force against deflection, there and back, and the forces of one friction profile for all loops.
+Figure loops_figure(const FittedTest& test);
+
+// The loops as boxes in length and mobilised friction, and the friction of both directions on one axis, loop by loop.
+Figure boxes_figure(const FittedTest& test);
+
+}  // namespace flexslip

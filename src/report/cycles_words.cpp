@@ -1,0 +1,310 @@
+#include "report/cycles_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "io/quantity.h"
+#include "report/cycles_json.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double two_sided = 1.96;  // standard errors to the ends of a 95 % interval
+
+bool is_measurable(const CyclicFriction& friction) {
+  return friction.status == CyclesStatus::ok || friction.status == CyclesStatus::no_mirror;
+}
+
+struct DirectionMeans {
+  double in, out, rms_difference;  // [1] of all loops, by the places compared; NaN without any
+};
+
+DirectionMeans means_of(const CyclicFriction& friction) {
+  double places = 0, in = 0, out = 0, square = 0;
+  for (const FrictionLoop& loop : friction.loops) {
+    if (loop.places == 0) continue;
+    const auto weight = static_cast<double>(loop.places);
+    places += weight;
+    in += weight * loop.mu_in.value;
+    out += weight * loop.mu_out.value;
+    square += weight * loop.rms_difference.value * loop.rms_difference.value;
+  }
+  return {in / places, out / places, std::sqrt(square / places)};
+}
+
+// The model leaves out something of the size of friction.
+bool is_beyond_friction(const CyclicFriction& friction) {
+  const auto [in, out, rms] = means_of(friction);
+  const auto& [value, error] = friction.asymmetry;
+  return std::abs(value) > 0.5 * (in + out) && std::abs(value) > two_sided * error;
+}
+
+std::string why_nothing(CyclesStatus status) {
+  if (status == CyclesStatus::too_few_points)
+    return "The loops say nothing of friction: fewer than 20 points slide at deflections where friction shows.";
+  return "The loops say nothing of friction: no bending stiffness and contact near those assumed makes them mirror "
+         "images.";
+}
+
+std::string against_reference(const FittedTest& test) {
+  const double ratio = std::exp(test.cycles->friction.log_stiffness.value);
+  if (test.stiffness != StiffnessSource::mirror)
+    return fmt::format("{:+.1f} % from {}", 100 * (ratio - 1),
+                       test.stiffness == StiffnessSource::initial_slope ? "the initial slope" : "that stated");
+  const double over_slope = ratio * test.analysis.stiffness_over_slope;
+  return std::isfinite(over_slope) ? fmt::format("{:+.0f} % from the initial slope", 100 * (over_slope - 1))
+                                   : "the initial slope tells none";
+}
+
+std::string stiffness_in_words(const FittedTest& test) {
+  const CyclicFriction& friction = test.cycles->friction;
+  if (friction.status == CyclesStatus::no_mirror)
+    return "No part of the specimen slid both ways, so the loops tell neither its bending stiffness nor the contact: "
+           "both "
+           "are as assumed, and what is said of friction rests on them.";
+  const auto [logarithm, error] = friction.log_stiffness;
+  const double value = test.analysis.scales.bending_stiffness() * std::exp(logarithm);
+  return fmt::format(
+      "The specimen slides in along q = +μ and out along q = −μ past the same points, so that with the right bending "
+      "stiffness and contact the two directions mirror each other. That gives EI = {} ({}). The error is that of noise "
+      "and roughness; which points are compared moves EI by 1 to 2 % more in the authors' tests.",
+      readable(value, value * error, Print(test).as(kind::bending_stiffness)), against_reference(test));
+}
+
+std::string asymmetry_in_words(const CyclicFriction& friction) {
+  const auto [in, out, rms] = means_of(friction);
+  const auto& [value, error] = friction.asymmetry;
+  const std::string means = fmt::format(
+      "Friction is {:.3g} sliding in and {:.3g} sliding out, means of all loops; from place to place the directions "
+      "differ by {:.2g} rms. That the means agree is no evidence, for EI and contacts were chosen so that they do. "
+      "Left free beside these, their difference would be {}",
+      in, out, rms, readable(value, error, kind::number));
+  if (is_beyond_friction(friction))
+    return means +
+           ", more than friction itself. No friction does that: it is a sign of error in the model (a contact that "
+           "settles, supports or a load train that give way, a specimen that is not uniform), which EI and contacts "
+           "have absorbed. Trust neither the friction nor EI to more than their rough size.";
+  if (std::abs(value) > two_sided * error)
+    return means +
+           fmt::format(
+               ": less than friction itself, but {:.1f} standard errors from none. One test in twenty shows 2 by "
+               "chance; beyond that, friction or what the model leaves out differs with the direction.",
+               std::abs(value) / error);
+  return means + ", not distinguishable from none.";
+}
+
+std::string correlation_in_words(const BumpCorrelation& correlation) {
+  if (!std::isfinite(correlation.value))
+    return "Too few places were passed both ways to tell whether the same points of the specimen resist in both "
+           "directions.";
+  const std::string words = fmt::format(
+      "Bumps of friction along the specimen, slow trends taken off, correlate between the directions with r = {:.2f} "
+      "(95 %: "
+      "{:.2f} to {:.2f}; the places are worth {:.0f} independent ones). ",
+      correlation.value, correlation.low, correlation.high, correlation.effective_points);
+  if (correlation.low > 0)
+    return words +
+           "The same points resist both ways, so at least part of the bumps belongs to the specimen's surface. It "
+           "does not show what they are, nor that all of them do.";
+  if (correlation.high < 0)
+    return words +
+           "Where friction is high one way it is low the other: no surface does that, but an error of force or "
+           "deflection that depends on the deflection alone, which enters the directions with opposite sign.";
+  return words +
+         "That is compatible with none: these loops do not show that the same points resist both ways. Nor do they "
+         "show the contrary, for an error that depends on the deflection alone lowers r.";
+}
+
+std::string list_of(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
+
+std::string energy_in_words(const FittedTest& test) {
+  LoopEnergy sum{};
+  std::size_t complete = 0;
+  const auto& loops = test.cycles->friction.loops;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (!loops[i].loading || !loops[i].unloading) continue;
+    const LoopEnergy& energy = test.cycles->energy[i];
+    ++complete;
+    sum.loading += energy.loading;
+    sum.lost += energy.lost;
+    sum.friction += energy.friction;
+  }
+  if (complete == 0) return "No loop is complete, so that what was given back cannot be told.";
+  return fmt::format(
+      "Of the work put in, the specimen gave back all but {}: {} lost in {}. Friction where it slides accounts for {} "
+      "of the "
+      "loss; of an elastic specimen it must, because friction is read off the same force, so that this checks the "
+      "account "
+      "and not the cause. Both are from the points past the deflection at which friction shows.",
+      percent(sum.lost / sum.loading), Print(test).energy(sum.lost), counted(complete, "loop", "loops"),
+      percent(sum.friction / sum.lost));
+}
+
+std::string replay_in_words(const FittedTest& test) {
+  std::vector<std::string> errors;
+  for (const double rms : test.cycles->replay.residual_rms)
+    errors.push_back(std::isfinite(rms) ? fmt::format("{:.1f} %", 100 * rms) : "not run");
+  if (errors.empty()) return "No friction profile could be made to run forward.";
+  return fmt::format(
+      "One friction profile for all loops and both ways, run forward over the stage positions, gives the force back to "
+      "{} "
+      "of the greatest force (rms{}). The profile was made from these loops: it shows what one profile can do, and "
+      "predicts "
+      "nothing.",
+      list_of(errors), errors.size() > 1 ? ", loop by loop" : "");
+}
+
+std::string rows_of(const FittedTest& test, const FrictionLoop& loop) {
+  const auto& legs = test.cycles->friction.legs;
+  const Leg& from = legs[loop.loading ? *loop.loading : *loop.unloading];
+  const Leg& to = legs[loop.unloading ? *loop.unloading : *loop.loading];
+  return fmt::format("{}–{}", cyclic_row(test, from.first), cyclic_row(test, to.last - 1));
+}
+
+}  // namespace
+
+std::string cycles_in_short(const FittedTest& test) {
+  const CyclicFriction& friction = test.cycles->friction;
+  const std::string times =
+      fmt::format("That is of the first of {}", counted(test.cycles->stiffness.size(), "loading", "loadings"));
+  if (friction.status != CyclesStatus::ok) return times + "; the loops say nothing more.";
+  const auto [in, out, rms] = means_of(friction);
+  return times + fmt::format("; all loops together say {:.2g} sliding in and {:.2g} sliding out{}.", in, out,
+                             is_beyond_friction(friction)
+                                 ? ", but loading and unloading differ by more than friction can: the model leaves "
+                                   "something out"
+                                 : "");
+}
+
+std::vector<std::string> cycles_in_words(const FittedTest& test) {
+  const CyclicFriction& friction = test.cycles->friction;
+  if (!is_measurable(friction)) return {why_nothing(friction.status)};
+  std::vector<std::string> paragraphs{stiffness_in_words(test)};
+  if (friction.status == CyclesStatus::ok) {
+    paragraphs.push_back(asymmetry_in_words(friction));
+    paragraphs.push_back(correlation_in_words(friction.correlation));
+  }
+  paragraphs.push_back(energy_in_words(test));
+  paragraphs.push_back(replay_in_words(test));
+  return paragraphs;
+}
+
+PrintedTable loop_table(const FittedTest& test) {
+  const CyclicFriction& friction = test.cycles->friction;
+  if (!is_measurable(friction)) return {};
+  const Print print(test);
+  PrintedTable table{
+      {"Loop", "Rows", "Contact", "μ sliding in", "μ sliding out", "difference, rms", "correlation", "95 %"}, {}};
+  for (const FrictionLoop& loop : friction.loops) {
+    std::vector<std::string> row{
+        fmt::format("{}", table.rows.size() + 1), rows_of(test, loop),
+        readable(test.analysis.scales.physical_length(loop.contact.value),
+                 test.analysis.scales.physical_length(loop.contact.standard_error), print.as(kind::length))};
+    row.resize(table.head.size());
+    if (loop.places > 0) {
+      row[3] = readable(loop.mu_in.value, loop.mu_in.standard_error, kind::number);
+      row[4] = readable(loop.mu_out.value, loop.mu_out.standard_error, kind::number);
+      row[5] = fmt::format("{:.3f}", loop.rms_difference.value);
+      if (std::isfinite(loop.correlation.value)) {
+        row[6] = fmt::format("{:.2f}", loop.correlation.value);
+        row[7] = fmt::format("{:.2f} to {:.2f}", loop.correlation.low, loop.correlation.high);
+      }
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+PrintedTable loop_energy_table(const FittedTest& test) {
+  const auto& scales = test.analysis.scales;
+  const auto energy_kind = Print(test).as(kind::energy);
+  NumberColumn loading{"Put in", {}, energy_kind}, unloading{"Given back", {}, energy_kind},
+      lost{"Lost", {}, energy_kind}, friction{"by friction", {}, energy_kind};
+  std::vector<std::string> share;
+  for (const LoopEnergy& energy : test.cycles->energy) {
+    loading.values.push_back(scales.physical_energy(energy.loading));
+    unloading.values.push_back(scales.physical_energy(energy.unloading));
+    lost.values.push_back(scales.physical_energy(energy.lost));
+    friction.values.push_back(scales.physical_energy(energy.friction));
+    share.push_back(energy.loading > 0 ? fmt::format("{:.1f} %", 100 * energy.lost / energy.loading) : "");
+  }
+  PrintedTable table = printed({loading, unloading, lost, friction});
+  table.head.insert(table.head.begin(), "Loop");
+  table.head.emplace_back("lost of the work put in");
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    table.rows[i].insert(table.rows[i].begin(), fmt::format("{}", i + 1));
+    table.rows[i].push_back(share[i]);
+  }
+  return table;
+}
+
+std::string reloading_in_words(const FittedTest& test) {
+  const LoadingStiffnessOptions options;
+  const auto& loadings = test.cycles->stiffness;
+  const auto those = [&](auto&& wanted) {
+    std::vector<std::string> numbers;
+    for (std::size_t i = 1; i < loadings.size(); ++i)
+      if (wanted(loadings[i])) numbers.push_back(fmt::format("{}", i + 1));
+    return numbers;
+  };
+  const auto with = [&](DamageVerdict verdict) {
+    return those([=](const LoadingStiffness& loading) {
+      return loading.status == LoadingStatus::ok && loading.verdict == verdict;
+    });
+  };
+  if (loadings.size() < 2) return "It was loaded once only: there is no reloading to compare.";
+  const std::string loss = fmt::format("a loss of stiffness of {:.0f} %", 100 * options.relevant_loss);
+  std::string words = "Damage lowers the initial stiffness of a reloading; friction leaves it alone.";
+  const auto damaged = with(DamageVerdict::damaged);
+  const auto sound = with(DamageVerdict::not_damaged);
+  const auto open = with(DamageVerdict::undecided);
+  const auto unknown = those([](const LoadingStiffness& loading) { return loading.status != LoadingStatus::ok; });
+  const auto say = [&](const std::vector<std::string>& numbers, std::string_view what) {
+    if (!numbers.empty())
+      words += fmt::format(" {} {}: {}.", numbers.size() == 1 ? "Loading" : "Loadings", list_of(numbers), what);
+  };
+  say(damaged, loss + " or more is shown");
+  say(sound, loss + " or more is rejected");
+  say(open, loss + " is neither shown nor rejected");
+  say(unknown, "cannot be compared");
+  return words +
+         fmt::format(
+             " Each verdict is at {:.0f} % confidence, from the slope between {:.0f} and {:.0f} % of the least of the "
+             "loadings' greatest forces. A contact that settles differently from one loading to the next is beyond "
+             "what "
+             "these errors know.",
+             100 * options.confidence, 100 * options.from, 100 * options.up_to);
+}
+
+PrintedTable loading_table(const FittedTest& test) {
+  const auto stiffness = Print(test).as(kind::stiffness);
+  PrintedTable table{{"Loading", "Rows", "Slope", "over the first", "scatter", "window", "Verdict"}, {}};
+  for (const LoadingStiffness& loading : test.cycles->stiffness) {
+    const std::string number = fmt::format("{}", table.rows.size() + 1);
+    if (loading.status != LoadingStatus::ok) {
+      table.rows.push_back({number, "", "", "", "", "", "not comparable"});
+      continue;
+    }
+    std::vector<std::string> row{
+        number, fmt::format("{}–{}", cyclic_row(test, loading.first), cyclic_row(test, loading.last - 1)),
+        readable(loading.slope, loading.slope_error, stiffness)};
+    if (table.rows.empty()) {
+      row.insert(row.end(), {"1", "", "", "reference"});
+    } else {
+      row.push_back(fmt::format("{:.3f}", loading.ratio));
+      row.push_back(fmt::format("± {:.3f}", loading.ratio_error));
+      row.push_back(fmt::format("± {:.3f}", loading.ratio_systematic));
+      row.emplace_back(loading.verdict == DamageVerdict::damaged       ? "damaged"
+                       : loading.verdict == DamageVerdict::not_damaged ? "not damaged"
+                                                                       : "undecided");
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+}  // namespace flexslip

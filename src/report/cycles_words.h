@@ -1,0 +1,28 @@
+// What a load-unload-reload test says, in words and as tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/fitted_test.h"
+#include "report/printed.h"
+
+namespace flexslip {
+
+// Domain of all: analysis.status is ok, test.cycles is given.
+
+// A sentence for the answer: what all loops together say of friction.
+std::string cycles_in_short(const FittedTest& test);
+
+// Paragraphs. If the loops say nothing, one that says why.
+std::vector<std::string> cycles_in_words(const FittedTest& test);
+
+// Friction in both directions, and what work was put in and given back; no rows if the loops say nothing.
+PrintedTable loop_table(const FittedTest& test);
+PrintedTable loop_energy_table(const FittedTest& test);
+
+// Stiffness of every loading against that of the first.
+std::string reloading_in_words(const FittedTest& test);
+PrintedTable loading_table(const FittedTest& test);
+
+}  // namespace flexslip

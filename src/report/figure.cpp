@@ -1,0 +1,177 @@
+#include "report/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "io/child_process.h"
+#include "io/input_error.h"
+#include "io/text_file.h"
+
+namespace flexslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double font_size = 8;         // [pt] journals want at least 7 in print
+constexpr double png_resolution = 400;  // [1/in]
+
+// Colours that all can tell apart (Okabe and Ito), and the looks that every figure shares.
+constexpr std::string_view style = R"(
+blue = '#0072B2'; sky = '#56B4E9'; green = '#009E73'; orange = '#E69F00'; vermillion = '#D55E00'; grey = '#8C8C8C'
+set encoding utf8
+set datafile separator comma
+set datafile columnheaders
+set border linewidth 0.75
+set tics in scale 0.6, 0.35
+set mxtics 2; set mytics 2
+set minussign
+set key samplen 2.2 spacing 1.15 noautotitle
+)";
+
+std::string in_script(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  return out + '\'';
+}
+
+std::string csv(const FigureData& data) {
+  std::string text = fmt::format("{}\n", fmt::join(data.titles, ","));
+  for (const auto& row : data.rows) text += fmt::format("{:.8g}\n", fmt::join(row, ","));
+  return text;
+}
+
+// Pixels, centimetres and the fonts of the terminals are made to agree, so that all three pictures look alike.
+std::string terminals(const Figure& figure) {
+  constexpr double mm_per_inch = 25.4;
+  constexpr double css_resolution = 96;
+  const auto pixels = [](double mm, double resolution) { return std::lround(mm / mm_per_inch * resolution); };
+  const double scale = png_resolution / css_resolution;
+  return fmt::format(
+      "  if (format eq 'svg') {{ set terminal svg size {},{} font 'Arial,{:.2f}' linewidth 1.25 enhanced background "
+      "'white' }}\n"
+      "  if (format eq 'pdf') {{ set terminal pdfcairo size {:.2f}cm,{:.2f}cm font 'Arial,{:g}' fontscale 0.75 "
+      "linewidth 1.9 "
+      "enhanced }}\n"
+      "  if (format eq 'png') {{ set terminal pngcairo size {},{} font 'Arial,{:g}' fontscale {:.3f} linewidth {:.2f} "
+      "pointscale {:.2f} enhanced background 'white' }}\n",
+      pixels(figure.width, css_resolution), pixels(figure.height, css_resolution), font_size * css_resolution / 72,
+      figure.width / 10, figure.height / 10, font_size, pixels(figure.width, png_resolution),
+      pixels(figure.height, png_resolution), font_size, 0.75 * scale, 1.25 * scale, scale);
+}
+
+std::string script_of(const Figure& figure) {
+  std::string files;
+  for (const auto& data : figure.data)
+    files += fmt::format("{} = {}\n", data.name, in_script(fmt::format("{}-{}.csv", figure.name, data.name)));
+  return fmt::format(
+      "# gnuplot THIS_FILE draws the figure from the data beside it, as SVG, PDF and PNG; one of them only:\n"
+      "# gnuplot -e \"formats='pdf'\" THIS_FILE\n"
+      "if (!exists('formats')) formats = 'svg pdf png'\n"
+      "{}{}\ndo for [format in formats] {{\n{}  set output {}.'.'.format\n{}  unset output\n}}\n",
+      files, style, terminals(figure), in_script(figure.name), figure.script);
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void replace_first(std::string& text, std::string_view what, std::string_view by) {
+  if (const auto at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
+}
+
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
+  return out;
+}
+
+// Says what the picture shows, and takes fonts that exist everywhere.
+void finish_svg(const fs::path& path, const Figure& figure) {
+  std::string text = read_text(path);
+  replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", escaped(figure.title)));
+  const auto from = text.find("<desc>");
+  const auto to = text.find("</desc>");
+  if (from != std::string::npos && to != std::string::npos)
+    text.replace(from, to - from, "<desc>" + escaped(figure.description));
+  replace_all(text, "<text>", "<text xml:space=\"preserve\">");
+  replace_all(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
+  write_text(path.string(), text);
+}
+
+// The date of the drawing would make every PDF another.
+void finish_pdf(const fs::path& path) {
+  std::string text = read_text(path);
+  const std::string key = "/CreationDate (D:";
+  const auto at = text.find(key);
+  if (at == std::string::npos) return;
+  const char* asked = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t seconds = asked ? std::strtoll(asked, nullptr, 10) : 0;
+  std::tm date{};
+  gmtime_r(&seconds, &date);
+  const std::string day = fmt::format("{:04}{:02}{:02}{:02}{:02}{:02}", date.tm_year + 1900, date.tm_mon + 1,
+                                      date.tm_mday, date.tm_hour, date.tm_min, date.tm_sec);
+  if (day.size() == 14) text.replace(at + key.size(), day.size(), day);  // no other length: the file holds offsets
+  write_text(path.string(), text);
+}
+
+}  // namespace
+
+PlotUnit plot_unit(double magnitude, const Kind& kind, bool reduced, std::string_view reduced_unit) {
+  if (reduced) return {std::string(reduced_unit), 1};
+  const std::string_view unit = best_unit(magnitude, kind);
+  return {typeset(unit), from_si(1, parse_unit(unit))};
+}
+
+std::string axis_label(std::string_view words, std::string_view symbol, const PlotUnit& unit) {
+  // SVG drops plain spaces beside a change of font.
+  return fmt::format("{}\u00a0{}{}", words, symbol, unit.unit.empty() ? "" : fmt::format("\u00a0({})", unit.unit));
+}
+
+DrawStatus draw(const Figure& figure, const std::string& folder, const std::vector<std::string>& formats) {
+  const fs::path base = folder.empty() ? fs::path(".") : fs::path(folder);
+  const std::string script = figure.name + ".gp";
+  for (const auto& data : figure.data)
+    write_text((base / fmt::format("{}-{}.csv", figure.name, data.name)).string(), csv(data));
+  write_text((base / script).string(), script_of(figure));
+  const auto result =
+      run_child({"gnuplot", "-e", fmt::format("formats='{}'", fmt::join(formats, " ")), "./" + script}, base.string());
+  if (result.status == ChildStatus::not_found) return DrawStatus::no_gnuplot;
+  if (result.exit_code != 0)
+    throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", (base / script).string(), result.output));
+  for (const auto& format : formats) {
+    const fs::path picture = base / fmt::format("{}.{}", figure.name, format);
+    if (format == "svg") finish_svg(picture, figure);
+    if (format == "pdf") finish_pdf(picture);
+  }
+  return DrawStatus::drawn;
+}
+
+DrawStatus draw(Figure figure, const std::string& picture) {
+  const fs::path path(picture);
+  const std::string format = path.extension().empty() ? "" : path.extension().string().substr(1);
+  if (format != "svg" && format != "pdf" && format != "png")
+    throw InputError({.file = picture,
+                      .expected = "a picture whose name ends in .svg, .pdf or .png",
+                      .found = in_quotes(path.extension().string())});
+  figure.name = path.stem().string();
+  if (std::any_of(figure.name.begin(), figure.name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
+    throw InputError(
+        {.file = picture, .expected = "a file name without control characters", .found = in_quotes(figure.name)});
+  return draw(figure, path.parent_path().string(), {format});
+}
+
+}  // namespace flexslip

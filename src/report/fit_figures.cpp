@@ -1,0 +1,337 @@
+#include "report/fit_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bending_test/equilibrium.h"
+#include "report/fit_words.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double least_deflection = 0.05;  // [L] below it friction is hardly measurable
+
+// The units in which one test is plotted.
+struct TestUnits {
+  PlotUnit length, small_length, force;
+  double per_length, per_force;  // from reduced to plotted
+  double per_small_length;
+};
+
+TestUnits units_of(const FittedTest& test) {
+  const auto& record = test.analysis.record;
+  const auto& scales = test.analysis.scales;
+  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
+  const double greatest = *std::max_element(record.force.begin(), record.force.end());
+  TestUnits units{plot_unit(deepest, kind::length, test.reduced, "L"),
+                  plot_unit(0.02 * scales.span(), kind::length, test.reduced, "L"),
+                  plot_unit(greatest, kind::force, test.reduced, "EI/L^2"),
+                  0,
+                  0,
+                  0};
+  units.per_length = scales.physical_length(units.length.factor);
+  units.per_small_length = scales.physical_length(units.small_length.factor);
+  units.per_force = scales.physical_force(units.force.factor);
+  return units;
+}
+
+// The chosen model, continuously, at its bending stiffness; forces in nominal units.
+History drawn_model(const FittedTest& test) {
+  constexpr int points =
+      1000;  // on each stable part, as many waves of friction may lie within one: most are thinned out
+  const auto& model = chosen_model(test);
+  const double stiffening = model.bending_stiffness.value;
+  const auto& stage = test.analysis.reduced.stage;
+  const double farthest = *std::max_element(stage.begin(), stage.end());
+  History history = follow_continuously(
+      {Friction::waves(model.friction), Rig{test.analysis.rig.stiffness / stiffening}}, {&farthest, 1}, points);
+  for (auto& point : history.path) point.F *= stiffening;
+  return history;
+}
+
+// A round distance of ticks: 1, 2 or 5 times a power of ten, at most the value given.
+double tick_within(double value) {
+  const double decade = std::pow(10, std::floor(std::log10(value)));
+  return (value >= 5 * decade ? 5 : value >= 2 * decade ? 2 : 1) * decade;
+}
+
+// The points of a line that can be told apart in print, with those where it begins, breaks and ends.
+std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& rows, double width, double height) {
+  constexpr double finest = 0.003;  // of the figure: half a millimetre
+  std::vector<std::vector<double>> kept;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == rows.size() || rows[i].empty() || rows[i - 1].empty() || rows[i + 1].empty();
+    if (is_end || std::hypot((rows[i][0] - kept.back()[0]) / width, (rows[i][1] - kept.back()[1]) / height) > finest)
+      kept.push_back(rows[i]);
+  }
+  return kept;
+}
+
+double rounded_up(double value) {
+  const double step = std::pow(10, std::floor(std::log10(value))) / 2;
+  return step * std::ceil(value / step);
+}
+
+// Round values within a range, for gnuplot, which labels only the powers of ten of such an axis.
+std::string logarithmic_tics(double a, double b) {
+  const auto [low, high] = std::minmax(a, b);
+  std::string tics;
+  for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
+    for (const double digit : {1, 2, 3, 4, 6, 8})
+      if (const double tic = digit * std::pow(10, decade); tic >= low && tic <= high)
+        tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", tic);
+  return tics;
+}
+
+// The measured profile at the bending stiffness of the chosen model.
+FrictionProfile profile_at_estimated_stiffness(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& stiffness = chosen_model(test).bending_stiffness;
+  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
+  const MeasurementErrors errors{.force = analysis.force_noise / stiffness.value,
+                                 .bending_stiffness = stiffness.standard_error / stiffness.value,
+                                 .contact = analysis.contact.status == ContactStatus::found
+                                                ? scales.reduced_length(analysis.contact.offset_error)
+                                                : 0};
+  return measure_friction(to_reduced(analysis.record, scales), Rig{analysis.rig.stiffness / stiffness.value}, errors,
+                          least_deflection);
+}
+
+}  // namespace
+
+Figure force_figure(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& record = analysis.reduced;
+  const auto& model = chosen_model(test);
+  const double stiffening = model.bending_stiffness.value;
+  const TestUnits units = units_of(test);
+  const double x = units.per_length;
+  const double y = units.per_force;
+  const std::string length = fmt::format("deflection [{}]", units.length.unit);
+  const std::string force = fmt::format("force [{}]", units.force.unit);
+  const double w_max = *std::max_element(record.deflection.begin(), record.deflection.end());
+  const double F_max = *std::max_element(record.force.begin(), record.force.end());
+
+  FigureData measured{"measured", {length, force, fmt::format("residual [{}]", units.force.unit)}, {}};
+  double largest_residual = 0;
+  for (std::size_t i = 0; i < model.force.size(); ++i) {
+    const double residual = record.force[i] - model.force[i];
+    largest_residual = std::max(largest_residual, std::abs(residual));
+    measured.rows.push_back({x * record.deflection[i], y * record.force[i], y * residual});
+  }
+
+  FigureData sliding{"sliding", {length, force}, {}};
+  FigureData snaps{"snaps", {length, force}, {}};
+  const auto history = drawn_model(test);
+  for (const auto& point : history.path) {
+    if (point.motion == Motion::snap && !sliding.rows.empty()) {
+      snaps.rows.push_back(sliding.rows.back());
+      snaps.rows.push_back({x * point.w, y * point.F});
+      snaps.rows.emplace_back();
+      sliding.rows.emplace_back();
+    }
+    sliding.rows.push_back({x * point.w, y * point.F});
+  }
+  sliding.rows = thinned(sliding.rows, x * w_max, y * F_max);
+  if (snaps.rows.empty()) snaps.rows.push_back({NAN, NAN});
+
+  FigureData references{"references", {length, "Euler-Bernoulli " + force, "frictionless " + force}, {}};
+  for (const auto& point : equilibrium_curve(Friction::constant(0), Sliding::in, 1 + 2.6 * w_max * w_max, 200).points)
+    references.rows.push_back({x * point.w, y * stiffening * 48 * point.w, y * stiffening * point.F});
+
+  // Load lines reach a little beyond the drops on both sides.
+  FigureData drops{"drops", {length, force}, {}};
+  const double beyond = 0.07 * F_max;
+  for (const auto& drop : analysis.drops.drops) {
+    const double above = record.force[drop.before] + 0.3 * beyond;
+    const double below = std::max(record.force[drop.after] - beyond, 0.0);
+    const auto on_line = [&](double F) {
+      return record.deflection[drop.before] - (F - record.force[drop.before]) / analysis.rig.stiffness;
+    };
+    drops.rows.push_back({x * on_line(above), y * above});
+    drops.rows.push_back({x * on_line(below), y * below});
+    drops.rows.emplace_back();
+  }
+  const bool has_drops = !drops.rows.empty();
+  if (!has_drops) drops.rows.push_back({NAN, NAN});
+
+  const std::string script = fmt::format(
+      R"(  set multiplot
+  set lmargin at screen 0.095; set rmargin at screen 0.985
+  set xrange [0:{x_max:.6g}]
+  # The curves
+  set tmargin at screen 0.895; set bmargin at screen 0.33
+  set yrange [0:{y_max:.6g}]
+  set format x ''; unset xlabel
+  set ylabel '{force}' offset 0.8
+  set key at screen 0.535,0.99 center top vertical Left reverse maxrows 2 samplen 2.2 width -2
+  plot keyentry with linespoints lw 0.6 pt 7 ps 0.25 lc rgb blue title 'Measured', \
+       drops using 1:2 with lines lw 0.6 dt (6,4) lc rgb grey{drops_title}, \
+       references using 1:2 with lines lw 1 dt (14,7) lc rgb orange title 'Euler–Bernoulli', \
+       references using 1:3 with lines lw 1 lc rgb orange title 'Model without friction', \
+       measured using 1:2 with linespoints lw 0.6 pt 7 ps 0.25 lc rgb blue, \
+       sliding using 1:2 with lines lw 1.1 lc rgb 'black' title 'Model ({model})', \
+       snaps using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{snaps_title}
+  # What the model leaves over
+  set tmargin at screen 0.305; set bmargin at screen 0.112
+  set yrange [{r_min:.6g}:{r_max:.6g}]
+  set ytics {r_step:.6g}; set mytics 2
+  set format x '%g'
+  set xlabel '{length}' offset 0,0.4
+  set ylabel 'Residual ({force_unit})' offset 0.8
+  set xzeroaxis lw 0.75 lt 1 lc rgb 'black'
+  plot measured using 1:3 with points pt 7 ps 0.25 lc rgb blue
+  unset multiplot; unset xzeroaxis; set ytics auto
+)",
+      fmt::arg("x_max", x * w_max * 1.03), fmt::arg("y_max", y * F_max * 1.12),
+      fmt::arg("force", axis_label("Force", "{/:Italic F}", units.force)),
+      fmt::arg("length", axis_label("Deflection at midspan", "{/:Italic w}_0", units.length)),
+      fmt::arg("force_unit", units.force.unit), fmt::arg("model", name_of(model.model)),
+      fmt::arg("drops_title", has_drops ? " title 'Drops, slope −{/:Italic k}_c'" : ""),
+      fmt::arg("snaps_title", history.snaps.empty() ? "" : " title 'Its snaps'"),
+      fmt::arg("r_min", -y * 1.15 * largest_residual), fmt::arg("r_max", y * 1.15 * largest_residual),
+      fmt::arg("r_step", tick_within(std::max(y * largest_residual, 1e-12))));
+  return {.name = "force",
+          .title = "Force against deflection: " + test.name,
+          .description = fmt::format(
+              "Measured force against deflection at midspan with the model of friction '{}', the Euler-Bernoulli line "
+              "and the "
+              "model without friction; {} drops are marked by load lines. Below, measured force less model.",
+              name_of(model.model), analysis.drops.drops.size()),
+          .width = two_columns,
+          .height = 114,
+          .data = {std::move(measured), std::move(sliding), std::move(snaps), std::move(references), std::move(drops)},
+          .script = script};
+}
+
+Figure profile_figure(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& model = chosen_model(test);
+  const TestUnits units = units_of(test);
+  const auto drawn_in = [&](double S) { return units.per_small_length * (S - 1) / 2; };
+  const std::string position = fmt::format("drawn in over one support [{}]", units.small_length.unit);
+  const auto profile = profile_at_estimated_stiffness(test);
+
+  FigureData measured{"profile", {position, "mu", "mu error of the point", "mu error common to all"}, {}};
+  double S_end = 1;
+  double highest = glass_on_steel.high;
+  double lowest = 0;
+  for (const auto& point : profile.points) {
+    const double common = std::hypot(point.from_bending_stiffness, point.from_contact);
+    measured.rows.push_back({drawn_in(point.S), point.mu, point.from_force, common});
+    S_end = std::max(S_end, point.S);
+    highest = std::max(highest, point.mu);
+    if (point.S > 1 + 0.2 * (profile.points.back().S - 1)) lowest = std::min(lowest, point.mu);
+  }
+  // The band is one piece only if the length does not run back with the noise.
+  auto band = measured;
+  band.name = "band";
+  std::stable_sort(band.rows.begin(), band.rows.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+
+  FigureData slips{"slips", {position, "mu"}, {}};
+  const auto slipped = slips_of(profile, analysis.drops.drops);
+  for (const auto& slip : slipped) {
+    slips.rows.push_back({drawn_in(slip.S_before), slip.mu_before});
+    slips.rows.push_back({drawn_in(slip.S_after), slip.mu_after});
+    slips.rows.emplace_back();
+  }
+  if (slipped.empty()) slips.rows.push_back({NAN, NAN});
+
+  FigureData modelled{"model", {position, "mu"}, {}};
+  const Friction friction = Friction::waves(model.friction);
+  constexpr int points = 1000;
+  const double S_begin = profile.points.empty() ? 1 : profile.points.front().S;
+  for (int i = 0; i <= points; ++i) {
+    const double S = S_begin + (S_end - S_begin) * i / points;
+    modelled.rows.push_back({drawn_in(S), friction.at(S).mu});
+  }
+
+  const double top = std::min(rounded_up(1.08 * highest), 2.0);
+  const std::string script = fmt::format(
+      R"(  set lmargin at screen 0.095; set rmargin at screen 0.985; set tmargin at screen 0.86; set bmargin at screen 0.145
+  set xrange [0:{x_max:.6g}]
+  set yrange [{bottom:.6g}:{top:.6g}]
+  set xlabel '{label}' offset 0,0.4
+  set ylabel 'Coefficient of friction {{/:Italic μ}}' offset 0.8
+  set key at screen 0.535,0.985 center top vertical Left reverse maxrows 2 samplen 1.8 width -2
+  set object 1 rectangle from graph 0, first {low} to graph 1, first {high} behind fc rgb green fs transparent solid 0.13 noborder
+  # 95 % of a normal distribution: 1.96 standard deviations
+  plot profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured', \
+       slips using 1:2 with lines lw 1 lc rgb vermillion{slips_title}, \
+       profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue title '95 %: noise', \
+       band using 1:($2-1.96*$4):($2+1.96*$4) with filledcurves lc rgb sky fs transparent solid 0.28 noborder \
+            title '95 %: stiffness, contact', \
+       keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title 'Glass on steel, literature', \
+       model using 1:2 with lines lw 1.1 lc rgb 'black' title 'Model ({model})'
+  unset object 1
+)",
+      fmt::arg("x_max", drawn_in(S_end) * 1.02), fmt::arg("bottom", lowest < 0 ? -rounded_up(-lowest) : 0.0),
+      fmt::arg("top", top),
+      fmt::arg("label", axis_label("Length drawn in over one support", "({/:Italic S}\u00a0−\u00a0{/:Italic L})/2",
+                                   units.small_length)),
+      fmt::arg("low", glass_on_steel.low), fmt::arg("high", glass_on_steel.high),
+      fmt::arg("model", name_of(model.model)), fmt::arg("slips_title", slipped.empty() ? "" : " title 'Slips'"));
+  return {.name = "profile",
+          .title = "Friction along the specimen: " + test.name,
+          .description = fmt::format(
+              "Coefficient of friction against the length drawn in over one support: {} measured points with "
+              "their 95 % intervals, {} slips, and the model '{}'.",
+              profile.points.size(), slipped.size(), name_of(model.model)),
+          .width = two_columns,
+          .height = 78,
+          .data = {std::move(measured), std::move(band), std::move(slips), std::move(modelled)},
+          .script = script};
+}
+
+Figure wavelength_figure(const FittedTest& test) {
+  const auto& scan = test.analysis.fit.scan;
+  const TestUnits units = units_of(test);
+  const std::string wavelength = fmt::format("wavelength [{}]", units.small_length.unit);
+  FigureData gains{"gains", {wavelength, "gain of log-likelihood"}, {}};
+  double highest = 1;
+  for (std::size_t i = 0; i < scan.wavelengths.size(); ++i) {
+    gains.rows.push_back({units.per_small_length * scan.wavelengths[i], scan.gains[i]});
+    highest = std::max(highest, scan.gains[i]);
+  }
+  FigureData candidates{"candidates", {wavelength, "gain of log-likelihood"}, {}};
+  for (const auto& candidate : scan.candidates)
+    candidates.rows.push_back({units.per_small_length * candidate.wavelength, candidate.log_likelihood_gain});
+  FigureData chosen{"chosen", {wavelength, "gain of log-likelihood"}, {}};
+  for (const auto& wave : waves_by_size(chosen_model(test))) {
+    chosen.rows.push_back({units.per_small_length * wave.wavelength.value, 0});
+    chosen.rows.push_back({units.per_small_length * wave.wavelength.value, 1.08 * highest});
+    chosen.rows.emplace_back();
+  }
+  const bool waved = !chosen.rows.empty();
+  if (!waved) chosen.rows.push_back({NAN, NAN});
+  if (candidates.rows.empty()) candidates.rows.push_back({NAN, NAN});
+  const std::string script = fmt::format(
+      R"(  set lmargin at screen 0.13; set rmargin at screen 0.96; set tmargin at screen 0.9; set bmargin at screen 0.2
+  set logscale x
+  set xrange [*:*] noextend
+  set yrange [0:{top:.6g}]
+  set xlabel '{label}' offset 0,0.4
+  set ylabel 'Gain of log-likelihood' offset 0.8
+  set key at screen 0.545,0.985 center top vertical Left reverse maxrows 1 samplen 1.8
+  set xtics ({tics})
+  plot chosen using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{chosen_title}, \
+       gains using 1:2 with lines lw 1 lc rgb blue, \
+       candidates using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion title 'starts of the fit'
+  unset logscale x; set xtics auto
+)",
+      fmt::arg("top", 1.08 * highest), fmt::arg("tics", logarithmic_tics(gains.rows.front()[0], gains.rows.back()[0])),
+      fmt::arg("label", axis_label("Wavelength along the specimen", "{/:Italic λ}", units.small_length)),
+      fmt::arg("chosen_title", waved ? " title 'in the model'" : ""));
+  return {.name = "wavelengths",
+          .title = "Wavelengths in the friction: " + test.name,
+          .description = "Gain of log-likelihood that a wave of friction brings over none, against its wavelength.",
+          .width = one_column,
+          .height = 60,
+          .data = {std::move(gains), std::move(candidates), std::move(chosen)},
+          .script = script};
+}
+
+}  // namespace flexslip

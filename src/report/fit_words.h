@@ -1,0 +1,47 @@
+// What a fitted test says, in words and formatted numbers: the one content that the text on a terminal and the report lay out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/fitted_test.h"
+#include "report/printed.h"
+
+namespace flexslip {
+
+// The coefficient of friction of glass on steel in the literature: Table 1 of the paper.
+struct LiteratureRange {
+  double low, high;  // [1]
+};
+inline constexpr LiteratureRange glass_on_steel{0.5, 0.721};
+
+// The answer in a sentence or two.
+std::string answer_of(const FittedTest& test);
+
+struct ParameterRow {
+  std::string name;    // as in JSON
+  std::string symbol;  // "λ"; empty for the second and third wave
+  std::string meaning;
+  std::string value;     // with its standard error, digits to match
+  std::string interval;  // of 95 %
+  std::string remark;    // why the error is not to be trusted, or what the value depends on; mostly empty
+};
+
+// Domain of all below: analysis.status is ok.
+std::vector<ParameterRow> parameter_rows(const FittedTest& test);
+
+PrintedTable model_table(const FittedTest& test);  // the models and their criteria, the chosen one marked
+PrintedTable drop_table(const FittedTest& test);   // the drops measured, as slips
+PrintedTable snap_table(const FittedTest& test);   // the snaps of the chosen model
+PrintedTable energy_table(const FittedTest& test);
+PrintedTable wavelength_table(const FittedTest& test);  // where the fit started from: the runners-up
+
+// Sentences, each complete in itself.
+std::string friction_in_literature(const FittedTest& test);
+std::string slips_in_words(const FittedTest& test);
+std::string snaps_in_words(const FittedTest& test);
+std::string suspicion_in_words(const FittedTest& test);
+std::string replay_in_words(const FittedTest& test);
+std::vector<std::string> assumptions_of(const FittedTest& test);
+
+}  // namespace flexslip

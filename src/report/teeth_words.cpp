@@ -1,0 +1,117 @@
+#include "report/teeth_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "io/quantity.h"
+
+namespace flexslip {
+namespace {
+
+// Of a compliance in m/N, or reduced: in µm/mN, which is 1000 m/N to the number.
+std::string compliance_in_words(const SupportCompliance& compliance, const FittedTest& test) {
+  const double error = std::hypot(compliance.error, compliance.systematic);
+  if (test.reduced) return readable(compliance.value, error, kind::number);
+  const double unit = 1000 / test.analysis.scales.stiffness_unit();
+  return readable(compliance.value * unit, error * unit, kind::number) + " µm/mN";
+}
+
+std::string compliant_supports(const FittedTest& test, std::size_t sliding) {
+  const Teeth& judged = *test.analysis.teeth;
+  const auto& compliance = judged.compliance;
+  if (compliance.status != ComplianceStatus::ok)
+    return " Supports that give way imitate sliding; these teeth do not tell how far.";
+  const auto rejected = static_cast<std::size_t>(std::count_if(
+      judged.teeth.begin(), judged.teeth.end(), [](const Tooth& tooth) { return tooth.compliant_rejected; }));
+  const double confidence = test.provenance.options.teeth.confidence;
+  const std::string fitted = fmt::format(
+      " Supports that give way imitate sliding: one compliance of {} for both together, with the specimen "
+      "stuck, ",
+      compliance_in_words(compliance, test));
+  if (compliance.p_value >= 1 - confidence)
+    return fitted + fmt::format("describes all teeth (p = {:.2f}){}", compliance.p_value,
+                                sliding > 0
+                                    ? ", so that by the teeth alone sliding is not proved; compare it with that "
+                                      "of the rig."
+                                    : ".");
+  const std::string beyond = compliance.p_value < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", compliance.p_value);
+  if (rejected == 0)
+    return fitted +
+           fmt::format("does not describe the teeth together ({}), though it is rejected on no single one.", beyond);
+  return fitted +
+         fmt::format("does not describe the teeth ({}): it is rejected on {} of {}, each at {:.4g} % confidence.",
+                     beyond, rejected, judged.teeth.size(), 100 * confidence);
+}
+
+}  // namespace
+
+std::string teeth_in_words(const FittedTest& test) {
+  if (!test.analysis.teeth) return "Fewer than two drops, or no load train: there are no teeth to judge.";
+  const Teeth& judged = *test.analysis.teeth;
+  const ToothOptions& options = test.provenance.options.teeth;
+  const auto count = [&](ToothVerdict verdict) {
+    return static_cast<std::size_t>(std::count_if(judged.teeth.begin(), judged.teeth.end(),
+                                                  [&](const Tooth& tooth) { return tooth.verdict == verdict; }));
+  };
+  std::string left_out;
+  if (judged.too_short > 0)
+    left_out += fmt::format(" {} too short to judge.",
+                            judged.too_short == 1 ? "1 rise is" : fmt::format("{} rises are", judged.too_short));
+  if (judged.unexplained > 0)
+    left_out += fmt::format(" No friction explains {}.", counted(judged.unexplained, "rise", "rises"));
+  if (judged.teeth.empty()) return "No rise between two drops can be judged." + left_out;
+  const std::size_t sliding = count(ToothVerdict::sliding);
+  const std::size_t sticking = count(ToothVerdict::as_if_stuck);
+  const auto n = static_cast<double>(judged.teeth.size());
+  const std::size_t open = count(ToothVerdict::undecided);
+  std::string words = fmt::format(
+      "Of {} between drops, {} that the specimen is stuck; {} as steep as if it were stuck; {} "
+      "undecided, each at {:.4g} % confidence. Of as many stuck ones, chance would let up to {:.2g} pass for sliding.",
+      counted(judged.teeth.size(), "rise", "rises"), sliding == 1 ? "1 rejects" : fmt::format("{} reject", sliding),
+      sticking == 1 ? "1 is" : fmt::format("{} are", sticking), open == 1 ? "1 is" : fmt::format("{} are", open),
+      100 * options.confidence, (1 - options.confidence) * n);
+  words += left_out;
+  words += fmt::format(
+      " As stuck counts a specimen of which less than {:.0f} % of the stage's motion is drawn in: an empirical limit, "
+      "for "
+      "even just after a reversal, where it must stick, the authors' tests show 8 to 35 %.",
+      100 * options.least_share);
+  if (sticking > 0) words += " As steep as if stuck does not mean stuck: so is sliding where friction rises steeply.";
+  return words + compliant_supports(test, sliding);
+}
+
+PrintedTable tooth_table(const FittedTest& test) {
+  const Print print(test);
+  const auto stiffness = print.as(kind::stiffness);
+  NumberColumn slope{"Slope", {}, stiffness}, stick{"if stuck", {}, stiffness}, slide{"if sliding", {}, stiffness},
+      advance{"Drawn in, both sides", {}, print.as(kind::length), 3};
+  if (!test.analysis.teeth) return {};
+  const auto& teeth = test.analysis.teeth->teeth;
+  const auto& scales = test.analysis.scales;
+  for (const Tooth& tooth : teeth) {
+    slope.values.push_back(scales.physical_stiffness(tooth.slope));
+    stick.values.push_back(scales.physical_stiffness(tooth.stick_slope));
+    slide.values.push_back(scales.physical_stiffness(tooth.slide_slope));
+    advance.values.push_back(scales.physical_length(tooth.advance));
+  }
+  PrintedTable table = printed({slope, stick, slide, advance});
+  table.head.insert(table.head.begin(), "Rows");
+  table.head.insert(table.head.end() - 1, "Position p");
+  table.head.insert(table.head.end() - 1, "common error");
+  table.head.emplace_back("Verdict");
+  for (std::size_t i = 0; i < teeth.size(); ++i) {
+    auto& row = table.rows[i];
+    const Tooth& tooth = teeth[i];
+    row.insert(row.begin(), fmt::format("{}–{}", file_row(test, tooth.first), file_row(test, tooth.last - 1)));
+    row.insert(row.end() - 1, fmt::format("{:.2f} ± {:.2f}", tooth.position, tooth.position_error));
+    row.insert(row.end() - 1, fmt::format("± {:.2f}", tooth.position_systematic));
+    row.emplace_back(tooth.verdict == ToothVerdict::sliding       ? "slides"
+                     : tooth.verdict == ToothVerdict::as_if_stuck ? "as if stuck"
+                                                                  : "undecided");
+  }
+  return table;
+}
+
+}  // namespace flexslip
