@@ -1,0 +1,15 @@
+// TOML text to a table of toml++, whatever the text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <toml++/toml.h>
+
+namespace flexslip {
+
+// Domain:     keys, numbers and one-line texts, as case files have them: no dates, no multi-line texts.
+// Fails:      InputError with file and line for anything else.
+toml::table parse_toml(std::string_view text, const std::string& source);
+
+}  // namespace flexslip
