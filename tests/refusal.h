@@ -1,4 +1,4 @@
-// What a function says when a call breaks its contract.
+// What a function says when a call breaks its contract, or its input is bad.
 #pragma once
 
 #include <functional>
@@ -12,6 +12,8 @@ inline std::string message_of(const std::function<void()>& call) {
   try {
     call();
   } catch (const std::invalid_argument& refused) {
+    return refused.what();
+  } catch (const std::runtime_error& refused) {  // InputError is one
     return refused.what();
   }
   return "";

@@ -1,0 +1,192 @@
+#include "cases/campaign_store.h"
+
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include "io/input_error.h"
+#include "io/json.h"
+#include "io/text_file.h"
+
+namespace flexslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int layout = 1;  // of the kept text: another one is computed anew
+constexpr const char* kept_name = "result.json";
+constexpr const char* unfinished = ".unfinished";
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// JSON knows no NaN: null.
+double number(const Json& json) { return json.is_null() ? not_a_number : json.get<double>(); }
+
+std::vector<double> numbers(const Json& json) {
+  std::vector<double> values;
+  values.reserve(json.size());
+  for (const auto& value : json) values.push_back(number(value));
+  return values;
+}
+
+Json json_of(const ParameterEstimate& estimate) {
+  return {estimate.value, estimate.standard_error, estimate.low, estimate.high};
+}
+
+Json json_of(const std::optional<ParameterEstimate>& estimate) { return estimate ? json_of(*estimate) : Json(nullptr); }
+
+ParameterEstimate estimate_of(const Json& json) {
+  return {number(json.at(0)), number(json.at(1)), number(json.at(2)), number(json.at(3))};
+}
+
+std::optional<ParameterEstimate> optional_estimate_of(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return estimate_of(json);
+}
+
+Json json_of(const TestSummary& summary) {
+  return {{"category", summary.category},
+          {"suspect", summary.suspect},
+          {"model", summary.model},
+          {"mu0", json_of(summary.mu0)},
+          {"amplitude", json_of(summary.amplitude)},
+          {"wavelength", json_of(summary.wavelength)},
+          {"phase", json_of(summary.phase)},
+          {"wave_supported", summary.wave_supported},
+          {"bending_stiffness", json_of(summary.bending_stiffness)},
+          {"residual_rms", summary.residual_rms},
+          {"drops", summary.drops},
+          {"friction_share", summary.friction_share},
+          {"work_of_fracture", summary.work_of_fracture}};
+}
+
+TestSummary summary_from(const std::string& name, const Json& json) {
+  return {.name = name,
+          .category = json.at("category").get<SawtoothCategory>(),
+          .suspect = json.at("suspect").get<bool>(),
+          .model = json.at("model").get<ProfileModel>(),
+          .mu0 = estimate_of(json.at("mu0")),
+          .amplitude = optional_estimate_of(json.at("amplitude")),
+          .wavelength = optional_estimate_of(json.at("wavelength")),
+          .phase = optional_estimate_of(json.at("phase")),
+          .wave_supported = json.at("wave_supported").get<bool>(),
+          .bending_stiffness = estimate_of(json.at("bending_stiffness")),
+          .residual_rms = number(json.at("residual_rms")),
+          .drops = json.at("drops").get<std::size_t>(),
+          .friction_share = number(json.at("friction_share")),
+          .work_of_fracture = number(json.at("work_of_fracture"))};
+}
+
+Json json_of(const CampaignCurves& curves) {
+  return {{"span", curves.span},
+          {"bending_stiffness", curves.bending_stiffness},
+          {"load_train_stiffness", curves.load_train_stiffness},  // null: infinite
+          {"stage", curves.stage},
+          {"deflection", curves.deflection},
+          {"force", curves.force},
+          {"model_deflection", curves.model_deflection},
+          {"model_force", curves.model_force},
+          {"drops", curves.drops}};
+}
+
+CampaignCurves curves_from(const Json& json) {
+  const Json& stiffness = json.at("load_train_stiffness");
+  return {.span = number(json.at("span")),
+          .bending_stiffness = number(json.at("bending_stiffness")),
+          .load_train_stiffness = stiffness.is_null() ? infinity : stiffness.get<double>(),
+          .stage = numbers(json.at("stage")),
+          .deflection = numbers(json.at("deflection")),
+          .force = numbers(json.at("force")),
+          .model_deflection = numbers(json.at("model_deflection")),
+          .model_force = numbers(json.at("model_force")),
+          .drops = json.at("drops").get<std::vector<std::size_t>>()};
+}
+
+Json json_of(const CampaignTest& test) {
+  return {{"name", test.name},
+          {"status", test.status},
+          {"reason", test.reason},
+          {"file", test.file},
+          {"remarks", test.remarks},
+          {"summary", test.summary ? json_of(*test.summary) : Json(nullptr)},
+          {"curves", test.curves ? json_of(*test.curves) : Json(nullptr)}};
+}
+
+CampaignTest test_from(const Json& json) {
+  CampaignTest test{.name = json.at("name").get<std::string>(),
+                    .status = json.at("status").get<std::string>(),
+                    .reason = json.at("reason").get<std::string>(),
+                    .file = json.at("file").get<std::string>(),
+                    .summary = {},
+                    .curves = {},
+                    .remarks = json.at("remarks").get<std::vector<std::string>>()};
+  if (const Json& summary = json.at("summary"); !summary.is_null()) test.summary = summary_from(test.name, summary);
+  if (const Json& curves = json.at("curves"); !curves.is_null()) test.curves = curves_from(curves);
+  return test;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+[[noreturn]] void refuse(const fs::path& path, const std::error_code& error) {
+  throw InputError({.file = path.string(), .expected = "a folder that can be written to", .found = error.message()});
+}
+
+std::string read_whole(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+std::string to_text(const CampaignTest& test) { return text_of(json_of(test)); }
+
+std::optional<CampaignTest> campaign_test_from(const std::string& text) {
+  try {
+    return test_from(Json::parse(text));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+CampaignStore::CampaignStore(fs::path folder) : folder_(std::move(folder)) {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) refuse(folder_, error);
+  for (const auto& entry : fs::recursive_directory_iterator(folder_))
+    if (entry.path().extension() == unfinished) fs::remove(entry.path(), error);
+}
+
+fs::path CampaignStore::folder_of(const std::string& test) const {
+  const fs::path folder = folder_ / test;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) refuse(folder, error);
+  return folder;
+}
+
+std::optional<CampaignTest> CampaignStore::find(const std::string& test, const std::string& key) const {
+  const std::string text = read_whole(folder_ / test / kept_name);
+  if (text.empty()) return std::nullopt;
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("layout") != layout || json.at("key") != key) return std::nullopt;
+    return test_from(json.at("test"));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+void CampaignStore::keep(const CampaignTest& test, const std::string& key) const {
+  const fs::path path = folder_of(test.name) / kept_name;
+  fs::path beside = path;
+  beside += unfinished;
+  write_text(beside.string(), text_of({{"layout", layout}, {"key", key}, {"test", json_of(test)}}));
+  std::error_code error;
+  fs::rename(beside, path, error);  // at once: a reader sees the old file or the new one
+  if (error) refuse(path, error);
+}
+
+}  // namespace flexslip

@@ -1,0 +1,99 @@
+#include "inference/campaign.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace flexslip {
+namespace {
+
+ParameterEstimate scaled(const ParameterEstimate& estimate, double unit) {
+  return {.value = estimate.value * unit,
+          .standard_error = estimate.standard_error * unit,
+          .low = estimate.low * unit,
+          .high = estimate.high * unit};
+}
+
+const ModelFit* fitted(const FrictionFit& fit, ProfileModel wanted) {
+  const auto found = std::find_if(fit.models.begin(), fit.models.end(), [&](const ModelFit& model) {
+    return model.model == wanted && model.status != FitStatus::not_found;
+  });
+  return found == fit.models.end() ? nullptr : &*found;
+}
+
+bool preferred_to_no_wave(const ModelFit& wave, const FrictionFit& fit) {
+  return std::all_of(fit.models.begin(), fit.models.end(), [&](const ModelFit& model) {
+    return !model.waves.empty() || model.status == FitStatus::not_found || wave.bic < model.bic;
+  });
+}
+
+class Gathered {
+ public:
+  void add(double value) {
+    spread_ = spread_.count == 0 ? Spread{0, 0, value, value} : spread_;
+    ++spread_.count;
+    spread_.mean += (value - spread_.mean) / static_cast<double>(spread_.count);
+    spread_.min = std::min(spread_.min, value);
+    spread_.max = std::max(spread_.max, value);
+  }
+  Spread spread() const { return spread_; }
+
+ private:
+  Spread spread_{};
+};
+
+template <class Predicate>
+CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs) {
+  std::size_t count = 0;
+  Gathered mu0, amplitude, wavelength;
+  for (const auto& test : tests) {
+    if (!belongs(test)) continue;
+    ++count;
+    mu0.add(test.mu0.value);
+    if (test.category == SawtoothCategory::none || !test.wavelength) continue;
+    amplitude.add(test.amplitude.value().value);
+    wavelength.add(test.wavelength->value);
+  }
+  return {count, mu0.spread(), amplitude.spread(), wavelength.spread()};
+}
+
+}  // namespace
+
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
+  if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no summary");
+  const Scales& scales = analysis.scales;
+  const ModelFit& chosen = analysis.fit.models.at(analysis.fit.chosen);
+  TestSummary summary{.name = name,
+                      .category = analysis.category,
+                      .suspect = analysis.suspects.suspect,
+                      .model = chosen.model,
+                      .mu0 = chosen.mu0,
+                      .amplitude = {},
+                      .wavelength = {},
+                      .phase = {},
+                      .wave_supported = false,
+                      .bending_stiffness = scaled(chosen.bending_stiffness, scales.bending_stiffness()),
+                      .residual_rms = scales.physical_force(chosen.residual_rms),
+                      .drops = analysis.drops.drops.size(),
+                      .friction_share = analysis.energy.friction_share,
+                      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture)};
+  if (const ModelFit* one_wave = fitted(analysis.fit, ProfileModel::sinusoid)) {
+    summary.amplitude = one_wave->waves.front().amplitude;
+    summary.wavelength = scaled(one_wave->waves.front().wavelength, scales.span());
+    summary.phase = one_wave->waves.front().phase;
+    summary.wave_supported = preferred_to_no_wave(*one_wave, analysis.fit);
+  }
+  return summary;
+}
+
+std::vector<CategorySummary> summarise(std::span<const TestSummary> tests) {
+  const auto summary = [&](std::optional<SawtoothCategory> category) {
+    const auto belongs = [&](const TestSummary& test) { return !category || test.category == *category; };
+    const auto trusted = [&](const TestSummary& test) { return belongs(test) && !test.suspect; };
+    return CategorySummary{category, spread_over(tests, trusted), spread_over(tests, belongs)};
+  };
+  return {summary(SawtoothCategory::clear), summary(SawtoothCategory::nominal), summary(SawtoothCategory::none),
+          summary(std::nullopt)};
+}
+
+}  // namespace flexslip

@@ -1,0 +1,58 @@
+// Many tests together: what each comes to in a line, and what a category of them has in common.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "inference/analysis.h"
+
+namespace flexslip {
+
+// A test in a line. Units: SI.
+struct TestSummary {
+  std::string name;
+  SawtoothCategory category;
+  bool suspect;           // friction beyond the limit, see find_suspects
+  ProfileModel model;     // the one of least BIC
+  ParameterEstimate mu0;  // [1] of that model
+  // Of one wave, the paper's (4.25), whether or not BIC wants it; none if no wave was fitted, or fits.
+  std::optional<ParameterEstimate> amplitude;   // [1]
+  std::optional<ParameterEstimate> wavelength;  // [m]
+  std::optional<ParameterEstimate> phase;       // [rad] φ
+  bool wave_supported;                          // BIC prefers it to no wave
+  ParameterEstimate bending_stiffness;          // [N m^2] EI of the chosen model
+  double residual_rms;                          // [N] likewise
+  std::size_t drops;
+  double friction_share;    // [1] of the measured work of fracture: friction and snaps
+  double work_of_fracture;  // [J]
+};
+
+// Domain:     analysis.status is ok; std::invalid_argument otherwise.
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis);
+
+// Mean (min, max) of a parameter over tests, as the paper reports it.
+struct Spread {
+  std::size_t count;      // 0: nothing else is valid
+  double mean, min, max;  // unit of the parameter
+};
+
+struct CategorySpread {
+  std::size_t tests;
+  Spread mu0;         // [1]
+  Spread amplitude;   // [1] over the tests of categories with a sawtooth that have a wave
+  Spread wavelength;  // [m] likewise
+};
+
+// A category of tests; none: all tests.
+struct CategorySummary {
+  std::optional<SawtoothCategory> category;
+  CategorySpread without_suspects, with_suspects;
+};
+
+// The categories clear, nominal and none, then all tests together.
+std::vector<CategorySummary> summarise(std::span<const TestSummary> tests);
+
+}  // namespace flexslip

@@ -1,0 +1,68 @@
+#include "io/text_table.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "io/cells.h"
+#include "io/input_error.h"
+#include "io/table.h"
+
+namespace flexslip {
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, std::size_t line, std::string expected, std::string found,
+                         std::string remedy) {
+  throw InputError({.file = file,
+                    .line = line,
+                    .expected = std::move(expected),
+                    .found = std::move(found),
+                    .remedy = std::move(remedy)});
+}
+
+std::vector<std::string> cells_of(const std::string& file, std::size_t number, std::string_view line, char delimiter) {
+  std::vector<std::string> cells;
+  CellReader reader(line, delimiter);
+  while (const auto cell = reader.next()) cells.push_back(unescaped(*cell));
+  if (reader.broken())
+    refuse(file, number, "quotes in pairs around a whole cell",
+           fmt::format("a stray quote in cell {}", cells.size() + 1), "delete it");
+  while (!cells.empty() && cells.back().empty()) cells.pop_back();
+  return cells;
+}
+
+}  // namespace
+
+TextTable read_text_table(const std::string& path) {
+  const auto in = open_to_read(path);
+  TextTable table{.source = path == "-" ? "standard input" : path, .header_line = 0, .titles = {}, .rows = {}};
+  LineReader lines(*in, table.source);
+  char delimiter = ',';
+  while (const auto line = lines.next()) {
+    if (is_comment_or_blank(*line)) continue;
+    if (!table.titles.empty()) {
+      table.rows.push_back({lines.number(), cells_of(table.source, lines.number(), *line, delimiter)});
+      auto& cells = table.rows.back().cells;
+      if (cells.size() > table.titles.size())
+        refuse(table.source, lines.number(), fmt::format("{} cells, as the header has", table.titles.size()),
+               fmt::format("{}", cells.size()), "put a cell that holds the delimiter in quotes");
+      cells.resize(table.titles.size());
+      continue;
+    }
+    delimiter = delimiter_of(*line);
+    if (delimiter == ' ') delimiter = ',';  // one column
+    table.titles = cells_of(table.source, lines.number(), *line, delimiter);
+    table.header_line = lines.number();
+  }
+  if (table.titles.empty()) refuse(table.source, 0, "a header line that names the columns", "an empty file", "");
+  for (auto title = table.titles.begin(); title != table.titles.end(); ++title) {
+    if (title->empty()) refuse(table.source, table.header_line, "a title for every column", "an empty one", "");
+    if (std::find(table.titles.begin(), title, *title) != title)
+      refuse(table.source, table.header_line, "each title once", in_quotes(*title) + " twice", "");
+  }
+  return table;
+}
+
+}  // namespace flexslip

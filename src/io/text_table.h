@@ -1,0 +1,26 @@
+// A table of words, one header line: what a person keeps in a spreadsheet.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace flexslip {
+
+struct TextRow {
+  std::size_t line;                // of the file, counted from 1
+  std::vector<std::string> cells;  // one for each title; those that the line lacks are empty
+};
+
+struct TextTable {
+  std::string source;  // the file as the user named it
+  std::size_t header_line;
+  std::vector<std::string> titles;  // none empty, none twice
+  std::vector<TextRow> rows;
+};
+
+// Reads a table separated by commas, semicolons or tabs; comments and empty lines are left out as in read_table.
+// Fails:      InputError with file and line: no header, a title that is missing or there twice, more cells than titles, a stray quote.
+TextTable read_text_table(const std::string& path);
+
+}  // namespace flexslip

@@ -1,0 +1,79 @@
+#include "inference/campaign.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/inference/simulated_test.h"
+#include "tests/refusal.h"
+
+namespace flexslip {
+namespace {
+
+const Scales scales(1278e-6, 1.02 * 1278e-6 * 1278e-6 * 1278e-6);  // the bending stiffness of a spicule
+
+TestSummary some_test(SawtoothCategory category, double mu0, std::optional<double> wavelength, bool suspect) {
+  TestSummary test{};
+  test.category = category;
+  test.suspect = suspect;
+  test.mu0.value = mu0;
+  if (wavelength) {
+    test.wavelength = ParameterEstimate{.value = *wavelength, .standard_error = 0, .low = 0, .high = 0};
+    test.amplitude = ParameterEstimate{.value = 0.1 * mu0, .standard_error = 0, .low = 0, .high = 0};
+  }
+  return test;
+}
+
+TEST_CASE("table: mean, least and greatest of each category, with and without suspects") {
+  using enum SawtoothCategory;
+  const std::vector<TestSummary> tests{some_test(clear, 0.5, 10e-6, false), some_test(clear, 0.75, 20e-6, false),
+                                       some_test(clear, 1.25, 30e-6, true), some_test(none, 0.25, 5e-6, false)};
+  const auto summaries = summarise(tests);
+  REQUIRE(summaries.size() == 4);
+  const auto& clear_tests = summaries[0];
+  CHECK(clear_tests.category == clear);
+  CHECK(clear_tests.without_suspects.tests == 2);
+  CHECK(clear_tests.without_suspects.mu0.mean == 0.625);  // exact in binary, as all means of mu0 here
+  CHECK(clear_tests.without_suspects.mu0.max == 0.75);
+  CHECK(clear_tests.with_suspects.tests == 3);
+  CHECK(clear_tests.with_suspects.mu0.max == 1.25);
+  CHECK(clear_tests.with_suspects.wavelength.max == 30e-6);
+  CHECK(clear_tests.without_suspects.amplitude.min == 0.05);
+  CHECK(summaries[1].category == nominal);
+  CHECK(summaries[1].with_suspects.tests == 0);
+  CHECK(summaries[1].with_suspects.mu0.count == 0);
+  CHECK(summaries[2].with_suspects.mu0.mean == 0.25);
+  CHECK(summaries[2].with_suspects.wavelength.count == 0);  // no sawtooth, no wavelength
+  CHECK(summaries[3].category == std::nullopt);
+  CHECK(summaries[3].without_suspects.tests == 3);
+  CHECK(summaries[3].without_suspects.mu0.mean == 0.5);
+  CHECK(summaries[3].without_suspects.wavelength.count == 2);
+}
+
+TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI") {
+  const SimulatedTruth truth{
+      .friction = Friction::sinusoid(0.6, 0.3, 14.0 / 1278, 1.0), .stiffness = 90, .noise = 0.01};
+  const TestDescription description{.span = scales.span(),
+                                    .load_train_stiffness = scales.physical_stiffness(truth.stiffness),
+                                    .bending_stiffness = scales.bending_stiffness()};
+  const Record record = to_physical(simulated_record(truth), scales);
+  const auto analysis = analyse(record, description);
+  const auto summary = summary_of("simulated", analysis);
+  CHECK(summary.category == SawtoothCategory::clear);
+  CHECK(summary.wave_supported);
+  CHECK(summary.mu0.low < 0.6);
+  CHECK(summary.mu0.high > 0.6);
+  CHECK(summary.wavelength.value().value == doctest::Approx(14e-6).scale(0).epsilon(0.02));  // resolution of the record
+  CHECK(summary.amplitude.value().value == doctest::Approx(0.3).scale(0).epsilon(0.2));      // likewise
+  CHECK(summary.bending_stiffness.value ==
+        doctest::Approx(scales.bending_stiffness()).scale(0).epsilon(0.05));  // within its prior
+  double work = 0;
+  for (std::size_t i = 1; i < record.force.size(); ++i)
+    work += 0.5 * (record.force[i] + record.force[i - 1]) * (record.deflection[i] - record.deflection[i - 1]);
+  CHECK(summary.work_of_fracture == doctest::Approx(work).scale(0).epsilon(1e-12));  // rounding of a sum of 300
+
+  auto without = analysis;
+  without.status = AnalysisStatus::too_few_points;
+  CHECK(message_of([&] { summary_of("simulated", without); }) == "a test without a fit has no summary");
+}
+
+}  // namespace
+}  // namespace flexslip

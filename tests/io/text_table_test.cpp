@@ -1,0 +1,39 @@
+#include "io/text_table.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/refusal.h"
+#include "tests/temporary_folder.h"
+
+namespace flexslip {
+namespace {
+
+TEST_CASE("table: words, quotes, comments, a mark of byte order, rows shorter than the header") {
+  const TemporaryFolder folder;
+  const auto file = folder.file(
+      "table.csv",
+      "\xEF\xBB\xBF# kept by hand\nname;span [um];note\r\n\"a;b\";1278;\"he said \"\"no\"\"\"\n\n# b;1;2\nc\n");
+  const auto table = read_text_table(file);
+  CHECK(table.titles == std::vector<std::string>{"name", "span [um]", "note"});
+  CHECK(table.header_line == 2);
+  REQUIRE(table.rows.size() == 2);
+  CHECK(table.rows[0].line == 3);
+  CHECK(table.rows[0].cells == std::vector<std::string>{"a;b", "1278", "he said \"no\""});
+  CHECK(table.rows[1].line == 6);
+  CHECK(table.rows[1].cells == std::vector<std::string>{"c", "", ""});
+}
+
+TEST_CASE("table: what is no such table is refused with its line") {
+  const auto says = [](const std::string& content) {
+    const TemporaryFolder folder;
+    return message_of([&] { read_text_table(folder.file("table.csv", content)); });
+  };
+  CHECK(says("").find("an empty file") != std::string::npos);
+  CHECK(says("a,b\n1,2,3\n").find(":2: expected 2 cells") != std::string::npos);
+  CHECK(says("a,a\n").find(":1: expected each title once, found 'a' twice") != std::string::npos);
+  CHECK(says("a,,b\n").find("an empty one") != std::string::npos);
+  CHECK(says("a,b\n\"x,y\n").find(":2: expected quotes in pairs") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace flexslip
