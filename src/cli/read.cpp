@@ -1,0 +1,183 @@
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "instruments/canonical.h"
+#include "instruments/export.h"
+#include "instruments/export_json.h"
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+struct ReadRequest {
+  std::string file;
+  std::size_t specimen = 0;  // from 1; 0 where it is not said
+  std::string encoding, separator, decimal, thousands;
+  std::string time, crosshead, deflection, force, displacement;
+  std::string time_unit, displacement_unit, force_unit, calibration;
+  Output output;
+};
+
+// "," or "comma", "none": a mark as the user wrote it.
+char mark_named(const std::string& text, std::string_view flag) {
+  if (text.size() == 1) return text.front();
+  if (text == "tab" || text == "\\t") return '\t';
+  if (text == "space") return ' ';
+  if (text == "comma") return ',';
+  if (text == "semicolon") return ';';
+  if (text == "point") return '.';
+  if (text == "apostrophe") return '\'';
+  if (text == "none") return '\0';
+  throw InputError({.field = std::string(flag),
+                    .expected = "one character, or comma, semicolon, point, tab, space, apostrophe or none",
+                    .found = in_quotes(text)});
+}
+
+char mark_of(const std::string& text, std::string_view flag, std::string_view allowed) {
+  const char mark = mark_named(text, flag);
+  if (allowed.find(mark) == std::string_view::npos)
+    throw InputError({.field = std::string(flag),
+                      .expected = fmt::format("one of {}", allowed == ".," ? ". and ," : allowed),
+                      .found = in_quotes(text)});
+  return mark;
+}
+
+ExportOptions options_of(const ReadRequest& request) {
+  using namespace std::string_view_literals;
+  ExportOptions options;
+  if (!request.encoding.empty()) options.encoding = encoding_named(request.encoding);
+  if (!request.separator.empty()) options.separator = mark_named(request.separator, "--separator");
+  if (!request.decimal.empty()) options.decimal = mark_of(request.decimal, "--decimal", ".,");
+  if (!request.thousands.empty()) options.thousands = mark_of(request.thousands, "--thousands", "., '\0"sv);
+  const auto column = [&](ColumnRole role, const std::string& name) {
+    if (!name.empty()) options.columns[role] = name;
+  };
+  column(ColumnRole::time, request.time);
+  column(ColumnRole::crosshead, request.crosshead);
+  column(ColumnRole::deflection, request.deflection);
+  column(ColumnRole::force, request.force);
+  const auto unit = [&](ColumnRole role, const std::string& text) {
+    if (!text.empty()) options.units[role] = text;
+  };
+  unit(ColumnRole::time, request.time_unit);
+  unit(ColumnRole::displacement, request.displacement_unit);
+  unit(ColumnRole::force, request.force_unit);
+  if (!request.calibration.empty() && !request.calibration.ends_with("/V"))
+    throw InputError(
+        {.field = "--calibration", .expected = "such as \"222 N/V\"", .found = in_quotes(request.calibration)});
+  unit(ColumnRole::force, request.calibration);
+  if (!request.displacement.empty())
+    options.displacement = request.displacement == "crosshead" ? ColumnRole::crosshead : ColumnRole::deflection;
+  return options;
+}
+
+std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
+  const std::size_t count = file.specimens.size();
+  if (request.specimen > count)
+    throw InputError({.file = file.source,
+                      .field = "--specimen",
+                      .expected = fmt::format("a number from 1 to {}", count),
+                      .found = std::to_string(request.specimen)});
+  if (request.specimen == 0 && count > 1 && !request.output.json)
+    throw InputError({.file = file.source,
+                      .expected = "one specimen to write",
+                      .found = fmt::format("{}", count),
+                      .remedy = fmt::format("choose with --specimen 1 to {}; --json lists them", count)});
+  return request.specimen == 0 ? 0 : request.specimen - 1;
+}
+
+std::string_view words_for(char mark) {
+  switch (mark) {
+    case '\0':
+      return "none";
+    case '\t':
+      return "tab";
+    case ' ':
+      return "space";
+    case '.':
+      return "point";
+    case ',':
+      return "comma";
+    case ';':
+      return "semicolon";
+    default:
+      return "apostrophe";
+  }
+}
+
+void note_decisions(const ReadRequest& request, const Export& file, const ExportedSpecimen& specimen) {
+  const auto say = [&](const std::string& remark) { note(request.output, remark); };
+  say(fmt::format("{}: {}; {}{}, separated by {}, decimal {}, thousands {}", file.source, file.format,
+                  name_of(file.encoding), file.byte_order_mark ? " with byte order mark" : "",
+                  words_for(file.separator), words_for(file.decimal), words_for(file.thousands)));
+  say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
+                  specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));
+  for (const ExportColumn& column : specimen.columns)
+    say(fmt::format("column {}: {} in {}: {}", column.number, in_quotes(column.name),
+                    column.unit.empty() ? "no unit" : column.unit,
+                    column.words.empty() ? name_of(column.role) : "words"));
+  for (const std::string& remark : file.notes) say(remark);
+  for (const std::string& question : file.asks) say("open: " + question);
+  say("the same again: flexslip read " + file.repeat_with);
+}
+
+void run_read(const ReadRequest& request) {
+  const Export file = read_export(request.file, options_of(request));
+  const std::size_t chosen = chosen_specimen(request, file);
+  if (request.output.json)
+    write_json(request.output.path, export_json(file, chosen));
+  else
+    write_canonical(request.output.path, file, file.specimens[chosen]);
+  if (!request.output.json) note_decisions(request, file, file.specimens[chosen]);
+}
+
+}  // namespace
+
+void add_read_command(CLI::App& app) {
+  const auto request = std::make_shared<ReadRequest>();
+  CLI::App* command =
+      app.add_subcommand("read", "Any testing machine's export as plain CSV, and what was decided about it");
+  command->add_option("file", request->file, "Export of a testing machine; - is standard input")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--specimen", request->specimen, "Which of several specimens, from 1")
+      ->type_name("NUMBER")
+      ->check(CLI::PositiveNumber);
+  const auto text = [&](const char* name, std::string& value, const char* description, const char* type) {
+    return command->add_option(name, value, description)->type_name(type);
+  };
+  text("--encoding", request->encoding, "utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
+  text("--separator", request->separator, "Between cells: , ; tab or space", "MARK");
+  text("--decimal", request->decimal, "Decimal mark: . or ,", "MARK");
+  text("--thousands", request->thousands, "Between groups of digits: . , space ' or none", "MARK");
+  text("--time", request->time, "The column with the time, its name or number", "COLUMN");
+  text("--crosshead", request->crosshead, "The column with the displacement of the crosshead", "COLUMN");
+  text("--deflection", request->deflection, "The column with the deflection of the specimen", "COLUMN");
+  text("--force", request->force, "The column with the force", "COLUMN");
+  text("--displacement", request->displacement,
+       "What a displacement is whose name does not say: crosshead or deflection", "WHICH")
+      ->check(CLI::IsMember({"crosshead", "deflection"}));
+  text("--time-unit", request->time_unit, "The unit of the time", "UNIT");
+  text("--displacement-unit", request->displacement_unit, "The unit of the displacements", "UNIT");
+  auto* force_unit = text("--force-unit", request->force_unit, "The unit of the force", "UNIT");
+  text("--calibration", request->calibration, "Of a force given in volts, as in \"222 N/V\"", "VALUE")
+      ->excludes(force_unit);
+  add_output_options(*command, request->output);
+  command->footer(
+      "Reads exports of Instron Bluehill, MTS, Zwick testXpert, Shimadzu Trapezium and others, and plain tables:\n"
+      "whatever the encoding, separator, decimal mark and preamble. Writes CSV with units in the names; what was\n"
+      "decided, and what the file leaves open, is said on standard error, or with --json in the result.\n\n"
+      "Examples:\n"
+      "  flexslip read examples/simulated/test.csv --output plain.csv\n"
+      "  flexslip read examples/simulated/test.csv --json");
+  command->callback([request] { run_read(*request); });
+}
+
+}  // namespace flexslip

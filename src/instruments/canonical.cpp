@@ -1,0 +1,50 @@
+#include "instruments/canonical.h"
+
+#include <ostream>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/table.h"
+#include "io/text_file.h"
+
+namespace flexslip {
+namespace {
+
+std::string remark(const Metadatum& datum) {
+  return datum.value.empty() ? fmt::format("# {}\n", datum.name) : fmt::format("# {}: {}\n", datum.name, datum.value);
+}
+
+}  // namespace
+
+void write_canonical(std::ostream& out, const Export& file, const ExportedSpecimen& specimen) {
+  std::vector<Metadatum> all = file.metadata;
+  const bool of_several = file.specimens.size() > 1;  // whose highest force need not be that of this one
+  if (of_several) std::erase_if(all, states_maximum_force);
+  all.insert(all.end(), specimen.metadata.begin(), specimen.metadata.end());
+  for (const Metadatum& datum : all) out << remark(datum);
+  if (!specimen.name.empty() && specimen_name(all) != specimen.name) out << remark({"Specimen", specimen.name, 0});
+  std::vector<std::vector<std::string_view>> words(specimen.columns.size());
+  std::vector<OutputColumn> columns;
+  columns.reserve(specimen.columns.size());
+  for (std::size_t i = 0; i < specimen.columns.size(); ++i) {
+    const ExportColumn& column = specimen.columns[i];
+    std::string title = column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
+    words[i].assign(column.words.begin(), column.words.end());
+    if (column.words.empty())
+      columns.push_back({std::move(title), column.values});
+    else
+      columns.push_back({std::move(title), words[i]});
+  }
+  write_table(out, columns);
+}
+
+void write_canonical(const std::string& path, const Export& file, const ExportedSpecimen& specimen) {
+  std::ostringstream text;
+  write_canonical(text, file, specimen);
+  write_text(path, text.str());
+}
+
+}  // namespace flexslip

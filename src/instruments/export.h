@@ -1,0 +1,78 @@
+// Exports of testing machines, whatever the program that wrote them: which numbers a file holds, what its columns are called
+// and mean, in which units, and what else it says about the test.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "instruments/column_role.h"
+#include "instruments/encoding.h"
+#include "instruments/metadata.h"
+#include "io/quantity.h"
+
+namespace flexslip {
+
+// What a user decides about a file; all else is found.
+struct ExportOptions {
+  std::optional<Encoding> encoding{};
+  std::optional<char> separator{};              // ',', ';', '\t'; ' ' for runs of spaces and tabs
+  std::optional<char> decimal{};                // '.' or ','
+  std::optional<char> thousands{};              // '.', ',', ' ' or '\''; '\0' for none; as decimal: see regrouped.h
+  std::map<ColumnRole, std::string> columns{};  // name or number (from 1) of the column with this role
+  std::map<ColumnRole, std::string> units{};    // of a column, whatever it states; "222 N/V" for a force given in volts
+  std::optional<ColumnRole>
+      displacement{};  // which displacement a column is whose words do not say: crosshead, deflection
+};
+
+struct ExportColumn {
+  std::string name;  // as in the file, in UTF-8
+  std::string unit;  // as in the file; empty if there is none
+  ColumnRole role;
+  std::vector<double> values;      // [unit]; NaN where the cell holds no number
+  std::size_t number;              // of the column in the file, from 1
+  std::vector<std::string> words;  // of a column without numbers (phases, names): its cells; empty otherwise
+};
+
+struct ExportedSpecimen {
+  std::string name;                   // empty if the file names none
+  std::vector<ExportColumn> columns;  // of one length
+  std::vector<std::size_t> lines;     // of the file, counted from 1, on which each row stands
+  std::vector<Metadatum> metadata;    // of this specimen alone
+};
+
+struct Export {
+  std::string source;
+  std::string format;  // "Instron Bluehill", ..., "table"
+  Encoding encoding;
+  bool byte_order_mark;
+  char separator, decimal, thousands;  // as in ExportOptions
+  bool quoted;
+  std::vector<ExportedSpecimen> specimens;  // at least one, with at least one row
+  std::vector<Metadatum> metadata;
+  ExportedTest test;
+  std::vector<std::string> notes;  // what was decided or left out that a reader of the numbers should know
+  std::vector<std::string> asks;  // what the file does not say and an evaluation needs, each with the flag that says it
+  std::string repeat_with;        // the flags that make the same decisions again
+};
+
+// Reads an export from its bytes.
+// Fails:      InputError with file, line and remedy: nothing in it, no numbers, columns that cannot be told apart.
+Export read_export(std::string_view bytes, const std::string& source, const ExportOptions& options = {});
+
+// The same from a file; "-" is standard input.
+Export read_export(const std::string& path, const ExportOptions& options = {});
+
+// A column's values in SI.
+// Fails:      InputError for a missing unit, a unit of another kind (a force in volts), a row without a number; with its line.
+std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
+                          const Kind& kind);
+
+// The column with a role.
+// Fails:      InputError if none has it, or several.
+const ExportColumn& column_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role);
+
+}  // namespace flexslip

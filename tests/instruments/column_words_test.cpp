@@ -1,0 +1,50 @@
+#include "instruments/column_words.h"
+
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace flexslip;
+
+TEST_CASE("column_words: titles of the machines' manuals and dictionaries mean what they say") {
+  for (const char* name : {"Time", "Running Time", "Prüfzeit", "PRÜFZEIT", "Temps", "Elapsed", "時間", "Tiempo"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::time, name);
+  for (const char* name :
+       {"Load", "Axial Force", "Standardkraft", "Prüfkraft", "Charge", "Carga", "kuvvet", "試験力", "荷重", "F"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::force, name);
+  for (const char* name :
+       {"Crosshead", "Stroke", "Traverse absolue", "Standardweg", "Traversenweg", "ストローク", "w_s"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::crosshead, name);
+  for (const char* name : {"Deflection", "Durchbiegung", "Flèche", "FLÈCHE", "Flexure Extension", "たわみ", "w0"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::deflection, name);
+  for (const char* name :
+       {"Displacement", "Extension", "Position Run #1", "Ch 1 LVDT", "Weg", "Allongement", "uzama", "変位"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::displacement, name);
+  for (const char* name :
+       {"Strain", "Flexure stress", "Crosshead speed", "Ch 2 Torque", "Dehnung", "Load rate", "Size", "Cycle"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::other, name);
+}
+
+TEST_CASE("column_words: a title and its unit, as the machines write them") {
+  const auto parts = [](std::string_view title) { return title_parts(title).name + "|" + title_parts(title).unit; };
+  CHECK(parts("Position (m) Run #1") == "Position Run #1|m");
+  CHECK(parts("Force [kN]") == "Force|kN");
+  CHECK(parts("Force [Q]") == "Force|Q");
+  CHECK(parts("Load (Standard)") == "Load (Standard)|");
+  CHECK(parts("Displacement_mm") == "Displacement|mm");
+  CHECK(parts("Time_S") == "Time|s");
+  CHECK(parts("w_s_m") == "w_s|m");
+  CHECK(parts("F_N") == "F|N");
+  CHECK(parts("Time sec") == "Time|sec");
+  CHECK(parts("Load mm") == "Load mm|");  // not the unit of a load
+  CHECK(parts("Force (1)") == "Force (1)|");
+}
+
+TEST_CASE("column_words: titles on one line without separators, as MTS 793 and text files have them") {
+  using Titles = std::vector<std::string>;
+  CHECK(split_titles("Ch 1 Displacement Ch 1 Force Time", 3) == Titles{"Ch 1 Displacement", "Ch 1 Force", "Time"});
+  CHECK(split_titles("Time sec   Load N", 2) == Titles{"Time sec", "Load N"});
+  CHECK(split_titles("w_s [m] F [N]", 2) == Titles{"w_s [m]", "F [N]"});
+  CHECK(split_titles("no such thing here", 3).empty());
+}

@@ -1,0 +1,51 @@
+#include "instruments/encoding.h"
+
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "io/input_error.h"
+
+using namespace flexslip;
+
+TEST_CASE("encoding: byte order marks, and UTF-16 without one, against bytes written by hand") {
+  CHECK(decode("\xEF\xBB\xBFµm").text == "µm");
+  CHECK(decode("\xEF\xBB\xBFµm").byte_order_mark);
+  const std::string le("\xFF\xFE\xB5\0m\0", 6);
+  CHECK(decode(le).text == "µm");
+  CHECK(decode(le).encoding == Encoding::utf16le);
+  const std::string be("\xFE\xFF\0\xB5\0m", 6);
+  CHECK(decode(be).text == "µm");
+  CHECK(decode(std::string("1\0,\0002\0\n\0", 8)).encoding == Encoding::utf16le);
+  CHECK(decode(std::string("\0001\0,\0002\0\n", 8)).text == "1,2\n");
+}
+
+TEST_CASE("encoding: German, French and Japanese bytes against the code tables") {
+  CHECK(decode("Pr\xFC"
+               "fzeit")
+            .text == "Prüfzeit");
+  CHECK(decode("Pr\xFC"
+               "fzeit")
+            .encoding == Encoding::cp1252);
+  CHECK(decode("\xC9paisseur \xE9prouvette").text == "Épaisseur éprouvette");  // pairs that Shift-JIS has, too
+  CHECK(decode("\x8E\x9E\x8A\xD4,\x97\xCD").text == "時間,力");
+  CHECK(decode("\x8E\x9E\x8A\xD4,\x97\xCD").encoding == Encoding::shift_jis);
+  CHECK(decode("時間").encoding == Encoding::utf8);
+  CHECK(decode("\xE9", Encoding::cp1252).text == "é");
+}
+
+TEST_CASE("encoding: what is no text, or not in the encoding asked for, is refused with its line") {
+  const auto line_of = [](std::string_view bytes, std::optional<Encoding> wanted = {}) {
+    try {
+      decode(bytes, wanted);
+    } catch (const InputError& error) {
+      return error.fault.line;
+    }
+    return std::size_t{0};
+  };
+  CHECK(line_of(std::string("ab\n\0cdefgh", 10)) == 2);
+  CHECK(line_of("a\nb\n\x81") == 3);  // no character of CP1252
+  CHECK(line_of("a\n\xFF", Encoding::utf8) == 2);
+  CHECK_THROWS_AS(encoding_named("latin9"), InputError);
+  CHECK(encoding_named("Shift-JIS") == Encoding::shift_jis);
+}

@@ -1,0 +1,20 @@
+// The exports that the tests read: fixtures of this repository, and published ones where they are at hand.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace flexslip {
+
+inline const std::filesystem::path fixtures = std::filesystem::path(FLEXSLIP_SOURCE_DIR) / "tests/instruments/fixtures";
+inline const std::filesystem::path campaign_exports =
+    std::filesystem::path(FLEXSLIP_SOURCE_DIR) / "../shared/data/instruments";
+
+inline std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace flexslip

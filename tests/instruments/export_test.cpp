@@ -1,0 +1,568 @@
+#include "instruments/export.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "instruments/canonical.h"
+#include "io/input_error.h"
+#include "tests/instruments/export_files.h"
+
+using namespace flexslip;
+
+namespace {
+
+using enum ColumnRole;
+
+struct ExpectedColumn {
+  std::string name, unit;
+  ColumnRole role;
+  double first, last;  // [unit]; not looked at for words
+};
+
+struct ExpectedExport {
+  std::string file, format;
+  Encoding encoding;
+  char separator, decimal;
+  std::size_t rows, first_line;
+  std::vector<ExpectedColumn> columns;
+};
+
+std::string complaint(const std::string& bytes, const ExportOptions& options = {}) {
+  try {
+    read_export(bytes, "e.csv", options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+bool same_bits(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+void check(const Export& found, const ExpectedExport& wanted) {
+  CAPTURE(wanted.file);
+  CHECK(found.format == wanted.format);
+  CHECK(found.encoding == wanted.encoding);
+  CHECK(found.separator == wanted.separator);
+  CHECK(found.decimal == wanted.decimal);
+  const ExportedSpecimen& specimen = found.specimens.front();
+  CHECK(specimen.lines.size() == wanted.rows);
+  CHECK(specimen.lines.front() == wanted.first_line);
+  REQUIRE(specimen.columns.size() == wanted.columns.size());
+  for (std::size_t i = 0; i < wanted.columns.size(); ++i) {
+    const ExportColumn& column = specimen.columns[i];
+    CAPTURE(wanted.columns[i].name);
+    CHECK(column.name == wanted.columns[i].name);
+    CHECK(column.unit == wanted.columns[i].unit);
+    CHECK(column.role == wanted.columns[i].role);
+    if (!column.words.empty()) continue;
+    CHECK(same_bits(column.values.front(), wanted.columns[i].first));
+    CHECK(same_bits(column.values.back(), wanted.columns[i].last));
+  }
+}
+
+std::string canonical(const Export& file, std::size_t specimen = 0) {
+  std::ostringstream out;
+  write_canonical(out, file, file.specimens[specimen]);
+  return out.str();
+}
+
+// Written, read and written again: the same columns and bits, the same bytes.
+void check_round_trip(const Export& file) {
+  CAPTURE(file.source);
+  for (std::size_t i = 0; i < file.specimens.size(); ++i) {
+    const std::string written = canonical(file, i);
+    ExportOptions options;
+    for (const ExportColumn& column : file.specimens[i].columns)
+      if (column.role == force) options.columns[force] = column.name;  // or a second load cell would be asked for again
+    const Export again = read_export(written, "canonical", options);
+    REQUIRE(again.specimens.size() == 1);
+    REQUIRE(again.specimens.front().columns.size() == file.specimens[i].columns.size());
+    for (std::size_t c = 0; c < file.specimens[i].columns.size(); ++c) {
+      const ExportColumn& a = file.specimens[i].columns[c];
+      const ExportColumn& b = again.specimens.front().columns[c];
+      CHECK(a.name == b.name);
+      CHECK(a.unit == b.unit);
+      CHECK(a.words == b.words);
+      REQUIRE(a.values.size() == b.values.size());
+      bool same = true;
+      for (std::size_t row = 0; row < a.values.size(); ++row) same = same && same_bits(a.values[row], b.values[row]);
+      CHECK(same);
+    }
+    CHECK(canonical(again) == written);
+  }
+}
+
+const std::string curve_as_csv = "Time [s],Stroke [mm],Load [N]\n0.0,0.00,1.5\n0.1,0.01,2.5\n0.2,0.02,3.25\n";
+
+// Of the curve in make_fixtures.py: its last row.
+constexpr double t39 = 3.9, d39 = 0.78, f39 = 1407.9;
+
+const std::vector<ExpectedExport> made{
+    {"shimadzu.csv",
+     "Shimadzu Trapezium",
+     Encoding::shift_jis,
+     ',',
+     '.',
+     40,
+     17,
+     {{"時間", "s", ColumnRole::time, 0, t39},
+      {"試験力", "N", force, 0, f39},
+      {"ストローク", "mm", crosshead, 0, d39}}},
+    {"zwick.csv",
+     "Zwick testXpert",
+     Encoding::cp1252,
+     ';',
+     ',',
+     40,
+     69,
+     {{"Prüfzeit", "s", ColumnRole::time, 0, t39},
+      {"Standardkraft", "N", force, 0, f39},
+      {"Traversenweg", "mm", crosshead, 0, d39}}},
+    {"utf16le.txt",
+     "table",
+     Encoding::utf16le,
+     '\t',
+     ',',
+     40,
+     2,
+     {{"Zeit", "s", ColumnRole::time, 0, t39},
+      {"Traversenweg", "mm", crosshead, 0, d39},
+      {"Kraft", "N", force, 0, f39}}},
+    {"utf16be.txt",
+     "table",
+     Encoding::utf16be,
+     '\t',
+     ',',
+     40,
+     2,
+     {{"Zeit", "s", ColumnRole::time, 0, t39},
+      {"Traversenweg", "mm", crosshead, 0, d39},
+      {"Kraft", "N", force, 0, f39}}},
+    {"utf16le_without_mark.txt",
+     "table",
+     Encoding::utf16le,
+     '\t',
+     ',',
+     40,
+     2,
+     {{"Zeit", "s", ColumnRole::time, 0, t39},
+      {"Traversenweg", "mm", crosshead, 0, d39},
+      {"Kraft", "N", force, 0, f39}}},
+    {"utf16be_without_mark.txt",
+     "table",
+     Encoding::utf16be,
+     '\t',
+     ',',
+     40,
+     2,
+     {{"Zeit", "s", ColumnRole::time, 0, t39},
+      {"Traversenweg", "mm", crosshead, 0, d39},
+      {"Kraft", "N", force, 0, f39}}},
+    {"bluehill_universal.csv",
+     "Instron Bluehill",
+     Encoding::utf8,
+     ',',
+     '.',
+     40,
+     8,
+     {{"Time", "s", ColumnRole::time, 0, t39},
+      {"Displacement", "mm", displacement, -0.0, -d39},
+      {"Force", "kN", force, -0.0, -1.4079}}},
+    {"bluehill_thousands.csv",
+     "Instron Bluehill",
+     Encoding::utf8,
+     ',',
+     '.',
+     40,
+     3,
+     {{"Time", "s", ColumnRole::time, 0, t39},
+      {"Extension", "mm", displacement, 0, d39},
+      {"Load", "N", force, 0, f39}}},
+    {"mts_testsuite.txt",
+     "MTS TestSuite",
+     Encoding::utf8,
+     '\t',
+     '.',
+     40,
+     9,
+     {{"Running Time", "sec", ColumnRole::time, 0, t39},
+      {"Crosshead", "mm", crosshead, -0.0, -d39},
+      {"Load", "kN", force, -0.0, -1.4079}}},
+    {"mts_blocks.dat",
+     "MTS 793",
+     Encoding::utf8,
+     ' ',
+     '.',
+     40,
+     7,
+     {{"Ch 1 Displacement", "mm", displacement, 0, d39},
+      {"Ch 1 Force", "N", force, 0, f39},
+      {"Time", "Sec", ColumnRole::time, 0, t39}}},
+    {"force_gauge.csv",
+     "table",
+     Encoding::utf8,
+     ',',
+     '.',
+     40,
+     1,
+     {{"column_1", "s", other, 0, t39}, {"column_2", "N", other, 0, f39}}},
+    {"force_gauge_columns.csv",
+     "table",
+     Encoding::utf8,
+     ',',
+     '.',
+     40,
+     1,
+     {{"column_1", "N", other, 0, f39}, {"column_3", "", other, 0, d39}, {"column_4", "", other, 0, 39}}},
+    {"texture_analyser.txt",
+     "table",
+     Encoding::utf8,
+     ' ',
+     '.',
+     40,
+     7,
+     {{"Time", "sec", ColumnRole::time, 0, t39},
+      {"Deflection", "mm", deflection, 0, d39},
+      {"Load", "N", force, 0, f39}}},
+    {"no_header.csv",
+     "table",
+     Encoding::utf8,
+     ',',
+     '.',
+     40,
+     1,
+     {{"column_1", "", other, 0, t39}, {"column_2", "", other, 0, d39}, {"column_3", "", other, 0, f39}}},
+};
+
+// Rows counted with wc, first and last values read off with head and tail.
+const std::vector<ExpectedExport> published{
+    {"bluehill3_maize/1267_Specimen_RawData_1.csv",
+     "Instron Bluehill",
+     Encoding::utf8,
+     ',',
+     '.',
+     1133,
+     11,
+     {{"Time", "s", ColumnRole::time, 0, 113.117},
+      {"Extension", "mm", displacement, 0, 1.88478},
+      {"Load", "N", force, 0.37230, 6.60741}}},
+    {"bluehill3_maize/1267_Specimen_RawData_2.csv",
+     "Instron Bluehill",
+     Encoding::utf8,
+     ',',
+     '.',
+     1882,
+     11,
+     {{"Time", "s", ColumnRole::time, 0, 187.598},
+      {"Extension", "mm", displacement, 0.00383, 3.12973},
+      {"Load", "N", force, 0.20694, 5.45618}}},
+    {"bluehill_blades/WSR8001_july25_lateral.csv",
+     "Instron Bluehill",
+     Encoding::utf8,
+     ',',
+     '.',
+     3004,
+     5,
+     {{"Time", "s", ColumnRole::time, 0, 30.022},
+      {"Extension", "mm", displacement, 0, 5.00001},
+      {"Load", "N", force, 2.75764, 610.74622}}},
+    {"bluehill_blades/cyclic_Specimen_RawData_1.csv",
+     "Instron Bluehill",
+     Encoding::utf8,
+     ',',
+     '.',
+     222,
+     3,
+     {{"Time", "s", ColumnRole::time, 0, 21.926},
+      {"Extension", "mm", displacement, 1.25560, 2.38013},
+      {"Load", "N", force, 5.16404, -0.00675}}},
+    {"bluehill_decimal_comma/Tensile_test_PE.csv",
+     "Instron Bluehill",
+     Encoding::utf8,
+     ';',
+     ',',
+     12660,
+     3,
+     {{"Time", "s", ColumnRole::time, 0, 253.162},
+      {"Displacement", "mm", displacement, 0.1366, 211.0849},
+      {"Force", "kN", force, 0.005, 0.1004}}},
+    {"mts793_pla/1_3D850_s1.dat",
+     "MTS 793",
+     Encoding::utf8,
+     ' ',
+     '.',
+     6305,
+     9,
+     {{"Ch 1 Displacement", "mm", displacement, 0.00015497208, -4.1043639},
+      {"Ch 1 Force", "kN", force, -1.6205013e-05, 0.00035503181},
+      {"Time", "Sec", ColumnRole::time, 0.034179688, 123.15918}}},
+    {"mts793_pla/4_3Devo_s1.dat",
+     "MTS 793",
+     Encoding::utf8,
+     ' ',
+     '.',
+     7267,
+     9,
+     {{"Ch 1 Displacement", "mm", displacement, 0.00048279762, -4.7325583},
+      {"Ch 1 Force", "kN", force, 3.7427526e-05, 0.00049469527},
+      {"Time", "Sec", ColumnRole::time, 0.053710938, 141.96777}}},
+    {"mts793_pla/7_CR10_s1.dat",
+     "MTS 793",
+     Encoding::utf8,
+     ' ',
+     '.',
+     12050,
+     9,
+     {{"Ch 1 Displacement", "mm", displacement, 0.00021159649, -7.8439116},
+      {"Ch 1 Force", "kN", force, 0.0004938338, -0.028674968},
+      {"Time", "Sec", ColumnRole::time, 0.029296875, 235.36133}}},
+    {"mts793_tensile/Acrylic.dat",
+     "MTS 793",
+     Encoding::utf8,
+     '\t',
+     '.',
+     164,
+     6,
+     {{"Time", "s", ColumnRole::time, 0.109375, 16.345703},
+      {"Ch 1 LVDT", "mm", displacement, 0.013103485, 1.3644004},
+      {"Ch 1 Force", "N", force, 2.5660357, 8.1572886}}},
+    {"cellscale_femur/A023Data.csv",
+     "CellScale",
+     Encoding::utf8,
+     ',',
+     '.',
+     38,
+     2,
+     {{"SetName", "", other, 0, 0},
+      {"Cycle", "", other, 0, 0},
+      {"Time", "s", ColumnRole::time, 0, 7.4},
+      {"Size", "mm", other, 28.999, 28.649},
+      {"Displacement", "mm", displacement, -0.0, 0.35},
+      {"Force", "N", force, 0.237, 0.143}}},
+    {"pasco_brass/LA4_brass_file.csv",
+     "PASCO Capstone",
+     Encoding::utf8,
+     ',',
+     '.',
+     1150,
+     2,
+     {{"Position Run #1", "m", displacement, 4.40547e-8, 0.00467}, {"Force Run #1", "N", force, -0.2, -104.0}}},
+    {"zwick_tra/Allong_1.TRA",
+     "Zwick testXpert",
+     Encoding::cp1252,
+     ',',
+     '.',
+     2184,
+     13,
+     {{"Temps", "s", ColumnRole::time, 5.4937, 44.4337},
+      {"Traverse absolue", "mm", crosshead, -794.864, -794.591},
+      {"Force standard", "N", force, 146.366, -44.3443},
+      {"Course standard", "mm", crosshead, 0, 0.24226}}},
+};
+
+}  // namespace
+
+TEST_CASE("export: the made fixtures, of which every number is known, are read as they were written") {
+  for (const ExpectedExport& wanted : made) check(read_export(bytes_of(fixtures / wanted.file), wanted.file), wanted);
+}
+
+TEST_CASE("export: published exports of real machines against rows counted and values seen without this reader") {
+  if (!std::filesystem::exists(campaign_exports)) {
+    MESSAGE("skipped: no campaign data");
+    return;
+  }
+  for (const ExpectedExport& wanted : published) check(read_export((campaign_exports / wanted.file).string()), wanted);
+}
+
+TEST_CASE("export: every file comes back from its canonical form with the same bits, and is written again the same") {
+  for (const ExpectedExport& wanted : made)
+    check_round_trip(read_export(bytes_of(fixtures / wanted.file), wanted.file));
+  if (!std::filesystem::exists(campaign_exports)) {
+    MESSAGE("skipped: no campaign data");
+    return;
+  }
+  for (const ExpectedExport& wanted : published)
+    check_round_trip(read_export((campaign_exports / wanted.file).string()));
+}
+
+TEST_CASE("export: decimal commas lost in a spreadsheet are restored to an even test, sum as computed from its rate") {
+  const auto path = campaign_exports / "bluehill_decimal_comma/Tensile_test_PE.csv";
+  if (!std::filesystem::exists(path)) {
+    MESSAGE("skipped: no campaign data");
+    return;
+  }
+  const Export file = read_export(path.string());
+  const std::vector<double>& values = file.specimens.front().columns[1].values;
+  // The crosshead went 50 mm/min: a script took of each cell's readings that nearest to 0.1366 mm + 0.8333 mm/s t.
+  double sum = 0;
+  for (const double value : values) sum += value;
+  CHECK(sum == doctest::Approx(1336955.3139).epsilon(1e-13));  // 12660 roundings of at most half an ulp
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    CHECK(values[i] > values[i - 1]);
+    CHECK(values[i] - values[i - 1] < 0.022);
+  }
+  CHECK(file.thousands == ',');
+  REQUIRE(file.notes.size() == 1);
+  CHECK(has(file.notes.front(), "put back"));
+}
+
+TEST_CASE("export: the file with a byte order mark and nothing else is refused as empty") {
+  CHECK(has(complaint("\xEF\xBB\xBF"), "an empty file: a byte order mark and nothing else"));
+  CHECK(has(complaint(""), "an empty file"));
+  CHECK(has(complaint(" \r\n\t\n"), "an empty file"));
+  CHECK(has(complaint("Time,Load\nno,numbers\n"), "no line with numbers"));
+}
+
+TEST_CASE("export: a force in volts is refused until it is calibrated, and never replaced by another silently") {
+  const std::string volts = bytes_of(fixtures / "voltage.csv");
+  CHECK(has(complaint(volts), "--force 3 --calibration"));
+  ExportOptions options;
+  options.columns[force] = "3";
+  CHECK(has(complaint(volts, options), "--calibration"));
+  options.units[force] = "N";
+  CHECK(has(complaint(volts, options), "--calibration"));
+  options.units[force] = "222 N/V";
+  const Export file = read_export(volts, "v.csv", options);
+  const ExportColumn& column = column_with(file, file.specimens.front(), force);
+  CHECK(column.unit == "N");
+  CHECK(column.values.back() == doctest::Approx(1407.9).epsilon(1e-6));  // the file has six decimals of 6.3 V
+}
+
+TEST_CASE("export: the published file with a load cell on an auxiliary input is refused unless one of both is chosen") {
+  const auto path = campaign_exports / "mts_testsuite_femur/C18-L-M-RF.txt";
+  if (!std::filesystem::exists(path)) {
+    MESSAGE("skipped: no campaign data");
+    return;
+  }
+  const std::string bytes = bytes_of(path);
+  CHECK(has(complaint(bytes), "column 'Aux Input 5' in V"));
+  CHECK(has(complaint(bytes), "--calibration"));
+  ExportOptions options;
+  options.columns[force] = "Aux Input 5";
+  CHECK(has(complaint(bytes, options), "--calibration"));
+  options.units[force] = "73.1 N/V";
+  check(read_export(bytes, "femur", options),
+        {"femur",
+         "MTS TestSuite",
+         Encoding::utf8,
+         '\t',
+         '.',
+         81,
+         9,
+         {{"Ch 1 Displacement", "mm", displacement, -0.00835359060147312, -0.368025910574943},
+          {"Ch 1 Force", "kN", other, -0.00141854977607727, -0.000265414714813232},
+          {"Ch 2 Torque", "kN·mm", other, 0.000344647996826097, -0.000504412048030645},
+          {"Aux Input 5", "N", force, -0.0174984335899353 * 73.1, 0.00321224331855774 * 73.1},
+          {"Running Time", "sec", ColumnRole::time, 0.0205078125, 2.0517578125}}});
+  const Export frame = read_export(bytes, "femur", {.columns = {{force, "Ch 1 Force"}}});
+  CHECK(frame.specimens.front().columns[1].role == force);
+  CHECK(frame.specimens.front().name == "C18-L-M-RF");
+}
+
+TEST_CASE("export: dimensions and rate stated in the file, in SI") {
+  const ExportedTest zwick = read_export(bytes_of(fixtures / "zwick.csv"), "z").test;
+  constexpr double ulp = 3e-16;  // relative: to_si rounds once
+  CHECK(zwick.span.value() == doctest::Approx(0.064).epsilon(ulp));
+  CHECK(zwick.thickness.value() == doctest::Approx(4.02e-3).epsilon(ulp));
+  CHECK(zwick.width.value() == doctest::Approx(10.05e-3).epsilon(ulp));
+  CHECK(zwick.rate.value() == doctest::Approx(2e-3 / 60).epsilon(ulp));
+  const ExportedTest analyser = read_export(bytes_of(fixtures / "texture_analyser.txt"), "t").test;
+  CHECK(analyser.span.value() == doctest::Approx(0.017).epsilon(ulp));
+  CHECK_FALSE(analyser.diameter.has_value());
+}
+
+TEST_CASE("export: the specimens of a file, each with its own name, numbers and dimensions") {
+  const Export file = read_export(bytes_of(fixtures / "shimadzu.csv"), "s");
+  REQUIRE(file.specimens.size() == 2);
+  CHECK(file.specimens[0].name == "1 _ 1");
+  CHECK(file.specimens[1].name == "1 _ 2");
+  CHECK(file.specimens[1].columns[1].values.back() == 2 * f39);
+  CHECK(test_in(file.specimens[1].metadata, {}).thickness.value() == doctest::Approx(2.1e-3).epsilon(3e-16));
+  const Export blocks = read_export(bytes_of(fixtures / "mts_blocks.dat"), "m");
+  REQUIRE(blocks.specimens.size() == 2);
+  CHECK(blocks.specimens[1].columns[1].values.back() == 2 * f39);
+  const Export named = read_export("SetName,Time [s],Load [N]\na,0.0,1.5\na,0.1,2.5\nb,0.0,3.5\n", "n");
+  REQUIRE(named.specimens.size() == 2);
+  CHECK(named.specimens[1].name == "b");
+  CHECK(named.specimens[1].lines == std::vector<std::size_t>{4});
+}
+
+TEST_CASE("export: what the file does not say is asked for with the flag that says it") {
+  const auto asks = [](const std::string& text, const ExportOptions& options = {}) {
+    std::string all;
+    for (const std::string& question : read_export(text, "e.csv", options).asks) all += question + "\n";
+    return all;
+  };
+  CHECK(asks(curve_as_csv).empty());
+  CHECK(
+      has(asks("Time [s],Extension [mm],Load [N]\n0.0,0.1,0.2\n0.1,0.2,0.3\n"), "--displacement crosshead|deflection"));
+  CHECK(asks("Time [s],Extension [mm],Load [N]\n0.0,0.1,0.2\n", {.displacement = deflection}).empty());
+  CHECK(has(asks("Stroke,Load [N]\n0.1,0.2\n0.2,0.3\n"), "--displacement-unit"));
+  CHECK(has(asks("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q': --force-unit"));
+  CHECK(has(asks("Stroke [mm],Load A [N],Load B [N]\n0.1,0.2,0.5\n0.2,0.3,0.6\n"), "--force 2"));
+  CHECK(has(asks("0.1,0.2\n0.2,0.3\n"), "--force COLUMN"));
+}
+
+TEST_CASE(
+    "export: a unit that is not stated, not known, of another kind, or a row without a number, is refused in use") {
+  const auto refused = [](const std::string& text) {
+    try {
+      const Export file = read_export(text, "e.csv");
+      in_si(file, file.specimens.front(), file.specimens.front().columns[1], kind::force);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(has(refused("Stroke [mm],Load\n0.1,0.2\n0.2,0.3\n"), "found none; state it with --force-unit"));
+  CHECK(has(refused("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q', which is not known"));
+  CHECK(has(refused("Stroke [mm],Load [kg]\n0.1,0.2\n0.2,0.3\n"), "'kg'"));
+  CHECK(has(refused("Stroke [mm],Load [N]\n0.1,0.2\n0.2,off\n0.3,0.4\n"), "e.csv:3: column 'Load'"));
+  CHECK(refused("Stroke [mm],Load [N]\n0.1,0.2\n0.2,0.3\n").empty());
+}
+
+TEST_CASE("export: contradictions are refused: units of title and row, and a stated maximum against the numbers") {
+  CHECK(has(complaint("Stroke (mm),Load (N)\nmm,kN\n0.1,0.2\n0.2,0.3\n"), "expected one unit"));
+  const std::string body = "Time,Extension,Load\n(s),(mm),(kN)\n\"0.1\",\"0.1\",\"2.5\"\n\"0.2\",\"0.2\",\"6.5\"\n";
+  CHECK(has(complaint("Maximum Load : Maximum Load,\"6.5\",N\n\n" + body), ":1: column 'Load'"));
+  CHECK(complaint("Maximum Load : Maximum Load,\"6.5\",kN\n\n" + body).empty());
+}
+
+TEST_CASE("export: rows of another length are left out and said; many of them, and the file is refused") {
+  std::string text = "Stroke [mm],Load [N]\n";
+  for (int i = 0; i < 40; ++i) text += "0." + std::to_string(10 + i) + ",0.5\n";
+  const Export good = read_export(text + "0.9,", "e.csv");
+  CHECK(good.specimens.front().lines.size() == 41);  // the last force is missing, and is a NaN
+  const Export cut = read_export(text + "0.9", "e.csv");
+  CHECK(cut.specimens.front().lines.size() == 40);
+  CHECK(has(cut.notes.front(), "ends in the middle of a row"));
+  const Export middle = read_export(text + "0.9\n" + "0.95,0.5\n", "e.csv");
+  CHECK(middle.specimens.front().lines.size() == 41);
+  CHECK(has(middle.notes.front(), "line 42"));
+  std::string bad = text;
+  for (int i = 0; i < 10; ++i) bad += "0.9\n0.9,0.5\n";
+  CHECK(has(complaint(bad), "rows of 2 cells"));
+}
+
+TEST_CASE("export: the flags that repeat the decisions make the same of the file") {
+  for (const ExpectedExport& wanted : made) {
+    const std::string bytes = bytes_of(fixtures / wanted.file);
+    const Export file = read_export(bytes, wanted.file);
+    ExportOptions options{
+        .encoding = file.encoding, .separator = file.separator, .decimal = file.decimal, .thousands = file.thousands};
+    const Export again = read_export(bytes, wanted.file, options);
+    CHECK(again.repeat_with == file.repeat_with);
+    CHECK(canonical(again) == canonical(file));
+  }
+}

@@ -1,0 +1,46 @@
+#include "instruments/metadata.h"
+
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "instruments/sheet.h"
+
+using namespace flexslip;
+
+namespace {
+
+std::string read_line(std::string_view line, char separator) {
+  const Sheet sheet(line, separator);
+  const Metadatum datum = metadatum_on(line, sheet.cells(0), 1);
+  return datum.name + "|" + datum.value;
+}
+
+}  // namespace
+
+TEST_CASE("metadata: lines of real preambles") {
+  CHECK(read_line("General : Start date,\"2020-09-02\"", ',') == "General : Start date|2020-09-02");
+  CHECK(read_line("Maximum Load : Maximum Load,\"6.95912\",N", ',') == "Maximum Load : Maximum Load|6.95912 N");
+  CHECK(read_line("Test Run: C18-L-M-RF", '\t') == "Test Run|C18-L-M-RF");
+  CHECK(read_line("Station Name: FORTH-1.cfg", ' ') == "Station Name|FORTH-1.cfg");
+  CHECK(read_line("# General : Start date: 2020-09-02", ',') == "General : Start date|2020-09-02");
+  CHECK(read_line("Raw Data", ',') == "Raw Data|");
+}
+
+TEST_CASE("metadata: quantities of the test in SI, those that contradict each other left out") {
+  const std::vector<Metadatum> data{{"Support span", "40.28 mm", 1},
+                                    {"Durchmesser", "2,5 mm", 2},
+                                    {"Breite", "1,0 mm", 3},
+                                    {"width", "2,0 mm", 4},
+                                    {"Thickness (mm)", "4", 5},
+                                    {"Rate 1", "10 mm/min", 6},
+                                    {"Support roller diameter", "5 mm", 7}};
+  const ExportedTest test = test_in(data, {',', '\0'});
+  constexpr double ulp = 3e-16;        // relative, one rounding
+  CHECK_FALSE(test.span.has_value());  // "40.28" is no number where the comma is the decimal mark
+  CHECK(test.diameter.value() == doctest::Approx(2.5e-3).epsilon(ulp));
+  CHECK_FALSE(test.width.has_value());
+  CHECK(test.thickness.value() == doctest::Approx(4e-3).epsilon(ulp));
+  CHECK(test.rate.value() == doctest::Approx(0.01 / 60).epsilon(ulp));
+}

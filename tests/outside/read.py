@@ -1,0 +1,110 @@
+#!/usr/bin/python3
+"""outside: `flexslip read` on exports of machines, and the CSV and JSON that it writes."""
+import json
+import shlex
+import unittest
+
+from program import SOURCE, InFolder, numbers, run, table
+
+FIXTURES = SOURCE / "tests/instruments/fixtures"
+MEASURED = SOURCE / "../shared/data/instruments"
+SCHEMA = {"format", "encoding", "byte_order_mark", "delimiter", "decimal", "thousands", "quoted", "columns", "rows", "specimens",
+          "metadata", "test", "notes", "asks", "repeat_with"}
+
+
+def measured():
+    if not MEASURED.is_dir():
+        raise unittest.SkipTest("skipped: no campaign data")
+    return sorted(path for path in MEASURED.rglob("*") if path.is_file())
+
+
+class Made(InFolder):
+    def test_truth_csv_has_the_numbers_that_the_script_wrote(self):
+        text = self.succeeds("read", FIXTURES / "zwick.csv", "--quiet")
+        rows = "".join(line for line in text.splitlines(keepends=True) if not line.startswith("#"))
+        self.assertEqual(numbers(rows, "Prüfzeit [s]"), [i / 10 for i in range(40)])
+        self.assertEqual(numbers(rows, "Standardkraft [N]"), [round(40 * i - i * i / 10, 3) for i in range(40)])
+        self.assertEqual(numbers(rows, "Traversenweg [mm]"), [i / 50 for i in range(40)])
+        self.assertIn("# Auflagerabstand: 64,0 mm\n", text)
+
+    def test_schema(self):
+        answer = self.json("read", FIXTURES / "zwick.csv")
+        self.assertEqual(set(answer), SCHEMA)
+        self.assertEqual((answer["format"], answer["encoding"], answer["delimiter"], answer["decimal"], answer["rows"]),
+                         ("Zwick testXpert", "cp1252", ";", ",", 40))
+        self.assertEqual([column["role"] for column in answer["columns"]], ["time", "force", "crosshead"])
+        self.assertAlmostEqual(answer["test"]["span"], 0.064, delta=1e-17)  # one rounding
+
+    def test_decisions_are_said_on_standard_error(self):
+        said = run("read", FIXTURES / "bluehill_thousands.csv").stderr
+        for words in ("Instron Bluehill", "separated by comma", "thousands comma", "column 3: 'Load' in N: force",
+                      "--displacement crosshead|deflection", "the same again: flexslip read"):
+            self.assertIn(words, said)
+
+    def test_identity_the_flags_that_it_prints_give_the_same(self):
+        for path in sorted(FIXTURES.iterdir()):
+            with self.subTest(file=path.name):
+                first = run("read", path, "--specimen", 1, "--quiet")
+                if first.returncode == 2:
+                    continue
+                flags = shlex.split(self.json("read", path)["repeat_with"])
+                self.assertEqual(self.succeeds("read", path, "--specimen", 1, "--quiet", *flags), first.stdout)
+                again = self.json("read", path, *flags)
+                self.assertEqual(shlex.split(again["repeat_with"]), flags)
+
+    def test_identity_canonical_form_is_its_own(self):
+        first = self.succeeds("read", FIXTURES / "utf16le.txt", "--quiet")
+        self.assertEqual(self.succeeds("read", "-", "--quiet", stdin=first), first)
+
+    def test_several_specimens(self):
+        path = FIXTURES / "shimadzu.csv"
+        self.refused("read", path, "--quiet", says=["2", "--specimen 1 to 2"])
+        self.refused("read", path, "--quiet", "--specimen", 3, says=["from 1 to 2"])
+        second = self.succeeds("read", path, "--quiet", "--specimen", 2)
+        self.assertIn("# Specimen: 1 _ 2\n", second)
+        self.assertEqual([each["name"] for each in self.json("read", path)["specimens"]], ["1 _ 1", "1 _ 2"])
+
+    def test_volts_need_a_calibration(self):
+        path = FIXTURES / "voltage.csv"
+        self.refused("read", path, says=["V", "--force 3 --calibration"])
+        self.refused("read", path, "--force", "Load", says=["--calibration"])
+        text = self.succeeds("read", path, "--calibration", "222 N/V", "--quiet")
+        self.assertAlmostEqual(numbers(text, "Load [N]")[-1], 1407.9, delta=222 * 0.5e-6)  # the file's last decimal
+
+    def test_what_cannot_be_known_is_refused_or_asked(self):
+        self.refused("read", FIXTURES / "undecidable.txt", says=["--decimal"])
+        decided = self.succeeds("read", FIXTURES / "undecidable.txt", "--decimal", ",", "--quiet")
+        self.assertEqual(table(decided)["column_1"][0], "1.1")
+        self.assertIn("--force COLUMN", " ".join(self.json("read", FIXTURES / "no_header.csv")["asks"]))
+        answer = self.json("read", FIXTURES / "no_header.csv", "--force", 3, "--force-unit", "N", "--deflection", 2,
+                           "--displacement-unit", "mm")
+        self.assertEqual(answer["asks"], [])
+
+    def test_wrong_calls(self):
+        path = FIXTURES / "zwick.csv"
+        self.refused("read", path, "--force", "Standardkrat", says=["did you mean 'Standardkraft'?"])
+        self.refused("read", path, "--encoding", "latin9", says=["'cp1252'"])
+        self.refused("read", path, "--decimal", ";", says=["--decimal"])
+        self.refused("read", path, "--force-unit", "mm", says=["--force-unit", "'mm'"])
+        self.refused("read", self.folder, says=["a directory"])
+        self.refused("read", self.file("empty.csv", b"\xef\xbb\xbf"), says=["empty.csv", "byte order mark and nothing else"])
+
+
+class Measured(InFolder):
+    def test_every_published_file_is_read_or_refused_for_the_right_reason(self):
+        for path in measured():
+            with self.subTest(file=path.name):
+                if path.parent.name == "mts_testsuite_empty":
+                    self.refused("read", path, says=["an empty file"])
+                elif path.parent.name == "mts_testsuite_femur":
+                    self.refused("read", path, says=["'Aux Input 5' in V", "--calibration"])
+                    self.succeeds("read", path, "--force", 4, "--calibration", "73.1 N/V", "--quiet")
+                else:
+                    first = self.succeeds("read", path, "--quiet")
+                    self.assertEqual(self.succeeds("read", "-", "--quiet", stdin=first), first)
+                    flags = shlex.split(json.loads(run("read", path, "--json").stdout)["repeat_with"])
+                    self.assertEqual(self.succeeds("read", path, "--quiet", *flags), first)
+
+
+if __name__ == "__main__":
+    unittest.main()
