@@ -173,6 +173,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .record = record,
                         .reduced = to_reduced(record, scales),
                         .force_noise = not_a_number,
+                        .errors = {},
                         .drops = {},
                         .profile = {},
                         .slips = {},
@@ -180,6 +181,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .teeth = {},
                         .suspects = {},
                         .fit = {},
+                        .bootstrap = {},
                         .model = empty_history(),
                         .replay = {},
                         .energy = {},
@@ -208,11 +210,16 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
     analysis.teeth = judge_teeth(analysis.reduced, analysis.rig, errors, analysis.drops.drops, options.teeth);
   analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);
   analysis.category = category_of(analysis);
-  analysis.fit = fit_friction({analysis.reduced, analysis.rig, errors}, options.fit);
+  analysis.errors = errors;
+  const FitProblem problem{analysis.reduced, analysis.rig, errors};
+  analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status == FrictionFitStatus::too_few_points) {
     analysis.status = AnalysisStatus::too_few_points;
     return analysis;
   }
+  if (const auto& model = analysis.fit.models[analysis.fit.chosen];
+      options.bootstrap.count > 0 && model.model != ProfileModel::constant)
+    analysis.bootstrap = block_bootstrap(problem, model, options.bootstrap);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
   const auto judged = [&](std::size_t index) { return analysis.reduced.deflection[index] > 0.1; };
   std::size_t negative = 0;

@@ -10,6 +10,7 @@
 #include "data/drops.h"
 #include "data/record.h"
 #include "data/scales.h"
+#include "inference/block_bootstrap.h"
 #include "inference/fit.h"
 #include "inference/profile.h"
 #include "inference/teeth.h"
@@ -48,6 +49,7 @@ struct AnalysisOptions {
   DropOptions drops;
   double suspect_limit = 1.0;  // [1] friction above it is implausible
   ToothOptions teeth{};
+  BootstrapOptions bootstrap{};
 };
 
 // How the curve looks, by a fixed rule on its drops (theory.md, "Categories").
@@ -91,7 +93,8 @@ struct TestAnalysis {
   Contact contact;  // found; applied only if the description says so
   Record record;    // up to failure, contact taken off
   ReducedRecord reduced;
-  double force_noise;  // [EI/L^2] of one reading
+  double force_noise;        // [EI/L^2] of one reading
+  MeasurementErrors errors;  // as fitted with
   Drops drops;
   FrictionProfile profile;
   std::vector<Slip> slips;
@@ -100,6 +103,7 @@ struct TestAnalysis {
       teeth;  // stick or slide between the drops; none under displacement control, or with fewer than two drops
   SuspectReport suspects;
   FrictionFit fit;
+  std::optional<Bootstrap> bootstrap;  // of the chosen model, if asked for; none of a constant, which is not fitted so
   History model;  // the chosen model on the stage positions of the record, at the estimated bending stiffness
   Replay replay;
   MeasuredEnergy energy;

@@ -9,10 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bending_test/rig.h"
 #include "contact/friction.h"
-#include "data/record.h"
-#include "inference/profile.h"
+#include "inference/fit_problem.h"
 #include "inference/wavelength_scan.h"
 
 namespace flexslip {
@@ -26,16 +24,10 @@ enum class ProfileModel {
 
 std::string_view name_of(ProfileModel model);
 
-// Units: reduced, with the nominal bending stiffness.
-struct FitProblem {
-  ReducedRecord record;  // one loading, up to the failure; stage rising
-  Rig rig;
-  MeasurementErrors errors;  // bending_stiffness is the standard deviation of its prior: 0 if it is exact
-};
-
 struct FitOptions {
   std::vector<ProfileModel> models = {ProfileModel::constant, ProfileModel::drift, ProfileModel::sinusoid,
                                       ProfileModel::sinusoids};
+  HeldValues held{};
 };
 
 struct ParameterEstimate {
@@ -44,11 +36,25 @@ struct ParameterEstimate {
   double low, high;  // 95 % interval
 };
 
+struct Interval {
+  double low, high;
+};
+
 struct WaveEstimate {
-  ParameterEstimate amplitude;        // [1] A, relative to mu0
-  ParameterEstimate wavelength;       // [L] λ
-  ParameterEstimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
-  ParameterEstimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not
+  ParameterEstimate amplitude;                // [1] A, relative to mu0
+  ParameterEstimate wavelength;               // [L] λ
+  ParameterEstimate phase;                    // [rad] φ of (4.25), at S = 0: strongly correlated with λ
+  ParameterEstimate phase_at_middle;          // [rad] π S_middle/λ + φ, which is not
+  std::vector<Interval> other_wavelengths{};  // [L] apart from that interval, what 95 % do not exclude either
+};
+
+// Another local maximum of the likelihood in the wavelength of a model's last wave.
+struct RunnerUp {
+  double wavelength;            // [L]
+  double amplitude;             // [1]
+  double phase;                 // [rad] at S = 0
+  double delta_log_likelihood;  // [1] less than the best by; negative
+  double residual_rms;          // [EI/L^2]
 };
 
 enum class FitStatus {
@@ -64,6 +70,7 @@ struct ModelFit {
   ParameterEstimate mu0;    // [1] mean friction in the middle of the data
   ParameterEstimate drift;  // [1/L] dμ/dS of the mean
   std::vector<WaveEstimate> waves;
+  std::vector<RunnerUp> runners_up;     // best first, at most five, of the chosen model and of one wave
   ParameterEstimate bending_stiffness;  // [1] relative to the nominal one
   std::vector<double> force;            // [EI/L^2] at each stage position of the record
   double residual_rms;                  // [EI/L^2]

@@ -175,6 +175,8 @@ struct Cubic {
   }
   double at(double x) const { return value + x * (d0 + x * (c2 + x * c3)); }
   double slope(double x) const { return d0 + x * (2 * c2 + x * 3 * c3); }
+  // The greatest of its second derivative in [0, 1].
+  double curvature() const { return std::max(std::abs(2 * c2), std::abs(2 * c2 + 6 * c3)); }
   // Where it is greatest in [0, 1].
   double peak() const {
     if (d0 <= 0) return 0;
@@ -216,8 +218,9 @@ MeasuredCurve measured_curve(std::span<const double> w, std::span<const double> 
         (miss < 0 ? low : high) = x;
         const double newton = x - miss / cubic.slope(x);
         const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-        const bool done =
-            std::abs(next - x) < 1e-6;  // of a cell: Newton's next step would be below the error of interpolation
+        // Newton's error after a step d is d² G''/2G': below 1e-6 of a cell it is less than that of the interpolation.
+        const double d = next - x;
+        const bool done = std::abs(d) < 1e-6 || (next == newton && d * d * cubic.curvature() < 1e-6 * cubic.slope(x));
         x = next;
         if (done) break;
       }

@@ -30,7 +30,7 @@ struct ScanOptions {
   double least_wavelength;        // [L]
   double periods = 3.5;           // the longest wavelength fits that often into the slip seen: longer ones are drift
   double stiffness_error = 0.03;  // [1] prior standard deviation of ln EI
-  int most_candidates = 4;
+  int most_candidates = 6;
 };
 
 // Domain:     at least 20 points; std::invalid_argument otherwise.

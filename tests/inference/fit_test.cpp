@@ -118,6 +118,53 @@ TEST_CASE("oracle: the force of a fitted model is the exact forward calculation 
   CHECK(apart <= 2);
 }
 
+TEST_CASE("oracle: a held bending stiffness gives the fit of a prior that leaves it no freedom") {
+  const auto problem =
+      problem_of({.friction = Friction::sinusoid(0.5, 0.2, 0.02, 1), .stiffening = 1.01, .noise = 0.02});
+  auto certain = problem;
+  certain.errors.bending_stiffness = 1e-7;
+  const auto penalised = fit_friction(certain, {.models = {ProfileModel::sinusoid}}).models.front();
+  const auto held =
+      fit_friction(problem, {.models = {ProfileModel::sinusoid}, .held = {.bending_stiffness = 1.0}}).models.front();
+  CHECK(held.bending_stiffness.value == 1.0);
+  CHECK(held.bending_stiffness.standard_error == 0.0);
+  CHECK(held.log_likelihood == doctest::Approx(penalised.log_likelihood).scale(1).epsilon(0.1));  // a descent's end
+  CHECK(held.mu0.value == doctest::Approx(penalised.mu0.value).scale(0).epsilon(0.01));
+  CHECK(held.mu0.standard_error == doctest::Approx(penalised.mu0.standard_error).scale(0).epsilon(0.1));
+}
+
+TEST_CASE("identity: amplitude and wavelength stay where they are held, and the fit is the worse for it") {
+  const auto problem = problem_of({.friction = Friction::sinusoid(0.5, 0.2, 0.02, 1), .noise = 0.02});
+  const auto free = fit_friction(problem, {.models = {ProfileModel::sinusoid}}).models.front();
+  const auto& wave = free.waves.front();
+  const double amplitude = wave.amplitude.value + 2 * wave.amplitude.standard_error;
+  const double wavelength = wave.wavelength.value + 2 * wave.wavelength.standard_error;
+  const auto held = fit_friction(problem, {.models = {ProfileModel::sinusoid, ProfileModel::sinusoids},
+                                           .held = {.amplitude = amplitude, .wavelength = wavelength}});
+  for (const auto& model : held.models) {
+    if (model.status == FitStatus::not_found) continue;
+    CHECK(model.waves.front().amplitude.value == doctest::Approx(amplitude).scale(0).epsilon(1e-12));
+    CHECK(model.waves.front().wavelength.value == doctest::Approx(wavelength).scale(0).epsilon(1e-12));
+  }
+  CHECK(held.models.front().log_likelihood < free.log_likelihood);
+  CHECK(held.models.front().log_likelihood > free.log_likelihood - 12);  // two of two standard errors cost 2 each
+}
+
+TEST_CASE("identity: in a short and noisy record the neighbouring wavelengths are listed, and not excluded") {
+  const double wavelength = 0.008;
+  const SimulatedTruth truth{
+      .friction = Friction::sinusoid(0.5, 0.12, wavelength, 1), .noise = 0.04, .deflection = 0.2};
+  const auto fit = fit_friction(problem_of(truth), {.models = {ProfileModel::sinusoid}}).models.front();
+  REQUIRE(!fit.runners_up.empty());
+  double before = 0;
+  for (const auto& other : fit.runners_up) {
+    CHECK(other.delta_log_likelihood <= before);
+    CHECK(other.wavelength != doctest::Approx(fit.waves.front().wavelength.value).scale(0).epsilon(0.01));
+    before = other.delta_log_likelihood;
+  }
+  CHECK(fit.runners_up.size() <= 5);
+}
+
 TEST_CASE("limit: too few points are a status, nonsense is refused") {
   FitProblem problem = problem_of({.friction = Friction::constant(0.5), .noise = 0.02, .deflection = 0.06});
   problem.record.stage.resize(50);

@@ -1,0 +1,37 @@
+// What is fitted: a record, the rig it was taken on, and what limits its accuracy.
+#pragma once
+
+#include <optional>
+
+#include "bending_test/rig.h"
+#include "data/record.h"
+#include "inference/profile.h"
+
+namespace flexslip {
+
+// Units: reduced, with the nominal bending stiffness.
+struct FitProblem {
+  ReducedRecord record;  // one loading, up to the failure; stage rising
+  Rig rig;
+  MeasurementErrors errors;  // bending_stiffness is the standard deviation of its prior: 0 if it is exact
+};
+
+// Without deflections beyond 0.8.
+// Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3;
+//             std::invalid_argument otherwise.
+FitProblem usable_part(const FitProblem& whole);
+
+// Every so many points, so that there are at most 600: the number for which starts and searches are made.
+FitProblem thinned(const FitProblem& problem);
+
+// Values at which a fit is held; those of waves hold the first. What is not given is free.
+struct HeldValues {
+  std::optional<double> bending_stiffness{};  // [1] relative to the nominal one
+  std::optional<double> amplitude{};          // [1] A, relative to the mean in the middle of the data
+  std::optional<double> wavelength{};         // [L]
+};
+
+// Deflections below it [L] say hardly anything of friction.
+inline constexpr double friction_shows_from = 0.05;
+
+}  // namespace flexslip
