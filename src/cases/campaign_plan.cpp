@@ -161,6 +161,15 @@ void say(toml::table& table, const TableKey& key, const std::string& cell) {
   set(*section[key.key].as_table(), key.part, cell, key.unit);
 }
 
+// A case as a test of a campaign.
+Case checked(Case input) {
+  if (!input.record) throw missing(input, "record");
+  if (input.reduced)
+    throw wrong_value(input, "reduced", "a test in physical units, as its campaign is", "a reduced one",
+                      "give the span and the bending stiffness");
+  return input;
+}
+
 bool is_unknown_key(const InputError& error) { return error.fault.found == "an unknown key"; }
 
 // A complaint about a case in the words of the table whose row it is.
@@ -217,8 +226,7 @@ std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::tabl
     if (name.empty()) name = file.empty() ? fmt::format("row {}", row.line) : fs::path(file).stem().string();
     PlannedTest test{folder_name(name), fmt::format("{}:{}", table.source, row.line), InputError({})};
     try {
-      Case input = case_from(text, table.source);
-      if (!input.record) throw missing(input, "record");
+      Case input = checked(case_from(text, table.source));
       for (auto& [key, line] : input.lines) line = row.line;
       test.input = std::move(input);
     } catch (const InputError& error) {
@@ -252,7 +260,7 @@ std::vector<PlannedTest> plan_of_cases(const std::string& folder) {
     try {
       Case input = read_case(file.string());
       if (!input.record) continue;  // for simulating, or what others have in common
-      test.input = std::move(input);
+      test.input = checked(std::move(input));
     } catch (const InputError& error) {
       test.input = error;
     }
@@ -270,7 +278,7 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
     toml::table text = common;
     subtable(text, "record").insert_or_assign("file", file.string());
     try {
-      test.input = case_from(text, "");
+      test.input = checked(case_from(text, ""));
     } catch (const InputError& error) {
       test.input = error;
     }

@@ -1,16 +1,15 @@
 #include "cases/campaign_run.h"
 
-#include <algorithm>
 #include <exception>
 #include <mutex>
 #include <sstream>
-#include <thread>
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "cases/campaign_store.h"
+#include "cases/parallel.h"
 #include "io/sha256.h"
 #include "io/table.h"
 
@@ -23,13 +22,19 @@ std::string digest_of_text(const std::string& text) {
 }
 
 // All that the answer depends on.
-std::string key_of(const PlannedTest& planned, const Case& input, const CampaignOptions& options) {
+std::string key_of(const PlannedTest& planned, const Case& input, const AnalysisOptions& options,
+                   const std::string& presented) {
   std::string models;
-  for (const auto model : options.analysis.fit.models) models += fmt::format(" {}", name_of(model));
+  for (const auto model : options.fit.models) models += fmt::format(" {}", name_of(model));
+  std::string held;
+  for (const auto& value :
+       {options.fit.held.bending_stiffness, options.fit.held.amplitude, options.fit.held.wavelength})
+    held += value ? fmt::format(" {}", *value) : " free";
   return digest_of_text(fmt::format(
-      "{}\n{}\n{}\nmodels{}\nfalse alarms {}\nsuspect limit {}\npresented {}\n{}\n{}\n", FLEXSLIP_VERSION, planned.name,
-      planned.file, models, options.analysis.drops.false_alarms_per_test, options.analysis.suspect_limit,
-      options.presented, to_toml(input), digest_of(*open_to_read(input.record.value().file)).sha256));
+      "{}\n{}\n{}\nmodels{}\nheld{}\nfalse alarms {}\nsuspect limit {}\nbootstrap {}\npresented {}\n{}\n{}\n",
+      FLEXSLIP_VERSION, planned.name, planned.file, models, held, options.drops.false_alarms_per_test,
+      options.suspect_limit, options.bootstrap.count, presented, to_toml(input),
+      digest_of(*open_to_read(input.record.value().file)).sha256));
 }
 
 class Runner {
@@ -40,12 +45,10 @@ class Runner {
   }
 
   CampaignRun run() {
-    {
-      std::vector<std::jthread> threads;
-      const auto count = std::min<std::size_t>(options_.threads, plan_.size());
-      for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
-    }
-    if (broken_) std::rethrow_exception(broken_);
+    for_each_index(plan_.size(), options_.threads, [this](std::size_t i) {
+      if (options_.stop && options_.stop->load()) return;
+      finish(i, computed(plan_[i]));
+    });
     CampaignRun result{CampaignStatus::ok, {}, found_};
     std::vector<TestSummary> summaries;
     for (auto& test : tests_) {
@@ -61,24 +64,6 @@ class Runner {
   }
 
  private:
-  void work() {
-    while (const auto next = take()) {
-      try {
-        finish(*next, computed(plan_[*next]));
-      } catch (...) {  // nothing can be kept any more
-        const std::lock_guard lock(mutex_);
-        broken_ = std::current_exception();
-      }
-    }
-  }
-
-  std::optional<std::size_t> take() {
-    const std::lock_guard lock(mutex_);
-    const bool stopped = options_.stop && options_.stop->load();
-    if (stopped || broken_ || next_ == plan_.size()) return std::nullopt;
-    return next_++;
-  }
-
   struct Computed {
     CampaignTest test;
     bool found;
@@ -90,10 +75,13 @@ class Runner {
     try {
       if (const auto* error = std::get_if<InputError>(&planned.input)) throw InputError(*error);
       const Case& input = std::get<Case>(planned.input);
-      if (store_) key = key_of(planned, input, options_);
+      AnalysisOptions options = options_.analysis(input);
+      if (const auto held = options_.held.find(planned.name); held != options_.held.end())
+        options.fit.held = held->second;
+      if (store_) key = key_of(planned, input, options, options_.presented);
       if (store_)
         if (auto kept = store_->find(planned.name, key)) return {std::move(*kept), true};
-      test = fit_test(input, options_.analysis);
+      test = fit_test(input, options);
       test->name = planned.name;
     } catch (const std::exception& error) {
       return {failed_test(planned.name, planned.file, error.what()), false};
@@ -118,10 +106,8 @@ class Runner {
   std::optional<CampaignStore> store_;
   std::mutex mutex_;  // guards all below
   std::vector<std::optional<CampaignTest>> tests_;
-  std::size_t next_ = 0;
   std::size_t done_ = 0;
   std::size_t found_ = 0;
-  std::exception_ptr broken_;
 };
 
 }  // namespace

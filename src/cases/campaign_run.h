@@ -10,11 +10,13 @@
 
 #include "cases/campaign_plan.h"
 #include "cases/campaign_test.h"
+#include "cases/shared_parameters.h"
 
 namespace flexslip {
 
 struct CampaignOptions {
-  AnalysisOptions analysis;
+  std::function<AnalysisOptions(const Case&)> analysis = [](const Case&) { return AnalysisOptions{}; };
+  HeldByTest held = {};  // see share_parameters
   unsigned threads = 1;
   std::optional<std::string> folder;  // where each test is kept once it is done, and found again by a later run
   // Called while the campaign runs, by one thread at a time.

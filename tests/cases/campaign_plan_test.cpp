@@ -118,6 +118,14 @@ TEST_CASE("table: names are made fit for folders, and differ also where letters 
   CHECK(plan[2].name == "test-2");
 }
 
+TEST_CASE("table: a reduced case fails, as the tables and figures of a campaign are physical") {
+  const TemporaryFolder folder;
+  folder.file("a.toml",
+              "reduced = true\n[rig]\nstiffness = 90\n[record]\nfile = \"a.csv\"\nstage = \"w\"\nforce = \"F\"\n");
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
+  CHECK(error_in(plan.at(0)).find("a.toml:1: reduced: expected a test in physical units") != std::string::npos);
+}
+
 TEST_CASE("table: a folder without tests says what to do") {
   const TemporaryFolder folder;
   CHECK(message_of([&] { plan_campaign(folder.path().string(), std::nullopt); }).find("--common") != std::string::npos);
