@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <istream>
 #include <iterator>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "cases/keys.h"
 #include "cases/toml.h"
 #include "io/quantity.h"
 #include "io/table.h"
@@ -23,7 +23,7 @@ constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one t
 constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
 constexpr double most_turns = 1e5;             // of a stage programme with its cycles: likewise
 
-constexpr std::array<std::pair<std::string_view, FrictionModel>, 6> model_names{{
+constexpr Words<FrictionModel, 6> model_names{{
     {"constant", FrictionModel::constant},
     {"drift", FrictionModel::drift},
     {"sinusoid", FrictionModel::sinusoid},
@@ -32,8 +32,22 @@ constexpr std::array<std::pair<std::string_view, FrictionModel>, 6> model_names{
     {"rough", FrictionModel::rough},
 }};
 
-constexpr std::array<std::pair<std::string_view, SnapRest>, 2> snap_names{
-    {{"nearest", SnapRest::nearest_stable}, {"overshoot", SnapRest::overshoot}}};
+constexpr Words<SnapRest, 2> snap_names{{{"nearest", SnapRest::nearest_stable}, {"overshoot", SnapRest::overshoot}}};
+
+constexpr Words<DisplacementOf, 2> displacement_names{
+    {{"crosshead", DisplacementOf::crosshead}, {"deflection", DisplacementOf::deflection}}};
+
+constexpr Words<SignRule, 3> sign_names{
+    {{"find", SignRule::find}, {"keep", SignRule::keep}, {"reverse", SignRule::reverse}}};
+
+constexpr Words<bool, 2> failure_names{{{"find", true}, {"none", false}}};
+
+template <std::size_t count, class Value>
+std::string name_in(const Words<Value, count>& names, Value value) {
+  for (const auto& [name, named] : names)
+    if (named == value) return std::string(name);
+  throw std::invalid_argument("a value without a name");
+}
 
 // What to write for a section or key that is missing.
 struct Example {
@@ -46,6 +60,7 @@ constexpr std::array examples{
     Example{"specimen", R"(diameter = "34.8 um" and modulus = "29.6 GPa")", ""},
     Example{"specimen.diameter", R"(diameter = "34.8 um", or width and height, or bending_stiffness = "2.1e-12 N m^2")",
             "diameter = 0.027"},
+    Example{"specimen.inner_diameter", R"(inner_diameter = "30 um")", "inner_diameter = 0.02"},
     Example{"specimen.width", R"(width = "50 um")", "width = 0.04"},
     Example{"specimen.height", R"(height = "30 um")", "height = 0.02"},
     Example{"specimen.modulus", R"(modulus = "29.6 GPa")", ""},
@@ -103,169 +118,36 @@ void note_lines(const toml::node& node, const std::string& key, Case& input) {
     for (std::size_t i = 0; i < array->size(); ++i) note_lines((*array)[i], fmt::format("{}[{}]", key, i + 1), input);
 }
 
-std::string kind_of_node(const toml::node& node) {
-  if (const auto text = node.value_exact<std::string_view>()) return in_quotes(*text);
-  if (const auto number = node.value_exact<double>()) return fmt::format("the number {}", *number);
-  if (const auto number = node.value_exact<std::int64_t>()) return fmt::format("the number {}", *number);
-  if (node.is_table()) return "a table";
-  if (node.is_array()) return "an array";
-  if (node.is_boolean()) return "true or false";
-  return "a date or time";
+Section read_tube(const Keys& keys, double diameter) {
+  const bool has_wall = keys.has("wall");
+  if (has_wall && keys.has("inner_diameter"))
+    keys.refuse("wall", "either the inner diameter of a tube or its wall", "both", "delete one");
+  const double inner = has_wall ? diameter - 2 * keys.quantity("wall", kind::length, Range::positive)
+                                : keys.quantity("inner_diameter", kind::length, Range::positive);
+  if (inner < diameter && inner > 0) return TubularSection{diameter, inner};
+  keys.refuse(has_wall ? "wall" : "inner_diameter",
+              has_wall ? "a wall of less than half the diameter" : "an inner diameter less than the outer one",
+              kind_of_node(keys.need(has_wall ? "wall" : "inner_diameter")),
+              has_wall ? "leave it out if the specimen is solid" : "check which of the two is which");
 }
 
-// One table of the file.
-class Keys {
- public:
-  Keys(const toml::table& table, std::string path, const Case& input)
-      : table_(table), path_(std::move(path)), input_(input) {}
-
-  std::string key(std::string_view name) const {
-    return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
-  }
-
-  // Refuses all keys but these. To be called first: a key misspelt should not be reported as one that is missing.
-  void only(const std::vector<std::string>& known) const {
-    for (auto&& [name, value] : table_) {
-      if (std::find(known.begin(), known.end(), name.str()) != known.end()) continue;
-      const std::string meant = nearest(name.str(), known);
-      refuse(name.str(), (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known),
-             "an unknown key", meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
-    }
-  }
-
-  const toml::node* find(std::string_view name) const { return table_.get(name); }
-
-  std::size_t size() const { return table_.size(); }
-  bool has(std::string_view name) const { return find(name) != nullptr; }
-
-  const toml::node& need(std::string_view name) const {
-    if (const toml::node* node = find(name)) return *node;
-    throw missing(input_, key(name));
-  }
-
-  double quantity(std::string_view name, const Kind& kind, Range range) const {
-    return value(need(name), key(name), kind, range);
-  }
-
-  std::optional<double> optional_quantity(std::string_view name, const Kind& kind, Range range) const {
-    if (!has(name)) return std::nullopt;
-    return quantity(name, kind, range);
-  }
-
-  double number(std::string_view name, Range range) const { return quantity(name, kind::number, range); }
-
-  std::uint64_t whole_number(std::string_view name, std::int64_t least) const {
-    const toml::node& node = need(name);
-    const auto value = node.value_exact<std::int64_t>();
-    if (!value || *value < least) refuse(name, fmt::format("a whole number, at least {}", least), kind_of_node(node));
-    return static_cast<std::uint64_t>(*value);
-  }
-
-  std::string text(std::string_view name) const {
-    const toml::node& node = need(name);
-    const auto value = node.value_exact<std::string>();
-    if (!value || value->empty()) refuse(name, "text in quotes", kind_of_node(node));
-    return *value;
-  }
-
-  // The title of a column that holds a quantity of this kind; its unit may also stand in the file it is in.
-  std::string column(std::string_view name, const Kind& kind) const {
-    std::string title = text(name);
-    try {
-      const ColumnTitle parts = parse_column_title(title);
-      if (!parts.unit.empty()) parse_unit(parts.unit, kind_in_file(kind));
-    } catch (const InputError& error) {
-      throw placed(error, key(name));
-    }
-    return title;
-  }
-
-  // A path, relative to the folder of the case file, as one relative to the working directory.
-  std::string path(std::string_view name) const {
-    const std::string file = text(name);
-    return file == "-" ? file : (std::filesystem::path(input_.source).parent_path() / file).string();
-  }
-
-  Estimate estimate(std::string_view name, const Kind& kind) const {
-    const toml::node& node = need(name);
-    if (const toml::table* parts = node.as_table()) {
-      const Keys keys(*parts, key(name), input_);
-      keys.only({"value", "uncertainty"});
-      Known known{keys.quantity("value", kind, Range::positive), 0};
-      known.uncertainty = keys.uncertainty(known.value, kind);
-      return known;
-    }
-    if (node.value_exact<std::string_view>() == "fit") return ToFit{};
-    return Known{value(node, key(name), kind, Range::positive), 0};
-  }
-
-  double value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const {
-    const auto text = node.value_exact<std::string_view>();
-    const bool is_number = node.is_number();
-    if (!text && !is_number) throw wrong_value(input_, key, std::string(kind.name), kind_of_node(node));
-    const bool is_plain = kind.dimension == Dimension{} || (input_.reduced && kind.dimension != kind::angle.dimension);
-    const bool is_radians = is_number && kind.dimension == kind::angle.dimension;
-    try {
-      if (is_number && (is_plain || is_radians)) {
-        const double plain = node.value<double>().value_or(0);
-        return within(range, plain, fmt::format("{}", plain), kind);
-      }
-      if (is_number) return parse_quantity(fmt::format("{}", node.value<double>().value_or(0)), kind, range);
-      if (is_plain && !(*text == "inf" && range == Range::positive_or_infinite))
-        throw InputError({.expected = "a plain number",
-                          .found = in_quotes(*text),
-                          .remedy = kind.dimension == Dimension{}
-                                        ? "write it without quotes and unit"
-                                        : "the case is reduced: write it in the model's variables, "
-                                          "without quotes and unit, or delete reduced = true"});
-      return parse_quantity(*text, kind, range);
-    } catch (const InputError& error) {
-      throw placed(error, key);
-    }
-  }
-
-  [[noreturn]] void refuse(std::string_view name, std::string expected, std::string found,
-                           std::string remedy = "") const {
-    throw wrong_value(input_, key(name), std::move(expected), std::move(found), std::move(remedy));
-  }
-
- private:
-  InputError placed(const InputError& error, const std::string& key) const {
-    return wrong_value(input_, key, error.fault.expected, error.fault.found, error.fault.remedy);
-  }
-
-  Kind kind_in_file(const Kind& kind) const { return input_.reduced ? kind::number : kind; }
-
-  double uncertainty(double value_of_it, const Kind& kind) const {
-    const toml::node& node = need("uncertainty");
-    const auto text = node.value_exact<std::string_view>();
-    if (!text || text->find('%') == std::string_view::npos)
-      return value(node, key("uncertainty"), kind, Range::positive);
-    try {
-      return value_of_it * parse_quantity(*text, kind::number, Range::positive);
-    } catch (const InputError& error) {
-      throw placed(error, key("uncertainty"));
-    }
-  }
-
-  const toml::table& table_;
-  std::string path_;
-  const Case& input_;
-};
-
 std::optional<Section> read_section(const Keys& keys) {
-  const bool is_round = keys.has("diameter");
+  const bool is_tube = keys.has("inner_diameter") || keys.has("wall");
+  const bool is_round = keys.has("diameter") || is_tube;
   const bool is_rectangular = keys.has("width") || keys.has("height");
   if (is_round && is_rectangular)
     keys.refuse("diameter", "either a diameter or a width and height", "both", "delete one");
-  if (is_round) return RoundSection{keys.quantity("diameter", kind::length, Range::positive)};
+  if (is_round) {
+    const double diameter = keys.quantity("diameter", kind::length, Range::positive);
+    return is_tube ? read_tube(keys, diameter) : RoundSection{diameter};
+  }
   if (!is_rectangular) return std::nullopt;
   return RectangularSection{keys.quantity("width", kind::length, Range::positive),
                             keys.quantity("height", kind::length, Range::positive)};
 }
 
 SpecimenInput read_specimen(const Keys& keys, const Case& input) {
-  keys.only({"diameter", "width", "height", "modulus", "bending_stiffness"});
+  keys.only({"diameter", "inner_diameter", "wall", "width", "height", "modulus", "bending_stiffness"});
   SpecimenInput specimen{read_section(keys), BendingStiffness{Known{1, 0}}};
   const bool has_product = keys.has("bending_stiffness");
   if (keys.has("modulus") && (has_product || input.reduced))
@@ -279,7 +161,6 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
       keys.refuse("bending_stiffness", "1, the unit of reduced variables", fmt::format("{}", known->value));
     specimen.rigidity = BendingStiffness{product};
   } else if (!input.reduced) {
-    if (!specimen.section) throw missing(input, keys.key("diameter"));
     specimen.rigidity = Modulus{keys.has("modulus") ? keys.estimate("modulus", kind::pressure) : ToFit{}};
   }
   return specimen;
@@ -287,10 +168,10 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
 
 RigInput read_rig(const Keys& keys, const Case& input) {
   keys.only({"span", "stiffness"});
-  RigInput rig{1, std::nullopt};
-  if (!input.reduced || keys.has("span")) rig.span = keys.quantity("span", kind::length, Range::positive);
-  if (input.reduced && rig.span != 1)
-    keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", rig.span));
+  RigInput rig{keys.optional_quantity("span", kind::length, Range::positive), std::nullopt};
+  if (input.reduced && rig.span.value_or(1) != 1)
+    keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
+  if (input.reduced) rig.span = 1;
   rig.stiffness = keys.optional_quantity("stiffness", kind::stiffness, Range::positive_or_infinite);
   return rig;
 }
@@ -452,54 +333,100 @@ StageInput read_stage(const Keys& keys) {
         keys.has("time") ? std::optional(keys.column("time", kind::time)) : std::nullopt, read_decimal(keys)};
   else
     stage.programme = read_turning_points(keys);
-  if (!keys.has("snaps")) return stage;
-  const auto known = std::find_if(snap_names.begin(), snap_names.end(), [&](const auto& name) {
-    return keys.need("snaps").value_exact<std::string_view>() == name.first;
-  });
-  if (known == snap_names.end()) keys.refuse("snaps", R"("nearest" or "overshoot")", kind_of_node(keys.need("snaps")));
-  stage.snaps = known->second;
+  stage.snaps = keys.optional_choice("snaps", snap_names).value_or(stage.snaps);
   return stage;
 }
 
-RecordInput read_record(const Keys& keys) {
-  keys.only({"file", "stage", "deflection", "force", "until", "contact", "decimal"});
-  RecordInput record{.file = keys.path("file"),
-                     .stage = {},
-                     .deflection = {},
-                     .force = {},
-                     .until = {},
-                     .contact = {},
-                     .decimal = '.'};
+TableColumns read_table_columns(const Keys& keys) {
   std::string found;
   const auto column = [&](std::string_view name, const Kind& kind) -> std::optional<std::string> {
     if (!keys.has(name)) return std::nullopt;
     found += (found.empty() ? "" : " and ") + std::string(name);
     return keys.column(name, kind);
   };
-  record.stage = column("stage", kind::length);
-  record.deflection = column("deflection", kind::length);
-  record.force = column("force", kind::force);
-  if (record.stage.has_value() + record.deflection.has_value() + record.force.has_value() != 2)
+  TableColumns columns{column("stage", kind::length), column("deflection", kind::length), column("force", kind::force),
+                       read_decimal(keys)};
+  if (columns.stage.has_value() + columns.deflection.has_value() + columns.force.has_value() != 2)
     keys.refuse("stage", "two of the columns stage, deflection and force", found.empty() ? "none" : found,
                 "the third follows from the rig's stiffness");
+  return columns;
+}
+
+ExportColumns read_export_columns(const Keys& keys, const Case& input) {
+  if (input.reduced)
+    keys.refuse("stage", "two of the columns stage, deflection and force, as the case is reduced", "none",
+                "an export of a testing machine is in physical units: delete reduced = true");
+  const auto text = [&](std::string_view name) {
+    return keys.has(name) ? std::optional(keys.text(name)) : std::nullopt;
+  };
+  ExportColumns columns{.displacement = keys.optional_choice("displacement", displacement_names),
+                        .displacement_column = text("displacement_column"),
+                        .force = text("force"),
+                        .specimen = {},
+                        .calibration = text("calibration"),
+                        .decimal = {}};
+  if (keys.has("specimen")) columns.specimen = static_cast<std::size_t>(keys.whole_number("specimen", 1));
+  if (keys.has("decimal")) columns.decimal = read_decimal(keys);
+  return columns;
+}
+
+ForceZeroRule read_zero(const Keys& keys) {
+  if (!keys.has("zero") || keys.is_word("zero", "find")) return ToFind{};
+  if (keys.is_word("zero", "keep")) return ToKeep{};
+  return keys.quantity("zero", kind::force, Range::any);
+}
+
+ContactRule read_contact(const Keys& keys) {
+  if (!keys.has("contact")) return WhereFree{};
+  if (keys.is_word("contact", "find")) return ToFind{};
+  if (keys.is_word("contact", "first row")) return AtFirstRow{};
+  return keys.quantity("contact", kind::length, Range::any);
+}
+
+RecordInput read_record(const Keys& keys, const Case& input) {
+  const std::vector<std::string> of_tables{"stage", "deflection"};
+  const std::vector<std::string> of_exports{"displacement", "displacement_column", "specimen", "calibration"};
+  std::vector<std::string> known{"file", "force", "decimal", "sign", "zero", "contact", "failure", "until"};
+  known.insert(known.end(), of_tables.begin(), of_tables.end());
+  known.insert(known.end(), of_exports.begin(), of_exports.end());
+  keys.only(known);
+  const auto first_of = [&](const std::vector<std::string>& names) {
+    return std::find_if(names.begin(), names.end(), [&](const std::string& name) { return keys.has(name); });
+  };
+  const auto of_table = first_of(of_tables);
+  const auto of_export = first_of(of_exports);
+  if (of_table != of_tables.end() && of_export != of_exports.end())
+    keys.refuse(*of_export, "either titles of columns or what the displacement of an export is",
+                fmt::format("both {} and {}", *of_table, *of_export), "delete one");
+  const bool is_export = of_export != of_exports.end() || (of_table == of_tables.end() && !keys.has("force"));
+  RecordInput record{.file = keys.path("file"), .columns = {}};
+  if (is_export)
+    record.columns = read_export_columns(keys, input);
+  else
+    record.columns = read_table_columns(keys);
+  record.sign = keys.optional_choice("sign", sign_names).value_or(record.sign);
+  record.zero = read_zero(keys);
+  record.contact = read_contact(keys);
+  record.find_failure = keys.optional_choice("failure", failure_names).value_or(true);
   if (keys.has("until")) record.until = static_cast<std::size_t>(keys.whole_number("until", 1));
-  record.contact = keys.optional_quantity("contact", kind::length, Range::any);
-  record.decimal = read_decimal(keys);
   return record;
 }
 
 // What one section alone cannot tell.
 void check_together(const Case& input) {
-  if (input.specimen && input.specimen->section && input.rig) {
-    const auto* round = std::get_if<RoundSection>(&*input.specimen->section);
-    const double thickness = round ? round->diameter : std::get<RectangularSection>(*input.specimen->section).height;
-    if (thickness >= input.rig->span)
-      throw wrong_value(
-          input, round ? "specimen.diameter" : "specimen.height",
-          "a specimen thinner than the span, " + readable(input.rig->span, input.reduced ? kind::number : kind::length),
-          readable(thickness, input.reduced ? kind::number : kind::length), "check the units of both");
+  const auto* columns = input.record ? std::get_if<TableColumns>(&input.record->columns) : nullptr;
+  const bool is_export = input.record && !columns;
+  const bool needs_section = input.specimen && std::holds_alternative<Modulus>(input.specimen->rigidity);
+  if (needs_section && !input.specimen->section && !is_export) throw missing(input, "specimen.diameter");
+  if (input.rig && !input.rig->span && !is_export) throw missing(input, "rig.span");
+  if (input.specimen && input.specimen->section && input.rig && input.rig->span) {
+    const double thickness = depth(*input.specimen->section);
+    if (thickness >= *input.rig->span)
+      throw wrong_value(input, depth_key(*input.specimen->section),
+                        "a specimen thinner than the span, " + readable(*input.rig->span, kind_in(input, kind::length)),
+                        readable(thickness, kind_in(input, kind::length)), "check the units of both");
   }
-  if (input.record && !input.record->force && input.rig && input.rig->stiffness && std::isinf(*input.rig->stiffness))
+  if (columns && !columns->force && input.rig && input.rig->stiffness && std::isinf(*input.rig->stiffness))
     throw wrong_value(input, "record", "a force column, since the rig is infinitely stiff", "stage and deflection",
                       "these are then the same, and say nothing of the force");
 }
@@ -557,17 +484,21 @@ class Writer {
   std::string text_;
 };
 
+void write(Writer& out, const RoundSection& round) { out.line("diameter", out.quantity(round.diameter, kind::length)); }
+
+void write(Writer& out, const TubularSection& tube) {
+  out.line("diameter", out.quantity(tube.diameter, kind::length));
+  out.line("inner_diameter", out.quantity(tube.inner_diameter, kind::length));
+}
+
+void write(Writer& out, const RectangularSection& rectangle) {
+  out.line("width", out.quantity(rectangle.width, kind::length));
+  out.line("height", out.quantity(rectangle.height, kind::length));
+}
+
 void write(Writer& out, const SpecimenInput& specimen) {
   out.section("specimen");
-  if (specimen.section) {
-    if (const auto* round = std::get_if<RoundSection>(&*specimen.section)) {
-      out.line("diameter", out.quantity(round->diameter, kind::length));
-    } else {
-      const auto& rectangle = std::get<RectangularSection>(*specimen.section);
-      out.line("width", out.quantity(rectangle.width, kind::length));
-      out.line("height", out.quantity(rectangle.height, kind::length));
-    }
-  }
+  if (specimen.section) std::visit([&](const auto& section) { write(out, section); }, *specimen.section);
   if (const auto* modulus = std::get_if<Modulus>(&specimen.rigidity))
     out.estimate("modulus", modulus->estimate, kind::pressure);
   else
@@ -576,7 +507,7 @@ void write(Writer& out, const SpecimenInput& specimen) {
 
 void write(Writer& out, const RigInput& rig) {
   out.section("rig");
-  out.line("span", out.quantity(rig.span, kind::length));
+  if (rig.span) out.line("span", out.quantity(*rig.span, kind::length));
   if (rig.stiffness) out.line("stiffness", out.quantity(*rig.stiffness, kind::stiffness));
 }
 
@@ -645,20 +576,38 @@ void write(Writer& out, const MeasuredProgramme& stage) {
 void write(Writer& out, const StageInput& stage) {
   out.section("stage");
   std::visit([&](const auto& programme) { write(out, programme); }, stage.programme);
-  if (stage.snaps == SnapRest::nearest_stable) return;
-  for (const auto& [name, rest] : snap_names)
-    if (rest == stage.snaps) out.line("snaps", fmt::format("\"{}\"", name));
+  if (stage.snaps != SnapRest::nearest_stable) out.line("snaps", basic_string(name_in(snap_names, stage.snaps)));
+}
+
+void write(Writer& out, const TableColumns& columns) {
+  if (columns.stage) out.line("stage", basic_string(*columns.stage));
+  if (columns.deflection) out.line("deflection", basic_string(*columns.deflection));
+  if (columns.force) out.line("force", basic_string(*columns.force));
+  if (columns.decimal != '.') out.line("decimal", basic_string({&columns.decimal, 1}));
+}
+
+void write(Writer& out, const ExportColumns& columns) {
+  if (columns.displacement) out.line("displacement", basic_string(name_in(displacement_names, *columns.displacement)));
+  if (columns.displacement_column) out.line("displacement_column", basic_string(*columns.displacement_column));
+  if (columns.force) out.line("force", basic_string(*columns.force));
+  if (columns.specimen) out.line("specimen", std::to_string(*columns.specimen));
+  if (columns.calibration) out.line("calibration", basic_string(*columns.calibration));
+  if (columns.decimal) out.line("decimal", basic_string({&*columns.decimal, 1}));
 }
 
 void write(Writer& out, const RecordInput& record) {
   out.section("record");
   out.line("file", basic_string(record.file));
-  if (record.stage) out.line("stage", basic_string(*record.stage));
-  if (record.deflection) out.line("deflection", basic_string(*record.deflection));
-  if (record.force) out.line("force", basic_string(*record.force));
+  std::visit([&](const auto& columns) { write(out, columns); }, record.columns);
+  if (record.sign != SignRule::find) out.line("sign", basic_string(name_in(sign_names, record.sign)));
+  if (std::holds_alternative<ToKeep>(record.zero)) out.line("zero", "\"keep\"");
+  if (const auto* zero = std::get_if<double>(&record.zero)) out.line("zero", out.quantity(*zero, kind::force));
+  if (std::holds_alternative<ToFind>(record.contact)) out.line("contact", "\"find\"");
+  if (std::holds_alternative<AtFirstRow>(record.contact)) out.line("contact", "\"first row\"");
+  if (const auto* contact = std::get_if<double>(&record.contact))
+    out.line("contact", out.quantity(*contact, kind::length));
+  if (!record.find_failure) out.line("failure", basic_string(name_in(failure_names, false)));
   if (record.until) out.line("until", std::to_string(*record.until));
-  if (record.contact) out.line("contact", out.quantity(*record.contact, kind::length));
-  if (record.decimal != '.') out.line("decimal", basic_string({&record.decimal, 1}));
 }
 
 }  // namespace
@@ -689,7 +638,7 @@ Case read_case(std::string_view text, const std::string& source) {
   if (rig || input.reduced) input.rig = read_rig({rig ? *rig : nothing, "rig", input}, input);
   if (friction) input.friction = read_friction({*friction, "friction", input}, input);
   if (stage) input.stage = read_stage({*stage, "stage", input});
-  if (record) input.record = read_record({*record, "record", input});
+  if (record) input.record = read_record({*record, "record", input}, input);
   check_together(input);
   return input;
 }
@@ -720,6 +669,12 @@ InputError wrong_value(const Case& input, std::string_view key, std::string expe
                        std::string remedy) {
   return InputError(
       {input.source, line_of(input, key), field_name(key), std::move(expected), std::move(found), std::move(remedy)});
+}
+
+Kind kind_in(const Case& input, const Kind& kind) { return input.reduced ? kind::number : kind; }
+
+std::string depth_key(const Section& section) {
+  return std::holds_alternative<RectangularSection>(section) ? "specimen.height" : "specimen.diameter";
 }
 
 InputError missing(const Case& input, std::string_view key) {

@@ -15,22 +15,11 @@
 #include <vector>
 
 #include "bending_test/motion.h"
+#include "data/section.h"
 #include "io/input_error.h"
+#include "io/quantity.h"
 
 namespace flexslip {
-
-struct RoundSection {
-  double diameter;  // [m]
-  bool operator==(const RoundSection&) const = default;
-};
-
-struct RectangularSection {
-  double width;   // [m]
-  double height;  // [m] in the direction of bending
-  bool operator==(const RectangularSection&) const = default;
-};
-
-using Section = std::variant<RoundSection, RectangularSection>;
 
 // To be found from the record.
 struct ToFit {
@@ -57,13 +46,13 @@ struct BendingStiffness {
 };
 
 struct SpecimenInput {
-  std::optional<Section> section;                    // always there beside a modulus
+  std::optional<Section> section;                    // none beside a modulus: the export of the record says it
   std::variant<Modulus, BendingStiffness> rigidity;  // reduced: a bending stiffness, 1 where it is known
   bool operator==(const SpecimenInput&) const = default;
 };
 
 struct RigInput {
-  double span;                      // [m] reduced: 1
+  std::optional<double> span;       // [m] reduced: 1; none: the export of the record says it
   std::optional<double> stiffness;  // [N/m] infinite for displacement control
   bool operator==(const RigInput&) const = default;
 };
@@ -135,15 +124,56 @@ struct StageInput {
   bool operator==(const StageInput&) const = default;
 };
 
-// Two of the three columns are there; each is a title as read_table takes it, "F_N [N]".
+// Columns of a table, named: two of the three are there; each is a title as read_table takes it, "F_N [N]".
+struct TableColumns {
+  std::optional<std::string> stage, deflection, force;
+  char decimal;  // '.' or ','
+  bool operator==(const TableColumns&) const = default;
+};
+
+// What the displacement of an export is one of.
+enum class DisplacementOf {
+  crosshead,   // the stage: the load train gives way as well
+  deflection,  // the specimen's midpoint
+};
+
+// An export of a testing machine, whose columns are found by what they are called.
+struct ExportColumns {
+  std::optional<DisplacementOf> displacement;             // none: as the words of the file say
+  std::optional<std::string> displacement_column, force;  // name or number of a column that is not found
+  std::optional<std::size_t> specimen;                    // counted from 1; none: there is only one
+  std::optional<std::string> calibration;                 // of a force in volts, "222 N/V"
+  std::optional<char> decimal;
+  bool operator==(const ExportColumns&) const = default;
+};
+
+// What is done to a record before it is evaluated, or left undone.
+struct ToFind {
+  bool operator==(const ToFind&) const = default;
+};
+struct ToKeep {
+  bool operator==(const ToKeep&) const = default;
+};
+struct AtFirstRow {
+  bool operator==(const AtFirstRow&) const = default;
+};
+struct WhereFree {
+  bool operator==(const WhereFree&) const = default;
+};
+
+enum class SignRule { find, keep, reverse };
+using ForceZeroRule = std::variant<ToFind, ToKeep, double>;  // [N] to be taken off
+using ContactRule =
+    std::variant<WhereFree, ToFind, AtFirstRow, double>;  // to be found if rows lie before it, or in any
+                                                          // case; or [m] displacement at first contact
 struct RecordInput {
   std::string file;  // relative to the working directory
-  std::optional<std::string> stage;
-  std::optional<std::string> deflection;
-  std::optional<std::string> force;
-  std::optional<std::size_t> until;  // last row before failure, 1-based
-  std::optional<double> contact;     // [m] displacement at first contact; none: to be found
-  char decimal;                      // '.' or ','
+  std::variant<TableColumns, ExportColumns> columns;
+  SignRule sign = SignRule::find;
+  ForceZeroRule zero = ToFind{};
+  ContactRule contact = WhereFree{};
+  bool find_failure = true;
+  std::optional<std::size_t> until{};  // last row before failure, 1-based
   bool operator==(const RecordInput&) const = default;
 };
 
@@ -173,6 +203,12 @@ std::string to_toml(const Case& input);
 // The error to throw when a value of a case turns out wrong later. `key` as in Case::lines.
 InputError wrong_value(const Case& input, std::string_view key, std::string expected, std::string found,
                        std::string remedy = "");
+
+// The key that says how thick a specimen is in the direction of bending.
+std::string depth_key(const Section& section);
+
+// In a reduced case every quantity is a plain number.
+Kind kind_in(const Case& input, const Kind& kind);
 
 // The error to throw when a command needs what a case does not have: a section, "friction", or a key, "rig.stiffness".
 // The message shows an example of it.

@@ -25,14 +25,6 @@ InputFile input_file(const std::string& name) {
   return {name, digest.bytes, digest.sha256};
 }
 
-std::optional<double> second_moment_of(const Case& input) {
-  if (!input.specimen || !input.specimen->section) return std::nullopt;
-  if (const auto* round = std::get_if<RoundSection>(&*input.specimen->section))
-    return round_section_moment(round->diameter);
-  const auto& rectangle = std::get<RectangularSection>(*input.specimen->section);
-  return rectangular_section_moment(rectangle.width, rectangle.height);
-}
-
 // Without folder and ending; a case called case.toml has the name of its folder, which says more.
 std::string name_of_test(const std::string& file) {
   if (file == "-") return "standard input";
@@ -57,6 +49,7 @@ std::optional<CyclicFriction> mirrored_loops(const Measurement& measurement, con
 
 // Moves the zero of the loading to the contact that its loop tells, and leaves out what comes before. The loops keep theirs.
 void move_contact(Measurement& measurement, const Measured& contact) {
+  const Kind kind = kind_in(measurement.test, kind::length);
   Record& record = measurement.record;
   const auto begin = std::lower_bound(record.stage.begin(), record.stage.end(), contact.value);
   const auto skipped = begin - record.stage.begin();
@@ -69,15 +62,27 @@ void move_contact(Measurement& measurement, const Measured& contact) {
   measurement.contact = ContactSource::found;
   measurement.contact_offset += contact.value;
   measurement.contact_error = contact.standard_error;
+  measurement.preparation.steps.push_back(
+      {.name = "contact",
+       .changed = true,
+       .done = "displacements of the first loading count from the contact that the loops tell",
+       .value = PreparedValue{contact.value, contact.standard_error, kind},
+       .rows = skipped > 0 ? std::optional(RowRange{1, measurement.first}) : std::nullopt,
+       .key = "[record] contact = \"0 um\""});
 }
 
 }  // namespace
 
-FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
-  Measurement measurement = read_measurement(input, least_points);
+BeamGeometry geometry_of(const Case& input) {
+  return {input.rig ? input.rig->span : std::nullopt, input.specimen ? input.specimen->section : std::nullopt};
+}
+
+FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
+  Measurement measurement = read_measurement(asked, least_points);
+  const Case input = measurement.test;  // completed with what the file says
   StiffnessSource source = StiffnessSource::initial_slope;
-  TestDescription description{.span = input.rig.value().span,
-                              .load_train_stiffness = input.rig->stiffness.value(),
+  TestDescription description{.span = span_of(input),
+                              .load_train_stiffness = load_train_stiffness_of(input),
                               .bending_stiffness = {},
                               .bending_stiffness_error = {},
                               .points_before_failure = measurement.record.force.size(),
@@ -105,6 +110,8 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
       }
     }
   }
+  const BeamGeometry geometry = geometry_of(input);
+  const SmallDeflection standard = small_deflection(measurement.record, geometry);
   TestAnalysis analysis = analyse(measurement.record, description, options);
   std::optional<CyclicTest> cycles;
   if (measurement.cycles) {
@@ -121,7 +128,9 @@ FittedTest fit_test(const Case& input, const AnalysisOptions& options) {
           .reduced = input.reduced,
           .measurement = std::move(measurement),
           .stiffness = source,
-          .section_moment = second_moment_of(input),
+          .section_moment = geometry.section ? std::optional(second_moment(*geometry.section)) : std::nullopt,
+          .geometry = geometry,
+          .small_deflection = standard,
           .analysis = std::move(analysis),
           .cycles = std::move(cycles),
           .provenance = std::move(provenance)};

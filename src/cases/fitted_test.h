@@ -8,6 +8,7 @@
 
 #include "cases/case_file.h"
 #include "cases/problem.h"
+#include "data/small_deflection.h"
 #include "inference/analysis.h"
 #include "inference/cyclic_test.h"
 
@@ -33,14 +34,19 @@ struct FittedTest {
   Measurement measurement;
   StiffnessSource stiffness;
   std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
+  BeamGeometry geometry;                 // span, and section if the case says what it is
+  SmallDeflection small_deflection;      // of the first loading, as the bending standards have it
   TestAnalysis analysis;                 // of the first loading
   std::optional<CyclicTest> cycles;      // if it was unloaded; in the scales of the analysis
   Provenance provenance;
 };
 
+// What a case says of its specimen as a beam.
+BeamGeometry geometry_of(const Case& input);
+
 // Reads the record of a case and analyses it.
 // Fails:      InputError as read_measurement and scales_of; for friction models that cannot be fitted.
-FittedTest fit_test(const Case& input, const AnalysisOptions& options);
+FittedTest fit_test(const Case& asked, const AnalysisOptions& options);
 
 // The data row, counted from 1, at which a point of the record begins in its file.
 std::size_t file_row(const FittedTest& test, std::size_t point);

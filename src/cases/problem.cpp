@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "data/legs.h"
 #include "inference/analysis.h"
 #include "io/quantity.h"
 #include "io/table.h"
@@ -22,33 +21,8 @@ constexpr double most_periods = 1e6;  // of a wave: what trace_loading_curve tak
 constexpr double most_knots = 1e6;    // of a rough profile
 constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
 constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
-// Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
-// specimen in contact from the first row on would show.
-constexpr double least_free_rows = 5;
-
-bool begins_before_contact(const Record& record, const Contact& contact, double noise) {
-  if (contact.status != ContactStatus::found) return false;
-  const auto free =
-      std::find_if(record.force.begin(), record.force.end(), [&](double force) { return std::abs(force) > 4 * noise; });
-  const double rise = record.force[contact.last - 1] - record.force[contact.first];
-  const double rise_per_row = rise / static_cast<double>(contact.last - 1 - contact.first);
-  return static_cast<double>(free - record.force.begin()) >= least_free_rows + 4 * noise / rise_per_row;
-}
-
-Kind kind_in(const Case& input, const Kind& kind) { return input.reduced ? kind::number : kind; }
 
 std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
-
-double required_span(const Case& input) {
-  if (!input.rig) throw missing(input, "rig");
-  return input.rig->span;
-}
-
-double required_stiffness(const Case& input) {
-  if (!input.rig) throw missing(input, "rig");
-  if (!input.rig->stiffness) throw missing(input, "rig.stiffness");
-  return *input.rig->stiffness;
-}
 
 // What the case says of the bending stiffness, if it says something.
 std::optional<BendingStiffnessUsed> stated_stiffness(const Case& input) {
@@ -67,26 +41,21 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Case& input) {
                       "write \"fit\" to have it found from the initial slope");
   BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : usual_stiffness_error,
                             has_error ? StiffnessSource::stated : StiffnessSource::assumed_error};
-  if (modulus) {
-    const Section& section = input.specimen->section.value();
-    const auto* round = std::get_if<RoundSection>(&section);
-    const auto* rectangle = std::get_if<RectangularSection>(&section);
-    used.value *=
-        round ? round_section_moment(round->diameter) : rectangular_section_moment(rectangle->width, rectangle->height);
-  }
+  if (!modulus) return used;
+  if (!input.specimen->section) throw missing(input, "specimen.diameter");
+  used.value *= second_moment(*input.specimen->section);
   return used;
 }
 
 void require_slender(const Case& input) {
   if (!input.specimen || !input.specimen->section) return;
-  const auto* round = std::get_if<RoundSection>(&*input.specimen->section);
-  const double thickness = round ? round->diameter : std::get<RectangularSection>(*input.specimen->section).height;
-  const double span = required_span(input);
+  const double thickness = depth(*input.specimen->section);
+  const double span = span_of(input);
   if (thickness < thickest * span) return;
-  throw wrong_value(input, round ? "specimen.diameter" : "specimen.height",
-                    fmt::format("less than a fifth of the span, {}", readable_length(input, span)),
-                    readable_length(input, thickness),
-                    "beam theory does not hold for a thicker specimen: check the units of both");
+  throw wrong_value(
+      input, depth_key(*input.specimen->section),
+      fmt::format("less than a fifth of the span, {}", readable_length(input, span)), readable_length(input, thickness),
+      "beam theory does not hold for a thicker specimen: check the units of both, or take flexslip modulus");
 }
 
 Friction friction_from(const Case& input, const WavyFriction& wavy, const Scales& scales, double S_max) {
@@ -181,11 +150,11 @@ StageProgramme programme_from(const Case& input, const TurningPoints& programme)
   const auto& positions = programme.positions;
   const auto farthest = std::max_element(positions.begin(), positions.end());
   const std::string key = fmt::format("stage.program[{}]", farthest - positions.begin() + 1);
-  if (!(*farthest >= nearest_reduced * required_span(input)))
+  if (!(*farthest >= nearest_reduced * span_of(input)))
     throw wrong_value(input, fmt::format("stage.program[{}]", positions.size()),
                       fmt::format("a position of at least {:g} spans", nearest_reduced),
                       readable_length(input, positions.back()));
-  if (!(*farthest <= farthest_reduced * required_span(input)))
+  if (!(*farthest <= farthest_reduced * span_of(input)))
     throw wrong_value(input, key, fmt::format("a position within {:g} spans", farthest_reduced),
                       readable_length(input, *farthest), "check its unit");
   std::vector<double> turns = written_out(programme);
@@ -207,7 +176,7 @@ StageProgramme programme_from(const Case& input, const MeasuredProgramme& measur
                       .remedy = std::move(remedy)});
   };
   const Column& stage = table.columns.front();
-  const double span = required_span(input);
+  const double span = span_of(input);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double position = stage.values[row];
     if (position < 0)
@@ -233,155 +202,18 @@ StageProgramme programme_from(const Case& input, const MeasuredProgramme& measur
   return {std::move(table.columns.front().values), reach, true, true};
 }
 
-struct Readings {
-  Table table;
-  Record record;  // of all rows
-};
-
-Readings read_readings(const Case& input) {
-  const RecordInput& asked = input.record.value();
-  const double stiffness = required_stiffness(input);
-  std::vector<WantedColumn> wanted;
-  for (const auto& title : {asked.stage, asked.deflection})
-    if (title) wanted.push_back({*title, kind_in(input, kind::length)});
-  if (asked.force) wanted.push_back({*asked.force, kind_in(input, kind::force)});
-  Table table = read_table(asked.file, wanted, asked.decimal);
-  const std::vector<double>& a = table.columns[0].values;
-  const std::vector<double>& b = table.columns[1].values;
-  Record record = !asked.force  ? record_from_stage_and_deflection(a, b, stiffness)
-                  : asked.stage ? record_from_stage_and_force(a, b, stiffness)
-                                : record_from_deflection_and_force(a, b, stiffness);
-  return {std::move(table), std::move(record)};
-}
-
-Record without_first(const Record& record, std::size_t points) {
-  const auto rest = [=](const std::vector<double>& values) {
-    return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(points), values.end());
-  };
-  return {rest(record.stage), rest(record.deflection), rest(record.force)};
-}
-
-void require_finite(const Readings& readings) {
-  const RecordCheck check = check_record(readings.record, 0);
-  if (check.fault != RecordFault::not_finite) return;
-  throw InputError({.file = readings.table.source,
-                    .line = readings.table.line_of(check.index),
-                    .expected = "readings of a bending test",
-                    .found = "numbers too large for one",
-                    .remedy = "check the units"});
-}
-
-void require_loading(const Case& input, const Table& table, const Record& record, std::size_t rows_per_point,
-                     std::size_t least_points) {
-  const RecordCheck check = check_record(record, least_points);
-  if (check.fault == RecordFault::too_short)
-    throw InputError({.file = table.source,
-                      .expected = fmt::format("at least {} rows of readings before the failure", least_points),
-                      .found = std::to_string(check.index)});
-  if (check.fault == RecordFault::stage_runs_back)
-    throw InputError(
-        {.file = table.source,
-         .line = table.line_of(check.index * rows_per_point),
-         .field = "the stage",
-         .expected = fmt::format("a position not behind that of the row before, {}",
-                                 readable_length(input, record.stage[check.index - 1])),
-         .found = readable_length(input, record.stage[check.index]),
-         .remedy = fmt::format("keep the loading only: write until = {} into [record]", check.index * rows_per_point)});
-}
-
-void require_loading_first(const Table& table, const Record& record, const Leg& first) {
-  if (first.direction == Direction::loading && record.stage[first.last - 1] > record.stage[first.first]) return;
-  throw InputError({.file = table.source,
-                    .line = table.line_of(0),
-                    .field = "the stage",
-                    .expected = "a record that begins by loading",
-                    .found = "one that begins by unloading",
-                    .remedy = "if the stage is counted the other way, change its sign; otherwise leave out what comes "
-                              "before the first loading"});
-}
-
 }  // namespace
 
-Measurement read_measurement(const Case& input, std::size_t least_points) {
-  if (least_points < 11)
-    throw std::invalid_argument(fmt::format("the noise of {} points cannot be told", least_points));
-  if (!input.record) throw missing(input, "record");
-  const Readings readings = read_readings(input);
-  require_finite(readings);
-  const std::size_t rows = readings.table.rows();
-  const bool may_turn = find_legs(readings.record.stage).size() > 1;
-  const std::size_t most_points = may_turn ? most_cyclic_points : most_record_points;
-  const std::size_t rows_per_point = (rows + most_points - 1) / most_points;
-  const Record all = every_so_many(readings.record, rows_per_point);
-  Measurement result{.file = readings.table.source,
-                     .rows = rows,
-                     .rows_per_point = rows_per_point,
-                     .first = 0,
-                     .record = {},
-                     .cycles = {},
-                     .end = MeasurementEnd::last_row,
-                     .contact = ContactSource::first_point,
-                     .contact_offset = 0,
-                     .contact_error = 0,
-                     .force_noise = 0};
-
-  const std::vector<Leg> legs = find_legs(all.stage);
-  std::size_t points = all.force.size();
-  if (input.record->until) {
-    const std::size_t until = *input.record->until;
-    if (until > rows)
-      throw wrong_value(input, "record.until", fmt::format("a row of {}, which has {}", readings.table.source, rows),
-                        std::to_string(until));
-    points = std::min(points, until / rows_per_point);
-    result.end = MeasurementEnd::until;
-  } else if (const Failure failure = find_failure(all);
-             failure.status == FailureStatus::found && (legs.size() < 2 || failure.points <= legs.front().last)) {
-    points = failure.points;
-    result.end = MeasurementEnd::failure;
-  }
-  if (legs.size() > 1 && legs.front().last < points) {
-    require_loading_first(readings.table, all, legs.front());
-    result.cycles = first_points(all, points);
-    points = legs.front().last;
-    result.end = MeasurementEnd::turn;
-  }
-  Record whole = first_points(all, points);
-  if (result.cycles)  // what the stage runs back within a leg is noise
-    for (std::size_t i = 1; i < points; ++i) whole.stage[i] = std::max(whole.stage[i], whole.stage[i - 1]);
-  require_loading(input, readings.table, whole, rows_per_point, least_points);
-  result.force_noise = force_noise(whole);
-
-  const Contact contact = find_contact(whole);
-  // The contact lies somewhere within a step.
-  result.contact_error = (whole.stage.back() - whole.stage.front()) / static_cast<double>(points - 1) / std::sqrt(12.0);
-  if (input.record->contact) {
-    result.contact = ContactSource::stated;
-    result.contact_offset = *input.record->contact;
-  } else if (begins_before_contact(whole, contact, result.force_noise)) {
-    result.contact = ContactSource::found;
-    result.contact_offset = contact.offset;
-    result.contact_error = contact.offset_error;
-  }
-  const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
-  const std::size_t skipped =
-      result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - whole.stage.begin());
-  result.first = skipped * rows_per_point;
-  if (points - skipped < least_points)
-    throw wrong_value(input, "record.contact",
-                      fmt::format("at least {} rows of readings after the contact", least_points),
-                      std::to_string(points - skipped));
-  result.record = without_first(whole, skipped);
-  const auto take_contact_off = [&](Record& record) {
-    for (double& stage : record.stage) stage -= result.contact_offset;
-    for (double& deflection : record.deflection) deflection -= result.contact_offset;
-  };
-  take_contact_off(result.record);
-  if (result.cycles) take_contact_off(*result.cycles);
-  return result;
+double span_of(const Case& input) {
+  if (!input.rig) throw missing(input, "rig");
+  if (!input.rig->span) throw missing(input, "rig.span");
+  return *input.rig->span;
 }
 
-std::size_t file_row(const Measurement& measurement, std::size_t point) {
-  return measurement.first + point * measurement.rows_per_point + 1;
+double load_train_stiffness_of(const Case& input) {
+  if (!input.rig) throw missing(input, "rig");
+  if (!input.rig->stiffness) throw missing(input, "rig.stiffness");
+  return *input.rig->stiffness;
 }
 
 bool states_stiffness(const Case& input) { return stated_stiffness(input).has_value(); }
@@ -395,7 +227,7 @@ BendingStiffnessUsed bending_stiffness_of(const Case& input) {
 
 BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& measurement) {
   if (const auto stated = stated_stiffness(input)) return *stated;
-  const double span = required_span(input);
+  const double span = span_of(input);
   const auto slope = stiffness_from_slope(measurement.record, span);
   if (!slope.found)
     throw InputError(
@@ -407,7 +239,7 @@ BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& 
 }
 
 Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
-  const double span = required_span(input);
+  const double span = span_of(input);
   require_slender(input);
   try {
     return {span, stiffness.value};
@@ -416,7 +248,9 @@ Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
   }
 }
 
-Rig rig_of(const Case& input, const Scales& scales) { return {scales.reduced_stiffness(required_stiffness(input))}; }
+Rig rig_of(const Case& input, const Scales& scales) {
+  return {scales.reduced_stiffness(load_train_stiffness_of(input))};
+}
 
 Friction friction_of(const Case& input, const Scales& scales, double S_max) {
   if (!input.friction) throw missing(input, "friction");
@@ -440,7 +274,7 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
   if (!(farthest / (1 + 48 / rig.stiffness) >= nearest_reduced))
     throw wrong_value(input, "rig.stiffness",
                       fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
-                      readable(required_stiffness(input), kind_in(input, kind::stiffness)), "check its unit");
+                      readable(load_train_stiffness_of(input), kind_in(input, kind::stiffness)), "check its unit");
   Friction kinetic = friction_of(input, scales, longest_at_stage(farthest));
   const double excess = input.friction->static_excess;
   const double most = most_kinetic(kinetic) + excess;

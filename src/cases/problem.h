@@ -12,50 +12,12 @@
 #include "bending_test/motion.h"
 #include "bending_test/rig.h"
 #include "cases/case_file.h"
+#include "cases/measurement.h"
 #include "contact/friction.h"
-#include "data/record.h"
 #include "data/scales.h"
 #include "inference/profile.h"
 
 namespace flexslip {
-
-// Of records of more rows every so many are used: a test has a few hundred features, whatever the readings of them.
-inline constexpr std::size_t most_record_points = 2000;
-inline constexpr std::size_t most_cyclic_points = 10000;  // of a test that is unloaded
-
-// What ends the loading that is evaluated.
-enum class MeasurementEnd { last_row, until, failure, turn };
-enum class ContactSource {
-  stated,       // by the case
-  found,        // the record begins before the contact, see find_contact
-  first_point,  // the record begins at the contact
-};
-
-// The part of a record that is evaluated: one loading, from the contact to the failure or to where the stage turns back; of a
-// test that is unloaded, all of it besides.
-struct Measurement {
-  std::string file;
-  std::size_t rows;              // of the file
-  std::size_t rows_per_point;    // from one point of the record to the next; 1 up to most_record_points rows
-  std::size_t first;             // row of the file, counted from 0, of the first point of the record
-  Record record;                 // stage and deflection counted from the contact
-  std::optional<Record> cycles;  // from the first row of the file, if the stage turns back before the failure; contact
-                                 // taken off as well
-  MeasurementEnd end;            // what ends the loading
-  ContactSource contact;
-  double contact_offset;  // [m] taken off stage and deflection
-  double contact_error;   // [m] standard deviation
-  double force_noise;     // [N] standard deviation of one point
-};
-
-// Row of the file, counted from 1, at which a point of the record begins.
-std::size_t file_row(const Measurement& measurement, std::size_t point);
-
-// Reads the record of a case.
-// Domain:     at least least_points points, 11 or more; std::invalid_argument otherwise.
-// Fails:      InputError, besides what read_table throws, for too few points, a record that begins by unloading, an `until`
-//             beyond the file, no stiffness of the rig.
-Measurement read_measurement(const Case& input, std::size_t least_points);
 
 enum class StiffnessSource {
   stated,         // by the case, with its uncertainty
@@ -83,6 +45,13 @@ BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& 
 
 // Fails:      InputError if the case has no span, or its specimen is as thick as a fifth of it: no slender beam.
 Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness);
+
+// Fails:      InputError if the case has no span.
+double span_of(const Case& input);
+
+// [N/m]
+// Fails:      InputError if the case has no stiffness of the rig.
+double load_train_stiffness_of(const Case& input);
 
 // Fails:      InputError if the case has no stiffness of the rig.
 Rig rig_of(const Case& input, const Scales& scales);

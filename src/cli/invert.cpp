@@ -90,8 +90,8 @@ void note_assumptions(const Output& output, const BendingStiffnessUsed& stiffnes
 }
 
 void invert_case(const InvertRequest& request) {
-  const Case input = read_case(request.file);
-  const Measurement measurement = read_measurement(input, least_points);
+  const Measurement measurement = read_measurement(read_case(request.file), least_points);
+  const Case& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   const Scales scales = scales_of(input, stiffness);
   const FrictionProfile profile = measure_friction(to_reduced(measurement.record, scales), rig_of(input, scales),

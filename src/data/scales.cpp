@@ -30,6 +30,13 @@ double round_section_moment(double diameter) {
   return std::numbers::pi * D * D * D * D / 64;
 }
 
+double tubular_section_moment(double diameter, double inner_diameter) {
+  const double D = require_positive(diameter, "diameter", " m");
+  const double d = require_positive(inner_diameter, "inner diameter", " m");
+  const double twice_the_wall = require_positive(D - d, "diameter less inner diameter", " m");
+  return std::numbers::pi * twice_the_wall * (D + d) * (D * D + d * d) / 64;
+}
+
 double rectangular_section_moment(double width, double height) {
   const double b = require_positive(width, "width", " m");
   const double h = require_positive(height, "height", " m");

@@ -39,6 +39,10 @@ class Scales {
 // Domain: diameter [m] positive and finite; std::invalid_argument otherwise.
 double round_section_moment(double diameter);
 
+// Second moment I [m^4] of a tube: π (D^4 - d^4)/64.
+// Domain: diameters [m] positive and finite, inner < outer; std::invalid_argument otherwise.
+double tubular_section_moment(double diameter, double inner_diameter);
+
 // Second moment I [m^4] of a rectangular section bent across its height: b h^3/12.
 // Domain: width, height [m] positive and finite; std::invalid_argument otherwise.
 double rectangular_section_moment(double width, double height);

@@ -76,7 +76,8 @@ TEST_CASE("table: the documented example, in SI") {
   CHECK(input.rig == RigInput{1278e-6, 90.65});
   CHECK(input.friction == FrictionInput{{FrictionModel::sinusoid}, WavyFriction{0.5, 0, {{0.15, 10.9e-6, 1.0}}}});
   CHECK(input.stage == StageInput{TurningPoints{{0, 900e-6, 0, 900e-6}, 1, 2e-6}});
-  CHECK(input.record == RecordInput{"data/ss14.csv", "w_s_m [m]", {}, "F_N [N]", 267, {}, '.'});
+  CHECK(input.record ==
+        RecordInput{.file = "data/ss14.csv", .columns = TableColumns{"w_s_m [m]", {}, "F_N [N]", '.'}, .until = 267});
   CHECK(input.lines.at("specimen.diameter") == 2);
   CHECK(input.lines.at("specimen.modulus.uncertainty") == 3);
   CHECK(input.lines.at("rig") == 4);
@@ -90,6 +91,9 @@ TEST_CASE("table: the specimens that can be described") {
   CHECK(specimen("diameter = '1 um'\nmodulus = 'fit'") == SpecimenInput{RoundSection{1e-6}, Modulus{ToFit{}}});
   CHECK(specimen("width = '2 um'\nheight = '1 um'\nmodulus = '3 GPa'") ==
         SpecimenInput{RectangularSection{2e-6, 1e-6}, Modulus{Known{3e9, 0}}});
+  CHECK(specimen("diameter = '4 mm'\ninner_diameter = '3 mm'") ==
+        SpecimenInput{TubularSection{4e-3, 3e-3}, Modulus{ToFit{}}});
+  CHECK(specimen("diameter = '4 mm'\nwall = '0.5 mm'") == SpecimenInput{TubularSection{4e-3, 3e-3}, Modulus{ToFit{}}});
   CHECK(specimen("bending_stiffness = '2.1e-12 N m^2'") == SpecimenInput{{}, BendingStiffness{Known{2.1e-12, 0}}});
   CHECK(specimen("bending_stiffness = 'fit'\ndiameter = '1 um'") ==
         SpecimenInput{RoundSection{1e-6}, BendingStiffness{ToFit{}}});
@@ -136,8 +140,65 @@ TEST_CASE("table: rigs, stages and records that can be described") {
   CHECK(read("[stage]\nfile = 'run.csv'\nstage = 's'\ntime = 't [s]'\ndecimal = ','\nsnaps = 'nearest'").stage ==
         StageInput{MeasuredProgramme{"data/run.csv", "s", "t [s]", ','}});
   CHECK(read("[record]\nfile = '/a/b.csv'\ndeflection = 'w'\nforce = 'F [mN]'\ncontact = '-3 um'\ndecimal = ','")
-            .record == RecordInput{"/a/b.csv", {}, "w", "F [mN]", {}, -3e-6, ','});
+            .record ==
+        RecordInput{.file = "/a/b.csv", .columns = TableColumns{{}, "w", "F [mN]", ','}, .contact = -3e-6});
   CHECK(read_case("[record]\nfile = 'b.csv'\nstage = 's'\nforce = 'F'", "standard input").record->file == "b.csv");
+}
+
+TEST_CASE("table: the exports and the preparations that can be described") {
+  const auto record = [](const std::string& text) { return *read("[record]\nfile = '/a'\n" + text).record; };
+  CHECK(record("") == RecordInput{.file = "/a", .columns = ExportColumns{}});
+  CHECK(record("displacement = 'crosshead'") ==
+        RecordInput{.file = "/a", .columns = ExportColumns{.displacement = DisplacementOf::crosshead}});
+  CHECK(
+      record("displacement = 'deflection'\ndisplacement_column = 'LVDT'\nforce = '4'\nspecimen = 2\n"
+             "calibration = '222 N/V'\ndecimal = ','") ==
+      RecordInput{.file = "/a", .columns = ExportColumns{DisplacementOf::deflection, "LVDT", "4", 2, "222 N/V", ','}});
+  const std::string table = "stage = 's'\nforce = 'F'\n";
+  CHECK(record(table).sign == SignRule::find);
+  CHECK(record(table + "sign = 'find'").sign == SignRule::find);
+  CHECK(record(table + "sign = 'keep'").sign == SignRule::keep);
+  CHECK(record(table + "sign = 'reverse'").sign == SignRule::reverse);
+  CHECK(record(table).zero == ForceZeroRule{ToFind{}});
+  CHECK(record(table + "zero = 'find'").zero == ForceZeroRule{ToFind{}});
+  CHECK(record(table + "zero = 'keep'").zero == ForceZeroRule{ToKeep{}});
+  CHECK(record(table + "zero = '-0.12 N'").zero == ForceZeroRule{-0.12});
+  CHECK(record(table).contact == ContactRule{WhereFree{}});
+  CHECK(record(table + "contact = 'find'").contact == ContactRule{ToFind{}});
+  CHECK(record(table + "contact = 'first row'").contact == ContactRule{AtFirstRow{}});
+  CHECK(record(table + "contact = '12 um'").contact == ContactRule{12e-6});
+  CHECK(record(table).find_failure);
+  CHECK(record(table + "failure = 'find'").find_failure);
+  CHECK_FALSE(record(table + "failure = 'none'").find_failure);
+
+  // What an export may say itself is not asked for.
+  CHECK_FALSE(read("[record]\nfile = 'a'\n[rig]\nstiffness = 'inf'").rig->span.has_value());
+  CHECK_FALSE(read("[record]\nfile = 'a'\n[specimen]\nmodulus = '3 GPa'").specimen->section.has_value());
+}
+
+TEST_CASE("table: exports and preparations that cannot be are refused") {
+  const auto refusal = [](const std::string& text) { return complaint("[record]\nfile = 'a'\n" + text); };
+  CHECK(has(refusal("stage = 's'\ndisplacement = 'crosshead'"),
+            ":4: [record] displacement: expected either titles of columns or what the displacement of an export is"));
+  CHECK(has(refusal("displacement = 'stage'"), ":3: [record] displacement: expected \"crosshead\" or \"deflection\""));
+  CHECK(has(refusal("specimen = 0"), "[record] specimen: expected a whole number, at least 1"));
+  CHECK(has(refusal("sign = 'flip'"), "[record] sign: expected \"find\", \"keep\" or \"reverse\", found 'flip'"));
+  CHECK(has(refusal("zero = '3 um'"), "[record] zero: expected a force, found a length"));
+  CHECK(has(refusal("contact = 'first'"), "[record] contact: expected a length"));
+  CHECK(has(refusal("failure = true"), "[record] failure: expected \"find\" or \"none\", found true or false"));
+  CHECK(has(complaint("reduced = true\n[record]\nfile = 'a'\ndisplacement = 'deflection'"), "the case is reduced"));
+}
+
+TEST_CASE("table: a tube needs a wall") {
+  const auto refusal = [](const std::string& text) { return complaint("[specimen]\n" + text); };
+  CHECK(has(refusal("diameter = '4 mm'\ninner_diameter = '4 mm'"),
+            ":3: [specimen] inner_diameter: expected an inner diameter less than the outer one, found '4 mm'"));
+  CHECK(has(refusal("diameter = '4 mm'\ninner_diameter = '5 mm'"), "check which of the two is which"));
+  CHECK(has(refusal("diameter = '4 mm'\nwall = '2 mm'"),
+            ":3: [specimen] wall: expected a wall of less than half the diameter, found '2 mm'"));
+  CHECK(has(refusal("diameter = '4 mm'\nwall = '1 mm'\ninner_diameter = '2 mm'"), "either the inner diameter"));
+  CHECK(has(refusal("inner_diameter = '4 mm'"), "[specimen] diameter: expected it in the file"));
+  CHECK(has(refusal("width = '4 mm'\ninner_diameter = '2 mm'"), "either a diameter or a width and height"));
 }
 
 TEST_CASE("table: reduced cases hold plain numbers, and have the span and EI of one") {
@@ -206,7 +267,9 @@ TEST_CASE("table: a bare number, a wrong unit or an impossible value is refused 
 
 TEST_CASE("table: an unknown key or section is refused with the nearest known") {
   CHECK(complaint_with("diameter", "diamter") ==
-        "data/case.toml:2: [specimen] diamter: expected one of the keys 'diameter', 'width', 'height', 'modulus' and "
+        "data/case.toml:2: [specimen] diamter: expected one of the keys 'diameter', 'inner_diameter', 'wall', 'width', "
+        "'height', "
+        "'modulus' and "
         "'bending_stiffness', found an unknown key; did you mean 'diameter'?");
   CHECK(has(complaint_with("[friction]", "[frictoin]"), ":7: frictoin: expected one of the keys"));
   CHECK(has(complaint_with("[friction]", "[frictoin]"), "did you mean 'friction'?"));
@@ -337,7 +400,12 @@ TEST_CASE("identity: the effective case is read back as the same case") {
         std::string_view("reduced = true\n[rig]\nstiffness = inf\n[friction]\nmodel = 'sinusoids'\nmu0 = 0.1\ndrift = "
                          "-0.3\nwaves = [{ amplitude = 1e-9, wavelength = 3 }]"),
         std::string_view("[friction]\nmodel = 'constant'\nmu0 = 0.1\ndrift = '-0.3 "
-                         "1/mm'\n[record]\nfile='x'\ndeflection='a'\nforce='b'\ndecimal=','\ncontact='1 mm'")}) {
+                         "1/mm'\n[record]\nfile='x'\ndeflection='a'\nforce='b'\ndecimal=','\ncontact='1 mm'"),
+        std::string_view("[specimen]\ndiameter = '4 mm'\nwall = '0.3 mm'\n[rig]\nspan = '80 mm'\n[record]\nfile='x'\n"
+                         "displacement='crosshead'\ndisplacement_column='1'\nforce=\"a \\\"b\\\"\"\nspecimen=3\n"
+                         "calibration='222 N/V'\ndecimal='.'\nsign='reverse'\nzero='-0.12 N'\ncontact='first row'\n"
+                         "failure='none'\nuntil=7"),
+        std::string_view("[record]\nfile='x'\nsign='keep'\nzero='keep'\ncontact='find'")}) {
     const Case input = read_case(text, "case.toml");
     const std::string written = to_toml(input);
     CAPTURE(written);

@@ -134,6 +134,14 @@ def write_record(path, record, curves):
     path.write_text("\n".join(line.replace(".", ",") if comma else line for line in lines) + "\n", encoding="utf-8")
 
 
+def write_export(path, record, curves):
+    """A simulated test as a testing machine's program exports it: a preamble, quoted numbers, words for columns."""
+    displacement = curves["w_s" if record["displacement"] == "crosshead" else "w"]
+    lines = ['Test : Rate 1,"1.00000",mm/min', "", "Extension,Load", "(mm),(N)"]
+    lines += [f'"{1e3 * x:.9f}","{force:.9f}"' for x, force in zip(displacement, curves["F"])]
+    path.write_text("\r\n".join(lines) + "\r\n", encoding="utf-8")
+
+
 def simulated_curves(path):
     rows = list(csv.reader(io.StringIO(run("simulate", path).stdout)))
     titles = [title.split(" ")[0] for title in rows[0]] if rows else ["w_s", "w", "F"]
@@ -165,7 +173,8 @@ def check_cases():
             path.write_text(text, encoding="utf-8")
             commands = []
             if "record" in case:
-                write_record(folder / case["record"]["file"], case["record"], curves[case.get("reduced", False)])
+                write = write_export if "displacement" in case["record"] else write_record
+                write(folder / case["record"]["file"], case["record"], curves[case.get("reduced", False)])
                 commands = ["invert", "fit"] if can_fit else ["invert"]
             elif "stage" in case:
                 commands = ["simulate", "equilibrium"]

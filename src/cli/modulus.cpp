@@ -1,0 +1,107 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cases/measurement.h"
+#include "cli/case_flags.h"
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "io/input_error.h"
+#include "io/quantity.h"
+#include "io/text_file.h"
+#include "report/plain_text.h"
+#include "report/preparation_json.h"
+#include "report/preparation_words.h"
+#include "report/small_deflection_json.h"
+#include "report/small_deflection_words.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t least_points = 11;  // they tell the noise
+
+struct ModulusRequest {
+  CaseRequest test;
+  std::vector<std::string> window;
+  Output output;
+};
+
+std::optional<ForceWindow> window_of(const std::vector<std::string>& given) {
+  if (given.empty()) return std::nullopt;
+  const auto share = [](const std::string& text) {
+    try {
+      return parse_quantity(text, kind::number, Range::non_negative);
+    } catch (const InputError& error) {
+      throw located(error, "", 0, "--window");
+    }
+  };
+  const ForceWindow window{share(given[0]), share(given[1])};
+  if (window.from < window.up_to && window.up_to <= 1) return window;
+  throw InputError({.field = "--window",
+                    .expected = "two rising shares of the greatest force, at most 1",
+                    .found = fmt::format("{} and {}", given[0], given[1])});
+}
+
+std::string text_of(const StandardTest& test) {
+  std::string text = laid_out(small_deflection_table(test));
+  text += '\n';
+  for (const auto& words : small_deflection_in_words(test)) text += wrapped(words, "");
+  text += "\nFrom the file to the record:\n";
+  for (const auto& words : preparation_in_words(test.measurement.preparation)) text += " - " + wrapped(words, "   ");
+  return text;
+}
+
+void run_modulus(const ModulusRequest& request) {
+  const SmallDeflectionOptions options{.window = window_of(request.window)};
+  const Measurement measurement = [&] {
+    try {
+      return read_measurement(case_of(request.test), least_points);
+    } catch (const InputError& error) {
+      throw in_words_of_call(request.test, error);
+    }
+  }();
+  const BeamGeometry geometry = geometry_of(measurement.test);
+  const SmallDeflection numbers = small_deflection(measurement.record, geometry, options);
+  const StandardTest test{measurement, geometry, numbers, measurement.test.reduced};
+  if (request.output.json) {
+    Json out = small_deflection_json(test);
+    out["preparation"] = preparation_json(measurement.preparation);
+    write_json(request.output.path, out);
+  } else {
+    write_text(request.output.path, text_of(test));
+  }
+  if (numbers.status != SmallDeflectionStatus::ok)
+    throw CalculationFailed(fmt::format("{}: {}", measurement.file, small_deflection_in_words(test).front()));
+}
+
+}  // namespace
+
+void add_modulus_command(CLI::App& app) {
+  const auto request = std::make_shared<ModulusRequest>();
+  CLI::App* command =
+      app.add_subcommand("modulus", "Stiffness and flexural modulus, as the bending standards have them");
+  add_case_options(*command, request->test);
+  command
+      ->add_option("--window", request->window,
+                   "Straight part, in shares of the greatest force at deflections below a tenth of the span; not "
+                   "given: the steepest quarter")
+      ->type_name("SHARE")
+      ->expected(2);
+  add_output_options(*command, request->output);
+  command->get_option("--json")->description("Write JSON instead of text");
+  command->footer(
+      "Small deflections, no friction, no shear: the numbers to compare with other laboratories, also for specimens\n"
+      "too thick for fit. Without a span there is a stiffness only, without a section no modulus. A displacement\n"
+      "of the crosshead is corrected for the stiffness of the load train. Modulus and stress have three significant\n"
+      "digits, as ISO 178 wants; --json has all. The exit code is 1 if the record has no straight rising part.\n\n"
+      "Examples:\n"
+      "  flexslip modulus examples/simulated/case.toml\n"
+      "  flexslip modulus export.csv --displacement crosshead --stiffness \"2 kN/mm\" --span \"64 mm\" \\\n"
+      "    --width \"10 mm\" --height \"4 mm\"");
+  command->callback([request] { run_modulus(*request); });
+}
+
+}  // namespace flexslip

@@ -1,0 +1,24 @@
+// How a file became the record, step by step, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/preparation.h"
+
+namespace flexslip {
+
+struct PreparationRow {
+  std::string name;       // "force zero"
+  std::string done;       // a sentence without its full stop
+  std::string value;      // with its uncertainty; empty if there is none
+  std::string rows;       // "1 to 40"; empty for all
+  std::string otherwise;  // the key or flag that has it otherwise; empty if nothing has
+};
+
+std::vector<PreparationRow> preparation_rows(const Preparation& preparation);
+
+// A sentence for each step.
+std::vector<std::string> preparation_in_words(const Preparation& preparation);
+
+}  // namespace flexslip

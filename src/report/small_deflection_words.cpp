@@ -1,0 +1,125 @@
+#include "report/small_deflection_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace flexslip {
+namespace {
+
+constexpr double two_sided = 1.96;  // [standard deviation] of a 95 % interval
+
+// In the units that the standards use.
+constexpr std::array<std::string_view, 4> stiffness_units{"mN/m", "N/m", "N/mm", "kN/mm"};
+constexpr Kind stiffness_kind{kind::stiffness.name, kind::stiffness.dimension, stiffness_units, "7.3 N/mm"};
+
+// To three significant digits, trailing zeros among them.
+std::string three_digits(double value, const Kind& kind) {
+  const std::string_view unit = best_unit(value, kind);
+  const double shown = unit.empty() ? value : from_si(value, parse_unit(unit));
+  if (!(shown > 0) || !std::isfinite(shown)) return readable(value, kind);
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(shown) + 1e-12));
+  const double step = std::pow(10, -decimals);
+  const std::string number = fmt::format("{:.{}f}", step * std::round(shown / step), std::max(decimals, 0));
+  return unit.empty() ? number : fmt::format("{} {}", number, typeset(unit));
+}
+
+std::string percent_to_two_digits(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
+}  // namespace
+
+StandardTest standard_test(const FittedTest& test) {
+  return {test.measurement, test.geometry, test.small_deflection, test.reduced};
+}
+
+PrintedTable small_deflection_table(const StandardTest& test) {
+  const SmallDeflection& numbers = test.numbers;
+  PrintedTable table{{"", "value"}, {}};
+  if (numbers.status != SmallDeflectionStatus::ok) return table;
+  const auto as = [&](const Kind& kind) { return test.reduced ? kind::number : kind; };
+  const auto add = [&](std::string name, std::string value) {
+    table.rows.push_back({std::move(name), std::move(value)});
+  };
+  const auto& [slope, error] = numbers.stiffness;
+  const double relative = error / slope;
+  add("stiffness F/δ", readable(slope, error, as(stiffness_kind)));
+  if (numbers.bending_stiffness)
+    add("bending stiffness E I = F L³/(48 δ)",
+        readable(*numbers.bending_stiffness, relative * *numbers.bending_stiffness, as(kind::bending_stiffness)));
+  if (numbers.modulus)
+    add("flexural modulus E_f = F L³/(48 I δ)",
+        fmt::format("{} (± {})", three_digits(*numbers.modulus, as(kind::pressure)), percent_to_two_digits(relative)));
+  if (numbers.chord)
+    add("the same, chord from 0.05 % to 0.25 % strain",
+        fmt::format("{} (± {})", three_digits(numbers.chord->modulus, as(kind::pressure)),
+                    percent_to_two_digits(numbers.chord->stiffness.error / numbers.chord->stiffness.value)));
+  add("greatest force", readable(numbers.greatest_force, as(kind::force)));
+  add("deflection there", readable(numbers.deflection, as(kind::length)));
+  if (numbers.stress) add("flexural stress there", three_digits(*numbers.stress, as(kind::pressure)));
+  if (numbers.strain) add("flexural strain there", percent_to_two_digits(*numbers.strain));
+  return table;
+}
+
+std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
+  const SmallDeflection& numbers = test.numbers;
+  if (numbers.status != SmallDeflectionStatus::ok)
+    return {"The record has no straight rising part of five points or more, so it tells no stiffness."};
+  const auto& measurement = test.measurement;
+  const auto as = [&](const Kind& kind) { return test.reduced ? kind::number : kind; };
+  std::vector<std::string> list;
+  list.push_back(fmt::format(
+      "The straight part is rows {} to {}, from {:.0f} % to {:.0f} % of {}; it would meet zero force at a deflection "
+      "of "
+      "{}, from which deflection and strain count here.",
+      file_row(measurement, numbers.first), file_row(measurement, numbers.last - 1) + measurement.rows_per_point - 1,
+      100 * numbers.window.from, 100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)),
+      readable(numbers.origin, as(kind::length))));
+  list.emplace_back(
+      "Small deflections, supports that do not hold the specimen back and no shear are assumed. The errors are "
+      "standard errors of the slope, not of the dimensions.");
+  if (!test.geometry.span)
+    list.emplace_back("No span is stated: state it for a bending stiffness.");
+  else if (!test.geometry.section)
+    list.emplace_back("No section is stated: state it for a modulus, a stress and a strain.");
+  if (numbers.deflection_large)
+    list.push_back(fmt::format(
+        "The greatest force is reached at a deflection of {:.0f} % of the span: beyond 10 % the standards' stress and "
+        "strain do not hold.",
+        100 * numbers.deflection / *test.geometry.span));
+  if (numbers.not_slender)
+    list.push_back(fmt::format(
+        "The span is {:.3g} times the thickness, less than the 16 that ISO 178 asks for: shear makes the modulus "
+        "appear too small.",
+        *test.geometry.span / depth(*test.geometry.section)));
+  if (test.geometry.section && is_thin_tube(*test.geometry.section))
+    list.emplace_back(
+        "The wall of the tube is thin: it may become oval at the load, which makes the modulus appear too small.");
+  return list;
+}
+
+std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
+  const SmallDeflection& numbers = test.small_deflection;
+  if (test.analysis.status != AnalysisStatus::ok || !numbers.bending_stiffness) return std::nullopt;
+  const ParameterEstimate& fitted = chosen_model(test).bending_stiffness;
+  const double unit = test.analysis.scales.bending_stiffness();
+  const double error = *numbers.bending_stiffness * numbers.stiffness.error / numbers.stiffness.value;
+  return BesideFit{*numbers.bending_stiffness / (unit * fitted.value),
+                   *numbers.bending_stiffness + two_sided * error < unit * fitted.low ||
+                       *numbers.bending_stiffness - two_sided * error > unit * fitted.high};
+}
+
+std::string small_deflection_and_fit(const FittedTest& test) {
+  const auto beside = small_deflection_beside_fit(test);
+  if (!beside) return "There is no bending stiffness of a fit to compare with.";
+  return fmt::format(
+      "The bending stiffness of the straight part is {:.3f} times that of the fit{}", beside->ratio,
+      beside->disagrees
+          ? ": their 95 % intervals do not meet. The straight part knows neither friction nor large deflection, as the "
+            "fit does; where these cannot explain it, one of the two is wrong."
+          : "; their 95 % intervals meet.");
+}
+
+}  // namespace flexslip

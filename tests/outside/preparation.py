@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+"""outside: how a file becomes a record, and the numbers of the bending standards: identities, truth, and exports of real machines
+against regressions in numpy."""
+import json
+import math
+import random
+import re
+import unittest
+
+from program import SOURCE, InFolder, run
+
+EXAMPLE = SOURCE / "examples/simulated"
+CASE = EXAMPLE / "case.toml"
+DATA = EXAMPLE / "test.csv"
+FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
+INSTRUMENTS = (SOURCE / "../shared/data/instruments").resolve()
+STEPS = {"columns", "metadata", "sign", "thinning", "zero", "compliance", "end", "turn", "stage", "contact"}
+KEYS = {"step", "changed", "done", "value", "uncertainty", "unit", "rows", "key", "flag"}
+# A bar of ISO 178: E = 2.7 GPa, 10 mm x 4 mm, span 64 mm.
+MODULUS = 2.7e9
+STIFFNESS = 48 * MODULUS * (10e-3 * 4e-3**3 / 12) / 64e-3**3  # N/m
+LOAD_TRAIN = 2e6  # N/m
+BAR = ["--span", "64 mm", "--width", "10 mm", "--height", "4 mm"]
+
+
+def bar_test(sign=1, tare=0.0, noise=0.02, rows=300):
+    """(crosshead [mm], deflection [mm], force [N]): 0.2 mm before the contact, then a straight rise."""
+    draw = random.Random(5)
+    columns = []
+    for i in range(rows):
+        crosshead = 0.01e-3 * i
+        deflection = max(0.0, crosshead - 0.2e-3) / (1 + STIFFNESS / LOAD_TRAIN)
+        force = STIFFNESS * deflection + tare + draw.gauss(0, noise)
+        columns.append((sign * 1e3 * crosshead, sign * 1e3 * (deflection + min(0.0, crosshead - 0.2e-3)), sign * force))
+    return columns
+
+
+def bluehill(columns, which=0, preamble=()):
+    lines = [*preamble, "", "Extension,Load", "(mm),(N)", *(f'"{row[which]:.6f}","{row[2]:.5f}"' for row in columns)]
+    return "\r\n".join(lines) + "\r\n"
+
+
+def step(answer, name):
+    return next(each for each in answer["preparation"] if each["step"] == name)
+
+
+def without_provenance(answer):
+    return {key: value for key, value in answer.items() if key not in {"provenance", "name", "preparation"}}
+
+
+class Steps(InFolder):
+    def test_outside_schema(self):
+        for command in ("fit", "modulus"):
+            answer = self.json(command, CASE)
+            self.assertLessEqual({each["step"] for each in answer["preparation"]}, STEPS)
+            for each in answer["preparation"]:
+                self.assertEqual(set(each), KEYS)
+                if each["flag"]:
+                    self.assertTrue(each["flag"].startswith("--"), each)
+
+    def test_outside_every_flag_named_is_a_flag(self):
+        text = self.succeeds("fit", "--help")
+        for each in self.json("fit", CASE)["preparation"]:
+            if each["flag"]:
+                self.assertIn(each["flag"].split(" ")[0], text)
+
+    def test_outside_steps_stand_in_text_and_report(self):
+        text = " ".join(self.succeeds("fit", CASE).split())
+        run("fit", CASE, "--report", self.folder / "report")
+        page = (self.folder / "report/report.html").read_text(encoding="utf-8")
+        self.assertIn("From the file to the record", page)
+        for each in self.json("fit", CASE)["preparation"]:
+            self.assertIn(each["done"], text)
+            self.assertIn(each["done"], page.replace("&#39;", "'"))
+
+    def test_identity_reversed_columns_give_the_same_fit(self):
+        lines = DATA.read_text(encoding="utf-8").splitlines()
+        turn = lambda cell: cell[1:] if cell.startswith("-") else "-" + cell
+        reversed_lines = [",".join(map(turn, line.split(","))) if line[:1] in "-0123456789" else line for line in lines]
+        path = self.file("reversed.csv", "\n".join(reversed_lines) + "\n")
+        straight = self.json("fit", DATA, *FLAGS)
+        turned = self.json("fit", path, *FLAGS)
+        self.assertTrue(step(turned, "sign")["changed"])
+        self.assertFalse(step(straight, "sign")["changed"])
+        self.assertEqual(without_provenance(turned), without_provenance(straight))
+
+    def test_identity_keys_say_what_flags_say(self):
+        extra = {"sign": "keep", "zero": "0.05 mN", "contact": "first row", "failure": "none"}
+        flags = [word for key, value in extra.items() for word in (f"--{key}", value)]
+        case = CASE.read_text(encoding="utf-8").replace('"test.csv"', f'"{DATA}"')
+        case += "".join(f'{key} = "{value}"\n' for key, value in extra.items())
+        self.assertIn("[record]", case)
+        by_case = self.json("fit", self.file("case.toml", case), "--model", "constant")
+        modulus = re.search(r"bending_stiffness|modulus", case).group()
+        self.assertTrue(modulus)
+        by_flags = self.json("fit", DATA, *FLAGS, *flags, "--model", "constant")
+        for name in ("sign", "zero", "end", "contact"):
+            self.assertEqual(step(by_case, name), step(by_flags, name))
+        self.assertEqual(step(by_flags, "zero")["value"], 0.05e-3)
+
+    def test_limit_what_cannot_be_is_refused(self):
+        self.refused("fit", DATA, *FLAGS, "--sign", "flip", says=["--sign", '"reverse"'])
+        self.refused("fit", DATA, *FLAGS, "--zero", "3 um", says=["--zero", "a force"])
+        self.refused("fit", DATA, *FLAGS, "--displacement", "crosshead", says=["--displacement", "both stage and displacement"])
+        self.refused("fit", DATA, *FLAGS, "--inner-diameter", "40 um", says=["--inner-diameter", "less than the outer"])
+        self.refused("fit", DATA, *FLAGS, "--until", "x", says=["--until"])
+
+
+class Bar(InFolder):
+    def modulus(self, columns, *arguments, which=0, preamble=()):
+        return self.json("modulus", self.file("bar.csv", bluehill(columns, which, preamble)), *arguments)
+
+    def test_truth_of_a_crosshead_corrected(self):
+        found = self.modulus(bar_test(), *BAR, "--displacement", "crosshead", "--stiffness", f"{LOAD_TRAIN} N/m")
+        for name, truth in (("stiffness", STIFFNESS), ("modulus", MODULUS)):
+            self.assertLess(abs(found[name]["value"] - truth), 5 * found[name]["standard_error"], name)
+        self.assertLess(abs(found["chord"]["modulus"]["value"] - MODULUS), 5 * found["chord"]["modulus"]["standard_error"])
+        uncorrected = self.modulus(bar_test(), *BAR, "--displacement", "crosshead", "--stiffness", "inf")
+        # The springs in series, as ISO 178 warns.
+        series = 1 / (1 / STIFFNESS + 1 / LOAD_TRAIN)
+        self.assertLess(abs(uncorrected["stiffness"]["value"] - series), 5 * uncorrected["stiffness"]["standard_error"])
+
+    def test_truth_of_a_deflectometer(self):
+        found = self.modulus(bar_test(), *BAR, "--displacement", "deflection", which=1)
+        self.assertLess(abs(found["modulus"]["value"] - MODULUS), 5 * found["modulus"]["standard_error"])
+        self.assertIn("no load-train stiffness is stated", step(found, "compliance")["done"])
+
+    def test_identity_sign_and_tare(self):
+        flags = [*BAR, "--displacement", "crosshead", "--stiffness", f"{LOAD_TRAIN} N/m"]
+        plain = self.modulus(bar_test(noise=0), *flags)
+        turned = self.modulus(bar_test(sign=-1, noise=0), *flags)
+        self.assertEqual(plain["stiffness"], turned["stiffness"])
+        tared = self.modulus(bar_test(tare=3.25), *flags)
+        offset = step(tared, "zero")
+        self.assertTrue(offset["changed"])
+        self.assertLess(abs(offset["value"] - 3.25), 5 * offset["uncertainty"])
+        self.assertEqual(offset["unit"], "N")
+        kept = self.modulus(bar_test(tare=3.25), *flags, "--zero", "keep")
+        self.assertAlmostEqual(kept["greatest_force"]["value"] - tared["greatest_force"]["value"], offset["value"], places=9)
+
+    def test_limit_a_displacement_of_unknown_kind_is_asked_for(self):
+        path = self.file("bar.csv", bluehill(bar_test()))
+        self.refused("modulus", path, *BAR, says=["'Extension'", "--displacement crosshead", '"deflection"', "ISO 178"])
+        self.refused("modulus", path, *BAR, "--displacement", "crosshead", says=["--stiffness", '"inf"'])
+
+    def test_limit_titles_of_a_file_with_a_preamble(self):
+        path = self.file("bar.csv", bluehill(bar_test(), preamble=["Operator,somebody"]))
+        self.refused("fit", path, "--stage", "Extension [mm]", "--force", "Load [N]", "--span", "64 mm", "--stiffness", "inf",
+                     says=["displacement = ", "flexslip read"])
+
+    def test_identity_span_and_section_of_the_file(self):
+        preamble = ["Support span : Support span,64,mm", "Width : Width,10,mm", "Thickness : Thickness,4,mm"]
+        flags = ["--displacement", "crosshead", "--stiffness", f"{LOAD_TRAIN} N/m"]
+        told = self.modulus(bar_test(), *flags, preamble=preamble)
+        stated = self.modulus(bar_test(), *BAR, *flags)
+        self.assertEqual(told["modulus"], stated["modulus"])
+        self.assertEqual([each["value"] for each in told["preparation"] if each["step"] == "metadata"], [0.064, 0.01, 0.004])
+        self.assertEqual([each for each in stated["preparation"] if each["step"] == "metadata"], [])
+
+    def test_outside_three_significant_digits(self):
+        path = self.file("bar.csv", bluehill(bar_test()))
+        text = self.succeeds("modulus", path, *BAR, "--displacement", "crosshead", "--stiffness", f"{LOAD_TRAIN} N/m")
+        self.assertRegex(text, r"flexural modulus .* 2\.\d\d GPa \(±")
+        self.assertRegex(text, r"flexural stress there +\d\.?\d\.?\d? MPa")
+
+    def test_outside_a_tube_against_the_formula(self):
+        flags = ["--displacement", "deflection", "--span", "64 mm", "--diameter", "6 mm"]
+        moment = math.pi * (6e-3**4 - 5e-3**4) / 64
+        for hollow in (["--inner-diameter", "5 mm"], ["--wall", "0.5 mm"]):
+            found = self.modulus(bar_test(), *flags, *hollow, which=1)
+            self.assertAlmostEqual(found["modulus"]["value"] * moment / (found["stiffness"]["value"] * 64e-3**3 / 48), 1, places=12)
+
+    def test_outside_fit_shows_the_same_numbers(self):
+        fit = self.json("fit", CASE)["small_deflection"]
+        modulus = self.json("modulus", CASE)
+        for key, value in modulus.items():
+            if key != "preparation":
+                self.assertEqual(fit[key], value, key)
+        self.assertIs(fit["deflection_large"], True)
+        self.assertIsInstance(fit["disagrees_with_fit"], bool)
+
+    def test_limit_no_straight_part(self):
+        path = self.file("flat.csv", "w [mm],F [N]\n" + "".join(f"{i},{(i + 1) % 2}\n" for i in range(40)))
+        result = run("modulus", path, "--deflection", "w", "--force", "F", "--sign", "keep", "--json")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(json.loads(result.stdout)["status"], "no_straight_part")
+
+
+@unittest.skipUnless(INSTRUMENTS.is_dir(), "skipped: no campaign data")
+class RealMachines(InFolder):
+    """The stiffness of each export against a regression in numpy over the rows that the program names."""
+
+    def numbers_in(self, path, rows):
+        """The first three numbers of each line that has that many and nothing else."""
+        import numpy
+        table = []
+        for line in path.read_text(encoding="latin-1").splitlines():
+            cells = [cell for cell in re.split(r"[,\s]+", line.replace('"', "").strip()) if cell]
+            try:
+                table.append([float(cell) for cell in cells[-3:]])
+            except ValueError:
+                continue
+        table = [row for row in table if len(row) == 3]
+        self.assertEqual(len(table), rows)
+        return numpy.array(table)
+
+    def check(self, name, columns, *arguments, rows, stiffness, units=(1e-3, 1)):
+        """`stiffness` in N/mm, to 1 %: what is shown here does not move unnoticed. Units: of displacement and force, in SI."""
+        import numpy
+        path = INSTRUMENTS / name
+        found = self.json("modulus", path, "--displacement", "crosshead", "--stiffness", "inf", *arguments)
+        table = self.numbers_in(path, rows)
+        w, F = (table[:, column] * unit for column, unit in zip(columns, units))
+        first, last = found["window"]["rows"]
+        thinning = [each for each in found["preparation"] if each["step"] == "thinning"]
+        every = int(re.search(r"one in (\d+)", thinning[0]["done"]).group(1)) if thinning else 1
+        part = slice(first - 1, last, every)
+        slope = numpy.polyfit(w[part], F[part], 1)[0]
+        with self.subTest(name):
+            # Where the stage trembles it is held, which moves a slope by less than its error.
+            self.assertLess(abs(found["stiffness"]["value"] - slope), 0.1 * found["stiffness"]["standard_error"])
+            self.assertAlmostEqual(found["stiffness"]["value"] / 1e3, stiffness, delta=0.01 * stiffness)
+        return found
+
+    def test_outside_maize(self):
+        # Bluehill 3, span 17 mm; the diameters are not in the file.
+        found = self.check("bluehill3_maize/1267_Specimen_RawData_1.csv", (1, 2), "--span", "17 mm", rows=1133, stiffness=5.81)
+        self.assertAlmostEqual(found["greatest_force"]["value"], 6.95912)  # as the file's own metadata says
+        self.check("bluehill3_maize/1267_Specimen_RawData_2.csv", (1, 2), "--span", "17 mm", rows=1882, stiffness=5.55)
+
+    def test_outside_pla(self):
+        # MTS 793, span 40.28 mm, compression negative; the section is not in the file. Force in kN.
+        for name, rows, stiffness in (("1_3D850_s1", 6305, 39.3), ("4_3Devo_s1", 7267, 49.95), ("7_CR10_s1", 12050, 34.84)):
+            found = self.check(f"mts793_pla/{name}.dat", (0, 1), "--span", "40.28 mm", rows=rows, stiffness=stiffness,
+                               units=(-1e-3, -1e3))
+            self.assertTrue(step(found, "sign")["changed"])
+            bending = found["stiffness"]["value"] * 40.28e-3**3 / 48
+            self.assertAlmostEqual(found["bending_stiffness"]["value"] / bending, 1, places=12)
+
+    def test_outside_femur(self):
+        found = self.check("cellscale_femur/A023Data.csv", (1, 2), rows=38, stiffness=72.7)
+        self.assertEqual(step(found, "end")["rows"], [36, 38])  # 15.4 N, then 9.7 N, then nothing
+
+    def test_outside_blades(self):
+        self.check("bluehill_blades/WSR8001_july25_lateral.csv", (1, 2), rows=3004, stiffness=141.2)
+        found = self.check("bluehill_blades/cyclic_Specimen_RawData_1.csv", (1, 2), rows=222, stiffness=3.01)
+        self.assertIn("turns back after row 114", step(found, "turn")["done"])
+
+    def test_outside_a_force_in_volts_is_refused(self):
+        result = run("modulus", INSTRUMENTS / "mts_testsuite_femur/C18-L-M-RF.txt", "--displacement", "crosshead", "--stiffness", "inf")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--calibration", result.stderr)
+        calibrated = self.json("modulus", INSTRUMENTS / "mts_testsuite_femur/C18-L-M-RF.txt", "--displacement", "crosshead",
+                               "--stiffness", "inf", "--force", "4", "--calibration", "222 N/V")
+        self.assertEqual(calibrated["status"], "ok")
+
+
+if __name__ == "__main__":
+    unittest.main()
