@@ -15,11 +15,19 @@ struct CalculationFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Exit code 130: what was done is kept.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 void add_state_command(CLI::App& app);
 void add_invert_command(CLI::App& app);
 void add_equilibrium_command(CLI::App& app);
 void add_simulate_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
+void add_read_command(CLI::App& app);
+void add_campaign_command(CLI::App& app);
+void add_modulus_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
 
 }  // namespace flexslip

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int exit_not_calculated = 1;
 constexpr int exit_wrong_input = 2;
+constexpr int exit_interrupted = 130;
 
 int complain(std::string_view message, int exit_code) {
   std::cerr << fmt::format("flexslip: {}\n", message);
@@ -92,8 +93,12 @@ int run(int argc, char** argv) {
       "Exit status:\n"
       "  0  done\n"
       "  1  the calculation did not succeed; what could be calculated is written\n"
-      "  2  the input or the call was wrong");
+      "  2  the input or the call was wrong\n"
+      "  130  interrupted; what was done is kept");
   add_fit_command(app);
+  add_campaign_command(app);
+  add_read_command(app);
+  add_modulus_command(app);
   add_invert_command(app);
   add_simulate_command(app);
   add_equilibrium_command(app);
@@ -110,6 +115,8 @@ int run(int argc, char** argv) {
     return complain(explained(app, error), exit_wrong_input);
   } catch (const CalculationFailed& error) {
     return complain(error.what(), exit_not_calculated);
+  } catch (const Interrupted& error) {
+    return complain(error.what(), exit_interrupted);
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), exit_wrong_input);
   } catch (const InputError& error) {

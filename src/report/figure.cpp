@@ -25,7 +25,7 @@ constexpr double png_resolution = 400;  // [1/in]
 
 // Colours that all can tell apart (Okabe and Ito), and the looks that every figure shares.
 constexpr std::string_view style = R"(
-blue = '#0072B2'; sky = '#56B4E9'; green = '#009E73'; orange = '#E69F00'; vermillion = '#D55E00'; grey = '#8C8C8C'
+blue = '#0072B2'; sky = '#56B4E9'; green = '#009E73'; orange = '#E69F00'; vermillion = '#D55E00'; brown = '#8C510A'; grey = '#8C8C8C'
 set encoding utf8
 set datafile separator comma
 set datafile columnheaders
@@ -35,12 +35,6 @@ set mxtics 2; set mytics 2
 set minussign
 set key samplen 2.2 spacing 1.15 noautotitle
 )";
-
-std::string in_script(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
-  return out + '\'';
-}
 
 std::string csv(const FigureData& data) {
   std::string text = fmt::format("{}\n", fmt::join(data.titles, ","));
@@ -129,6 +123,38 @@ void finish_pdf(const fs::path& path) {
 }
 
 }  // namespace
+
+double tick_within(double value) {
+  const double decade = std::pow(10, std::floor(std::log10(value)));
+  return (value >= 5 * decade ? 5 : value >= 2 * decade ? 2 : 1) * decade;
+}
+
+std::string logarithmic_tics(double a, double b) {
+  const auto [low, high] = std::minmax(a, b);
+  std::string tics;
+  for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
+    for (const double digit : {1, 2, 3, 4, 6, 8})
+      if (const double tic = digit * std::pow(10, decade); tic >= low && tic <= high)
+        tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", tic);
+  return tics;
+}
+
+std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& rows, double width, double height) {
+  constexpr double finest = 0.003;  // of the figure: half a millimetre
+  std::vector<std::vector<double>> kept;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == rows.size() || rows[i].empty() || rows[i - 1].empty() || rows[i + 1].empty();
+    if (is_end || std::hypot((rows[i][0] - kept.back()[0]) / width, (rows[i][1] - kept.back()[1]) / height) > finest)
+      kept.push_back(rows[i]);
+  }
+  return kept;
+}
+
+std::string in_script(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  return out + '\'';
+}
 
 PlotUnit plot_unit(double magnitude, const Kind& kind, bool reduced, std::string_view reduced_unit) {
   if (reduced) return {std::string(reduced_unit), 1};

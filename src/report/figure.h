@@ -43,6 +43,19 @@ enum class DrawStatus {
   no_gnuplot,  // script and data are written, pictures are not
 };
 
+// A round distance of ticks: 1, 2 or 5 times a power of ten, at most the value given. Domain: value > 0.
+double tick_within(double value);
+
+// Round values within a range, for gnuplot, which labels only the powers of ten of a logarithmic axis. Domain: a, b > 0.
+std::string logarithmic_tics(double a, double b);
+
+// The points of a line that can be told apart in a figure of this width and height [units of the rows], with those where it
+// begins, breaks and ends.
+std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& rows, double width, double height);
+
+// Text as a word of a gnuplot script, in quotes.
+std::string in_script(std::string_view text);
+
 // Writes <folder>/<name>.gp and its data, and the pictures in the formats given: "svg", "pdf", "png".
 // Fails:      no_gnuplot; InputError if a file cannot be written; std::runtime_error, with its words, if gnuplot refuses.
 // Method:     the same figure gives the same bytes: the date in the PDF is set to SOURCE_DATE_EPOCH, or 1970.

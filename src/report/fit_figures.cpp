@@ -52,38 +52,9 @@ History drawn_model(const FittedTest& test) {
   return history;
 }
 
-// A round distance of ticks: 1, 2 or 5 times a power of ten, at most the value given.
-double tick_within(double value) {
-  const double decade = std::pow(10, std::floor(std::log10(value)));
-  return (value >= 5 * decade ? 5 : value >= 2 * decade ? 2 : 1) * decade;
-}
-
-// The points of a line that can be told apart in print, with those where it begins, breaks and ends.
-std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>& rows, double width, double height) {
-  constexpr double finest = 0.003;  // of the figure: half a millimetre
-  std::vector<std::vector<double>> kept;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const bool is_end = i == 0 || i + 1 == rows.size() || rows[i].empty() || rows[i - 1].empty() || rows[i + 1].empty();
-    if (is_end || std::hypot((rows[i][0] - kept.back()[0]) / width, (rows[i][1] - kept.back()[1]) / height) > finest)
-      kept.push_back(rows[i]);
-  }
-  return kept;
-}
-
 double rounded_up(double value) {
   const double step = std::pow(10, std::floor(std::log10(value))) / 2;
   return step * std::ceil(value / step);
-}
-
-// Round values within a range, for gnuplot, which labels only the powers of ten of such an axis.
-std::string logarithmic_tics(double a, double b) {
-  const auto [low, high] = std::minmax(a, b);
-  std::string tics;
-  for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
-    for (const double digit : {1, 2, 3, 4, 6, 8})
-      if (const double tic = digit * std::pow(10, decade); tic >= low && tic <= high)
-        tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", tic);
-  return tics;
 }
 
 // The measured profile at the bending stiffness of the chosen model.

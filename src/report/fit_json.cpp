@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "report/cycles_json.h"
+#include "report/fit_words.h"
+#include "report/preparation_json.h"
+#include "report/small_deflection_json.h"
 #include "report/teeth_json.h"
 
 namespace flexslip {
@@ -44,6 +47,48 @@ Json parameters_json(const ModelFit& model, const Units& units) {
   if (model.model != ProfileModel::constant) out["drift"] = parameter(model.drift, 1 / span, units.unit("1/m"));
   out["bending_stiffness"] = parameter(model.bending_stiffness, units.scales.bending_stiffness(), units.unit("N m^2"));
   return out;
+}
+
+// The other wavelengths of a model's last wave, and the intervals of 95 % about those that the record does not exclude.
+Json runners_up_json(const ModelFit& model, const Units& units) {
+  Json out = Json::array();
+  for (const auto& other : model.runners_up)
+    out.push_back({{"wavelength", units.length(other.wavelength)},
+                   {"amplitude", other.amplitude},
+                   {"phase", other.phase},
+                   {"delta_log_likelihood", other.delta_log_likelihood},
+                   {"residual_rms", units.force(other.residual_rms)}});
+  return out;
+}
+
+Json other_wavelengths_json(const ModelFit& model, const Units& units) {
+  Json out = Json::array();
+  for (const auto& wave : model.waves)
+    for (const auto& interval : wave.other_wavelengths)
+      out.push_back({units.length(interval.low), units.length(interval.high)});
+  return out;
+}
+
+Json bootstrap_json(const TestAnalysis& analysis, const Units& units) {
+  if (!analysis.bootstrap) return nullptr;
+  const auto& bootstrap = *analysis.bootstrap;
+  const auto spread = [](const BootstrapEstimate& estimate, double factor) {
+    return Json{{"standard_error", estimate.standard_error * factor},
+                {"interval95", {estimate.low * factor, estimate.high * factor}}};
+  };
+  const double span = units.scales.span();
+  Json parameters = {{"mu0", spread(bootstrap.mu0, 1)}, {"drift", spread(bootstrap.drift, 1 / span)}};
+  std::string suffix;
+  int number = 1;
+  for (const auto i : order_by_size(analysis.fit.models[analysis.fit.chosen])) {
+    const auto& wave = bootstrap.waves[i];
+    parameters["amplitude" + suffix] = spread(wave.amplitude, 1);
+    parameters["wavelength" + suffix] = spread(wave.wavelength, span);
+    parameters["phase" + suffix] = spread(wave.phase, 1);
+    suffix = "_" + std::to_string(++number);
+  }
+  parameters["bending_stiffness"] = spread(bootstrap.bending_stiffness, units.scales.bending_stiffness());
+  return {{"count", bootstrap.count}, {"block", bootstrap.block}, {"seed", bootstrap.seed}, {"parameters", parameters}};
 }
 
 Json contact_parameter(const FittedTest& test, const Units& units) {
@@ -271,6 +316,8 @@ Json fit_json(const FittedTest& test) {
                           {"parameters", model.parameters}};
         described["parameters"] = parameters_json(model, units);
         described["statistics"] = statistics_json(model, units);
+        described["runners_up"] = runners_up_json(model, units);
+        described["other_wavelengths95"] = other_wavelengths_json(model, units);
       }
       models[name] = described;
     }
@@ -315,9 +362,14 @@ Json fit_json(const FittedTest& test) {
   out["replay"] = replay;
   out["cycles"] = cycles_json(test);
   out["models"] = models;
+  out["runners_up"] = chosen ? runners_up_json(*chosen, units) : Json::array();
+  out["other_wavelengths95"] = chosen ? other_wavelengths_json(*chosen, units) : Json::array();
+  out["bootstrap"] = bootstrap_json(analysis, units);
   out["middle"] = fitted ? Json(units.length(analysis.fit.S_middle)) : Json();
   out["wavelength_candidates"] = candidates_json(analysis.fit.scan, units);
+  out["small_deflection"] = small_deflection_json(test);
   out["measurement"] = measurement_json(test);
+  out["preparation"] = preparation_json(test.measurement.preparation);
   out["contact"] = contact_json(test);
   out["nominal_bending_stiffness"] = stiffness_json(test);
   out["noise"] = {{"force", units.force(analysis.force_noise)},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -147,13 +148,15 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
                           1, kind::number));
     rows.push_back(row_of("wavelength" + suffix, symbol("λ"), "along the specimen" + which, wave.wavelength,
                           scales.span(), print.as(kind::length)));
+    for (const auto& other : wave.other_wavelengths)
+      rows.back().remark += fmt::format("{}{} to {}", rows.back().remark.empty() ? "or " : ", or ",
+                                        print.length(other.low), print.length(other.high));
     rows.push_back(row_of("phase_at_middle" + suffix, "", "in the middle of the data" + which, wave.phase_at_middle, 1,
                           print.as(kind::angle)));
     rows.push_back(row_of("phase" + suffix, symbol("φ"), "of (4.25), at the length 0" + which, wave.phase, 1,
                           print.as(kind::angle)));
-    // The standard deviation of an angle of which nothing is known is π/√3.
-    if (wave.phase.standard_error > std::numbers::pi / std::numbers::sqrt3)
-      rows.back().remark = "not determined: it turns with λ";
+    if (wave.phase.high - wave.phase.low > 2 * std::numbers::pi)
+      rows.back().remark = "not determined: it turns with λ, by more than a full turn within its interval";
     suffix = fmt::format("_{}", ++number);
   }
   if (model.model != ProfileModel::constant)
@@ -288,6 +291,60 @@ PrintedTable wavelength_table(const FittedTest& test) {
   table.head.emplace_back("Gain of log-likelihood");
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     table.rows[i].push_back(fmt::format("{:.1f}", test.analysis.fit.scan.candidates[i].log_likelihood_gain));
+  return table;
+}
+
+PrintedTable runner_up_table(const FittedTest& test) {
+  const Print print(test);
+  const auto& scales = test.analysis.scales;
+  NumberColumn wavelength{"Wavelength", {}, print.as(kind::length)}, amplitude{"A", {}, kind::number, 3},
+      rms{"Residual rms", {}, print.as(kind::force)};
+  const auto& runners_up = chosen_model(test).runners_up;
+  for (const auto& other : runners_up) {
+    wavelength.values.push_back(scales.physical_length(other.wavelength));
+    amplitude.values.push_back(other.amplitude);
+    rms.values.push_back(scales.physical_force(other.residual_rms));
+  }
+  PrintedTable table = printed({wavelength, amplitude, rms});
+  table.head.emplace_back("Log-likelihood, less the best");
+  for (std::size_t i = 0; i < runners_up.size(); ++i)
+    table.rows[i].push_back(fmt::format("{:.1f}", runners_up[i].delta_log_likelihood));
+  return table;
+}
+
+std::vector<std::size_t> order_by_size(const ModelFit& model) {
+  std::vector<std::size_t> order(model.waves.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return model.waves[a].amplitude.value > model.waves[b].amplitude.value; });
+  return order;
+}
+
+PrintedTable bootstrap_table(const FittedTest& test) {
+  PrintedTable table{{"Bootstrap", "value", "95 % interval"}, {}};
+  if (!test.analysis.bootstrap) return table;
+  const auto& bootstrap = *test.analysis.bootstrap;
+  const auto& scales = test.analysis.scales;
+  const auto& model = chosen_model(test);
+  const Print print(test);
+  const auto add = [&](const std::string& name, double value, const BootstrapEstimate& spread, double factor,
+                       const Kind& kind) {
+    const auto row = row_of(name, "", "", {value, spread.standard_error, spread.low, spread.high}, factor, kind);
+    table.rows.push_back({row.name, row.value, row.interval});
+  };
+  add("mu0", model.mu0.value, bootstrap.mu0, 1, kind::number);
+  std::string suffix;
+  int number = 1;
+  for (const auto i : order_by_size(model)) {
+    const auto& wave = model.waves[i];
+    const auto& spread = bootstrap.waves[i];
+    add("amplitude" + suffix, wave.amplitude.value, spread.amplitude, 1, kind::number);
+    add("wavelength" + suffix, wave.wavelength.value, spread.wavelength, scales.span(), print.as(kind::length));
+    add("phase" + suffix, wave.phase.value, spread.phase, 1, print.as(kind::angle));
+    suffix = fmt::format("_{}", ++number);
+  }
+  add("bending_stiffness", model.bending_stiffness.value, bootstrap.bending_stiffness, scales.bending_stiffness(),
+      print.as(kind::bending_stiffness));
   return table;
 }
 
@@ -450,8 +507,8 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
                   model.correlation, model.force.size(), model.effective_points));
   if (model.model != ProfileModel::constant)
     list.emplace_back(
-        "Of neighbouring minima of the wavelength the best by likelihood was taken; the intervals hold within it. The "
-        "runners-up are listed.");
+        "Of neighbouring maxima of the likelihood in the wavelength the greatest was taken. The others are listed, and "
+        "their intervals where the record does not exclude them.");
   list.emplace_back(
       "The specimen is a slender, straight, elastic, inextensible beam that slides over both supports alike; its "
       "section does not change along it.");

@@ -1,6 +1,7 @@
 // What a fitted test says, in words and formatted numbers: the one content that the text on a terminal and the report lay out.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,13 @@ PrintedTable drop_table(const FittedTest& test);   // the drops measured, as sli
 PrintedTable snap_table(const FittedTest& test);   // the snaps of the chosen model
 PrintedTable energy_table(const FittedTest& test);
 PrintedTable wavelength_table(const FittedTest& test);  // where the fit started from: the runners-up
+
+// The other local maxima of the likelihood in the wavelength.
+PrintedTable runner_up_table(const FittedTest& test);
+PrintedTable bootstrap_table(const FittedTest& test);  // without rows if none was asked for
+
+// The waves of a model, largest amplitude first, as numbers.
+std::vector<std::size_t> order_by_size(const ModelFit& model);
 
 // Sentences, each complete in itself.
 std::string friction_in_literature(const FittedTest& test);

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "cases/campaign_run.h"
+#include "cli/analysis_flags.h"
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "io/input_error.h"
+#include "io/text_file.h"
+#include "report/campaign_json.h"
+#include "report/campaign_report.h"
+#include "report/campaign_text.h"
+#include "report/fit_json.h"
+#include "report/report.h"
+
+namespace flexslip {
+namespace {
+
+struct CampaignRequest {
+  std::string path;
+  std::optional<std::string> common;
+  std::string report;
+  bool figures = true;
+  bool test_reports = false;
+  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  AnalysisFlags flags;
+  std::vector<std::string> shared;
+  Output output;
+};
+
+// Set by whoever interrupts the program; the tests that are being computed are
+// finished and kept.
+std::atomic<bool> interrupted = false;
+
+class WhileInterruptible {
+ public:
+  WhileInterruptible() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = true; });
+  }
+  ~WhileInterruptible() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  }
+  WhileInterruptible(const WhileInterruptible&) = delete;
+  WhileInterruptible& operator=(const WhileInterruptible&) = delete;
+};
+
+// The files of one test: all that `fit` writes.
+void write_test(const CampaignRequest& request, const FittedTest& test, const std::string& folder) {
+  const std::filesystem::path base(folder);
+  write_json((base / "fit.json").string(), fit_json(test));
+  write_curves((base / "curves.csv").string(), test);
+  write_profile((base / "profile.csv").string(), test);
+  if (request.test_reports) write_report(folder, test);
+}
+
+constexpr std::array shareables{Shareable::modulus, Shareable::bending_stiffness, Shareable::amplitude,
+                                Shareable::wavelength};
+
+std::vector<std::string> shareable_names() {
+  std::vector<std::string> names;
+  names.reserve(shareables.size());
+  for (const auto parameter : shareables) names.push_back(name_of(parameter));
+  return names;
+}
+
+std::vector<Shareable> shared_in(const CampaignRequest& request) {
+  std::vector<Shareable> shared;
+  for (const auto& name : request.shared)
+    for (const auto parameter : shareables)
+      if (name_of(parameter) == name) shared.push_back(parameter);
+  return shared;
+}
+
+CampaignOptions options_of(const CampaignRequest& request) {
+  CampaignOptions options;
+  options.analysis = [&request](const Case& input) { return options_for(input, request.flags); };
+  options.threads = request.jobs;
+  options.stop = &interrupted;
+  if (!request.report.empty()) {
+    options.folder = (std::filesystem::path(request.report) / "tests").string();
+    options.present = [&request](const FittedTest& test, const std::string& folder) {
+      write_test(request, test, folder);
+    };
+    options.presented = request.test_reports ? "report" : "";
+  }
+  if (!request.output.quiet && isatty(STDERR_FILENO) == 1)
+    options.progress = [](std::size_t done, std::size_t tests) {
+      std::cerr << fmt::format("\r{} of {} tests{}", done, tests, done == tests ? "\n" : "") << std::flush;
+    };
+  return options;
+}
+
+DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
+  if (request.figures) return write_campaign_report(request.report, campaign);
+  write_campaign_tables(request.report, campaign);
+  return DrawStatus::drawn;
+}
+
+void run_campaign_command(const CampaignRequest& request) {
+  const auto plan = plan_campaign(request.path, request.common);
+  CampaignOptions options = options_of(request);
+  const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs);
+  options.held = shared.held;
+  CampaignRun run = [&] {
+    const WhileInterruptible guard;
+    return run_campaign(plan, options);
+  }();
+  run.campaign.shared = shared.parameters;
+  if (run.status == CampaignStatus::stopped)
+    throw Interrupted(fmt::format("interrupted after {} of {} tests{}", run.campaign.tests.size(), plan.size(),
+                                  request.report.empty() ? "; with --report FOLDER they would be kept"
+                                                         : "; the same command goes on from there"));
+  if (run.found > 0)
+    note(request.output, fmt::format("{} of {} tests were kept by an earlier run", run.found, plan.size()));
+  if (!request.report.empty() && present(request, run.campaign) == DrawStatus::no_gnuplot)
+    note(request.output,
+         "gnuplot is not installed: the report has no "
+         "pictures, but their scripts and data");
+  if (request.output.json)
+    write_json(request.output.path, campaign_json(run.campaign));
+  else
+    write_text(request.output.path, campaign_text(run.campaign));
+  const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
+                                            [](const CampaignTest& test) { return !test.summary; });
+  if (without_answer > 0)
+    throw CalculationFailed(fmt::format("{}: {} of {} tests gave no answer; the reasons are listed", request.path,
+                                        without_answer, plan.size()));
+}
+
+}  // namespace
+
+void add_campaign_command(CLI::App& app) {
+  const auto request = std::make_shared<CampaignRequest>();
+  CLI::App* command = app.add_subcommand("campaign", "Many measured tests: one table, categories, figures");
+  command
+      ->add_option("path", request->path,
+                   "Folder of case files; or, with --common, of data files; or "
+                   "a table (CSV) with a test a row")
+      ->type_name("PATH")
+      ->required();
+  command->add_option("--common", request->common, "Case file that says what all tests have in common")
+      ->type_name("FILE");
+  command
+      ->add_option("--report", request->report,
+                   "Write report.html, tables, figures and each test's results "
+                   "into this folder; "
+                   "results that are there already are not computed again")
+      ->type_name("FOLDER");
+  command->add_flag("!--no-figures", request->figures, "Write the tables alone, no report.html and no figures");
+  command->add_flag("--test-reports", request->test_reports, "Write the report of each test, with its figures, too");
+  command->add_option("-j,--jobs", request->jobs, "Tests computed at the same time")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1U, 1024U))
+      ->default_str("the number of cores");
+  command
+      ->add_option("--share", request->shared,
+                   "Estimate one value for all tests, and hold it in each; may "
+                   "be repeated")
+      ->type_name("PARAMETER")
+      ->check(CLI::IsMember(shareable_names()));
+  add_analysis_options(*command, request->flags);
+  add_output_options(*command, request->output);
+  command->get_option("--json")->description("Write JSON instead of text");
+  command->footer(
+      "A table has a column for each key of a case file that differs: "
+      "\"file\", \"diameter [um]\", \"until\". A test\n"
+      "that cannot be computed is listed with its reason, and the exit code is "
+      "1. Interrupted at any moment, the same\n"
+      "command with the same --report goes on where it stopped; the results "
+      "are the same bytes for any number of "
+      "jobs.\n\n"
+      "Examples:\n"
+      "  flexslip campaign tests/ --report report\n"
+      "  flexslip campaign exports/ --common rig.toml --report report\n"
+      "  flexslip campaign cases.csv --common rig.toml --json");
+  command->callback([request] { run_campaign_command(*request); });
+}
+
+}  // namespace flexslip

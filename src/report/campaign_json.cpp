@@ -1,0 +1,90 @@
+#include "report/campaign_json.h"
+
+#include <optional>
+#include <string>
+
+#include "report/campaign_table.h"
+
+namespace flexslip {
+namespace {
+
+Json parameter(const ParameterEstimate& estimate, const std::string& unit) {
+  return {{"value", estimate.value},
+          {"standard_error", estimate.standard_error},
+          {"interval95", {estimate.low, estimate.high}},
+          {"unit", unit}};
+}
+
+Json parameters_json(const TestSummary& test) {
+  Json out = {{"mu0", parameter(test.mu0, "1")}};
+  const auto add = [&](const char* name, const std::optional<ParameterEstimate>& estimate, const char* unit) {
+    out[name] = estimate ? parameter(*estimate, unit) : Json();
+  };
+  add("amplitude", test.amplitude, "1");
+  add("wavelength", test.wavelength, "m");
+  add("phase", test.phase, "rad");
+  add("bending_stiffness", test.bending_stiffness, "N m^2");
+  return out;
+}
+
+Json test_json(const CampaignTest& test) {
+  const TestSummary& summary = test.summary.value();
+  return {{"name", test.name},
+          {"status", test.status},
+          {"category", name_of(summary.category)},
+          {"suspect", summary.suspect},
+          {"model", name_of(summary.model)},
+          {"parameters", parameters_json(summary)},
+          {"wave_supported", summary.wave_supported},
+          {"residual_rms", summary.residual_rms},
+          {"drops", summary.drops},
+          {"work_of_fracture", summary.work_of_fracture},
+          {"friction_share", summary.friction_share},
+          {"reason", test.reason.empty() ? Json() : Json(test.reason)},
+          {"remarks", test.remarks},
+          {"file", test.file}};
+}
+
+Json spread_json(const Spread& spread) {
+  if (spread.count == 0) return {{"mean", nullptr}, {"min", nullptr}, {"max", nullptr}, {"n", 0}};
+  return {{"mean", spread.mean}, {"min", spread.min}, {"max", spread.max}, {"n", spread.count}};
+}
+
+Json spreads_json(const CategorySpread& spreads) {
+  return {{"tests", spreads.tests},
+          {"mu0", spread_json(spreads.mu0)},
+          {"amplitude", spread_json(spreads.amplitude)},
+          {"wavelength", spread_json(spreads.wavelength)}};
+}
+
+}  // namespace
+
+Json campaign_json(const Campaign& campaign) {
+  Json tests = Json::array();
+  Json failures = Json::array();
+  for (const auto& test : campaign.tests)
+    if (test.summary)
+      tests.push_back(test_json(test));
+    else
+      failures.push_back({{"name", test.name}, {"status", test.status}, {"reason", test.reason}, {"file", test.file}});
+  Json categories = Json::object();
+  for (const auto& category : campaign.categories) {
+    Json spreads = spreads_json(category.without_suspects);
+    spreads["with_suspects"] = spreads_json(category.with_suspects);
+    categories[key_of(category)] = spreads;
+  }
+  Json shared = Json::array();
+  for (const auto& one : campaign.shared) {
+    Json estimate = parameter(one.estimate, one.unit);
+    estimate["name"] = one.name;
+    estimate["tests"] = one.tests;
+    shared.push_back(estimate);
+  }
+  return {{"tests", tests},
+          {"categories", categories},
+          {"failures", failures},
+          {"shared", shared},
+          {"units", units_json(false)}};
+}
+
+}  // namespace flexslip

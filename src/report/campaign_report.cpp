@@ -1,0 +1,141 @@
+#include "report/campaign_report.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <future>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/json.h"
+#include "io/text_file.h"
+#include "report/campaign_figures.h"
+#include "report/campaign_json.h"
+#include "report/campaign_latex.h"
+#include "report/campaign_table.h"
+#include "report/campaign_words.h"
+#include "report/campaign_xlsx.h"
+#include "report/page.h"
+
+namespace flexslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name as it may stand in a link.
+std::string in_link(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+                       c == '_' || c == '.' || c == '~';
+    out += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return out;
+}
+
+// Where the reports of the tests with an answer are, in their order; empty where there is none.
+std::vector<std::string> links_to_tests(const std::string& folder, const Campaign& campaign) {
+  std::vector<std::string> links;
+  for (const auto& test : campaign.tests) {
+    if (!test.summary) continue;
+    std::error_code unreadable;
+    const bool exists = fs::exists(fs::path(folder) / "tests" / test.name / "report.html", unreadable);
+    links.push_back(exists ? fmt::format("tests/{}/report.html", in_link(test.name)) : "");
+  }
+  return links;
+}
+
+std::string caption_of(const Figure& figure) {
+  if (figure.name == "distributions")
+    return "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
+           "where BIC finds no need for a wave. B: mean friction; bars: from μ₀(1 − A) to μ₀(1 + A). Red crosses: "
+           "suspect tests, which the means leave out. Green: the literature's range for glass on steel.";
+  return figure.title +
+         ". Blue: measured force. Black: the model of least BIC, in the corner its mean friction, and A and λ where it "
+         "has waves, of one wave. Brown: Euler–Bernoulli "
+         "(dashed) and the model without friction, with the bending stiffness of the fit. Grey: load lines at the "
+         "drops "
+         "of the force, as steep as the load train is stiff. Red crosses: suspect tests.";
+}
+
+std::string file_list() {
+  std::string items;
+  for (const auto& [file, what] : {std::pair{"tests.csv", "a row per test, SI"},
+                                   {"categories.csv", "a row per category, SI"},
+                                   {"campaign.json", "all of it, for scripts"},
+                                   {"campaign.xlsx", "for spreadsheets"},
+                                   {"tables.tex", "for LaTeX, with booktabs and longtable"}})
+    items += fmt::format("<li><a href=\"{}\">{}</a>: {}</li>\n", file, file, what);
+  return fmt::format("<ul class=\"files\">\n{}</ul>\n", items);
+}
+
+const std::vector<std::string> picture_formats{"svg", "pdf", "png"};
+
+// All of them, two at a time: gnuplot keeps to one core.
+DrawStatus draw_all(const std::vector<Plate>& plates, const std::string& folder) {
+  const auto draw_every_second = [&](std::size_t first) {
+    DrawStatus drawn = DrawStatus::drawn;
+    for (std::size_t i = first; i < plates.size(); i += 2) drawn = draw(plates[i].figure, folder, picture_formats);
+    return drawn;
+  };
+  auto others = std::async(std::launch::async, draw_every_second, 1);
+  const DrawStatus drawn = draw_every_second(0);
+  others.get();
+  return drawn;
+}
+
+}  // namespace
+
+void write_campaign_tables(const std::string& folder, const Campaign& campaign) {
+  make_folder(folder);
+  const fs::path base(folder);
+  write_campaign_csv((base / "tests.csv").string(), test_table(campaign));
+  write_campaign_csv((base / "categories.csv").string(), category_table(campaign));
+  write_json((base / "campaign.json").string(), campaign_json(campaign));
+  write_campaign_xlsx((base / "campaign.xlsx").string(), campaign);
+  write_text((base / "tables.tex").string(), campaign_latex(campaign));
+}
+
+DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign) {
+  write_campaign_tables(folder, campaign);
+  const std::string figures = (fs::path(folder) / "figures").string();
+  make_folder(figures);
+  const bool answered = std::any_of(campaign.tests.begin(), campaign.tests.end(),
+                                    [](const CampaignTest& test) { return test.summary.has_value(); });
+  std::vector<Plate> plates;
+  const auto add = [&](Figure figure) {
+    std::string caption = caption_of(figure);
+    plates.push_back({std::move(figure), std::move(caption)});
+  };
+  if (answered) add(distribution_figure(campaign));
+  for (auto& page : atlas_pages(campaign)) add(std::move(page));
+  const DrawStatus drawn = draw_all(plates, figures);
+  std::vector<std::string> pictures;
+  pictures.reserve(plates.size());
+  for (const auto& plate : plates)
+    pictures.push_back(html_figure(folder, plate, drawn, static_cast<int>(pictures.size()) + 1));
+
+  std::string body;
+  if (answered) {
+    body += pictures.front() + section("By category") + html_table(category_rows(campaign));
+    body += paragraph("Mean (smallest to largest). " + category_rule());
+    body += section("Test by test") + html_word_table(test_rows(campaign), links_to_tests(folder, campaign));
+  }
+  if (const auto failures = failure_rows(campaign); !failures.rows.empty())
+    body += section("Not evaluated") + html_word_table(failures);
+  if (!campaign.shared.empty()) body += section("Shared by several tests") + html_table(shared_rows(campaign));
+  if (pictures.size() > 1) {
+    body += section("Force curves");
+    for (std::size_t i = 1; i < pictures.size(); ++i) body += pictures[i];
+  }
+  body += section("Files") + file_list() + paragraph(fmt::format("FlexSlip {}.", FLEXSLIP_VERSION));
+  write_text((fs::path(folder) / "report.html").string(),
+             page("Friction in a campaign of bending tests", answer_of(campaign), body));
+  return drawn;
+}
+
+}  // namespace flexslip

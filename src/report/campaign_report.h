@@ -1,0 +1,21 @@
+// Everything that a campaign shows, in one folder.
+#pragma once
+
+#include <string>
+
+#include "cases/campaign_test.h"
+#include "report/figure.h"
+
+namespace flexslip {
+
+// Writes into <folder>, which is made if it is not there; files of the same names are replaced:
+//   report.html                   needs no other file; links to tests/<name>/report.html where that exists
+//   tests.csv, categories.csv, campaign.json, campaign.xlsx, tables.tex
+//   figures/                      distributions and atlas pages as SVG, PDF and PNG, with their scripts and data
+// Fails:      as draw(); InputError if a file cannot be written. Without gnuplot the report has no pictures and says so.
+DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign);
+
+// The tables alone, without report and figures.
+void write_campaign_tables(const std::string& folder, const Campaign& campaign);
+
+}  // namespace flexslip

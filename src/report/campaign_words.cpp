@@ -1,0 +1,214 @@
+#include "report/campaign_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "report/campaign_table.h"
+#include "report/digits.h"
+#include "report/fit_words.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t most_names = 8;  // in a sentence
+
+std::string titled(std::string_view symbol, const TableUnit& unit) {
+  return fmt::format("{} ({})", symbol, typeset(unit.name));
+}
+
+std::string with_interval(const std::optional<ParameterEstimate>& estimate, double factor) {
+  if (!estimate) return "";
+  const MatchedDigits digits = matched_digits(*estimate, factor);
+  return digits.low.empty() ? digits.value : fmt::format("{} ({} to {})", digits.value, digits.low, digits.high);
+}
+
+std::string with_error(const ParameterEstimate& estimate, double factor) {
+  const MatchedDigits digits = matched_digits(estimate, factor);
+  return digits.error.empty() ? digits.value : fmt::format("{} ± {}", digits.value, digits.error);
+}
+
+std::string of_spread(const Spread& spread, double factor, int decimals) {
+  if (spread.count == 0) return "";
+  return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", factor * spread.mean, decimals, factor * spread.min, decimals,
+                     factor * spread.max, decimals);
+}
+
+std::string enumerated(const std::vector<std::string>& names) {
+  std::string out;
+  const std::size_t shown = names.size() > most_names ? most_names : names.size();
+  for (std::size_t i = 0; i < shown; ++i) out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return shown == names.size() ? out : fmt::format("{} and {} more", out, names.size() - shown);
+}
+
+template <class Predicate>
+std::vector<std::string> names_of(const Campaign& campaign, Predicate belongs) {
+  std::vector<std::string> names;
+  for (const auto& test : campaign.tests)
+    if (belongs(test)) names.push_back(printable(test.name));
+  return names;
+}
+
+bool is_suspect(const CampaignTest& test) { return test.summary && test.summary->suspect; }
+bool is_failure(const CampaignTest& test) { return !test.summary; }
+
+const CategorySummary* summary_of_all(const Campaign& campaign) {
+  const auto all = std::find_if(campaign.categories.begin(), campaign.categories.end(),
+                                [](const CategorySummary& category) { return !category.category; });
+  return all == campaign.categories.end() ? nullptr : &*all;
+}
+
+std::string sawtooth_in_words(const Campaign& campaign) {
+  std::string out;
+  for (const auto& category : campaign.categories) {
+    if (!category.category) continue;
+    const auto sawtooth = [&] {
+      switch (*category.category) {
+        case SawtoothCategory::clear:
+          return "a clear sawtooth";
+        case SawtoothCategory::nominal:
+          return "a faint one";
+        case SawtoothCategory::none:
+          return "hardly any or none";
+      }
+      return "";
+    };
+    out += fmt::format("{}{} with {}", out.empty() ? "" : ", ", category.with_suspects.tests, sawtooth());
+  }
+  return out;
+}
+
+// Friction over the tests that are not suspect, or over all if all are.
+std::string friction_in_words(const Campaign& campaign, const CategorySummary& all) {
+  const bool leaves_out = all.without_suspects.tests > 0;
+  const CategorySpread& over = leaves_out ? all.without_suspects : all.with_suspects;
+  const std::size_t suspects = all.with_suspects.tests - all.without_suspects.tests;
+  const auto [low, high] = glass_on_steel;
+  const Spread& mu0 = over.mu0;
+  const std::string value = mu0.count == 1
+                                ? fmt::format("Friction at the supports is {:.2f}", mu0.mean)
+                                : fmt::format("Friction at the supports is {:.2f} on average, from {:.2f} to {:.2f}",
+                                              mu0.mean, mu0.min, mu0.max);
+  const auto within = std::count_if(campaign.tests.begin(), campaign.tests.end(), [&](const CampaignTest& test) {
+    return test.summary && !(leaves_out && test.summary->suspect) && test.summary->mu0.value >= glass_on_steel.low &&
+           test.summary->mu0.value <= glass_on_steel.high;
+  });
+  return fmt::format(
+      "{}{}. {} {} the range {:g} to {:g} that the literature gives for glass on steel{}.", value,
+      leaves_out && suspects > 0 ? fmt::format(", the {} left out", suspects == 1 ? "suspect test" : "suspect tests")
+                                 : "",
+      mu0.count == 1 ? "It lies" : "The mean lies",
+      mu0.mean < low    ? "below"
+      : mu0.mean > high ? "above"
+                        : "within",
+      low, high,
+      mu0.count == 1 ? ""
+                     : fmt::format(", and {} of the {} tests {} in it", within, mu0.count, within == 1 ? "is" : "are"));
+}
+
+}  // namespace
+
+std::string suspects_in_words(const Campaign& campaign) {
+  const auto names = names_of(campaign, is_suspect);
+  if (names.empty()) return "";
+  return fmt::format("{} {} suspect: {} more friction than is plausible.", enumerated(names),
+                     names.size() == 1 ? "is" : "are", names.size() == 1 ? "it needs" : "they need");
+}
+
+std::string answer_of(const Campaign& campaign) {
+  if (campaign.tests.empty()) return "No tests.";
+  const auto failures = names_of(campaign, is_failure);
+  const std::size_t count = campaign.tests.size() - failures.size();
+  if (count == 0)
+    return fmt::format("No answer: {}.",
+                       campaign.tests.size() == 1
+                           ? "the test could not be evaluated"
+                           : fmt::format("none of the {} tests could be evaluated", campaign.tests.size()));
+  std::string answer = fmt::format("{}: {}.", counted(count, "test", "tests"), sawtooth_in_words(campaign));
+  if (const CategorySummary* all = summary_of_all(campaign))
+    answer += fmt::format(" {}", friction_in_words(campaign, *all));
+  const std::string suspects = suspects_in_words(campaign);
+  answer += fmt::format(" {}", suspects.empty() ? "No test is suspect." : suspects);
+  if (!failures.empty()) answer += fmt::format(" {} could not be evaluated.", enumerated(failures));
+  return answer;
+}
+
+PrintedTable category_rows(const Campaign& campaign) {
+  const TableUnit length = units_of(campaign).wavelength;
+  PrintedTable table{{"Sawtooth", "Suspects", "Tests", "μ₀", "A", titled("λ", length)}, {}};
+  for (const auto& category : campaign.categories)
+    for (const auto* spreads : {&category.without_suspects, &category.with_suspects})
+      table.rows.push_back({key_of(category), spreads == &category.without_suspects ? "left out" : "counted in",
+                            fmt::format("{}", spreads->tests), of_spread(spreads->mu0, 1, 3),
+                            of_spread(spreads->amplitude, 1, 3), of_spread(spreads->wavelength, length.factor, 1)});
+  return table;
+}
+
+PrintedTable test_rows(const Campaign& campaign) {
+  const CampaignUnits units = units_of(campaign);
+  PrintedTable table{{"Test", "Sawtooth", "Suspect", "Model", "μ₀", "A", titled("λ", units.wavelength),
+                      titled("EI", units.bending_stiffness), titled("Residual", units.residual), "Drops",
+                      titled("Work", units.work), "Friction", "Remarks"},
+                     {}};
+  for (const auto& test : campaign.tests) {
+    if (!test.summary) continue;
+    const TestSummary& summary = *test.summary;
+    const auto of_wave = [&](const std::optional<ParameterEstimate>& estimate, double factor) {
+      const std::string text = with_interval(estimate, factor);
+      return text.empty() || summary.wave_supported ? text : fmt::format("[{}]", text);
+    };
+    std::vector<std::string> remarks = test.remarks;
+    if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
+    table.rows.push_back({printable(test.name), name_of(summary.category), summary.suspect ? "yes" : "",
+                          std::string(name_of(summary.model)), with_interval(summary.mu0, 1),
+                          of_wave(summary.amplitude, 1), of_wave(summary.wavelength, units.wavelength.factor),
+                          with_error(summary.bending_stiffness, units.bending_stiffness.factor),
+                          significant(units.residual.factor * summary.residual_rms, 3),
+                          fmt::format("{}", summary.drops),
+                          significant(units.work.factor * summary.work_of_fracture, 3),
+                          percent(std::abs(summary.friction_share) < 0.005 ? 0 : summary.friction_share),
+                          printable(fmt::format("{}", fmt::join(remarks, "; ")))});
+  }
+  return table;
+}
+
+PrintedTable failure_rows(const Campaign& campaign) {
+  PrintedTable table{{"Test", "Reason", "File"}, {}};
+  for (const auto& test : campaign.tests)
+    if (!test.summary) table.rows.push_back({printable(test.name), printable(test.reason), printable(test.file)});
+  return table;
+}
+
+PrintedTable shared_rows(const Campaign& campaign) {
+  PrintedTable table{{"Parameter", "Value", "95 % interval", "Unit", "Tests"}, {}};
+  for (const auto& shared : campaign.shared) {
+    const Unit si = parse_unit(shared.unit == "1" ? "" : shared.unit);
+    std::string unit;
+    double factor = 1;
+    for (const Kind* kind : {&kind::length, &kind::pressure, &kind::bending_stiffness})
+      if (kind->dimension == si.dimension) {
+        unit = best_unit(std::abs(shared.estimate.value), *kind);
+        factor = from_si(1, parse_unit(unit));
+      }
+    const MatchedDigits digits = matched_digits(shared.estimate, factor);
+    table.rows.push_back({shared.name,
+                          digits.error.empty() ? digits.value : fmt::format("{} ± {}", digits.value, digits.error),
+                          digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit),
+                          fmt::format("{}", shared.tests)});
+  }
+  return table;
+}
+
+std::string category_rule() {
+  return "None: fewer than three drops of the force, or drops that add up to less than 3\u00a0% of the greatest force. "
+         "Clear: "
+         "15\u00a0% or more. Nominal: between. A and λ are those of one wave of friction, with their 95 % intervals; "
+         "in "
+         "brackets where BIC finds no need for a wave.";
+}
+
+}  // namespace flexslip

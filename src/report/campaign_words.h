@@ -1,0 +1,33 @@
+// A campaign in words and in tables for people: what the report and the terminal lay out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/campaign_test.h"
+#include "report/printed.h"
+
+namespace flexslip {
+
+// How many tests, what sawtooth, what friction, how it lies to the literature, what is suspect and what failed.
+std::string answer_of(const Campaign& campaign);
+
+// What the clear, nominal and other tests have in common: mean (min to max), a row with its suspects and one without.
+PrintedTable category_rows(const Campaign& campaign);
+
+// A row for each test with an answer, in the order of the campaign. The first cell is its name, as printable().
+PrintedTable test_rows(const Campaign& campaign);
+
+// A row for each test without.
+PrintedTable failure_rows(const Campaign& campaign);
+
+// A row for each shared parameter.
+PrintedTable shared_rows(const Campaign& campaign);
+
+// The rule of the categories, and what parentheses mean in test_rows.
+std::string category_rule();
+
+// Why tests are suspect, one sentence; empty if none is.
+std::string suspects_in_words(const Campaign& campaign);
+
+}  // namespace flexslip

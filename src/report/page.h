@@ -1,0 +1,47 @@
+// What every report is laid out with: one HTML file that needs no other, on screens light and dark and in print.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/figure.h"
+#include "report/printed.h"
+
+namespace flexslip {
+
+// A figure in a report, with the words below it.
+struct Plate {
+  Figure figure;
+  std::string caption;
+};
+
+inline constexpr std::size_t no_row = static_cast<std::size_t>(-1);
+
+// Text as it may stand in HTML.
+std::string escaped(std::string_view text);
+
+// A hyphen before a number is a minus sign.
+std::string typeset_minus(const std::string& text);
+
+std::string section(const std::string& title);
+std::string paragraph(const std::string& words);
+
+// Words to the left, numbers to the right; the marked row stands out.
+std::string html_table(const PrintedTable& table, std::size_t marked = no_row);
+
+// Words, the last column the longest. The first cell of a row leads to its link, where there is one that is not empty.
+std::string html_word_table(const PrintedTable& table, const std::vector<std::string>& links = {});
+
+// The picture itself, its caption and links to its files, which lie in <folder>/figures.
+std::string html_figure(const std::string& folder, const Plate& plate, DrawStatus drawn, int number);
+
+// A page with the answer first. The body is HTML, the rest text.
+std::string page(const std::string& title, const std::string& answer, const std::string& body);
+
+// Makes a folder and those it lies in.
+// Fails:      InputError.
+void make_folder(const std::string& folder);
+
+}  // namespace flexslip

@@ -1,0 +1,152 @@
+#!/usr/bin/python3
+"""A campaign from outside: a folder of measured tests in, one table and a set of figures out."""
+import csv
+import hashlib
+import json
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from program import PROGRAM, SOURCE, InFolder, run
+
+DATA = SOURCE.parent / "shared" / "data" / "spicules"
+SPAN = 1278e-6  # m, of every spicule test
+SUSPECT = {"SS8", "SS32", "SS24", "SS13", "SS36"}  # the paper's C.4
+
+
+def digest(folder):
+    """Every file of a folder by its name, as the digest of its bytes."""
+    return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+class Campaign(InFolder):
+    def simulated(self, count):
+        """A folder of tests made by the program itself."""
+        for i in range(count):
+            folder = self.folder / "tests"
+            folder.mkdir(exist_ok=True)
+            made = self.file(f"make{i}.toml", f"""
+[specimen]
+bending_stiffness = "1e-9 N m^2"
+[rig]
+span = "1 mm"
+stiffness = "90 N/m"
+[friction]
+model = "sinusoid"
+mu0 = {0.4 + 0.02 * i}
+amplitude = 0.2
+wavelength = "{10 + i} um"
+phase = 1
+[stage]
+program = ["0 um", "600 um"]
+step = "2 um"
+""")
+            run("simulate", made, "--output", folder / f"t{i:02}.csv")
+            (folder / f"t{i:02}.toml").write_text(
+                '[specimen]\nbending_stiffness = "1e-9 N m^2"\n[rig]\nspan = "1 mm"\nstiffness = "90 N/m"\n'
+                f'[record]\nfile = "t{i:02}.csv"\nstage = "w_s [m]"\nforce = "F [N]"\n')
+        return folder
+
+    def test_a_broken_file_is_listed_with_its_reason_and_stops_nothing(self):
+        folder = self.simulated(2)
+        (folder / "broken.toml").write_text("[rig]\nspan = 3\n")
+        result = run("campaign", folder, "--json")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("1 of 3 tests gave no answer", result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertEqual([test["name"] for test in answer["tests"]], ["t00", "t01"])
+        self.assertEqual([failure["name"] for failure in answer["failures"]], ["broken"])
+        self.assertIn("broken.toml:2: [rig] span", answer["failures"][0]["reason"])
+
+    def test_fit_all_is_fit_one(self):
+        folder = self.simulated(2)
+        self.succeeds("campaign", folder, "--report", self.folder / "report", "--no-figures", "--quiet")
+        for name in ("t00", "t01"):
+            alone = json.loads(self.succeeds("fit", folder / f"{name}.toml", "--json"))
+            self.assertEqual(json.loads((self.folder / "report/tests" / name / "fit.json").read_text()), alone)
+
+    def test_any_number_of_jobs_gives_the_same_bytes(self):
+        folder = self.simulated(4)
+        for jobs in (1, 3):
+            self.succeeds("campaign", folder, "--report", self.folder / f"report{jobs}", "--jobs", jobs, "--quiet")
+        self.assertEqual(digest(self.folder / "report1"), digest(self.folder / "report3"))
+
+    def test_killed_at_twenty_random_moments_it_loses_nothing(self):
+        folder = self.simulated(8)
+        call = ["campaign", folder, "--report", self.folder / "report", "--quiet", "--jobs", 2]
+        start = time.monotonic()
+        self.succeeds("campaign", folder, "--report", self.folder / "whole", "--quiet", "--jobs", 2)
+        whole = time.monotonic() - start
+        random_moments = random.Random(2021)
+        done = 0
+        for _ in range(20):
+            process = subprocess.Popen([PROGRAM, *map(str, call)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            try:
+                process.wait(random_moments.uniform(0, 0.5 * whole))
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+            kept = sum(1 for _ in (self.folder / "report").glob("tests/*/result.json"))
+            self.assertGreaterEqual(kept, done)
+            done = kept
+        self.succeeds(*call)
+        self.assertEqual(digest(self.folder / "report"), digest(self.folder / "whole"))
+
+    def test_interrupted_it_says_how_to_go_on(self):
+        folder = self.simulated(12)
+        report = self.folder / "report"
+        process = subprocess.Popen([PROGRAM, "campaign", str(folder), "--report", str(report), "--jobs", "1", "--no-figures"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while not any(report.glob("tests/*/result.json")) and process.poll() is None:
+            time.sleep(0.001)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate()
+        self.assertEqual((process.returncode, out), (130, ""), err)
+        self.assertIn("the same command goes on from there", err)
+        again = run("campaign", folder, "--report", report, "--no-figures")
+        self.assertEqual(again.returncode, 0)
+        self.assertIn("tests were kept by an earlier run", again.stderr)
+
+    def test_a_bad_call_is_refused(self):
+        self.refused("campaign", self.folder, says=["case files (.toml) with a [record]", "--common"])
+        self.refused("campaign", self.folder / "none.csv", says=["none.csv"])
+        self.refused("campaign", self.file("t.csv", "file,spam\na.csv,1\n"), says=["t.csv:1", "column 'spam'"])
+        folder = self.simulated(1)
+        self.refused("campaign", folder, "--report", self.file("taken", ""), says=["taken"])
+
+
+@unittest.skipUnless(DATA.is_dir(), "skipped: no campaign data")
+class Spicules(InFolder):
+    """The authors' 26 tests, as a table of cases, in one command."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.specimens = list(csv.DictReader(open(DATA / "specimens.csv")))
+
+    def cases(self):
+        rows = ["name,file,bending_stiffness [N m^2],bending_stiffness uncertainty,stiffness [N/m],until"]
+        for row in self.specimens:
+            number = int(row["test"][2:])
+            rows.append(f'{row["test"]},{DATA / f"ss/SS{number:02}.csv"},{float(row["EI_over_L3_N_per_m"]) * SPAN**3!r},3 %,'
+                        f'{row["cantilever_stiffness_N_per_m"]},{int(float(row["index_of_failure"]))}')
+        common = self.file("common.toml", f'[rig]\nspan = "{SPAN!r} m"\n[record]\nstage = "w_s_m [m]"\nforce = "F_N [N]"\n')
+        return [self.file("cases.csv", "\n".join(rows) + "\n"), "--common", common]
+
+    def test_sawtooth_or_none_against_the_papers_label(self):
+        answer = json.loads(self.succeeds("campaign", *self.cases(), "--json"))
+        self.assertEqual(len(answer["tests"]), 26)
+        self.assertEqual(answer["failures"], [])
+        label = {row["test"]: row["category"] for row in self.specimens}
+        agree = sum((test["category"] != "none") == (label[test["name"]] in ("C1", "C2")) for test in answer["tests"])
+        self.assertGreaterEqual(agree, 25)  # the issue's target, of 26
+
+
+if __name__ == "__main__":
+    if not DATA.is_dir():
+        print("skipped: no campaign data", file=sys.stderr)
+    unittest.main()

@@ -1,0 +1,90 @@
+#include "report/campaign_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "tests/report/some_campaign.h"
+
+using namespace flexslip;
+namespace fs = std::filesystem;
+
+TEST_CASE("paper: Fig. 9 has the wavelengths of tests with a sawtooth, and the friction of all") {
+  const Figure figure = distribution_figure(some_campaign());
+  REQUIRE(figure.data.size() == 1);
+  const auto& rows = figure.data[0].rows;
+  REQUIRE(rows.size() == 5);
+  CHECK(rows[0][0] == 1);                                           // names without a number each: counted
+  CHECK(rows[0][6] == doctest::Approx(10.9).epsilon(1e-15));        // one rounding, to micrometres
+  CHECK(rows[0][5] == doctest::Approx(0.6 * 1.15).epsilon(1e-15));  // two roundings
+  CHECK(std::isnan(rows[3][6]));                                    // no sawtooth
+  CHECK(rows[4][2] == 1);                                           // suspect
+  CHECK(figure.script.find("first 0.5 to graph 1, first 0.721") != std::string::npos);
+  const auto numbered = campaign_of(
+      {some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6), some_test("SS13", SawtoothCategory::none, 0.3, {})});
+  CHECK(distribution_figure(numbered).data[0].rows[1][0] == 13);
+}
+
+TEST_CASE("limit: nothing to distribute") {
+  CHECK_THROWS_AS(distribution_figure(no_tests()), std::invalid_argument);
+  CHECK_THROWS_AS(distribution_figure(only_failures()), std::invalid_argument);
+  CHECK(atlas_pages(no_tests()).empty());
+  CHECK(atlas_pages(only_failures()).empty());
+}
+
+TEST_CASE("paper: Figs. 10 to 13 have a panel a test, 20 on a page, the suspects once more") {
+  std::vector<CampaignTest> tests;
+  for (char c = 'A'; c <= 'U'; ++c) tests.push_back(some_test(std::string(1, c), SawtoothCategory::nominal, 0.5, 9e-6));
+  tests.push_back(some_test("a suspect", SawtoothCategory::clear, 1.25, 20e-6));
+  const auto pages = atlas_pages(campaign_of(tests));
+  REQUIRE(pages.size() == 4);
+  CHECK(pages[0].name == "atlas-clear-1");
+  CHECK(pages[1].name == "atlas-nominal-1");
+  CHECK(pages[2].name == "atlas-nominal-2");
+  CHECK(pages[3].name == "atlas-suspect-1");
+  CHECK(pages[1].height <= 277);  // A4 less margins of 10 mm
+  CHECK(pages[1].width <= 190);
+  const auto panels = [](const Figure& page) {
+    double last = 0;
+    for (const auto& row : page.data[0].rows)
+      if (!row.empty()) last = std::max(last, row[0]);
+    return last;
+  };
+  CHECK(panels(pages[1]) == 20);
+  CHECK(panels(pages[2]) == 1);
+}
+
+TEST_CASE("limit: load lines have the slope of the load train, the references those of small deflections") {
+  const auto pages = atlas_pages(campaign_of({some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6)}));
+  REQUIRE(pages.size() == 1);
+  REQUIRE(pages[0].data.size() == 4);
+  const auto& drops = pages[0].data[3].rows;
+  REQUIRE(drops.size() == 6);                                                      // two lines and what parts them
+  const double slope = (drops[1][2] - drops[0][2]) / (drops[1][1] - drops[0][1]);  // [mN/µm]
+  CHECK(slope == doctest::Approx(-90.6e-3).epsilon(1e-9));                         // differences of the decimals kept
+  const auto& reference = pages[0].data[2].rows[1];
+  const double initial = 48 * 2.13e-9 / std::pow(1278e-6, 3) * 1e-3;              // [mN/µm]
+  CHECK(reference[2] / reference[1] == doctest::Approx(initial).epsilon(1e-12));  // a few roundings
+  CHECK(reference[3] / reference[1] ==
+        doctest::Approx(initial).epsilon(1e-2));  // F = 48 w (1 - O(w²)), w = 0.005 there
+}
+
+TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
+  const Folder folder;
+  Campaign campaign = some_campaign();
+  campaign.tests.push_back(some_test("it's {/=50 big}^2 \\n @x ~ `id` $(id)", SawtoothCategory::clear, 0.4, 300e-6));
+  campaign.tests.push_back(some_test("\xff\n", SawtoothCategory::nominal, 0.4, 1e-6));
+  auto figures = atlas_pages(campaign);
+  figures.push_back(distribution_figure(campaign));
+  for (const auto& figure : figures) {
+    INFO(figure.name);
+    if (draw(figure, folder.path, {"svg", "pdf"}) == DrawStatus::no_gnuplot) return;
+    CHECK(fs::file_size(fs::path(folder.path) / (figure.name + ".pdf")) > 5000);
+  }
+  const std::string svg = text_of(folder.path + "/atlas-clear-1.svg");
+  CHECK(svg.find("A &lt;b&gt; &amp; 50%_ü") != std::string::npos);
+  CHECK(svg.find("it's {/=50 big}^2 \\n") != std::string::npos);
+}

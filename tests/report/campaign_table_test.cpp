@@ -1,0 +1,80 @@
+#include "report/campaign_table.h"
+
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "io/table.h"
+#include "tests/report/some_campaign.h"
+
+using namespace flexslip;
+namespace fs = std::filesystem;
+
+TEST_CASE("outside: the table of tests reads back to the same bits, whatever the names") {
+  const Folder folder;
+  const std::string path = folder.path + "/tests.csv";
+  const auto answered = campaign_of({some_test(awkward_name, SawtoothCategory::clear, 0.6, 10.9e-6),
+                                     some_test("a,b\n\"c\"", SawtoothCategory::clear, 1.0 / 3, 5.5e-6)});
+  write_campaign_csv(path, test_table(answered));
+  const Table read = read_table(path, {{"mu0", kind::number},
+                                       {"wavelength [m]", kind::length},
+                                       {"bending_stiffness_standard_error [N m^2]", kind::bending_stiffness},
+                                       {"work_of_fracture [J]", kind::energy},
+                                       {"drops", kind::number}});
+  REQUIRE(read.rows() == 2);
+  CHECK(read.columns[0].values[1] == 1.0 / 3);
+  CHECK(read.columns[1].values[0] == 10.9e-6);
+  CHECK(read.columns[2].values[0] == 6.4e-11);
+  CHECK(read.columns[3].values[0] == 3.4e-6);
+  CHECK(read.columns[4].values[0] == 7);
+  CHECK(text_of(path).find("\"A <b> & 50%_ü \"\"x\"\"\",ok,clear,no,sinusoid,0.6,") != std::string::npos);
+}
+
+TEST_CASE("outside: categories with suspects and without, by hand") {
+  const Folder folder;
+  const std::string path = folder.path + "/categories.csv";
+  write_campaign_csv(path, category_table(some_campaign()));
+  const std::string text = text_of(path);
+  CHECK(text.starts_with("category,suspects,tests,mu0_mean,mu0_min,mu0_max,mu0_tests,amplitude_mean,"));
+  CHECK(text.find("\nclear,without,2,0.5,0.4,0.6,2,") != std::string::npos);
+  CHECK(text.find("\nclear,with,3,0.75,0.4,1.25,3,") != std::string::npos);
+  CHECK(text.find("\nnone,without,1,0.3,0.3,0.3,1,nan,nan,nan,0,nan,nan,nan,0\n") != std::string::npos);
+  CHECK(text.find("\nall,with,5,") != std::string::npos);
+}
+
+TEST_CASE("limit: no tests, and none with an answer") {
+  CHECK(test_table(no_tests()).rows.empty());
+  CHECK(category_table(no_tests()).rows.size() == 8);
+  const auto failures = failure_table(only_failures());
+  REQUIRE(failures.rows.size() == 2);
+  CHECK(std::get<std::string>(failures.rows[1][0]) == awkward_name);
+  CHECK(std::get<std::string>(failures.rows[1][2]) == "b & c.csv: <no> numbers_ in 100 %");
+  const auto tests = test_table(only_failures());
+  CHECK(tests.rows.size() == 2);
+  CHECK(std::holds_alternative<std::monostate>(tests.rows[0][5]));
+}
+
+TEST_CASE("identity: a quantity has one unit, that of the median test") {
+  const auto table = in_best_units(test_table(some_campaign()));
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i].quantity == "wavelength") {
+      CHECK(table.columns[i].unit == "um");
+      if (++found == 1)
+        CHECK(std::get<double>(table.rows[0][i]) == doctest::Approx(10.9).epsilon(1e-15));  // one rounding
+    }
+  CHECK(found == 4);
+}
+
+TEST_CASE("table: text that every format takes (Unicode 15, table 3-7)") {
+  CHECK(printable("ü µ 力 𝄞") == "ü µ 力 𝄞");
+  CHECK(printable("a\tb\nc\x7f") == "a b c ");
+  CHECK(printable("\xfc") == "\ufffd");                      // Latin-1
+  CHECK(printable("\xc0\xaf") == "\ufffd\ufffd");            // overlong
+  CHECK(printable("\xed\xa0\x80") == "\ufffd\ufffd\ufffd");  // a surrogate
+  CHECK(printable("\xe2\x82") == "\ufffd\ufffd");            // cut off
+  CHECK(printable("\xf5\x80\x80\x80") == "\ufffd\ufffd\ufffd\ufffd");
+  CHECK(printable("\xef\xbf\xbf") == "\ufffd\ufffd\ufffd");  // U+FFFF, which XML refuses
+  CHECK(printable("\xc2\x85") == " ");                       // a control character beyond ASCII
+}
