@@ -87,7 +87,7 @@ std::optional<VectorXd> runner_up_of(const ForceModel& model, const FitPoint& po
   constexpr double likely = 10;  // of the log likelihood: beyond it noise does not make it the better one
   if (fit.runners_up.empty() || fit.runners_up.front().delta_log_likelihood < -likely) return std::nullopt;
   const auto& other = fit.runners_up.front();
-  const PolarParameters origin{model.S_middle(), 0};
+  const PolarParameters origin{model.middle(), 0};
   VectorXd q = origin.from_cartesian(point.layout, point.p);
   q.segment(point.layout.stiffness() - 3, 3) << other.amplitude, other.wavelength, other.phase;
   return origin.to_cartesian(point.layout, q);
@@ -117,7 +117,7 @@ Bootstrap block_bootstrap(const FitProblem& problem, const ModelFit& fit, const 
 
   Draws draws(options.seed);
   std::vector<std::vector<double>> estimates(static_cast<std::size_t>(layout.size()));
-  const PolarParameters origin{model.S_middle(), 0};
+  const PolarParameters origin{model.middle(), 0};
   const VectorXd centre = origin.from_cartesian(layout, point.p);
   const double eta = point.p[layout.stiffness()];
   for (std::size_t k = 0; k < options.count; ++k) {
@@ -135,7 +135,7 @@ Bootstrap block_bootstrap(const FitProblem& problem, const ModelFit& fit, const 
       double value = q[i];
       if (layout.phase(i)) {
         // On the turn on which the wavelength leaves it.
-        const double turned = std::numbers::pi * model.S_middle();
+        const double turned = std::numbers::pi * model.middle();
         const double away = (centre[i] + turned / centre[i - 1]) - (q[i] + turned / q[i - 1]);
         value += 2 * std::numbers::pi * std::round(away / (2 * std::numbers::pi));
         value += fit.waves[static_cast<std::size_t>((i - layout.wave(0)) / 3)].phase.value - centre[i];

@@ -99,7 +99,8 @@ FitPoint Descent::refined(VectorXd p, double cap, int rounds) const {
   bool converged = false;
   for (int round = 0; round < rounds; ++round) {
     const auto noise = noise_of(model_.measured_force() - model_.force(layout_, p), layout_.size());
-    const auto step = descend(p, noise, round == 0 ? cap : least_squares);
+    const auto step = descend(p, noise, cap);
+    cap = least_squares;
     p = step.p;
     converged = step.converged;
   }

@@ -44,7 +44,7 @@ class Descent {
 
   // The residuals jump where a drop passes a point, and a descent stops at such steps. Searches along the axes of the error
   // ellipsoid cross them: steps of `scales` standard errors, taken as long as they gain.
-  Step searched(Step from, const CorrelatedNoise& noise, const Eigen::MatrixXd& covariance,
+  Step searched(Step from, const CorrelatedNoise& noise, const Eigen::MatrixXd& errors,
                 std::span<const double> scales) const;
 
   // Searches and descents in turn, until they gain no more.

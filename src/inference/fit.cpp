@@ -66,8 +66,8 @@ ModelFit describe(ProfileModel kind, const ForceModel& model, const FitPoint& fi
                   const VectorXd& p, const FitProblem& problem) {
   const FitPoint& point = region.best;
   const ModelLayout& layout = point.layout;
-  const PolarParameters origin{model.S_middle(), 0};
-  const PolarParameters middle{model.S_middle(), model.S_middle()};
+  const PolarParameters origin{model.middle(), 0};
+  const PolarParameters middle{model.middle(), model.middle()};
   const auto in = [&](const PolarParameters& polar, const std::vector<ParameterRange>& ranges) {
     const VectorXd likeliest = polar.from_cartesian(layout, point.p);
     const VectorXd q = polar.from_cartesian(layout, p);
@@ -91,7 +91,7 @@ ModelFit describe(ProfileModel kind, const ForceModel& model, const FitPoint& fi
   fit.bending_stiffness = parameter(layout.stiffness());
   for (double* value : {&fit.bending_stiffness.value, &fit.bending_stiffness.low, &fit.bending_stiffness.high})
     *value += 1;
-  fit.friction = {.mu0 = fit.mu0.value, .drift = fit.drift.value, .terms = {}, .S_reference = model.S_middle()};
+  fit.friction = {.mu0 = fit.mu0.value, .drift = fit.drift.value, .terms = {}, .S_reference = model.middle()};
   for (Index i = 0; i < layout.waves; ++i) {
     const Index at = layout.wave(i);
     fit.waves.push_back({.amplitude = parameter(at),
@@ -158,7 +158,7 @@ std::vector<FitPoint> fit_more_waves(const ForceModel& model, const FitPoint& on
 void add_runners_up(ModelFit& fit, const ForceModel& model, const std::vector<FitPoint>& fits,
                     const LikelihoodRegion& region) {
   constexpr std::size_t most = 5;
-  const PolarParameters origin{model.S_middle(), 0};
+  const PolarParameters origin{model.middle(), 0};
   for (std::size_t i = 1; i < fits.size() && i <= most; ++i) {
     const FitPoint& other = fits[i];
     const Index at = other.layout.stiffness() - 3;
@@ -205,7 +205,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
     return result;
   }
   const ForceModel model(problem, profile);
-  result.S_middle = model.S_middle();
+  result.S_middle = model.middle();
   const auto asked = [&](ProfileModel kind) {
     return std::find(options.models.begin(), options.models.end(), kind) != options.models.end();
   };

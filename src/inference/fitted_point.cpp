@@ -21,7 +21,7 @@ FitPoint fitted_point(const ForceModel& model, const ModelFit& fit) {
   }
   q[layout.stiffness()] = fit.bending_stiffness.value - 1;
   return {layout,
-          PolarParameters{model.S_middle(), 0}.to_cartesian(layout, q),
+          PolarParameters{model.middle(), 0}.to_cartesian(layout, q),
           {fit.correlation, fit.innovation * fit.innovation},
           fit.log_likelihood,
           fit.status == FitStatus::ok};

@@ -36,7 +36,7 @@ class ForceModel {
   const FitProblem& problem() const { return problem_; }
   const FrictionProfile& profile() const { return profile_; }
   const Eigen::VectorXd& measured_force() const { return force_; }  // [EI/L^2]
-  double S_middle() const { return S_middle_; }                     // [L] of the data
+  double middle() const { return S_middle_; }                       // [L] of the data
   double length_seen() const { return length_seen_; }               // [L] of fibre, over one support
   double least_wavelength() const { return least_wavelength_; }     // [L] that the points of the profile show
   double prior_mean() const { return prior_mean_; }                 // [1] of η

@@ -17,8 +17,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 ProfiledParameter profiled(FitParameter parameter, const ForceModel& model, const ModelLayout& layout) {
-  const PolarParameters origin{model.S_middle(), 0};
-  const PolarParameters middle{model.S_middle(), model.S_middle()};
+  const PolarParameters origin{model.middle(), 0};
+  const PolarParameters middle{model.middle(), model.middle()};
   switch (parameter) {
     case FitParameter::mu0:
       return {middle, 0};

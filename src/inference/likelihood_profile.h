@@ -25,7 +25,7 @@ enum class FitParameter {
 // Method:     from the fit outwards, each value from its neighbour's solution and, for a single wave, from the profile at that
 //             wavelength. Between values further apart than a standard error intermediate ones are taken.
 // Cost:       3 ms, and 1 ms a value.
-std::vector<double> likelihood_along(const FitProblem& problem, const ModelFit& model, FitParameter parameter,
+std::vector<double> likelihood_along(const FitProblem& problem, const ModelFit& fit, FitParameter parameter,
                                      std::span<const double> values);
 
 }  // namespace flexslip

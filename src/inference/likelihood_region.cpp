@@ -79,9 +79,9 @@ ParameterRange hull(const ParameterRange& range, double value) {
 // All parameters with phases meant at the length 0, then the phases in the middle of the data.
 std::vector<ProfiledParameter> profiled_parameters(const ForceModel& model, const ModelLayout& layout) {
   std::vector<ProfiledParameter> parameters;
-  for (Index i = 0; i < layout.size(); ++i) parameters.push_back({{model.S_middle(), 0}, i});
+  for (Index i = 0; i < layout.size(); ++i) parameters.push_back({{model.middle(), 0}, i});
   for (Index i = 0; i < layout.size(); ++i)
-    if (layout.phase(i)) parameters.push_back({{model.S_middle(), model.S_middle()}, i});
+    if (layout.phase(i)) parameters.push_back({{model.middle(), model.middle()}, i});
   return parameters;
 }
 
@@ -167,7 +167,7 @@ std::optional<ParameterRange> wavelength_range(const ForceModel& model, const Fi
   const ConstrainedFit constrained(model, centre);
   const double limit = region.deviance + region.rise95;
   if (constrained.best().deviance > limit) return std::nullopt;
-  const ProfiledParameter wavelength{{model.S_middle(), model.S_middle()}, other.layout.stiffness() - 2};
+  const ProfiledParameter wavelength{{model.middle(), model.middle()}, other.layout.stiffness() - 2};
   return Walker(constrained, limit).range(wavelength);
 }
 

@@ -29,9 +29,9 @@ VectorXd linear_start(const ForceModel& model, const ModelLayout& layout, Vector
     const double weight = 1 / (sigma * std::abs(point.mu_force));
     Index column = 0;
     A(i, column++) = weight;
-    if (layout.drift) A(i, column++) = weight * (point.S - model.S_middle());
+    if (layout.drift) A(i, column++) = weight * (point.S - model.middle());
     for (Index wave = 0; wave < layout.waves; ++wave) {
-      const double angle = pi * (point.S - model.S_middle()) / p[layout.wave(wave) + 2];
+      const double angle = pi * (point.S - model.middle()) / p[layout.wave(wave) + 2];
       A(i, column++) = weight * std::cos(angle);
       A(i, column++) = weight * std::sin(angle);
     }
@@ -53,7 +53,7 @@ FitPoint add_wave(const ForceModel& model, const FitPoint& base, const WaveCandi
                   double amplification, const HeldValues& held) {
   const ModelLayout layout{base.layout.drift, base.layout.waves + 1};
   const Index at = layout.wave(layout.waves - 1);
-  const double turn = pi * (model.S_middle() - S_reference) / candidate.wavelength;
+  const double turn = pi * (model.middle() - S_reference) / candidate.wavelength;
   const double a = amplification * (candidate.cosine * std::cos(turn) + candidate.sine * std::sin(turn));
   const double b = amplification * (candidate.sine * std::cos(turn) - candidate.cosine * std::sin(turn));
   VectorXd p(layout.size());
@@ -78,7 +78,7 @@ Freedom freedom_within(const ForceModel& model, const ModelLayout& layout, const
   if (values.bending_stiffness) held.push_back({layout.stiffness(), *values.bending_stiffness - 1});
   if (layout.waves > 0 && values.amplitude) held.push_back({layout.wave(0), *values.amplitude});
   if (layout.waves > 0 && values.wavelength) held.push_back({layout.wave(0) + 1, *values.wavelength});
-  return {layout, {model.S_middle(), model.S_middle()}, held};
+  return {layout, {model.middle(), model.middle()}, held};
 }
 
 FitPoint fit_mean(const ForceModel& model, bool drift, const HeldValues& held) {
@@ -129,7 +129,7 @@ std::vector<ProfilePoint> without_waves(const ForceModel& model, const FitPoint&
   for (auto& measured : rest)
     for (Index i = 0; i < point.layout.waves; ++i) {
       const Index at = point.layout.wave(i);
-      const double angle = pi * (measured.S - model.S_middle()) / point.p[at + 2];
+      const double angle = pi * (measured.S - model.middle()) / point.p[at + 2];
       measured.mu -= point.p[at] * std::cos(angle) + point.p[at + 1] * std::sin(angle);
     }
   return rest;
