@@ -20,7 +20,7 @@ enum class FitParameter {
 // The log likelihood, up to a constant that is the same for all values of all parameters of this fit; -infinity at values that no
 // fit is permitted at. Twice its fall from the maximum is compared with 3.84 for a 95 % interval. The prior of the bending
 // stiffness, -(value - 1)²/(2 errors.bending_stiffness²), is part of it: tests that share one bending stiffness count it once.
-// Domain:     a problem as fit_friction takes and a model that it found for it (model.status other than not_found) with
+// Domain:     a problem as fit_friction takes and a model that it found for it (fit.status other than not_found) with
 //             a wave if the parameter is of one; std::invalid_argument otherwise.
 // Method:     from the fit outwards, each value from its neighbour's solution and, for a single wave, from the profile at that
 //             wavelength. Between values further apart than a standard error intermediate ones are taken.
