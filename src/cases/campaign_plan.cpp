@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -74,7 +76,7 @@ toml::table read_common(const std::optional<std::string>& path) {
   toml::table common = parse_toml(text.str(), *path);
   // Its paths are relative to it; from here on all are relative to the working directory.
   const fs::path folder = fs::absolute(*path).parent_path();
-  for (const auto& [section, key] : {std::pair{"friction", "file"}, {"stage", "file"}})
+  for (const auto& [section, key] : {std::pair{"friction", "file"}, {"stage", "file"}, {"record", "file"}})
     if (auto* file = common[section][key].as_string()) file->get() = (folder / file->get()).string();
   return common;
 }
@@ -131,7 +133,10 @@ std::optional<Number> as(std::string_view cell) {
 
 void set(toml::table& table, const std::string& key, const std::string& cell, const std::string& unit) {
   const auto number = as<double>(cell);
-  const auto whole = as<std::int64_t>(cell);
+  auto whole = as<std::int64_t>(cell);
+  constexpr double largest = 1e15;  // "267.0", as spreadsheets write a count
+  if (number && !whole && *number == std::floor(*number) && std::abs(*number) < largest)
+    whole = static_cast<std::int64_t>(*number);
   if (number && !unit.empty())
     table.insert_or_assign(key, fmt::format("{} {}", cell, unit));
   else if (whole)
@@ -188,6 +193,9 @@ InputError in_row(const InputError& error, const TextTable& table, const TextRow
 InputError unknown_column(const InputError& error, const TextTable& table) {
   InputFault fault = error.fault;
   if (fault.file == table.source) fault.line = table.header_line;
+  fault.expected =
+      "name, or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span [um]', "
+      "'diameter [um]', 'stiffness', 'modulus', 'until', 'rig.span', ...";
   if (fault.remedy.empty()) fault.remedy = "put # before the title of a column that is not meant for FlexSlip";
   return InputError(fault);
 }

@@ -27,12 +27,12 @@ std::string key_of(const PlannedTest& planned, const Case& input, const Analysis
   std::string models;
   for (const auto model : options.fit.models) models += fmt::format(" {}", name_of(model));
   std::string held;
-  for (const auto& value :
-       {options.fit.held.bending_stiffness, options.fit.held.amplitude, options.fit.held.wavelength})
+  for (const auto& value : {options.fit.held.amplitude, options.fit.held.wavelength})
     held += value ? fmt::format(" {}", *value) : " free";
+  const std::string source = input.source.empty() ? "" : digest_of(*open_to_read(input.source)).sha256;
   return digest_of_text(fmt::format(
-      "{}\n{}\n{}\nmodels{}\nheld{}\nfalse alarms {}\nsuspect limit {}\nbootstrap {}\npresented {}\n{}\n{}\n",
-      FLEXSLIP_VERSION, planned.name, planned.file, models, held, options.drops.false_alarms_per_test,
+      "{}\n{}\n{}\n{}\nmodels{}\nheld{}\nfalse alarms {}\nsuspect limit {}\nbootstrap {}\npresented {}\n{}\n{}\n",
+      FLEXSLIP_VERSION, source, planned.name, planned.file, models, held, options.drops.false_alarms_per_test,
       options.suspect_limit, options.bootstrap.count, presented, to_toml(input),
       digest_of(*open_to_read(input.record.value().file)).sha256));
 }

@@ -155,12 +155,15 @@ CampaignStore::CampaignStore(fs::path folder) : folder_(std::move(folder)) {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) refuse(folder_, error);
-  for (const auto& entry : fs::recursive_directory_iterator(folder_))
-    if (entry.path().extension() == unfinished) fs::remove(entry.path(), error);
+  for (auto test = fs::directory_iterator(folder_, error); !error && test != fs::directory_iterator();
+       test.increment(error)) {
+    std::error_code absent;
+    fs::remove(test->path() / (std::string(kept_name) + unfinished), absent);
+  }
 }
 
 fs::path CampaignStore::folder_of(const std::string& test) const {
-  const fs::path folder = folder_ / test;
+  fs::path folder = folder_ / test;
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) refuse(folder, error);

@@ -45,6 +45,11 @@ std::vector<std::string> remarks_of(const FittedTest& test) {
   if (analysis.stiffness_implausible)
     remarks.push_back(
         fmt::format("bending stiffness {:.2f} times that of the initial slope", analysis.stiffness_over_slope));
+  const auto& stiffness = chosen_model(test).bending_stiffness;
+  constexpr double surprising = 1.96;  // standard deviations of what was known beforehand
+  if (std::abs(stiffness.value - 1) > surprising * analysis.bending_stiffness_error)
+    remarks.push_back(fmt::format("bending stiffness {:+.1f} % from that {}", 100 * (stiffness.value - 1),
+                                  analysis.stiffness_from_slope ? "of the initial slope" : "given"));
   if (test.measurement.end == MeasurementEnd::failure)
     remarks.push_back(fmt::format("fails after row {}", last_row(test)));
   return remarks;

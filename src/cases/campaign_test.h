@@ -45,6 +45,7 @@ struct SharedParameter {
   std::string unit;  // of the estimate, SI
   ParameterEstimate estimate;
   std::size_t tests;
+  double scatter;  // [1] of the tests about it, over what their errors explain
 };
 
 struct Campaign {

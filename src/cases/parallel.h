@@ -1,6 +1,7 @@
 // Independent work on several threads.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -11,18 +12,20 @@
 namespace flexslip {
 
 // Calls work(0), ..., work(count - 1), each once, in any order. Returns when all are done.
-// Fails:      with the first exception of a call; no further call is then begun.
+// Fails:      with the exception of the call of least index that was made and failed; no further call is then begun.
 template <class Work>
 void for_each_index(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
+  std::size_t failed = count;
   const auto run = [&] {
     for (std::size_t i = next++; i < count; i = next++) try {
         work(i);
       } catch (...) {
         const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
+        if (i < failed) failure = std::current_exception();
+        failed = std::min(failed, i);
         next = count;
       }
   };

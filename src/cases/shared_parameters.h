@@ -1,4 +1,4 @@
-// Parameters that the tests of a campaign share: estimated from all of them, and then held in each.
+// Parameters that the tests of a campaign share: estimated from all of them, and then known in each.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace flexslip {
 enum class Shareable {
   modulus,            // of tests whose section is known
   bending_stiffness,  // EI
-  amplitude,          // of one wave, relative to mu0, over the tests with a sawtooth
+  amplitude,          // of one wave, relative to mu0, over the tests with a sawtooth whose wave BIC supports
   wavelength,         // likewise
 };
 
@@ -25,16 +25,15 @@ using HeldByTest = std::map<std::string, HeldValues, std::less<>>;
 
 struct SharedFits {
   std::vector<SharedParameter> parameters;  // in the order asked for
-  HeldByTest held;
+  std::vector<PlannedTest> plan;            // the tests that share a stiffness are told it, with its standard error
+  HeldByTest held;                          // the tests that share a wave are held to it
 };
 
-// Domain:     threads >= 1.
-// Fails:      InputError if fewer than two tests can share a parameter, or no value of it is possible in all of them. Tests
-//             that cannot be fitted have no part in it.
-// Method:     one parameter after the other, each with those before it held; estimate_shared. What the cases state of the bending
-//             stiffness is one statement and counts once; what each record's slope says of it counts each time.
-SharedFits share_parameters(const std::vector<PlannedTest>& plan,
-                            const std::function<AnalysisOptions(const Case&)>& analysis,
+// Domain:     threads >= 1, parameters different, not both modulus and bending_stiffness; std::invalid_argument otherwise.
+// Fails:      InputError if fewer than two tests can share a parameter. Tests that cannot be fitted have no part in it.
+// Method:     one parameter after the other, those before it known: each test is fitted alone, estimate_shared. What the cases state
+//             of a stiffness, or their initial slopes say, counts once: it errs in all of them alike.
+SharedFits share_parameters(std::vector<PlannedTest> plan, const std::function<AnalysisOptions(const Case&)>& analysis,
                             const std::vector<Shareable>& parameters, unsigned threads);
 
 }  // namespace flexslip

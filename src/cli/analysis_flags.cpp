@@ -11,6 +11,7 @@ constexpr std::array models{ProfileModel::constant, ProfileModel::drift, Profile
 
 std::vector<std::string> model_names() {
   std::vector<std::string> names;
+  names.reserve(models.size());
   for (const auto model : models) names.emplace_back(name_of(model));
   return names;
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -102,6 +103,15 @@ CampaignOptions options_of(const CampaignRequest& request) {
   return options;
 }
 
+void refuse_to_write_into_the_tests(const CampaignRequest& request) {
+  std::error_code none;
+  if (!std::filesystem::equivalent(request.path, request.report, none)) return;
+  throw InputError({.file = request.report,
+                    .expected = "another folder for the report than that of the tests",
+                    .found = "the same",
+                    .remedy = "its tables would be taken for tests"});
+}
+
 DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
   if (request.figures) return write_campaign_report(request.report, campaign);
   write_campaign_tables(request.report, campaign);
@@ -109,15 +119,17 @@ DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
 }
 
 void run_campaign_command(const CampaignRequest& request) {
+  refuse_to_write_into_the_tests(request);
   const auto plan = plan_campaign(request.path, request.common);
   CampaignOptions options = options_of(request);
-  const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs);
-  options.held = shared.held;
-  CampaignRun run = [&] {
+  const auto run = [&] {
     const WhileInterruptible guard;
-    return run_campaign(plan, options);
+    const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs);
+    options.held = shared.held;
+    CampaignRun computed = run_campaign(shared.plan, options);
+    computed.campaign.shared = shared.parameters;
+    return computed;
   }();
-  run.campaign.shared = shared.parameters;
   if (run.status == CampaignStatus::stopped)
     throw Interrupted(fmt::format("interrupted after {} of {} tests{}", run.campaign.tests.size(), plan.size(),
                                   request.report.empty() ? "; with --report FOLDER they would be kept"

@@ -219,7 +219,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   }
   if (const auto& model = analysis.fit.models[analysis.fit.chosen];
       options.bootstrap.count > 0 && model.model != ProfileModel::constant)
-    analysis.bootstrap = block_bootstrap(problem, model, options.bootstrap);
+    analysis.bootstrap = block_bootstrap(problem, model, options.bootstrap, options.fit.held);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
   const auto judged = [&](std::size_t index) { return analysis.reduced.deflection[index] > 0.1; };
   std::size_t negative = 0;

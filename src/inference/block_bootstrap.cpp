@@ -10,6 +10,7 @@
 
 #include "inference/fitted_point.h"
 #include "inference/polar_parameters.h"
+#include "inference/wave_search.h"
 
 namespace flexslip {
 namespace {
@@ -95,7 +96,8 @@ std::optional<VectorXd> runner_up_of(const ForceModel& model, const FitPoint& po
 
 }  // namespace
 
-Bootstrap block_bootstrap(const FitProblem& problem, const ModelFit& fit, const BootstrapOptions& options) {
+Bootstrap block_bootstrap(const FitProblem& problem, const ModelFit& fit, const BootstrapOptions& options,
+                          const HeldValues& held) {
   if (fit.status == FitStatus::not_found || fit.model == ProfileModel::constant)
     throw std::invalid_argument("no bootstrap of a model that is not fitted to the curve");
   Bootstrap result{options.count, 0, options.seed, {}, {}, {}, {}};
@@ -113,7 +115,8 @@ Bootstrap block_bootstrap(const FitProblem& problem, const ModelFit& fit, const 
   const Index block = block_length(point.noise.correlation, residuals.size());
   result.block = static_cast<std::size_t>(block);
 
-  const Eigen::MatrixXd covariance = Descent(model, layout, Freedom(layout)).covariance(point);
+  const Freedom freedom = freedom_within(model, layout, held);
+  const Eigen::MatrixXd covariance = Descent(model, layout, freedom).covariance(point);
 
   Draws draws(options.seed);
   std::vector<std::vector<double>> estimates(static_cast<std::size_t>(layout.size()));
@@ -124,12 +127,14 @@ Bootstrap block_bootstrap(const FitProblem& problem, const ModelFit& fit, const 
     const VectorXd force = curve + in_blocks(residuals, block, draws);
     const double prior = eta + std::sqrt(model.prior_variance()) * draws.normal();
     const ForceModel again = model.with(force, prior);
-    const Descent descent(again, layout, Freedom(layout));
+    const Descent descent(again, layout, freedom);
     auto best = fitted_from(point.p, descent, point.noise, covariance);
     if (runner_up) {
       const auto other = fitted_from(*runner_up, descent, point.noise, covariance);
       if (other.cost < best.cost) best = other;
     }
+    // As the fit itself is: an amplitude is held relative to the mean, which levelling moves.
+    if (!held.amplitude) best.p = levelled(again, {layout, best.p, point.noise, 0, true});
     const VectorXd q = origin.from_cartesian(layout, best.p);
     for (Index i = 0; i < layout.size(); ++i) {
       double value = q[i];

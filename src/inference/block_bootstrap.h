@@ -37,6 +37,7 @@ struct Bootstrap {
 //             quarter of the record; each test is fitted from the solution and from the likeliest runner-up, and the better is
 //             taken. The prior of the bending stiffness is drawn anew for each, as it is an observation too.
 // Cost:       0.5 ms each for one wave and 260 points.
-Bootstrap block_bootstrap(const FitProblem& problem, const ModelFit& fit, const BootstrapOptions& options);
+Bootstrap block_bootstrap(const FitProblem& problem, const ModelFit& fit, const BootstrapOptions& options,
+                          const HeldValues& held = {});
 
 }  // namespace flexslip

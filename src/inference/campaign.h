@@ -15,8 +15,8 @@ namespace flexslip {
 struct TestSummary {
   std::string name;
   SawtoothCategory category;
-  bool suspect;           // friction beyond the limit, see find_suspects
-  ProfileModel model;     // the one of least BIC
+  bool suspect;        // friction beyond the limit, see find_suspects; or no sliding, or no such stiffness, explains it
+  ProfileModel model;  // the one of least BIC
   ParameterEstimate mu0;  // [1] of that model
   // Of one wave, the paper's (4.25), whether or not BIC wants it; none if no wave was fitted, or fits.
   std::optional<ParameterEstimate> amplitude;   // [1]

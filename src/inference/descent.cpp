@@ -149,6 +149,13 @@ FitPoint Descent::polished(FitPoint point) const {
   return refined(best.p, least_squares, 1);
 }
 
+VectorXd levelled(const ForceModel& model, const FitPoint& point) {
+  if (point.noise.correlation == 0) return point.p;
+  const VectorXd residuals = model.measured_force() - model.force(point.layout, point.p);
+  const CorrelatedNoise white{0, residuals.squaredNorm() / static_cast<double>(residuals.size())};
+  return Descent(model, point.layout, Freedom::of_the_mean(point.layout)).descend(point.p, white, 3).p;
+}
+
 MatrixXd information(const ForceModel& model, const FitPoint& point) {
   const auto response = model.response(point.layout, point.p);
   const MatrixXd J = whitened(response.slopes, point.noise.correlation);

@@ -61,6 +61,10 @@ class Descent {
   Freedom freedom_;
 };
 
+// Mean and drift anew by least squares in F itself. Strong correlation makes the likelihood nearly blind to the level of
+// the curve; the waves are known from the differences, but the mean is what the level says.
+Eigen::VectorXd levelled(const ForceModel& model, const FitPoint& point);
+
 // The inverse of the covariance of the parameters, by Gauss and Newton, with the prior of the bending stiffness.
 Eigen::MatrixXd information(const ForceModel& model, const FitPoint& point);
 

@@ -32,15 +32,6 @@ double rms_difference(std::span<const double> a, std::span<const double> b) {
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-// Mean and drift anew by least squares in F itself. Strong correlation makes the likelihood nearly blind to the level of
-// the curve; the waves are known from the differences, but the mean is what the level says.
-VectorXd levelled(const ForceModel& model, const FitPoint& point) {
-  if (point.noise.correlation == 0) return point.p;
-  const VectorXd residuals = model.measured_force() - model.force(point.layout, point.p);
-  const CorrelatedNoise white{0, residuals.squaredNorm() / static_cast<double>(residuals.size())};
-  return Descent(model, point.layout, Freedom::of_the_mean(point.layout)).descend(point.p, white, 3).p;
-}
-
 ParameterRange shifted(const ParameterRange& range, double by) { return {range.low + by, range.high + by, range.open}; }
 
 // The estimate and the interval of a polar parameter, in its place among those of the region.
@@ -54,6 +45,13 @@ double wrapped(double angle) { return angle - 2 * pi * std::round(angle / (2 * p
 ParameterEstimate wrapped(const ParameterEstimate& phase) {
   const double turn = wrapped(phase.value) - phase.value;
   return {phase.value + turn, phase.standard_error, phase.low + turn, phase.high + turn};
+}
+
+// An interval holds no value that is not possible.
+ParameterEstimate within(ParameterEstimate estimate, double least, double greatest) {
+  estimate.low = std::max(estimate.low, least);
+  estimate.high = std::min(estimate.high, greatest);
+  return estimate;
 }
 
 double bic_of(const ForceModel& model, const FitPoint& point) {
@@ -86,7 +84,7 @@ ModelFit describe(ProfileModel kind, const ForceModel& model, const FitPoint& fi
   ModelFit fit{};
   fit.model = kind;
   fit.status = point.converged ? FitStatus::ok : FitStatus::not_converged;
-  fit.mu0 = parameter(0);
+  fit.mu0 = within(parameter(0), 0, std::numeric_limits<double>::infinity());
   fit.drift = layout.drift ? parameter(1) : ParameterEstimate{};
   fit.bending_stiffness = parameter(layout.stiffness());
   for (double* value : {&fit.bending_stiffness.value, &fit.bending_stiffness.low, &fit.bending_stiffness.high})
@@ -94,7 +92,7 @@ ModelFit describe(ProfileModel kind, const ForceModel& model, const FitPoint& fi
   fit.friction = {.mu0 = fit.mu0.value, .drift = fit.drift.value, .terms = {}, .S_reference = model.middle()};
   for (Index i = 0; i < layout.waves; ++i) {
     const Index at = layout.wave(i);
-    fit.waves.push_back({.amplitude = parameter(at),
+    fit.waves.push_back({.amplitude = within(parameter(at), 0, 1),
                          .wavelength = parameter(at + 1),
                          .phase = wrapped(parameter(at + 2)),
                          .phase_at_middle = wrapped(at_middle[static_cast<std::size_t>(at + 2)])});
@@ -118,8 +116,7 @@ ModelFit describe(ProfileModel kind, const ForceModel& model, const FitPoint& fi
 // The model `constant` is judged by its likelihood as the others are, but estimated at the nominal bending stiffness.
 ModelFit with_constant(ModelFit fit, const FitProblem& problem) {
   auto constant = fit_constant(problem);
-  fit.mu0 = estimate(constant.mu0, constant.standard_error);
-  fit.mu0.low = std::max(fit.mu0.low, 0.0);
+  fit.mu0 = within(estimate(constant.mu0, constant.standard_error), 0, std::numeric_limits<double>::infinity());
   fit.bending_stiffness = estimate(1, problem.errors.bending_stiffness);
   fit.friction = {.mu0 = constant.mu0, .drift = 0, .terms = {}};
   fit.force = std::move(constant.force);
@@ -234,7 +231,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
       std::min_element(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return bic(a) < bic(b); });
   result.chosen = static_cast<std::size_t>(best - fits.begin());
 
-  const bool held = options.held.bending_stiffness || options.held.amplitude || options.held.wavelength;
+  const bool held = options.held.amplitude || options.held.wavelength;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const auto kind = options.models[i];
     if (fits[i].empty()) {
@@ -247,7 +244,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
     const bool searched = reported && !held && kind != ProfileModel::constant;
     const auto region = searched ? likelihood_region(model, fit)
                                  : curvature_region(model, fit, freedom_within(model, fit.layout, options.held));
-    const VectorXd p = held ? region.best.p : levelled(model, region.best);
+    // An amplitude is held relative to the mean, which levelling moves.
+    const VectorXd p = options.held.amplitude ? region.best.p : levelled(model, region.best);
     ModelFit described = describe(kind, model, fit, region, p, usable);
     if (kind == ProfileModel::constant) described = with_constant(std::move(described), usable);
     if (searched && fit.layout.waves > 0) add_runners_up(described, model, fits[i], region);

@@ -26,9 +26,8 @@ FitProblem thinned(const FitProblem& problem);
 
 // Values at which a fit is held; those of waves hold the first. What is not given is free.
 struct HeldValues {
-  std::optional<double> bending_stiffness{};  // [1] relative to the nominal one
-  std::optional<double> amplitude{};          // [1] A, relative to the mean in the middle of the data
-  std::optional<double> wavelength{};         // [L]
+  std::optional<double> amplitude{};   // [1] A, relative to the mean in the middle of the data
+  std::optional<double> wavelength{};  // [L]
 };
 
 // Deflections below it [L] say hardly anything of friction.

@@ -1,38 +1,30 @@
-// One value of a parameter for several tests: the likeliest, each test weighing as much as its own record says.
+// One value of a parameter for several tests, each weighing as much as its own record says.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "inference/fit.h"
 
 namespace flexslip {
 
-// Log likelihoods of all tests together at values of the parameter, everything else fitted anew in each test.
-using JointLikelihood = std::function<std::vector<double>(std::span<const double> values)>;
-
-enum class SharedStatus {
-  ok,
-  at_bound,  // the likelihood still rises where the range ends: the estimate is there, and its interval is cut
+struct OwnEstimate {
+  double value, error;  // unit of the parameter; standard error
 };
+
+// What a record alone says of a parameter, of which the fit was told `stated` beforehand; none if that is next to nothing: less
+// than a tenth of the weight of what was stated. Normal distributions throughout.
+// Domain:     errors > 0; std::invalid_argument otherwise.
+std::optional<OwnEstimate> of_the_record(const OwnEstimate& fitted, const OwnEstimate& stated);
 
 struct SharedEstimate {
-  SharedStatus status;
-  ParameterEstimate estimate;  // unit of the parameter; 95 % interval by the fall of the likelihood
+  ParameterEstimate estimate;  // unit of the parameter
+  double scatter;              // [1] of the tests about the shared value, over what their errors explain
 };
 
-// Where to look: from `low` to `high`, first at `points` values evenly spaced in the logarithm. Between neighbours the
-// likelihood must have no more than one maximum worth finding.
-struct SharedRange {
-  double low, high;  // unit of the parameter
-  std::size_t points;
-};
-
-// Domain:     0 < low < high, points >= 5; std::invalid_argument otherwise. A likelihood may be -infinity, but not at all values.
-// Max error:  1e-3 of the width of the interval in its ends and in the value.
-// Method:     grids that close in on the maximum and on the two places where the log likelihood has fallen by 1.92.
-// Cost:       points + about 60 values.
-SharedEstimate estimate_shared(const SharedRange& range, const JointLikelihood& log_likelihood);
+// The mean weighted by the errors; its own error is taken larger by the scatter where that exceeds 1 (Birge's ratio). What was
+// stated beforehand counts once, however many tests were told it.
+// Domain:     at least two tests or one statement, errors > 0 and finite; std::invalid_argument otherwise.
+SharedEstimate estimate_shared(std::span<const OwnEstimate> tests, const std::optional<OwnEstimate>& stated);
 
 }  // namespace flexslip

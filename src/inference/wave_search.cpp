@@ -75,7 +75,6 @@ FitPoint add_wave(const ForceModel& model, const FitPoint& base, const WaveCandi
 
 Freedom freedom_within(const ForceModel& model, const ModelLayout& layout, const HeldValues& values) {
   std::vector<HeldParameter> held;
-  if (values.bending_stiffness) held.push_back({layout.stiffness(), *values.bending_stiffness - 1});
   if (layout.waves > 0 && values.amplitude) held.push_back({layout.wave(0), *values.amplitude});
   if (layout.waves > 0 && values.wavelength) held.push_back({layout.wave(0) + 1, *values.wavelength});
   return {layout, {model.middle(), model.middle()}, held};

@@ -17,7 +17,7 @@ std::vector<FitPoint> fit_next_wave(const ForceModel& model, const FitPoint& bas
                                     std::size_t most_candidates, const HeldValues& held);
 
 // What is free in a layout where some values are held.
-Freedom freedom_within(const ForceModel& model, const ModelLayout& layout, const HeldValues& held);
+Freedom freedom_within(const ForceModel& model, const ModelLayout& layout, const HeldValues& values);
 
 // One wave of a given wavelength [L] by linear least squares on the profile.
 Eigen::VectorXd wave_of_profile(const ForceModel& model, const FitPoint& point, double wavelength);

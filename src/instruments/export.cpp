@@ -414,7 +414,7 @@ class ExportReader {
       out_.notes.push_back(
           fmt::format("left out, for they are no rows of {} cells: {}", layout_.columns, on_lines(lines)));
     if (layout_.blocks.back().cut_off)
-      out_.notes.push_back("the file ends in the middle of a row, which is left out: is it complete?");
+      out_.notes.emplace_back("the file ends in the middle of a row, which is left out: is it complete?");
     if (layout_.blocks.front().titles.empty())
       out_.notes.push_back(fmt::format("no line above line {} names {} columns",
                                        layout_.blocks.front().rows.front() + 1, layout_.columns));

@@ -78,6 +78,7 @@ Json campaign_json(const Campaign& campaign) {
     Json estimate = parameter(one.estimate, one.unit);
     estimate["name"] = one.name;
     estimate["tests"] = one.tests;
+    estimate["scatter"] = one.scatter;
     shared.push_back(estimate);
   }
   return {{"tests", tests},

@@ -224,6 +224,8 @@ CampaignTable shared_table(const Campaign& campaign) {
   add("high", "upper end of its 95 % interval", &ParameterEstimate::high);
   table.add(number_column("tests", kind::number, "", "that share it"),
             [](const SharedParameter& shared) { return number(shared.tests); });
+  table.add(number_column("scatter", kind::number, "", "of the tests about it, over what their errors explain"),
+            [](const SharedParameter& shared) { return number(shared.scatter); });
   for (const auto& shared : campaign.shared) table.add(shared);
   return table.table();
 }

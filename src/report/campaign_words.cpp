@@ -184,9 +184,9 @@ PrintedTable failure_rows(const Campaign& campaign) {
 }
 
 PrintedTable shared_rows(const Campaign& campaign) {
-  PrintedTable table{{"Parameter", "Value", "95 % interval", "Unit", "Tests"}, {}};
+  PrintedTable table{{"Parameter", "Value", "95 % interval", "Unit", "Tests", "Scatter"}, {}};
   for (const auto& shared : campaign.shared) {
-    const Unit si = parse_unit(shared.unit == "1" ? "" : shared.unit);
+    const Unit si = shared.unit == "1" ? Unit{} : parse_unit(shared.unit);
     std::string unit;
     double factor = 1;
     for (const Kind* kind : {&kind::length, &kind::pressure, &kind::bending_stiffness})
@@ -198,7 +198,7 @@ PrintedTable shared_rows(const Campaign& campaign) {
     table.rows.push_back({shared.name,
                           digits.error.empty() ? digits.value : fmt::format("{} ± {}", digits.value, digits.error),
                           digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit),
-                          fmt::format("{}", shared.tests)});
+                          fmt::format("{}", shared.tests), fmt::format("{:.1f}", shared.scatter)});
   }
   return table;
 }

@@ -9,7 +9,9 @@ namespace flexslip {
 
 MatchedDigits matched_digits(const ParameterEstimate& estimate, double factor) {
   const double error = factor * estimate.standard_error;
-  if (!std::isfinite(error) || error <= 0) return {fmt::format("{:.4g}", factor * estimate.value), "", "", ""};
+  constexpr double rounding = 1e-9;  // a value that is held has no error but this
+  if (!std::isfinite(error) || error <= rounding * std::abs(factor * estimate.value))
+    return {fmt::format("{:.4g}", factor * estimate.value), "", "", ""};
   // Rounded first: of 0.0996, two digits are 0.10.
   const double exponent = std::floor(std::log10(error));
   const double rounded = std::round(error / std::pow(10, exponent - 1)) * std::pow(10, exponent - 1);

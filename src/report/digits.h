@@ -10,7 +10,7 @@ namespace flexslip {
 // A number and its standard uncertainty, two digits of the latter.
 struct MatchedDigits {
   std::string value;
-  std::string error;      // empty if it is not known; the value then has four significant digits
+  std::string error;      // empty if it is not known, or the value is held; it then has four significant digits
   std::string low, high;  // ends of the 95 % interval, likewise
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -205,6 +206,8 @@ Json candidates_json(const WavelengthScan& scan, const Units& units) {
   return out;
 }
 
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
 Json provenance_json(const Provenance& provenance) {
   Json inputs = Json::array();
   for (const auto& file : provenance.inputs) {
@@ -223,7 +226,10 @@ Json provenance_json(const Provenance& provenance) {
           {"options",
            {{"models", models},
             {"false_alarms", provenance.options.drops.false_alarms_per_test},
-            {"suspect_limit", provenance.options.suspect_limit}}},
+            {"suspect_limit", provenance.options.suspect_limit},
+            {"bootstrap", provenance.options.bootstrap.count},
+            {"held_amplitude", number_or_null(provenance.options.fit.held.amplitude)},
+            {"held_wavelength_in_spans", number_or_null(provenance.options.fit.held.wavelength)}}},
           {"case", provenance.test}};
 }
 

@@ -118,21 +118,6 @@ TEST_CASE("oracle: the force of a fitted model is the exact forward calculation 
   CHECK(apart <= 2);
 }
 
-TEST_CASE("oracle: a held bending stiffness gives the fit of a prior that leaves it no freedom") {
-  const auto problem =
-      problem_of({.friction = Friction::sinusoid(0.5, 0.2, 0.02, 1), .stiffening = 1.01, .noise = 0.02});
-  auto certain = problem;
-  certain.errors.bending_stiffness = 1e-7;
-  const auto penalised = fit_friction(certain, {.models = {ProfileModel::sinusoid}}).models.front();
-  const auto held =
-      fit_friction(problem, {.models = {ProfileModel::sinusoid}, .held = {.bending_stiffness = 1.0}}).models.front();
-  CHECK(held.bending_stiffness.value == 1.0);
-  CHECK(held.bending_stiffness.standard_error == 0.0);
-  CHECK(held.log_likelihood == doctest::Approx(penalised.log_likelihood).scale(1).epsilon(0.1));  // a descent's end
-  CHECK(held.mu0.value == doctest::Approx(penalised.mu0.value).scale(0).epsilon(0.01));
-  CHECK(held.mu0.standard_error == doctest::Approx(penalised.mu0.standard_error).scale(0).epsilon(0.1));
-}
-
 TEST_CASE("identity: amplitude and wavelength stay where they are held, and the fit is the worse for it") {
   const auto problem = problem_of({.friction = Friction::sinusoid(0.5, 0.2, 0.02, 1), .noise = 0.02});
   const auto free = fit_friction(problem, {.models = {ProfileModel::sinusoid}}).models.front();

@@ -1,7 +1,7 @@
 #include "inference/shared_parameter.h"
 
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -10,83 +10,55 @@
 namespace flexslip {
 namespace {
 
-// Tests that each measure the parameter as `value` ± `error`, normally.
-struct Measured {
-  double value, error;
-};
+doctest::Approx to_rounding(double value) { return doctest::Approx(value).scale(0).epsilon(1e-14); }  // some ulp
 
-JointLikelihood joint(const std::vector<Measured>& tests) {
-  return [tests](std::span<const double> values) {
-    std::vector<double> sums;
-    for (const double value : values) {
-      double sum = 0;
-      for (const auto& test : tests) sum -= 0.5 * std::pow((value - test.value) / test.error, 2);
-      sums.push_back(sum);
-    }
-    return sums;
-  };
+TEST_CASE("table: three tests give their weighted mean; a scatter within their errors changes nothing") {
+  const std::vector<OwnEstimate> tests{{29.0, 1.0}, {31.0, 2.0}, {30.0, 2.0}};  // weights 1, 1/4, 1/4
+  const auto shared = estimate_shared(tests, std::nullopt);
+  CHECK(shared.estimate.value == to_rounding((29.0 + 31.0 / 4 + 30.0 / 4) / 1.5));
+  CHECK(shared.estimate.standard_error == to_rounding(1 / std::sqrt(1.5)));
+  CHECK(shared.estimate.high - shared.estimate.low == to_rounding(2 * 1.95996 / std::sqrt(1.5)));
+  CHECK(shared.scatter < 1);
 }
 
-TEST_CASE("oracle: normal measurements give their weighted mean and its interval") {
-  const std::vector<Measured> tests{{29.0, 1.0}, {31.0, 2.0}, {27.0, 1.5}};
-  double weights = 0;
-  double weighted = 0;
-  for (const auto& test : tests) {
-    weights += 1 / (test.error * test.error);
-    weighted += test.value / (test.error * test.error);
+TEST_CASE("table: tests that contradict each other widen the error by their scatter") {
+  const std::vector<OwnEstimate> tests{{10.0, 1.0}, {16.0, 1.0}};  // chi^2 = 18 with one freedom
+  const auto shared = estimate_shared(tests, std::nullopt);
+  CHECK(shared.estimate.value == 13.0);
+  CHECK(shared.scatter == to_rounding(std::sqrt(18.0)));
+  CHECK(shared.estimate.standard_error == to_rounding(std::sqrt(18.0) / std::sqrt(2.0)));
+}
+
+TEST_CASE("identity: what was stated beforehand counts once, however many tests were told it") {
+  const OwnEstimate stated{30, 1};
+  // Tests whose records say 33 ± 2, told 30 ± 1: posteriors of weight 1 + 1/4.
+  const double weight = 1 + 0.25;
+  const OwnEstimate told{(30 + 33 * 0.25) / weight, 1 / std::sqrt(weight)};
+  const auto own = of_the_record(told, stated);
+  REQUIRE(own);
+  CHECK(own->value == doctest::Approx(33).scale(0).epsilon(1e-13));  // cancellation of two weights
+  CHECK(own->error == doctest::Approx(2).scale(0).epsilon(1e-13));
+  for (const std::size_t n : {1, 4, 100}) {
+    const std::vector<OwnEstimate> tests(n, *own);
+    const auto shared = estimate_shared(tests, stated);
+    const double expected = (30 + 33 * 0.25 * static_cast<double>(n)) / (1 + 0.25 * static_cast<double>(n));
+    CHECK(shared.estimate.value == doctest::Approx(expected).scale(0).epsilon(1e-12));
   }
-  const double mean = weighted / weights;
-  const double error = 1 / std::sqrt(weights);
-  const auto shared = estimate_shared({10, 60, 15}, joint(tests));
-  CHECK(shared.status == SharedStatus::ok);
-  const double tolerance = 1e-3 * 2 * 1.96 * error;  // as the header says
-  CHECK(std::abs(shared.estimate.value - mean) < tolerance);
-  CHECK(std::abs(shared.estimate.low - (mean - 1.95996 * error)) < tolerance);
-  CHECK(std::abs(shared.estimate.high - (mean + 1.95996 * error)) < tolerance);
-  CHECK(std::abs(shared.estimate.standard_error - error) < tolerance);
 }
 
-TEST_CASE("oracle: of two maxima the greater is found, and an interval that holds both is given whole") {
-  const auto two = [](double depth) {
-    return [depth](std::span<const double> values) {
-      std::vector<double> sums;
-      for (const double x : values)
-        sums.push_back(std::log(std::exp(-0.5 * std::pow((x - 2) / 0.1, 2)) +
-                                std::exp(-depth - 0.5 * std::pow((x - 3) / 0.1, 2)) + 1e-300));
-      return sums;
-    };
-  };
-  const auto clear = estimate_shared({1, 5, 40}, two(10));
-  CHECK(std::abs(clear.estimate.value - 2) < 1e-3);
-  CHECK(clear.estimate.high < 2.3);
-  const auto open = estimate_shared({1, 5, 40}, two(1));
-  CHECK(open.estimate.low == doctest::Approx(2 - 0.196).epsilon(1e-3));
-  // Where exp(-1 - x^2/2) has fallen to exp(-1.9207): at sqrt(2 * 0.9207) deviations from 3.
-  CHECK(open.estimate.high == doctest::Approx(3 + 0.1 * std::sqrt(2 * 0.9207)).epsilon(1e-3));
+TEST_CASE("limit: a record that adds nothing to what was stated has no estimate of its own") {
+  CHECK(!of_the_record({30.1, 0.999}, {30, 1}));
+  CHECK(!of_the_record({30.1, 1.2}, {30, 1}));
+  const auto shared = estimate_shared({}, OwnEstimate{30, 1});
+  CHECK(shared.estimate.value == 30.0);
+  CHECK(shared.estimate.standard_error == 1.0);
 }
 
-TEST_CASE("limit: a likelihood that rises to the end of the range is said to be cut there") {
-  const auto shared = estimate_shared({10, 20, 9}, joint({{30, 5}}));
-  CHECK(shared.status == SharedStatus::at_bound);
-  CHECK(shared.estimate.value == 20);
-  CHECK(shared.estimate.high == 20);
-}
-
-TEST_CASE("limit: impossible values are passed over, a range of nothing else is refused") {
-  const auto from_15 = [](std::span<const double> values) {
-    auto sums = joint({{16, 1}})(values);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] < 15) sums[i] = -std::numeric_limits<double>::infinity();
-    return sums;
-  };
-  const auto shared = estimate_shared({10, 20, 21}, from_15);
-  CHECK(std::abs(shared.estimate.value - 16) < 4e-3);  // 1e-3 of the interval
-  CHECK(std::abs(shared.estimate.low - 15) < 4e-3);
-  const auto nothing = [](std::span<const double> values) {
-    return std::vector<double>(values.size(), -std::numeric_limits<double>::infinity());
-  };
-  CHECK(message_of([&] { estimate_shared({10, 20, 9}, nothing); }) == "no value in the range is possible");
-  CHECK(message_of([&] { estimate_shared({20, 10, 9}, joint({{16, 1}})); }).find("20.0") != std::string::npos);
+TEST_CASE("table: bad estimates are refused") {
+  const std::vector<OwnEstimate> one{{1, 1}};
+  CHECK(message_of([&] { estimate_shared(one, std::nullopt); }) == "a shared value needs two tests");
+  const std::vector<OwnEstimate> exact{{1, 1}, {2, 0}};
+  CHECK(message_of([&] { estimate_shared(exact, std::nullopt); }).find("2.000000 ± 0.000000") != std::string::npos);
 }
 
 }  // namespace

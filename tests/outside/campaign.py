@@ -46,7 +46,10 @@ phase = 1
 program = ["0 um", "600 um"]
 step = "2 um"
 """)
-            run("simulate", made, "--output", folder / f"t{i:02}.csv")
+            rows = list(csv.DictReader(self.succeeds("simulate", made, "--quiet").splitlines()))
+            noise = random.Random(i)
+            (folder / f"t{i:02}.csv").write_text("w_s [m],F [N]\n" + "".join(
+                f'{row["w_s [m]"]},{float(row["F [N]"]) + noise.gauss(0, 2e-5)!r}\n' for row in rows))
             (folder / f"t{i:02}.toml").write_text(
                 '[specimen]\nbending_stiffness = "1e-9 N m^2"\n[rig]\nspan = "1 mm"\nstiffness = "90 N/m"\n'
                 f'[record]\nfile = "t{i:02}.csv"\nstage = "w_s [m]"\nforce = "F [N]"\n')
@@ -112,12 +115,38 @@ step = "2 um"
         self.assertEqual(again.returncode, 0)
         self.assertIn("tests were kept by an earlier run", again.stderr)
 
+    def test_a_shared_stiffness_is_the_true_one_and_every_test_is_told_it(self):
+        folder = self.simulated(5)
+        answers = [self.json("campaign", folder, "--share", "bending_stiffness", "--quiet", "--jobs", jobs) for jobs in (1, 3)]
+        self.assertEqual(*answers)  # whatever the number of jobs
+        shared, = answers[0]["shared"]
+        self.assertEqual((shared["name"], shared["tests"]), ("bending_stiffness", 5))
+        low, high = shared["interval95"]
+        self.assertTrue(low <= 1e-9 <= high, shared)  # the truth
+        alone = self.json("campaign", folder, "--quiet")
+        for test, before in zip(answers[0]["tests"], alone["tests"]):
+            told, own = test["parameters"]["bending_stiffness"], before["parameters"]["bending_stiffness"]
+            self.assertLess(abs(told["value"] - shared["value"]), 3 * shared["standard_error"])
+            self.assertLess(told["standard_error"], own["standard_error"])
+            self.assertLess(shared["standard_error"], own["standard_error"])
+
+    def test_tests_that_do_not_share_a_wavelength_scatter_and_are_held_to_it_all_the_same(self):
+        answer = self.json("campaign", self.simulated(3), "--share", "wavelength", "--quiet")  # of 10, 11 and 12 um
+        shared, = answer["shared"]
+        self.assertGreater(shared["scatter"], 5)
+        self.assertTrue(10e-6 < shared["value"] < 12e-6)
+        for test in answer["tests"]:
+            self.assertAlmostEqual(test["parameters"]["wavelength"]["value"] / shared["value"], 1, delta=1e-12)  # rounding
+
     def test_a_bad_call_is_refused(self):
         self.refused("campaign", self.folder, says=["case files (.toml) with a [record]", "--common"])
         self.refused("campaign", self.folder / "none.csv", says=["none.csv"])
         self.refused("campaign", self.file("t.csv", "file,spam\na.csv,1\n"), says=["t.csv:1", "column 'spam'"])
         folder = self.simulated(1)
         self.refused("campaign", folder, "--report", self.file("taken", ""), says=["taken"])
+        self.refused("campaign", folder, "--report", folder, says=["another folder"])
+        self.refused("campaign", folder, "--share", "modulus", says=["--share modulus", "at least two tests"])
+        self.refused("campaign", folder, "--share", "modulus", "--share", "bending_stiffness", says=["not both"])
 
 
 @unittest.skipUnless(DATA.is_dir(), "skipped: no campaign data")
