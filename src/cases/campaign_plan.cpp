@@ -37,7 +37,9 @@ std::string lower_case(std::string text) {
 std::string folder_name(std::string_view name) {
   constexpr std::size_t longest = 100;
   std::string fit;
-  for (const char c : name.substr(0, longest)) {
+  std::size_t end = std::min(name.size(), longest);
+  while (end < name.size() && end > 0 && (name[end] & 0xc0) == 0x80) --end;  // between characters
+  for (const char c : name.substr(0, end)) {
     const bool unfit = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ||
                        std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
     fit += unfit ? '_' : c;

@@ -1,8 +1,10 @@
 #include "cases/campaign_run.h"
 
 #include <exception>
+#include <filesystem>
 #include <mutex>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -35,6 +37,13 @@ std::string key_of(const PlannedTest& planned, const Case& input, const Analysis
       FLEXSLIP_VERSION, source, planned.name, planned.file, models, held, options.drops.false_alarms_per_test,
       options.suspect_limit, options.bootstrap.count, presented, to_toml(input),
       digest_of(*open_to_read(input.record.value().file)).sha256));
+}
+
+// A device has no end, and standard input no second reading.
+void require_file(const std::string& file) {
+  std::error_code missing;
+  if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
+    throw InputError({.file = file, .expected = "a file", .found = "a folder or a device"});
 }
 
 class Runner {
@@ -78,17 +87,20 @@ class Runner {
       AnalysisOptions options = options_.analysis(input);
       if (const auto held = options_.held.find(planned.name); held != options_.held.end())
         options.fit.held = held->second;
+      require_file(input.record.value().file);
       if (store_) key = key_of(planned, input, options, options_.presented);
       if (store_)
         if (auto kept = store_->find(planned.name, key)) return {std::move(*kept), true};
       test = fit_test(input, options);
       test->name = planned.name;
     } catch (const std::exception& error) {
+      if (store_) store_->emptied_folder(planned.name);
       return {failed_test(planned.name, planned.file, error.what()), false};
     }
     const CampaignTest line = campaign_test_of(*test, planned.file);
     if (!store_) return {line, false};
-    if (options_.present) options_.present(*test, store_->folder_of(planned.name).string());
+    const auto folder = store_->emptied_folder(planned.name);
+    if (options_.present) options_.present(*test, folder.string());
     store_->keep(line, key);
     return {campaign_test_from(to_text(line)).value(), false};  // as a later run finds it
   }

@@ -162,10 +162,12 @@ CampaignStore::CampaignStore(fs::path folder) : folder_(std::move(folder)) {
   }
 }
 
-fs::path CampaignStore::folder_of(const std::string& test) const {
+fs::path CampaignStore::emptied_folder(const std::string& test) const {
   fs::path folder = folder_ / test;
   std::error_code error;
-  fs::create_directories(folder, error);
+  fs::remove(folder / kept_name, error);  // first: from here on the test is not done
+  if (!error) fs::remove_all(folder, error);
+  if (!error) fs::create_directories(folder, error);
   if (error) refuse(folder, error);
   return folder;
 }
@@ -183,7 +185,7 @@ std::optional<CampaignTest> CampaignStore::find(const std::string& test, const s
 }
 
 void CampaignStore::keep(const CampaignTest& test, const std::string& key) const {
-  const fs::path path = folder_of(test.name) / kept_name;
+  const fs::path path = folder_ / test.name / kept_name;
   fs::path beside = path;
   beside += unfinished;
   write_text(beside.string(), text_of({{"layout", layout}, {"key", key}, {"test", json_of(test)}}));

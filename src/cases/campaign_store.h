@@ -21,13 +21,15 @@ class CampaignStore {
   // Fails:      InputError if the folder cannot be made.
   explicit CampaignStore(std::filesystem::path folder);
 
-  // Where the files of a test lie; made if it is not there.
-  std::filesystem::path folder_of(const std::string& test) const;
+  // Where the files of a test are to be written: an empty folder, so that nothing in it is of another run.
+  // Fails:      InputError if it cannot be made or emptied.
+  std::filesystem::path emptied_folder(const std::string& test) const;
 
   // A test that was kept under this key; none if it was kept under another, or not at all. A key says all that the answer
   // depends on.
   std::optional<CampaignTest> find(const std::string& test, const std::string& key) const;
 
+  // Domain:     emptied_folder(test.name) has been called.
   // Fails:      InputError if it cannot be written.
   void keep(const CampaignTest& test, const std::string& key) const;
 

@@ -126,14 +126,14 @@ std::string name_of(Shareable parameter) {
 }
 
 SharedFits share_parameters(std::vector<PlannedTest> plan, const std::function<AnalysisOptions(const Case&)>& analysis,
-                            const std::vector<Shareable>& parameters, unsigned threads) {
+                            const std::vector<Shareable>& parameters, unsigned threads, const std::atomic<bool>* stop) {
   require_different(parameters);
   SharedFits fits{{}, std::move(plan), {}};
   for (const Shareable parameter : parameters) {
     std::vector<std::optional<Part>> found(fits.plan.size());
     for_each_index(fits.plan.size(), threads, [&](std::size_t i) {
       const auto* input = std::get_if<Case>(&fits.plan[i].input);
-      if (!input) return;
+      if (!input || (stop && stop->load())) return;
       try {
         AnalysisOptions options = analysis(*input);
         options.bootstrap.count = 0;
@@ -144,6 +144,7 @@ SharedFits share_parameters(std::vector<PlannedTest> plan, const std::function<A
         // The run of the campaign lists it with its reason.
       }
     });
+    if (stop && stop->load()) return fits;
     std::vector<Part> parts;
     for (const auto& part : found)
       if (part) parts.push_back(*part);

@@ -2,6 +2,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,6 +26,7 @@
 #include "report/campaign_report.h"
 #include "report/campaign_text.h"
 #include "report/fit_json.h"
+#include "report/page.h"
 #include "report/report.h"
 
 namespace flexslip {
@@ -41,6 +44,8 @@ struct CampaignRequest {
   Output output;
 };
 
+constexpr int exit_interrupted = 130;
+
 // Set by whoever interrupts the program; the tests that are being computed are
 // finished and kept.
 std::atomic<bool> interrupted = false;
@@ -48,7 +53,10 @@ std::atomic<bool> interrupted = false;
 class WhileInterruptible {
  public:
   WhileInterruptible() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = true; });
+    for (const int signal : {SIGINT, SIGTERM})
+      std::signal(signal, [](int) {
+        if (interrupted.exchange(true)) std::_Exit(exit_interrupted);  // asked twice
+      });
   }
   ~WhileInterruptible() {
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
@@ -103,13 +111,30 @@ CampaignOptions options_of(const CampaignRequest& request) {
   return options;
 }
 
-void refuse_to_write_into_the_tests(const CampaignRequest& request) {
-  std::error_code none;
-  if (!std::filesystem::equivalent(request.path, request.report, none)) return;
-  throw InputError({.file = request.report,
-                    .expected = "another folder for the report than that of the tests",
-                    .found = "the same",
-                    .remedy = "its tables would be taken for tests"});
+// The report folder is FlexSlip's own: what lies in it may be replaced or removed.
+void refuse_inputs_in_the_report(const CampaignRequest& request, const std::vector<PlannedTest>& plan) {
+  namespace fs = std::filesystem;
+  if (request.report.empty()) return;
+  make_folder(request.report);
+  const fs::path report = fs::canonical(request.report);
+  const auto refuse_if_inside = [&](const std::string& input) {
+    std::error_code missing;
+    const fs::path path = fs::canonical(input, missing);
+    if (missing) return;
+    const auto [end, rest] = std::mismatch(report.begin(), report.end(), path.begin(), path.end());
+    if (end == report.end())
+      throw InputError({.file = input,
+                        .expected = "an input outside the report's folder",
+                        .found = fmt::format("one in {}", in_quotes(request.report)),
+                        .remedy = "pass another folder as --report: files in it are replaced"});
+  };
+  refuse_if_inside(request.path);
+  if (request.common) refuse_if_inside(*request.common);
+  for (const auto& test : plan)
+    if (const auto* input = std::get_if<Case>(&test.input)) {
+      refuse_if_inside(input->record.value().file);
+      if (!input->source.empty()) refuse_if_inside(input->source);
+    }
 }
 
 DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
@@ -119,12 +144,12 @@ DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
 }
 
 void run_campaign_command(const CampaignRequest& request) {
-  refuse_to_write_into_the_tests(request);
   const auto plan = plan_campaign(request.path, request.common);
+  refuse_inputs_in_the_report(request, plan);
   CampaignOptions options = options_of(request);
   const auto run = [&] {
     const WhileInterruptible guard;
-    const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs);
+    const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs, &interrupted);
     options.held = shared.held;
     CampaignRun computed = run_campaign(shared.plan, options);
     computed.campaign.shared = shared.parameters;

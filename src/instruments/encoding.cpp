@@ -61,7 +61,8 @@ class Converter {
       const bool failed = iconv(handle_, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
       const int reason = errno;
       text.append(buffer.data(), out);
-      if (failed && reason == EINVAL) return {text, bytes.size()};
+      // The file ends inside a character: what stands before it is no whole cell.
+      if (failed && reason == EINVAL) return {text + "\uFFFD", bytes.size()};
       if (failed && reason != E2BIG) break;
     }
     return {text, bytes.size() - left};

@@ -478,15 +478,15 @@ class ExportReader {
   ExportColumn& named(ExportedSpecimen& specimen, std::string_view wanted, ColumnRole role) const {
     std::vector<ExportColumn*> found;
     std::vector<std::string> names;
+    for (ExportColumn& column : specimen.columns)
+      if (std::to_string(column.number) == wanted) found.push_back(&column);  // as repeat_with says it
+    const bool by_number = !found.empty();
     for (ExportColumn& column : specimen.columns) {
       names.push_back(column.name);
       const bool by_title = !column.unit.empty() && (wanted == fmt::format("{} [{}]", column.name, column.unit) ||
                                                      wanted == fmt::format("{} ({})", column.name, column.unit));
-      if (column.name == wanted || by_title) found.push_back(&column);
+      if (!by_number && (column.name == wanted || by_title)) found.push_back(&column);
     }
-    if (found.empty())
-      for (ExportColumn& column : specimen.columns)
-        if (std::to_string(column.number) == wanted) found.push_back(&column);
     const std::string field{flag_of(role)};
     if (found.empty()) {
       const std::string meant = nearest(wanted, names);
@@ -507,7 +507,25 @@ class ExportReader {
                         .field = field,
                         .expected = "a column of numbers",
                         .found = fmt::format("words in {}", in_quotes(found.front()->name))});
+    require_kind(*found.front(), role);
     return *found.front();
+  }
+
+  // A column in a unit of another kind than its role is not the one that was meant.
+  void require_kind(const ExportColumn& column, ColumnRole role) const {
+    const Kind& kind = role == ColumnRole::force ? kind::force : role == ColumnRole::time ? kind::time : kind::length;
+    if (column.unit.empty() || role == ColumnRole::other) return;
+    std::optional<Unit> unit;
+    try {
+      unit = parse_unit(column.unit);
+    } catch (const InputError&) {
+      return;  // unknown: in_si says so where it is needed
+    }
+    if (unit->dimension != kind.dimension)
+      throw InputError({.file = out_.source,
+                        .field = std::string(flag_of(role)),
+                        .expected = fmt::format("a column in a unit of {}", kind.name),
+                        .found = fmt::format("{} in {}", in_quotes(column.name), in_quotes(column.unit))});
   }
 
   void apply_columns() {

@@ -21,6 +21,7 @@ struct Metadatum {
 struct ExportedTest {
   std::optional<double> span, diameter, width, thickness;  // [m]
   std::optional<double> rate;                              // [m/s]
+  bool operator==(const ExportedTest&) const = default;
 };
 
 // A line of a preamble: "Name: value", or cells of which the first is the name. A comment is read without its #.

@@ -88,6 +88,16 @@ DrawStatus draw_all(const std::vector<Plate>& plates, const std::string& folder)
   return drawn;
 }
 
+// Pages of a run before: there may be fewer now.
+void remove_pages(const std::string& figures) {
+  std::error_code error;
+  std::vector<fs::path> pages;
+  for (auto file = fs::directory_iterator(figures, error); !error && file != fs::directory_iterator();
+       file.increment(error))
+    if (file->path().filename().string().starts_with("atlas-")) pages.push_back(file->path());
+  for (const auto& page : pages) fs::remove(page, error);
+}
+
 }  // namespace
 
 void write_campaign_tables(const std::string& folder, const Campaign& campaign) {
@@ -104,6 +114,7 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   write_campaign_tables(folder, campaign);
   const std::string figures = (fs::path(folder) / "figures").string();
   make_folder(figures);
+  remove_pages(figures);
   const bool answered = std::any_of(campaign.tests.begin(), campaign.tests.end(),
                                     [](const CampaignTest& test) { return test.summary.has_value(); });
   std::vector<Plate> plates;

@@ -67,6 +67,9 @@ TEST_CASE("table: what was kept is found under its key alone, what is torn or fo
   const TemporaryFolder folder;
   const CampaignStore store(folder.path() / "tests");
   CHECK(!store.find("SS14", "key"));
+  folder.file("tests/SS14/old.csv", "of another run");
+  store.emptied_folder("SS14");
+  CHECK(!std::filesystem::exists(folder.path() / "tests" / "SS14" / "old.csv"));
   store.keep(some_test(), "key");
   CHECK(to_text(store.find("SS14", "key").value()) == to_text(some_test()));
   CHECK(!store.find("SS14", "another"));

@@ -144,7 +144,7 @@ step = "2 um"
         self.refused("campaign", self.file("t.csv", "file,spam\na.csv,1\n"), says=["t.csv:1", "column 'spam'"])
         folder = self.simulated(1)
         self.refused("campaign", folder, "--report", self.file("taken", ""), says=["taken"])
-        self.refused("campaign", folder, "--report", folder, says=["another folder"])
+        self.refused("campaign", folder, "--report", folder, says=["outside the report's folder", "--report"])
         self.refused("campaign", folder, "--share", "modulus", says=["--share modulus", "at least two tests"])
         self.refused("campaign", folder, "--share", "modulus", "--share", "bending_stiffness", says=["not both"])
 
@@ -155,7 +155,7 @@ class Spicules(InFolder):
 
     @classmethod
     def setUpClass(cls):
-        cls.specimens = list(csv.DictReader(open(DATA / "specimens.csv")))
+        cls.specimens = list(csv.DictReader((DATA / "specimens.csv").read_text().splitlines()))
 
     def cases(self):
         rows = ["name,file,bending_stiffness [N m^2],bending_stiffness uncertainty,stiffness [N/m],until"]
