@@ -44,6 +44,7 @@ Estimate estimate_at(const ReducedRecord& record, double stiffening, const Slidi
     const VectorXd force = force_at(mu);
     slope = (force_at(mu + h) - force) / h;
     residuals = data - force;
+    if (!(slope.squaredNorm() > 0)) break;  // at the greatest friction of the map: no curve of sliding is as high
     const double next = std::clamp(mu + slope.dot(residuals) / slope.squaredNorm(), 0.0, map.mu_max());
     const bool done = std::abs(next - mu) < 1e-8;
     mu = next;

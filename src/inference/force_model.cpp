@@ -152,6 +152,8 @@ std::vector<double> ForceModel::force_at(const ModelLayout& layout, const Vector
 bool ForceModel::permits(const ModelLayout& layout, const VectorXd& p) const {
   if (!(std::abs(p[layout.stiffness()]) < 0.3)) return false;  // beyond that it would be another specimen
   if (!(p[0] > 0) || !p.allFinite()) return false;
+  constexpr double most_friction = 20;  // that the mechanics covers
+  if (layout.drift && p[0] + 2 * length_seen_ * std::abs(p[1]) > most_friction) return false;
   double total = 0;
   for (Index i = 0; i < layout.waves; ++i) {
     const Index at = layout.wave(i);

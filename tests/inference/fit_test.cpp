@@ -118,6 +118,18 @@ TEST_CASE("oracle: the force of a fitted model is the exact forward calculation 
   CHECK(apart <= 2);
 }
 
+TEST_CASE("limit: a record twice as stiff as stated is fitted with a friction that the mechanics covers, or none") {
+  auto problem = problem_of({.friction = Friction::constant(0.3), .noise = 0.02});
+  for (double& force : problem.record.force) force *= 2;
+  for (std::size_t i = 0; i < problem.record.stage.size(); ++i)
+    problem.record.stage[i] = problem.record.deflection[i] + problem.record.force[i] / problem.rig.stiffness;
+  for (const auto& model : fit_friction(problem).models) {
+    if (model.status == FitStatus::not_found) continue;
+    CHECK(std::isfinite(model.mu0.value));
+    CHECK(!follow_in_steps({Friction::waves(model.friction), problem.rig}, problem.record.stage).path.empty());
+  }
+}
+
 TEST_CASE("identity: amplitude and wavelength stay where they are held, and the fit is the worse for it") {
   const auto problem = problem_of({.friction = Friction::sinusoid(0.5, 0.2, 0.02, 1), .noise = 0.02});
   const auto free = fit_friction(problem, {.models = {ProfileModel::sinusoid}}).models.front();
