@@ -145,7 +145,7 @@ CampaignTable test_table(const Campaign& campaign) {
   table.add(word_column("status", "ok, or why not"), [](const CampaignTest& test) { return words(test.status); });
   table.add(word_column("category", "of the sawtooth: clear, nominal, none"),
             summarised([](const TestSummary& test) { return words(name_of(test.category)); }));
-  table.add(word_column("suspect", "needs more friction than is plausible"),
+  table.add(word_column("suspect", "needs more friction than is plausible, or is not explained by sliding"),
             summarised([](const TestSummary& test) { return yes(test.suspect); }));
   table.add(word_column("model", "of friction, the one of least BIC"),
             summarised([](const TestSummary& test) { return words(name_of(test.model)); }));

@@ -115,8 +115,7 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
 std::string suspects_in_words(const Campaign& campaign) {
   const auto names = names_of(campaign, is_suspect);
   if (names.empty()) return "";
-  return fmt::format("{} {} suspect: {} more friction than is plausible.", enumerated(names),
-                     names.size() == 1 ? "is" : "are", names.size() == 1 ? "it needs" : "they need");
+  return fmt::format("{} {} suspect; the remarks say why.", enumerated(names), names.size() == 1 ? "is" : "are");
 }
 
 std::string answer_of(const Campaign& campaign) {

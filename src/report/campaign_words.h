@@ -27,7 +27,7 @@ PrintedTable shared_rows(const Campaign& campaign);
 // The rule of the categories, and what parentheses mean in test_rows.
 std::string category_rule();
 
-// Why tests are suspect, one sentence; empty if none is.
+// Which tests are suspect, one sentence; empty if none is.
 std::string suspects_in_words(const Campaign& campaign);
 
 }  // namespace flexslip

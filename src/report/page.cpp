@@ -32,6 +32,7 @@ figcaption { margin-top: .4rem; }
 figcaption b { color: var(--text); }
 .scroll { overflow-x: auto; }
 .wide { position: relative; left: 50%; transform: translateX(-50%); width: max-content; min-width: 100%; max-width: 95vw; }
+.wide table { font-size: 0.72rem; }
 table { border-collapse: collapse; font-size: .88rem; line-height: 1.35; width: 100%; font-variant-numeric: tabular-nums; margin: .5rem 0; }
 th { text-align: left; font-weight: 600; border-bottom: 1.5px solid var(--text); vertical-align: bottom; }
 th, td { padding: .22rem 1rem .22rem 0; }
