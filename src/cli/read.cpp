@@ -129,8 +129,9 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
 }
 
 void run_read(const ReadRequest& request) {
-  const Export file = read_export(request.file, options_of(request));
+  Export file = read_export(request.file, options_of(request));
   const std::size_t chosen = chosen_specimen(request, file);
+  if (request.specimen > 0) file.repeat_with += fmt::format(" --specimen {}", request.specimen);
   if (request.output.json)
     write_json(request.output.path, export_json(file, chosen));
   else
