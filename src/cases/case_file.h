@@ -139,11 +139,11 @@ enum class DisplacementOf {
 
 // An export of a testing machine, whose columns are found by what they are called.
 struct ExportColumns {
-  std::optional<DisplacementOf> displacement;             // none: as the words of the file say
-  std::optional<std::string> displacement_column, force;  // name or number of a column that is not found
-  std::optional<std::size_t> specimen;                    // counted from 1; none: there is only one
-  std::optional<std::string> calibration;                 // of a force in volts, "222 N/V"
-  std::optional<char> decimal;
+  std::optional<DisplacementOf> displacement{};               // none: as the words of the file say
+  std::optional<std::string> displacement_column{}, force{};  // name or number of a column that is not found
+  std::optional<std::size_t> specimen{};                      // counted from 1; none: there is only one
+  std::optional<std::string> calibration{};                   // of a force in volts, "222 N/V"
+  std::optional<char> decimal{};
   bool operator==(const ExportColumns&) const = default;
 };
 

@@ -88,7 +88,7 @@ inline Campaign some_campaign() {
        some_test("SS5", SawtoothCategory::nominal, 0.75, 44.67e-6), some_test("SS13", SawtoothCategory::none, 0.3, {}),
        some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6),
        failed_test("SS99", "99.csv", "99.csv: expected numbers, found <nothing> & \"nothing\"")});
-  campaign.shared = {{"modulus", "Pa", {29.6e9, 1.2e9, 27.2e9, 32e9}, 5}};
+  campaign.shared = {{"modulus", "Pa", {29.6e9, 1.2e9, 27.2e9, 32e9}, 5, 0.8}};
   return campaign;
 }
 
