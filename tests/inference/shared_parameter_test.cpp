@@ -38,7 +38,7 @@ TEST_CASE("identity: what was stated beforehand counts once, however many tests 
   REQUIRE(own);
   CHECK(own->value == doctest::Approx(33).scale(0).epsilon(1e-13));  // cancellation of two weights
   CHECK(own->error == doctest::Approx(2).scale(0).epsilon(1e-13));
-  for (const std::size_t n : {1, 4, 100}) {
+  for (const std::size_t n : std::vector<std::size_t>{1, 4, 100}) {
     const std::vector<OwnEstimate> tests(n, *own);
     const auto shared = estimate_shared(tests, stated);
     const double expected = (30 + 33 * 0.25 * static_cast<double>(n)) / (1 + 0.25 * static_cast<double>(n));
