@@ -88,11 +88,13 @@ step = "2 um"
         random_moments = random.Random(2021)
         done = 0
         for _ in range(20):
-            process = subprocess.Popen([PROGRAM, *map(str, call)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            # Killed with its children, as by a power cut: a gnuplot that outlives it would write its picture later.
+            process = subprocess.Popen([PROGRAM, *map(str, call)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                       start_new_session=True)
             try:
                 process.wait(random_moments.uniform(0, 0.5 * whole))
             except subprocess.TimeoutExpired:
-                process.kill()
+                os.killpg(process.pid, signal.SIGKILL)
                 process.wait()
             kept = sum(1 for _ in (self.folder / "report").glob("tests/*/result.json"))
             self.assertGreaterEqual(kept, done)
