@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/fitted_test.h"
 #include "cases/toml.h"
 #include "io/quantity.h"
 #include "io/table.h"
@@ -61,12 +62,6 @@ void tell_apart(std::vector<PlannedTest>& tests) {
     used[lower_case(numbered)] = 1;
     test.name = std::move(numbered);
   }
-}
-
-// Without folder and ending; a case called case.toml has the name of its folder, which says more.
-std::string name_of_file(const fs::path& file) {
-  const std::string folder = fs::absolute(file).lexically_normal().parent_path().filename().string();
-  return folder_name(file.stem() == "case" && !folder.empty() ? folder : file.stem().string());
 }
 
 // Cases from what they have in common and what each says itself.
@@ -266,7 +261,7 @@ std::vector<PlannedTest> plan_of_cases(const std::string& folder) {
   std::vector<PlannedTest> tests;
   for (const auto& file : files_in(folder, true)) {
     if (file.extension() != ".toml") continue;
-    PlannedTest test{name_of_file(file), file.string(), InputError({})};
+    PlannedTest test{folder_name(name_of_test(file.string())), file.string(), InputError({})};
     try {
       Case input = read_case(file.string());
       if (!input.record) continue;  // for simulating, or what others have in common
@@ -284,7 +279,7 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
   for (const auto& file : files_in(folder, false)) {
     const std::string ending = lower_case(file.extension().string());
     if (std::find(data_endings.begin(), data_endings.end(), ending) == data_endings.end()) continue;
-    PlannedTest test{name_of_file(file), file.string(), InputError({})};
+    PlannedTest test{folder_name(name_of_test(file.string())), file.string(), InputError({})};
     toml::table text = common;
     subtable(text, "record").insert_or_assign("file", file.string());
     try {

@@ -25,14 +25,6 @@ InputFile input_file(const std::string& name) {
   return {name, digest.bytes, digest.sha256};
 }
 
-// Without folder and ending; a case called case.toml has the name of its folder, which says more.
-std::string name_of_test(const std::string& file) {
-  if (file == "-") return "standard input";
-  const std::filesystem::path path(file);
-  const std::string folder = path.parent_path().filename().string();
-  return path.stem() == "case" && !folder.empty() ? folder : path.stem().string();
-}
-
 std::string title_with(std::string_view name, std::string_view unit, bool reduced) {
   std::string title(name);
   if (!reduced && !unit.empty()) title += " [" + std::string(unit) + "]";
@@ -72,6 +64,13 @@ void move_contact(Measurement& measurement, const Measured& contact) {
 }
 
 }  // namespace
+
+std::string name_of_test(const std::string& file) {
+  if (file == "-") return "standard input";
+  const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();
+  const std::string folder = path.parent_path().filename().string();
+  return path.stem() == "case" && !folder.empty() ? folder : path.stem().string();
+}
 
 BeamGeometry geometry_of(const Case& input) {
   return {input.rig ? input.rig->span : std::nullopt, input.specimen ? input.specimen->section : std::nullopt};

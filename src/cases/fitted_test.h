@@ -41,6 +41,9 @@ struct FittedTest {
   Provenance provenance;
 };
 
+// The name of the test that a file describes: its own, without folder and ending; that of its folder, which says more, for case.toml.
+std::string name_of_test(const std::string& file);
+
 // What a case says of its specimen as a beam.
 BeamGeometry geometry_of(const Case& input);
 
