@@ -4,7 +4,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "fibre/batch.h"
 #include "fibre/elastica.h"
+#include "fibre/state_table.h"
 
 namespace flexslip {
 namespace {
@@ -22,46 +24,66 @@ double length_at(double S_max, int i, int n) {
 
 EquilibriumPoint point_of(const FibreState& state) { return {state.S, state.q, state.w, state.F}; }
 
+// The last state before the branch ends between two lengths.
+EquilibriumPoint last_point(const Friction& friction, double sign, double exists, double ended) {
+  const auto state_at = [&](double S) { return fibre_state(S, sign * friction.at(S).mu); };
+  while (ended - exists > 0x1p-52 * ended) {
+    const double middle = 0.5 * (exists + ended);
+    if (middle <= exists || middle >= ended) break;
+    (state_at(middle).status == FibreStatus::ok ? exists : ended) = middle;
+  }
+  return point_of(state_at(exists));
+}
+
+template <class States>
+EquilibriumCurve curve_of(const Friction& friction, Sliding sliding, double S_max, int n, const States& states) {
+  require_range(S_max, n);
+  const double sign = sliding == Sliding::in ? 1 : -1;
+  std::vector<double> S;
+  S.reserve(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) S.push_back(length_at(S_max, i, n));
+  std::vector<double> q = friction.at(S).mu;
+  for (double& value : q) value *= sign;
+  const StateArrays at = states(FibrePoints(S, q));
+  EquilibriumCurve curve{EquilibriumStatus::ok, {}};
+  curve.points.reserve(S.size());
+  for (std::size_t i = 0; i < S.size(); ++i) {
+    if (std::isnan(at.w[i])) {
+      curve.points.push_back(last_point(friction, sign, S[i - 1], S[i]));
+      curve.status = EquilibriumStatus::branch_ended;
+      break;
+    }
+    curve.points.push_back({S[i], q[i], at.w[i], at.F[i]});
+  }
+  return curve;
+}
+
 }  // namespace
 
 EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n) {
-  require_range(S_max, n);
-  const double sign = sliding == Sliding::in ? 1 : -1;
-  const auto state_at = [&](double S) { return fibre_state(S, sign * friction.at(S).mu); };
-  EquilibriumCurve curve{EquilibriumStatus::ok, {}};
-  curve.points.reserve(static_cast<std::size_t>(n));
-  for (int i = 0; i < n; ++i) {
-    const auto state = state_at(length_at(S_max, i, n));
-    if (state.status == FibreStatus::ok) {
-      curve.points.push_back(point_of(state));
-      continue;
-    }
-    double exists = curve.points.back().S;
-    double ended = state.S;
-    while (ended - exists > 0x1p-52 * ended) {
-      const double middle = 0.5 * (exists + ended);
-      if (middle <= exists || middle >= ended) break;
-      (state_at(middle).status == FibreStatus::ok ? exists : ended) = middle;
-    }
-    curve.points.push_back(point_of(state_at(exists)));
-    curve.status = EquilibriumStatus::branch_ended;
-    break;
-  }
-  return curve;
+  return curve_of(friction, sliding, S_max, n, [](const FibrePoints& points) { return fibre_states(points); });
+}
+
+EquilibriumCurve tabulated_equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n) {
+  return curve_of(friction, sliding, S_max, n, [](const FibrePoints& points) { return tabulated_states(points); });
 }
 
 std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, double S_max, int n_S, int n_q) {
   require_range(S_max, n_S);
   if (n_q < 2) throw std::invalid_argument("a region needs at least 2 values of q, not " + std::to_string(n_q));
-  std::vector<EquilibriumPoint> region;
+  std::vector<double> S, q;
   for (int i = 0; i < n_S; ++i) {
-    const double S = length_at(S_max, i, n_S);
-    const double mu = friction.at(S).mu;
+    const double length = length_at(S_max, i, n_S);
+    const double mu = friction.at(length).mu;
     for (int j = 0; j < n_q; ++j) {
-      const auto state = fibre_state(S, mu * (2.0 * j / (n_q - 1) - 1));
-      if (state.status == FibreStatus::ok) region.push_back(point_of(state));
+      S.push_back(length);
+      q.push_back(mu * (2.0 * j / (n_q - 1) - 1));
     }
   }
+  const StateArrays at = fibre_states({S, q});
+  std::vector<EquilibriumPoint> region;
+  for (std::size_t i = 0; i < S.size(); ++i)
+    if (!std::isnan(at.w[i])) region.push_back({S[i], q[i], at.w[i], at.F[i]});
   return region;
 }
 

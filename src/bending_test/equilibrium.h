@@ -33,6 +33,9 @@ struct EquilibriumCurve {
 // Method:     n points evenly spaced in √(S - 1), in which the curve starts as a straight line. Each point is exact.
 EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n);
 
+// The same for bulk work, each point to the accuracy of the table (fibre/state_table.h).
+EquilibriumCurve tabulated_equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n);
+
 // The equilibrium region: n_S by n_q points, q from -μ(S) to μ(S) (Algorithm 1, with its step corrected, theory.md).
 // Domain:     as above; n_q >= 2. Points of the grid beyond the end of the branch are left out.
 std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, double S_max, int n_S, int n_q);

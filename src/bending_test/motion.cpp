@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "bending_test/curve_samples.h"
 #include "bending_test/quadrature.h"
 #include "fibre/elastica.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double direction_of(Sliding sliding) { return sliding == Sliding::in ? 1 : -1; }
 Motion slip(Sliding sliding) { return sliding == Sliding::in ? Motion::slip_in : Motion::slip_out; }
 
 PathPoint path_point(const RigPoint& point, Motion motion) {

@@ -1,4 +1,26 @@
-#include "contact/friction.h"
+// Compiled once for each instruction set (Highway's foreach_target.h).
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "contact/friction.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+
+#include "contact/waves-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace flexslip::HWY_NAMESPACE {
+
+void sum_waves(const FrictionWaves& waves, const WaveTerm* terms, const double* S, std::size_t count, double* mu,
+               double* slope) {
+  for_each_lanes(S, S, count, [&](std::size_t i, std::size_t n, Lanes lengths, Lanes) HWY_ATTR {
+    const auto sum = held(wave_sum<Lanes>(waves, terms, lengths));
+    store(sum.mu, mu + i, n);
+    store(sum.slope, slope + i, n);
+  });
+}
+
+}  // namespace flexslip::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +33,10 @@
 
 namespace flexslip {
 namespace {
+
+using namespace HWY_NAMESPACE;
+
+HWY_EXPORT(sum_waves);
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -60,7 +86,11 @@ Friction::Friction(FrictionWaves waves) {
       refuse("a wavelength of friction must be > 0", term.wavelength);
     if (!std::isfinite(term.phase)) refuse("a phase of friction must be finite", term.phase);
     total += term.amplitude;
-    wavenumbers_.push_back(std::numbers::pi / term.wavelength);
+    const double height = waves.mu0 * term.amplitude;
+    terms_.push_back({.height = height,
+                      .frequency = 0.5 / term.wavelength,
+                      .phase = term.phase / (2 * std::numbers::pi),
+                      .steepness = height * std::numbers::pi / term.wavelength});
   }
   if (!(total <= 1)) refuse("friction would become negative: its relative amplitudes must add up to at most 1", total);
   form_ = std::move(waves);
@@ -130,10 +160,27 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
 }
 
 FrictionPoint Friction::at(double S) const {
-  if (std::holds_alternative<FrictionWaves>(form_)) {
-    const FrictionPoint point = sum_of_waves(S);
-    return point.mu > 0 ? point : FrictionPoint{0, 0};
+  if (!std::holds_alternative<FrictionWaves>(form_)) return in_table(S);
+  const auto [mu, slope] = held(wave_sum<double>(std::get<FrictionWaves>(form_), terms_.data(), S));
+  return {mu, slope};
+}
+
+FrictionArrays Friction::at(std::span<const double> S) const {
+  FrictionArrays result{std::vector<double>(S.size()), std::vector<double>(S.size())};
+  if (const auto* waves = std::get_if<FrictionWaves>(&form_)) {
+    HWY_DYNAMIC_DISPATCH(sum_waves)
+    (*waves, terms_.data(), S.data(), S.size(), result.mu.data(), result.slope.data());
+    return result;
   }
+  for (std::size_t i = 0; i < S.size(); ++i) {
+    const auto [mu, slope] = in_table(S[i]);
+    result.mu[i] = mu;
+    result.slope[i] = slope;
+  }
+  return result;
+}
+
+FrictionPoint Friction::in_table(double S) const {
   const auto& [x, y] = std::get<FrictionTable>(form_);
   if (S <= x.front()) return {y.front(), 0};
   if (S >= x.back()) return {y.back(), 0};
@@ -149,19 +196,10 @@ FrictionPoint Friction::at(double S) const {
   return {std::max(y[i] + t * (d0 + t * (c2 + t * c3)), 0.0), (d0 + t * (2 * c2 + t * 3 * c3)) / h};
 }
 
-FrictionPoint Friction::sum_of_waves(double S) const {
-  const auto& waves = std::get<FrictionWaves>(form_);
-  FrictionPoint point{waves.mu0 + waves.drift * (S - waves.S_reference), waves.drift};
-  for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
-    const double angle = wavenumbers_[i] * S + waves.terms[i].phase;  // (4.25)
-    const double height = waves.mu0 * waves.terms[i].amplitude;
-    point.mu += height * std::cos(angle);
-    point.slope -= height * wavenumbers_[i] * std::sin(angle);
-  }
-  return point;
+double Friction::unheld(double S) const {
+  if (!may_be_held()) return at(S).mu;
+  return wave_sum<double>(std::get<FrictionWaves>(form_), terms_.data(), S).mu;
 }
-
-double Friction::unheld(double S) const { return may_be_held() ? sum_of_waves(S).mu : at(S).mu; }
 
 bool Friction::may_be_held() const {
   const auto* waves = std::get_if<FrictionWaves>(&form_);
@@ -169,8 +207,9 @@ bool Friction::may_be_held() const {
 }
 
 double Friction::smooth_scale() const {
-  if (wavenumbers_.empty()) return infinity;
-  return 0.5 * std::numbers::pi / *std::max_element(wavenumbers_.begin(), wavenumbers_.end());
+  double highest = 0;
+  for (const WaveTerm& term : terms_) highest = std::max(highest, term.frequency);
+  return highest > 0 ? 0.25 / highest : infinity;
 }
 
 std::span<const double> Friction::knots() const {
@@ -179,3 +218,5 @@ std::span<const double> Friction::knots() const {
 }
 
 }  // namespace flexslip
+
+#endif  // HWY_ONCE

@@ -3,102 +3,24 @@
 #include <cmath>
 #include <numbers>
 
-#include "fibre/dual.h"
+#include "fibre/elliptic-inl.h"
 
 namespace flexslip {
-namespace {
 
-using std::sqrt;
-double value_of(double x) { return x; }
-double value_of(Dual x) { return x.v; }
-
-// cn and 1 - cn are carried side by side: the one is accurate where the other loses its digits. sn and dn follow from them.
-template <class T>
-struct Arc {
-  T cn, one_minus_cn, P, R;
-};
-
-// The series below are cut where their first neglected term, at u = 1/8, is below 2^-54 of the sum: the ℘-series after
-// t^6, the Taylor series after t^6 (their radius of convergence in t = u^2 is at least 6.87, the pole at K + iK').
-constexpr double series_limit = 0.125;
-
-template <class T>
-Arc<T> series(double u, T m, T m1) {
-  const double t = u * u;
-
-  // ns^2 = ℘ + (1 + m)/3, with ℘ = 1/t + c2 t + c3 t^2 + ... (DLMF 23.9.2-5, 23.10)
-  const T c2 = (1.0 / 15.0) * (1.0 - m * m1);
-  const T c3 = (1.0 / 189.0) * (m - 2.0) * (m - m1) * (m + 1.0);
-  const T c4 = (1.0 / 3.0) * c2 * c2;
-  const T c5 = (3.0 / 11.0) * c2 * c3;
-  const T c6 = (1.0 / 13.0) * (2.0 * c2 * c4 + c3 * c3);
-  const T t_ns2 = 1.0 + t * ((1.0 / 3.0) * (1.0 + m) + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
-  const T sn2 = t / t_ns2;
-
-  // In ψ = β0 - β along the fibre, P = ∫ sin ψ / s0 and R = 2 ∫ (1 - cos ψ)/s0^2, with ψ'' = s0 cos ψ - c0 sin ψ and
-  // s0 = sin β0, c0 = cos β0. Their Taylor coefficients are polynomials in c0 = m1 - m and g = s0^2 = 4 m m1.
-  const T c = m1 - m;
-  const T g = 4.0 * m * m1;
-  const T p2 = (1.0 / 5040) * (1.0 - 19.0 * g);
-  const T p3 = (1.0 / 362880) * c * (244.0 * g - 1.0);
-  const T p4 = (1.0 / 39916800) * ((5536.0 * g - 2513.0) * g + 1.0);
-  const T p5 = (-1.0 / 6227020800) * c * ((174736.0 * g - 23888.0) * g + 1.0);
-  const T p6 = (-1.0 / 1307674368000) * (((7436584.0 * g - 5561058.0) * g + 220107.0) * g - 1.0);
-  const T P = 1.0 / 6 + t * ((-1.0 / 120) * c + t * (p2 + t * (p3 + t * (p4 + t * (p5 + t * p6)))));
-  const T r2 = (1.0 / 2880) * (1.0 - 4.0 * g);
-  const T r3 = (1.0 / 1330560) * c * (368.0 * g - 17.0);
-  const T r4 = (1.0 / 94348800) * ((5296.0 * g - 3248.0) * g + 31.0);
-  const T r5 = (-1.0 / 159667200) * c * (4.0 * g - 1.0) * (454.0 * g - 1.0);
-  const T r6 = (-1.0 / 59281238016000) * (((136631104.0 * g - 119508528.0) * g + 10519032.0) * g - 5461.0);
-  const T R = 1.0 / 20 + t * ((-1.0 / 168) * c + t * (r2 + t * (r3 + t * (r4 + t * (r5 + t * r6)))));
-
-  const T cn = sqrt(1.0 - sn2);
-  return {.cn = cn, .one_minus_cn = sn2 / (1.0 + cn), .P = u * t * P, .R = u * t * t * R};
-}
-
-// From u to 2u. Every sum has terms of one sign for 2u <= K, but for cn itself, which must vanish at K. The increments of
-// P and R follow from the addition theorems of E and of sn, cn, dn (docs/theory.md, "Doubling").
-template <class T>
-Arc<T> doubled(const Arc<T>& arc, T m, T m1) {
-  const T c = arc.cn, e = arc.one_minus_cn;
-  const T c2 = c * c, c4 = c2 * c2;
-  const T s2 = e * (1.0 + c);
-  const T d2 = m1 + m * c2;
-  const T inverse = 1.0 / (m1 + m * c2 * (1.0 + s2));  // 1/(1 - m sn^4)
-  const T common = 2.0 * sqrt(s2 / d2) * e / (m1 + m * c4);
-  const T e_new = 2.0 * s2 * d2 * inverse;
-  return {.cn = value_of(e_new) < 0.5 ? 1.0 - e_new : (m * c4 + m1 * (2.0 * c2 - 1.0)) * inverse,
-          .one_minus_cn = e_new,
-          .P = 2.0 * arc.P + common * (m1 * m1 + m * (m1 * (2.0 * c + 2.0 * c2 - 1.0 - c * c2) + m * (c * c2))),
-          .R = 2.0 * arc.R + common * e * (m1 * (2.0 + c) + m * c * (1.0 + 2.0 * c))};
-}
-
-template <class T>
-Arc<T> evaluate(double u, T m, T m1) {
-  int doublings = 0;
-  while (u > series_limit) {
-    u *= 0.5;
-    ++doublings;
-  }
-  Arc<T> arc = series(u, m, m1);
-  for (int i = 0; i < doublings; ++i) arc = doubled(arc, m, m1);
-  return arc;
-}
-
-}  // namespace
+using namespace HWY_NAMESPACE;
 
 EllipticArc elliptic_arc(double u, const EllipticParameter& parameter) {
   const auto [m, m1] = parameter;
-  const auto [cn, one_minus_cn, P, R] = evaluate<double>(u, m, m1);
+  const auto [cn, one_minus_cn, P, R] = arc_by_doubling<double>(u, doublings_for(u), m, m1);
   return {std::sqrt(one_minus_cn * (1 + cn)), cn, std::sqrt(m1 + m * cn * cn), one_minus_cn, P, R};
 }
 
 EllipticArcSlope elliptic_arc_slope(double u, const EllipticParameter& parameter) {
-  const Dual m{parameter.m, 1.0};
-  const Dual m1{parameter.m1, -1.0};
-  const auto [cn, one_minus_cn, P, R] = evaluate<Dual>(u, m, m1);
-  const Dual sn = sqrt(one_minus_cn * (1.0 + cn));
-  const Dual dn = sqrt(m1 + m * cn * cn);
+  const Dual<double> m{parameter.m, 1.0};
+  const Dual<double> m1{parameter.m1, -1.0};
+  const auto [cn, one_minus_cn, P, R] = arc_by_doubling<Dual<double>>(u, doublings_for(u), m, m1);
+  const Dual<double> sn = sqrt(one_minus_cn * (1.0 + cn));
+  const Dual<double> dn = sqrt(m1 + m * cn * cn);
   return {.value = {sn.v, cn.v, dn.v, one_minus_cn.v, P.v, R.v}, .d_m = {sn.d, cn.d, dn.d, one_minus_cn.d, P.d, R.d}};
 }
 

@@ -1,0 +1,284 @@
+#include "bending_test/fold_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bending_test/curve_samples.h"
+
+namespace flexslip {
+namespace {
+
+// A polynomial through the values at the Chebyshev-Lobatto points of [-1, 1], which include the ends.
+constexpr int degree = 8;
+using Values = std::array<double, degree + 1>;
+
+double node(int j) { return -std::cos(std::numbers::pi * j / degree); }
+
+// From values at the nodes to Chebyshev coefficients, and from these to Bernstein coefficients; both are linear maps.
+struct Basis {
+  std::array<Values, degree + 1> chebyshev{};
+  std::array<Values, degree + 1> bernstein{};
+  Basis() {
+    for (int k = 0; k <= degree; ++k)
+      for (int j = 0; j <= degree; ++j) {
+        const double end_j = j == 0 || j == degree ? 0.5 : 1.0;
+        const double end_k = k == 0 || k == degree ? 0.5 : 1.0;
+        const double sign = k % 2 ? -1 : 1;  // nodes run from -1 to 1
+        chebyshev[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)] =
+            sign * 2.0 / degree * end_j * end_k * std::cos(std::numbers::pi * k * j / degree);
+      }
+    // T_k = Σ_i (-1)^(k-i) C(2k, 2i)/C(k, i) B_i^k, raised from degree k to the full degree.
+    const auto binomial = [](int n, int r) {
+      double value = 1;
+      for (int i = 1; i <= r; ++i) value = value * (n - r + i) / i;
+      return value;
+    };
+    std::array<Values, degree + 1> from_chebyshev{};
+    for (int k = 0; k <= degree; ++k)
+      for (int j = 0; j <= degree; ++j) {
+        double sum = 0;
+        for (int i = std::max(0, j + k - degree); i <= std::min(j, k); ++i)
+          sum += ((k - i) % 2 ? -1 : 1) * binomial(2 * k, 2 * i) * binomial(degree - k, j - i);
+        from_chebyshev[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] = sum / binomial(degree, j);
+      }
+    for (std::size_t i = 0; i <= degree; ++i)
+      for (std::size_t j = 0; j <= degree; ++j)
+        for (std::size_t k = 0; k <= degree; ++k) bernstein[i][j] += from_chebyshev[i][k] * chebyshev[k][j];
+  }
+};
+
+Values apply(const std::array<Values, degree + 1>& map, const Values& values) {
+  Values result{};
+  for (std::size_t i = 0; i <= degree; ++i)
+    for (std::size_t j = 0; j <= degree; ++j) result[i] += map[i][j] * values[j];
+  return result;
+}
+
+// Value and derivative of a Bernstein polynomial at t in [0, 1] (de Casteljau).
+std::pair<double, double> evaluate(Values b, double t) {
+  double slope = 0;
+  for (std::size_t n = degree; n > 0; --n) {
+    if (n == 1) slope = degree * (b[1] - b[0]);
+    for (std::size_t i = 0; i < n; ++i) b[i] += t * (b[i + 1] - b[i]);
+  }
+  return {b[0], slope};
+}
+
+// Halvings of a cell, after which two folds in one piece are taken for none: 1e-6 of the roughness's period.
+constexpr int most_halvings = 20;
+// How well G' is known, relative to its terms: what interpolation cannot better, and within which no fold is to be found.
+constexpr double exact_error = 64 * std::numeric_limits<double>::epsilon();
+constexpr double tabulated_error = 1e-9;  // as tabulated_samples_at
+
+// Where G' changes sign once.
+struct Bracket {
+  double low, high;  // of x
+  double x;          // a guess
+  double bend;       // dG'/dx there
+  bool rising;       // G' < 0 at low
+};
+
+// Samples at the nodes between two points of the way.
+using Nodes = std::span<const CurveSample, degree + 1>;
+struct Cell {
+  double a, b;
+};
+
+double node_in(const Cell& cell, int j) {
+  return j == 0 ? cell.a : j == degree ? cell.b : cell.a + 0.5 * (cell.b - cell.a) * (1 + node(j));
+}
+
+// Walks a sliding curve and gathers its folds.
+class FoldSearch {
+ public:
+  FoldSearch(const Friction& friction, const Rig& rig, Sliding sliding)
+      : friction_(friction), rig_(rig), sliding_(sliding) {}
+
+  SlidingCurve along(double S_from, double S_to) {
+    const CurveSample first = sample(way_at(sliding_, S_from));
+    if (!first.exists)
+      throw std::invalid_argument("no fibre of the length S = " + std::to_string(S_from) + " slides out under a force");
+    double S = S_from;
+    double x = way_at(sliding_, S_from);
+    std::optional<double> ended;  // a point beyond the end of the branch
+    while (S != S_to && !ended) {
+      std::vector<Cell> cells;
+      for (double a = x; cells.size() < cells_at_once && S != S_to; a = cells.back().b) {
+        S = end_of_stretch(friction_, S, S_to, 1);
+        cells.push_back({a, way_at(sliding_, S)});
+      }
+      ended = search(cells, x);
+    }
+    CurveEnd reason = CurveEnd::reached;
+    while (ended) {
+      // the last cell, up to where the branch ends, and that without what was found in it before
+      reason = CurveEnd::branch_ended;
+      const double end = last_existing(x, *ended);
+      std::erase_if(brackets_, [&](const Bracket& bracket) { return bracket.low >= x; });
+      ended = std::nullopt;
+      if (end > x) ended = isolate_exactly({x, end}, 0);
+      if (!ended) x = end;
+    }
+    return {friction_, rig_, sliding_, first.point, polished_folds(), sample(x).point, reason};
+  }
+
+ private:
+  static constexpr std::size_t cells_at_once = 64;
+
+  CurveSample sample(double x) const { return sample_at(friction_, rig_, sliding_, x); }
+
+  double last_existing(double exists, double ended) const {
+    while (true) {
+      const double middle = 0.5 * (exists + ended);
+      if (!(middle > exists && middle < ended)) return exists;
+      (sample(middle).exists ? exists : ended) = middle;
+    }
+  }
+
+  // Adjacent cells. x follows to the end of the last that is wholly on the branch.
+  std::optional<double> search(const std::vector<Cell>& cells, double& x) {
+    std::vector<double> at;
+    at.reserve(cells.size() * degree + 1);
+    for (const Cell& cell : cells)
+      for (int j = 0; j < degree; ++j) at.push_back(node_in(cell, j));
+    at.push_back(cells.back().b);
+    const auto samples = tabulated_samples_at(friction_, rig_, sliding_, at);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (const auto ended = isolate(cells[i], Nodes(&samples[i * degree], degree + 1), tabulated_error, 0))
+        return ended;
+      x = cells[i].b;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<double> isolate_exactly(const Cell& cell, int halvings) {
+    std::array<double, degree + 1> at;
+    for (int j = 0; j <= degree; ++j) at[static_cast<std::size_t>(j)] = node_in(cell, j);
+    const auto samples = samples_at(friction_, rig_, sliding_, at);
+    return isolate(cell, Nodes(samples), exact_error, halvings);
+  }
+
+  // Brackets the folds between two points of the way; or, if the branch ends there, gives a point beyond its end. Samples have the
+  // relative error stated.
+  std::optional<double> isolate(const Cell& cell, Nodes samples, double sample_error, int halvings) {
+    Values values;
+    double scale = 0;
+    for (std::size_t j = 0; j <= degree; ++j) {
+      if (!samples[j].exists) return node_in(cell, static_cast<int>(j));
+      values[j] = samples[j].slope;
+      scale = std::max(scale, samples[j].scale);
+    }
+    const Values coefficients = apply(basis().chebyshev, values);
+    const double tail = std::abs(coefficients[degree]) + std::abs(coefficients[degree - 1]);
+    const Values bernstein = apply(basis().bernstein, values);
+    const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
+    int changes = 0;
+    for (std::size_t i = 0; i < degree; ++i) changes += (bernstein[i] < 0) != (bernstein[i + 1] < 0);
+
+    constexpr double accuracy = 1e-6;
+    const double at_a = values.front();
+    const double at_b = values.back();
+    const bool changes_sign = (at_a < 0) != (at_b < 0);
+    const bool smooth = !friction_.may_be_held() || !may_have_kink(cell);
+    const bool resolved =
+        smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;  // S itself is rounded, too
+    const double error = std::max(4 * tail, sample_error * scale);
+    if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
+    const bool single = resolved && changes == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
+    if (changes_sign && (single || halvings == most_halvings)) {
+      add_bracket(cell, at_a < 0, bernstein);
+    } else if (halvings < most_halvings) {
+      const double middle = 0.5 * (cell.a + cell.b);
+      if (const auto ended = isolate_exactly({cell.a, middle}, halvings + 1)) return ended;
+      return isolate_exactly({middle, cell.b}, halvings + 1);
+    }
+    return std::nullopt;
+  }
+
+  // May friction begin or end to be held at zero in a cell?
+  bool may_have_kink(const Cell& cell) const {
+    Values mu;
+    for (int j = 0; j <= degree; ++j) {
+      const double x = node_in(cell, j);
+      mu[static_cast<std::size_t>(j)] = friction_.unheld(1 + x * x);
+    }
+    const Values bernstein = apply(basis().bernstein, mu);
+    const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
+    return *least <= 0 && *greatest >= 0;
+  }
+
+  void add_bracket(const Cell& cell, bool rising, const Values& bernstein) {
+    double low = 0;
+    double high = 1;
+    double t = 0.5;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+      const auto [value, slope] = evaluate(bernstein, t);
+      ((value < 0) == rising ? low : high) = t;
+      const double newton = t - value / slope;
+      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+      const double step = std::abs(next - t);
+      t = next;
+      if (step < 1e-7) break;  // below what the interpolant is worth
+    }
+    const double length = cell.b - cell.a;
+    brackets_.push_back({cell.a, cell.b, cell.a + t * length, evaluate(bernstein, t).second / length, rising});
+  }
+
+  // The folds themselves, by Newton's iteration kept within the brackets, for all of them at once.
+  std::vector<Fold> polished_folds() const {
+    std::vector<Bracket> brackets = brackets_;
+    std::vector<Fold> folds(brackets.size());
+    std::vector<std::size_t> active(brackets.size());
+    for (std::size_t i = 0; i < active.size(); ++i) active[i] = i;
+    for (int iteration = 0; iteration < 100 && !active.empty(); ++iteration) {
+      std::vector<double> at;
+      at.reserve(active.size());
+      for (const std::size_t i : active) at.push_back(brackets[i].x);
+      const auto samples = samples_at(friction_, rig_, sliding_, at);
+      std::size_t left = 0;
+      for (std::size_t j = 0; j < active.size(); ++j) {
+        Bracket& bracket = brackets[active[j]];
+        const CurveSample& there = samples[j];
+        folds[active[j]] = {there.point, !bracket.rising};
+        ((there.slope < 0) == bracket.rising ? bracket.low : bracket.high) = bracket.x;
+        double next = bracket.x - there.slope / bracket.bend;
+        if (!(next > bracket.low && next < bracket.high)) next = 0.5 * (bracket.low + bracket.high);
+        const bool done = std::abs(there.slope) <= 0x1p-50 * there.scale ||
+                          std::abs(next - bracket.x) <= 0x1p-51 * std::abs(next) ||
+                          !(next > bracket.low && next < bracket.high);
+        bracket.x = next;
+        if (!done) active[left++] = active[j];
+      }
+      active.resize(left);
+    }
+    return folds;
+  }
+
+  static const Basis& basis() {
+    static const Basis value;
+    return value;
+  }
+
+  const Friction& friction_;
+  const Rig& rig_;
+  Sliding sliding_;
+  std::vector<Bracket> brackets_;
+};
+
+}  // namespace
+
+SlidingCurve find_folds(const Friction& friction, const Rig& rig, Sliding sliding, double S_from, double S_to) {
+  return FoldSearch(friction, rig, sliding).along(S_from, S_to);
+}
+
+}  // namespace flexslip

@@ -1,0 +1,12 @@
+// The folds of a sliding curve, found with a guarantee: the work behind trace_loading_curve and trace_unloading_curve (rig.h).
+#pragma once
+
+#include "bending_test/rig.h"
+#include "contact/friction.h"
+
+namespace flexslip {
+
+// Domain:     as trace_loading_curve; a state must exist at S_from.
+SlidingCurve find_folds(const Friction& friction, const Rig& rig, Sliding sliding, double S_from, double S_to);
+
+}  // namespace flexslip

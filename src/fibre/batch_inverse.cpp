@@ -1,0 +1,115 @@
+#include "fibre/batch_inverse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "fibre/batch.h"
+#include "fibre/elastica.h"
+#include "fibre/state_table.h"
+
+namespace flexslip {
+namespace {
+
+// A step of Newton's iteration in σ = √(S - 1), in which w is nearly linear, and q.
+struct Step {
+  double sigma, q;
+};
+
+Step newton_step(double S, double dw, double dF, const SlopeArrays& at, std::size_t i) {
+  const double S_sigma = 2 * std::sqrt(S - 1);
+  const double w_sigma = S_sigma * at.w_S[i];
+  const double F_sigma = S_sigma * at.F_S[i];
+  const double determinant = w_sigma * at.F_q[i] - F_sigma * at.w_q[i];
+  return {(dw * at.F_q[i] - dF * at.w_q[i]) / determinant, (w_sigma * dF - F_sigma * dw) / determinant};
+}
+
+void require_forces(std::span<const double> w, std::span<const double> F) {
+  if (w.size() != F.size())
+    throw std::invalid_argument("there are " + std::to_string(w.size()) + " deflections, but " +
+                                std::to_string(F.size()) + " forces");
+}
+
+// What the scalar inverse gives, or says with the index.
+void solve_alone(InverseArrays& inverse, std::size_t i, double w, double F) {
+  try {
+    const FibreState state = fibre_state_from_force(w, F);
+    inverse.S[i] = state.S;
+    inverse.q[i] = state.q;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("state " + std::to_string(i) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+InverseArrays tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) {
+  require_forces(w, F);
+  InverseArrays inverse{std::vector<double>(w.size()), std::vector<double>(w.size())};
+  std::vector<std::size_t> active(w.size());
+  std::iota(active.begin(), active.end(), 0);
+  std::vector<double> S(w.size());
+  std::vector<double> q(w.size());
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    // S - 1 = 2.4 w^2 and F = 48 w (1 + 2.1 q w - 7 w^2), a fit up to w = 0.3
+    S[i] = 1 + 2.4 * w[i] * w[i];
+    q[i] = std::clamp((F[i] / (48 * w[i]) - 1 + 7 * w[i] * w[i]) / (2.1 * w[i]), -1.0, 2.0);
+  }
+  // A step below `small` leaves an error of the order of its square. 12 steps are twice what states within the table need.
+  constexpr double small = 1e-7;
+  constexpr double greatest_S = 1 + table_sigma * table_sigma;
+  for (int iteration = 0; iteration < 12 && !active.empty(); ++iteration) {
+    std::erase_if(active, [&](std::size_t i) {
+      const bool inside = S[i] > 1 && S[i] < greatest_S && q[i] > table_q.least && q[i] < table_q.greatest;
+      if (!inside) solve_alone(inverse, i, w[i], F[i]);
+      return !inside;
+    });
+    std::vector<double> S_now, q_now;
+    S_now.reserve(active.size());
+    q_now.reserve(active.size());
+    for (const std::size_t i : active) {
+      S_now.push_back(S[i]);
+      q_now.push_back(q[i]);
+    }
+    const SlopeArrays at = tabulated_states_slopes({S_now, q_now});
+    std::size_t left = 0;
+    for (std::size_t j = 0; j < active.size(); ++j) {
+      const std::size_t i = active[j];
+      const Step step = newton_step(S[i], w[i] - at.w[j], F[i] - at.F[j], at, j);
+      const double sigma = std::sqrt(S[i] - 1);
+      S[i] = 1 + (sigma + step.sigma) * (sigma + step.sigma);
+      q[i] += step.q;
+      if (std::abs(step.sigma) < small * sigma && std::abs(step.q) < small) {
+        inverse.S[i] = S[i];
+        inverse.q[i] = q[i];
+      } else {
+        active[left++] = i;
+      }
+    }
+    active.resize(left);
+  }
+  for (const std::size_t i : active) solve_alone(inverse, i, w[i], F[i]);
+  return inverse;
+}
+
+InverseArrays fibre_states_from_forces(std::span<const double> w, std::span<const double> F) {
+  InverseArrays inverse = tabulated_states_from_forces(w, F);
+  std::vector<double> S = inverse.S;
+  std::vector<double> q = inverse.q;
+  for (std::size_t i = 0; i < S.size(); ++i)
+    if (std::isnan(S[i])) S[i] = 1, q[i] = 0;
+  const SlopeArrays at = fibre_states_slopes({S, q});
+  for (std::size_t i = 0; i < S.size(); ++i) {
+    const Step step = newton_step(S[i], w[i] - at.w[i], F[i] - at.F[i], at, i);
+    if (!(std::isfinite(step.sigma) && std::isfinite(step.q))) continue;  // S = 1, or no state at all
+    const double sigma = std::sqrt(S[i] - 1);
+    inverse.S[i] += step.sigma * (2 * sigma + step.sigma);
+    inverse.q[i] += step.q;
+  }
+  return inverse;
+}
+
+}  // namespace flexslip
