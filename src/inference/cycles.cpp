@@ -142,15 +142,17 @@ std::vector<std::size_t> leg_starts(std::span<const Point> points, std::size_t l
 
 // Slope of q on the stage over points [first, last); NaN where the stage stands still.
 double slope_of_q(std::span<const Point> points, std::size_t first, std::size_t last) {
+  // From the first position on: where the stage stands still, all are zero, and so is their mean.
+  const auto travel = [&](std::size_t i) { return points[i].stage - points[first].stage; };
   double x = 0, y = 0;
-  for (std::size_t i = first; i < last; ++i) x += points[i].stage, y += points[i].q;
+  for (std::size_t i = first; i < last; ++i) x += travel(i), y += points[i].q;
   const auto n = static_cast<double>(last - first);
   x /= n;
   y /= n;
   double xx = 0, xy = 0;
   for (std::size_t i = first; i < last; ++i) {
-    xx += (points[i].stage - x) * (points[i].stage - x);
-    xy += (points[i].stage - x) * (points[i].q - y);
+    xx += (travel(i) - x) * (travel(i) - x);
+    xy += (travel(i) - x) * (points[i].q - y);
   }
   return xx > 0 ? xy / xx : not_a_number;
 }
