@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "inference/sliding_map.h"
+#include "inference/sliding_ladder.h"
 
 namespace flexslip {
 namespace {
@@ -14,12 +14,14 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+constexpr double greatest_friction = 3;
+
 struct Estimate {
   double mu;
   double from_residuals;  // standard error
 };
 
-Estimate estimate_at(const ReducedRecord& record, double stiffening, const SlidingMap& map) {
+Estimate estimate_at(const ReducedRecord& record, double stiffening, const SlidingLadder& ladder) {
   std::vector<std::size_t> order(record.deflection.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -29,7 +31,7 @@ Estimate estimate_at(const ReducedRecord& record, double stiffening, const Slidi
   for (const auto i : order) w.push_back(record.deflection[i]);
   const auto n = static_cast<Index>(w.size());
   const auto force_at = [&](double mu) {
-    const auto curve = map.curve(std::vector<double>(map.lengths().size(), mu));
+    const auto curve = ladder.curve(std::vector<double>(ladder.lengths().size(), mu));
     const auto at_deflection = measured_curve(curve.w, curve.F, 0, w);
     VectorXd force(n);
     for (std::size_t i = 0; i < w.size(); ++i) force[static_cast<Index>(order[i])] = stiffening * at_deflection.F[i];
@@ -44,8 +46,8 @@ Estimate estimate_at(const ReducedRecord& record, double stiffening, const Slidi
     const VectorXd force = force_at(mu);
     slope = (force_at(mu + h) - force) / h;
     residuals = data - force;
-    if (!(slope.squaredNorm() > 0)) break;  // at the greatest friction of the map: no curve of sliding is as high
-    const double next = std::clamp(mu + slope.dot(residuals) / slope.squaredNorm(), 0.0, map.mu_max());
+    if (!(slope.squaredNorm() > 0)) break;  // at the greatest friction: no curve of sliding is as high
+    const double next = std::clamp(mu + slope.dot(residuals) / slope.squaredNorm(), 0.0, greatest_friction);
     const bool done = std::abs(next - mu) < 1e-8;
     mu = next;
     if (done) break;
@@ -66,11 +68,12 @@ Estimate estimate_at(const ReducedRecord& record, double stiffening, const Slidi
 ConstantFit fit_constant(const FitProblem& problem) {
   const auto& record = problem.record;
   const double w_max = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const SlidingMap map(std::min(1 + 2.5 * w_max * w_max, 2.1), 0.002, 3.0);
-  const auto nominal = estimate_at(record, 1, map);
+  const SlidingLadder ladder(std::min(1 + 2.5 * w_max * w_max, 2.1), 0.002);
+  const auto nominal = estimate_at(record, 1, ladder);
   const double deviation = problem.errors.bending_stiffness;
-  const double shift = 0.5 * (estimate_at(record, 1 + deviation, map).mu - estimate_at(record, 1 - deviation, map).mu);
-  const auto curve = map.curve(std::vector<double>(map.lengths().size(), nominal.mu));
+  const double shift =
+      0.5 * (estimate_at(record, 1 + deviation, ladder).mu - estimate_at(record, 1 - deviation, ladder).mu);
+  const auto curve = ladder.curve(std::vector<double>(ladder.lengths().size(), nominal.mu));
   return {.mu0 = nominal.mu,
           .standard_error = std::hypot(nominal.from_residuals, shift),
           .force = measured_curve(curve.w, curve.F, 1 / problem.rig.stiffness, record.stage).F};

@@ -32,16 +32,10 @@ double least_wavelength_of(const FrictionProfile& profile) {
   return points_per_wave * 0.5 * (greatest - least) / static_cast<double>(profile.points.size());
 }
 
-SlidingMap make_map(const FitProblem& problem, const FrictionProfile& profile) {
-  double S_max = 1;
-  double mu_max = 0;
-  for (const auto& point : profile.points) {
-    S_max = std::max(S_max, point.S);
-    if (problem.record.deflection[point.index] > 0.1) mu_max = std::max(mu_max, point.mu);
-  }
+SlidingLadder make_ladder(const FrictionProfile& profile) {
   constexpr double lengths_per_period = 8;  // at the end of the ladder, where they are farthest apart
-  return {std::min(1 + 1.15 * (S_max - 1), 2.1), 2 * least_wavelength_of(profile) / lengths_per_period,
-          std::clamp(1.3 * mu_max + 0.3, 0.5, 5.0)};
+  return {std::min(1 + 1.15 * (lengths_of(profile).greatest - 1), 2.1),
+          2 * least_wavelength_of(profile) / lengths_per_period};
 }
 
 }  // namespace
@@ -50,7 +44,7 @@ ForceModel::ForceModel(FitProblem problem, FrictionProfile profile)
     : problem_(std::move(problem)),
       profile_(std::move(profile)),
       least_wavelength_(least_wavelength_of(profile_)),
-      map_(make_map(problem_, profile_)),
+      ladder_(make_ladder(profile_)),
       force_(
           Eigen::Map<const VectorXd>(problem_.record.force.data(), static_cast<Index>(problem_.record.force.size()))) {
   const auto [least, greatest] = lengths_of(profile_);
@@ -70,16 +64,16 @@ ForceModel ForceModel::with(const VectorXd& force, double prior_mean) const {
   return other;
 }
 
-// Friction at the lengths of the map. The phase of a wave is quadratic in their number, so that it is advanced by two
+// Friction at the lengths of the ladder. The phase of a wave is quadratic in their number, so that it is advanced by two
 // rotations a step instead of a cosine each; the rounding of a thousand steps stays below 1e-12.
 std::vector<double> ForceModel::friction(const ModelLayout& layout, const VectorXd& p) const {
-  const auto lengths = map_.lengths();
+  const auto lengths = ladder_.lengths();
   std::vector<double> mu(lengths.size());
   for (std::size_t i = 0; i < mu.size(); ++i) mu[i] = p[0] + (layout.drift ? p[1] * (lengths[i] - S_middle_) : 0);
   for (Index wave = 0; wave < layout.waves; ++wave) {
     const Index at = layout.wave(wave);
     const double wavenumber = pi / p[at + 2];
-    const double step = wavenumber * map_.sigma_step() * map_.sigma_step();
+    const double step = wavenumber * ladder_.sigma_step() * ladder_.sigma_step();
     std::complex<double> phase = std::polar(1.0, wavenumber * (1 - S_middle_));
     std::complex<double> turn = std::polar(1.0, step);
     const std::complex<double> more = std::polar(1.0, 2 * step);
@@ -97,23 +91,22 @@ std::vector<double> ForceModel::friction(const ModelLayout& layout, const Vector
 
 ForceModel::Response ForceModel::response(const ModelLayout& layout, const VectorXd& p) const {
   const auto mu = friction(layout, p);
-  const auto curve = map_.curve(mu);
+  const SlopeArrays curve = ladder_.slopes(mu);
   const double stiffening = 1 + p[layout.stiffness()];
   const double compliance = stiffening / problem_.rig.stiffness;
   const auto measured = measured_curve(curve.w, curve.F, compliance, problem_.record.stage);
   const Index n = force_.size();
   Response model{stiffening * Eigen::Map<const VectorXd>(measured.F.data(), n), {}};
 
-  const auto slopes = map_.slopes(mu);
   model.slopes.resize(n, layout.size());
   for (Index i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const std::size_t cell = measured.cell[k];
     const double x = measured.fraction[k];
-    const double sigma = map_.sigma_step() * (static_cast<double>(cell) + x);
+    const double sigma = ladder_.sigma_step() * (static_cast<double>(cell) + x);
     const double S = 1 + sigma * sigma;
-    const double F_q = slopes.F[cell] + x * (slopes.F[cell + 1] - slopes.F[cell]);
-    const double w_q = slopes.w[cell] + x * (slopes.w[cell + 1] - slopes.w[cell]);
+    const double F_q = curve.F_q[cell] + x * (curve.F_q[cell + 1] - curve.F_q[cell]);
+    const double w_q = curve.w_q[cell] + x * (curve.w_q[cell + 1] - curve.w_q[cell]);
     // At a fold G' vanishes and the force responds without limit, but only until the fibre snaps: the response is that of
     // a curve at least a twentieth as steep as that of rigid loading.
     const double rigid = curve.w[cell + 1] - curve.w[cell];
@@ -142,7 +135,7 @@ VectorXd ForceModel::force(const ModelLayout& layout, const VectorXd& p) const {
 
 std::vector<double> ForceModel::force_at(const ModelLayout& layout, const VectorXd& p,
                                          std::span<const double> stages) const {
-  const auto curve = map_.curve(friction(layout, p));
+  const auto curve = ladder_.curve(friction(layout, p));
   const double stiffening = 1 + p[layout.stiffness()];
   auto force = measured_curve(curve.w, curve.F, stiffening / problem_.rig.stiffness, stages).F;
   for (auto& value : force) value *= stiffening;

@@ -10,7 +10,7 @@
 
 #include "inference/fit_problem.h"
 #include "inference/profile.h"
-#include "inference/sliding_map.h"
+#include "inference/sliding_ladder.h"
 
 namespace flexslip {
 
@@ -30,7 +30,6 @@ struct ModelLayout {
 class ForceModel {
  public:
   // Domain:     a faultless record and its profile, of at least two points.
-  // Cost:       2 ms.
   ForceModel(FitProblem problem, FrictionProfile profile);
 
   const FitProblem& problem() const { return problem_; }
@@ -51,7 +50,7 @@ class ForceModel {
   };
 
   // Units:      [EI/L^2] nominal.
-  // Max error:  1e-6 of its value, beside that of the ladder of lengths (sliding_map.h).
+  // Max error:  that of interpolation on the ladder of lengths (sliding_ladder.h).
   // Cost:       15 µs for 260 points; with slopes twice that.
   Eigen::VectorXd force(const ModelLayout& layout, const Eigen::VectorXd& p) const;
   Response response(const ModelLayout& layout, const Eigen::VectorXd& p) const;
@@ -71,7 +70,7 @@ class ForceModel {
   double S_middle_;
   double length_seen_;
   double least_wavelength_;
-  SlidingMap map_;
+  SlidingLadder ladder_;
   Eigen::VectorXd force_;
   double prior_mean_ = 0;
 };

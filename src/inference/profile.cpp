@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {
@@ -67,35 +68,42 @@ double standard_error(const ProfilePoint& point) {
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                                  double least_deflection) {
   FrictionProfile profile;
+  std::vector<std::size_t> rows;
+  std::vector<double> deflections, forces;
   for (std::size_t i = 0; i < record.force.size(); ++i) {
-    const double w = record.deflection[i];
-    const double F = record.force[i];
-    if (!(w > least_deflection)) continue;
-    if (F < 0) {
+    if (!(record.deflection[i] > least_deflection)) continue;
+    if (record.force[i] < 0) {
       profile.unexplained.push_back(i);
       continue;
     }
-    const auto state = fibre_state_from_force(w, F);
-    if (state.status != FibreStatus::ok) {
-      profile.unexplained.push_back(i);
+    rows.push_back(i);
+    deflections.push_back(record.deflection[i]);
+    forces.push_back(record.force[i]);
+  }
+  const InverseArrays states = fibre_states_from_forces(deflections, forces);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (std::isnan(states.q[row])) {
+      profile.unexplained.push_back(rows[row]);
       continue;
     }
-    const auto slopes = fibre_state_slopes(state.S, state.q).slopes;
+    const double F = forces[row];
+    const auto slopes = fibre_state_slopes(states.S[row], states.q[row]).slopes;
     // The inverse of the Jacobian of Ψ: its second row.
     const double jacobian = slopes.w_S * slopes.F_q - slopes.w_q * slopes.F_S;
     const double q_F = slopes.w_S / jacobian;
     const double q_w = -slopes.F_S / jacobian;
     const double mu_force = q_F - q_w / rig.stiffness;  // at fixed stage position an error of F is one of w, too
     const double mu_log_stiffness = -F * q_F;           // EI enters through the scaling of the force
-    profile.points.push_back({.index = i,
-                              .S = state.S,
-                              .mu = state.q,
+    profile.points.push_back({.index = rows[row],
+                              .S = states.S[row],
+                              .mu = states.q[row],
                               .from_force = errors.force * std::abs(mu_force),
                               .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
                               .from_contact = errors.contact * std::abs(q_w),
                               .mu_log_stiffness = mu_log_stiffness,
                               .mu_force = mu_force});
   }
+  std::sort(profile.unexplained.begin(), profile.unexplained.end());
   return profile;
 }
 

@@ -1,81 +1,27 @@
-#include "inference/sliding_map.h"
+#include "inference/sliding_ladder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
-#include "fibre/elastica.h"
+#include "fibre/state_table.h"
 
 namespace flexslip {
 namespace {
 
-// tan of half the angle of friction: in it Ψ is smooth enough for the degree used (its singularities lie at ±i).
-double half_angle_tangent(double q) { return q / (1 + std::sqrt(1 + q * q)); }
-
-// Chebyshev coefficients of a function sampled at the n Chebyshev points of the first kind.
-std::vector<double> chebyshev_coefficients(const std::vector<double>& samples) {
-  const auto n = samples.size();
-  std::vector<double> coefficients(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    double sum = 0;
-    for (std::size_t j = 0; j < n; ++j)
-      sum += samples[j] * std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) /
-                                   static_cast<double>(n));
-    coefficients[k] = (k == 0 ? 1.0 : 2.0) / static_cast<double>(n) * sum;
-  }
-  return coefficients;
-}
-
-double chebyshev_sum(std::span<const double> coefficients, double x) {
-  double b1 = 0;
-  double b2 = 0;
-  for (std::size_t k = coefficients.size(); k-- > 1;) {
-    const double b0 = coefficients[k] + 2 * x * b1 - b2;
-    b2 = b1;
-    b1 = b0;
-  }
-  return coefficients[0] + x * b1 - b2;
-}
-
-// Coefficients in powers of t in [0, t_max] of a polynomial given in Chebyshev form.
-std::vector<double> power_coefficients(const std::vector<double>& chebyshev, double t_max) {
-  const auto n = chebyshev.size();
-  std::vector<double> previous(n, 0.0), current(n, 0.0), result(n, 0.0);
-  // T_k as polynomials in x = 2 t/t_max - 1, by their recurrence, directly in powers of τ = t/t_max.
-  previous[0] = 1;
-  current[0] = -1;
-  if (n > 1) current[1] = 2;
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto& T = k == 0 ? previous : current;
-    for (std::size_t i = 0; i < n; ++i) result[i] += chebyshev[k] * T[i];
-    if (k == 0) continue;
-    std::vector<double> next(n, 0.0);
-    for (std::size_t i = 0; i < n; ++i) {
-      next[i] += -2 * current[i] - previous[i];
-      if (i > 0) next[i] += 4 * current[i - 1];
-    }
-    previous = current;
-    current = next;
-  }
-  double scale = 1;
-  for (auto& value : result) {
-    value *= scale;
-    scale /= t_max;
-  }
+std::vector<double> bounded(std::span<const double> mu) {
+  std::vector<double> result(mu.begin(), mu.end());
+  for (auto& value : result) value = std::clamp(value, 0.0, table_q.greatest);
   return result;
 }
 
 }  // namespace
 
-SlidingMap::SlidingMap(double S_max, double S_step, double mu_max) : mu_max_(mu_max) {
+SlidingLadder::SlidingLadder(double S_max, double S_step) {
   if (!(S_max > 1 && S_max <= 2.1))
     throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
   if (!(S_step > 0)) throw std::invalid_argument("S_step must be positive, not " + std::to_string(S_step));
-  if (!(mu_max > 0 && mu_max <= 5))
-    throw std::invalid_argument("mu_max must lie in (0, 5], not " + std::to_string(mu_max));
   const double sigma_max = std::sqrt(S_max - 1);
   const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
   sigma_step_ = sigma_max / static_cast<double>(n - 1);
@@ -84,78 +30,14 @@ SlidingMap::SlidingMap(double S_max, double S_step, double mu_max) : mu_max_(mu_
     const double sigma = sigma_step_ * static_cast<double>(i);
     S_[i] = 1 + sigma * sigma;
   }
-
-  // w/σ and F/σ at a product grid of Chebyshev points in σ and t, then as powers of t at each length.
-  constexpr std::size_t sigma_points = 28;
-  constexpr std::size_t t_points = degree + 1;
-  const double t_max = half_angle_tangent(mu_max);
-  const auto point = [](std::size_t j, std::size_t count) {
-    return std::cos(std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(count));
-  };
-  std::array<std::vector<std::vector<double>>, 2> in_powers;  // [quantity][power][σ coefficient]
-  std::array<std::vector<std::vector<double>>, 2> samples;
-  for (auto& quantity : samples) quantity.assign(sigma_points, std::vector<double>(t_points));
-  for (std::size_t i = 0; i < sigma_points; ++i) {
-    const double sigma = 0.5 * sigma_max * (1 + point(i, sigma_points));
-    for (std::size_t j = 0; j < t_points; ++j) {
-      const double t = 0.5 * t_max * (1 + point(j, t_points));
-      const auto state = fibre_state(1 + sigma * sigma, 2 * t / (1 - t * t));
-      samples[0][i][j] = state.w / sigma;
-      samples[1][i][j] = state.F / sigma;
-    }
-  }
-  w_.resize(t_points * n);
-  F_.resize(t_points * n);
-  for (std::size_t quantity = 0; quantity < 2; ++quantity) {
-    std::vector<std::vector<double>> columns(t_points, std::vector<double>(sigma_points));
-    for (std::size_t i = 0; i < sigma_points; ++i) {
-      const auto powers = power_coefficients(chebyshev_coefficients(samples[quantity][i]), t_max);
-      for (std::size_t p = 0; p < t_points; ++p) columns[p][i] = powers[p];
-    }
-    auto& rows = quantity == 0 ? w_ : F_;
-    for (std::size_t p = 0; p < t_points; ++p) {
-      const auto coefficients = chebyshev_coefficients(columns[p]);
-      for (std::size_t i = 0; i < n; ++i) {
-        const double fraction = static_cast<double>(i) / static_cast<double>(n - 1);
-        rows[p * n + i] = sigma_max * fraction * chebyshev_sum(coefficients, 2 * fraction - 1);
-      }
-    }
-  }
 }
 
-SlidingMap::Curve SlidingMap::curve(std::span<const double> mu) const {
-  const auto n = S_.size();
-  std::vector<double> t(n);
-  for (std::size_t i = 0; i < n; ++i) t[i] = half_angle_tangent(std::clamp(mu[i], 0.0, mu_max_));
-  Curve curve{std::vector<double>(w_.end() - static_cast<std::ptrdiff_t>(n), w_.end()),
-              std::vector<double>(F_.end() - static_cast<std::ptrdiff_t>(n), F_.end())};
-  for (std::size_t p = degree; p-- > 0;)
-    for (std::size_t i = 0; i < n; ++i) {
-      curve.w[i] = curve.w[i] * t[i] + w_[p * n + i];
-      curve.F[i] = curve.F[i] * t[i] + F_[p * n + i];
-    }
-  return curve;
-}
+StateArrays SlidingLadder::curve(std::span<const double> mu) const { return tabulated_states({S_, bounded(mu)}); }
 
-SlidingMap::Curve SlidingMap::slopes(std::span<const double> mu) const {
-  const auto n = S_.size();
-  std::vector<double> t(n);
-  for (std::size_t i = 0; i < n; ++i) t[i] = half_angle_tangent(std::clamp(mu[i], 0.0, mu_max_));
-  Curve slopes{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
-  for (std::size_t p = degree; p > 0; --p) {
-    const auto power = static_cast<double>(p);
-    for (std::size_t i = 0; i < n; ++i) {
-      slopes.w[i] = slopes.w[i] * t[i] + power * w_[p * n + i];
-      slopes.F[i] = slopes.F[i] * t[i] + power * F_[p * n + i];
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    // dt/dq of the half-angle tangent, (1 - t^2)^2/(2 (1 + t^2))
-    const double t2 = t[i] * t[i];
-    const double t_q = (1 - t2) * (1 - t2) / (2 * (1 + t2));
-    slopes.w[i] *= t_q;
-    slopes.F[i] *= t_q;
-  }
+SlopeArrays SlidingLadder::slopes(std::span<const double> mu) const {
+  SlopeArrays slopes = tabulated_states_slopes({S_, bounded(mu)});
+  slopes.w_q.front() = 0;  // the straight fibre
+  slopes.F_q.front() = 0;
   return slopes;
 }
 

@@ -1,43 +1,33 @@
-// The map Ψ on a fixed ladder of lengths, as polynomials in friction: the curve of a friction profile for the price of a few
-// multiplications a point. Fits, which run thousands of curves over the same lengths, are built on it; results that are
-// reported are computed by rig.h.
+// The sliding curve on a fixed ladder of lengths, and what a test measures of it: fits run thousands of curves over the same lengths.
+// Results that are reported are computed by rig.h.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "fibre/batch.h"
+
 namespace flexslip {
 
-class SlidingMap {
+class SlidingLadder {
  public:
   // Lengths evenly spaced in √(S - 1) from 1 to S_max, their largest distance being S_step.
-  // Domain:     1 < S_max <= 2.1, 0 < S_step, 0 < mu_max <= 5; std::invalid_argument otherwise.
-  // Max error:  of w and F 1e-6 of their values for 0 <= q <= mu_max.
-  // Cost:       1 ms.
-  SlidingMap(double S_max, double S_step, double mu_max);
+  // Domain:     1 < S_max <= 2.1, 0 < S_step; std::invalid_argument otherwise.
+  SlidingLadder(double S_max, double S_step);
 
   std::span<const double> lengths() const { return S_; }  // [L] 1 + (i step)^2
   double sigma_step() const { return sigma_step_; }       // [√L] the step in √(S - 1)
-  double mu_max() const { return mu_max_; }               // [1]
 
-  struct Curve {
-    std::vector<double> w;  // [L]
-    std::vector<double> F;  // [EI/L^2]
-  };
+  // The sliding curve of a friction profile given at those lengths, to the accuracy of the table (fibre/state_table.h). Values outside
+  // [0, table_q.greatest] count as the nearest bound.
+  StateArrays curve(std::span<const double> mu) const;
 
-  // The sliding curve of a friction profile given at those lengths. Values outside [0, mu_max] count as the nearest bound.
-  Curve curve(std::span<const double> mu) const;
-
-  // Its slopes with respect to friction, at fixed length.
-  Curve slopes(std::span<const double> mu) const;
+  // The same with its slopes; those to q are zero at S = 1.
+  SlopeArrays slopes(std::span<const double> mu) const;
 
  private:
-  static constexpr int degree = 9;
-
-  double mu_max_;
   double sigma_step_;
   std::vector<double> S_;
-  std::vector<double> w_, F_;  // coefficients: degree + 1 rows of a coefficient for each length
 };
 
 // A test in which the stage only advances, on a curve given at a ladder of lengths.

@@ -12,6 +12,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/fibre/instruction_sets.h"
 #include "tests/generators.h"
 
 namespace flexslip {
@@ -282,6 +283,24 @@ TEST_CASE("friction: roughness has the mean, spread and correlation promised (or
 TEST_CASE("friction: without roughness, rough is constant (limit)") {
   const auto friction = Friction::rough(0.5, 0, 0.01, 1, 1.5);
   for (const double S : {1.0, 1.123, 1.5}) CHECK(friction.at(S).mu == doctest::Approx(0.5).epsilon(4 * unit));
+}
+
+TEST_CASE("friction: many lengths at once have the bits of one, on every instruction set (identity)") {
+  const auto sums = Friction::waves({.mu0 = 0.5,
+                                     .drift = -0.7,
+                                     .terms = {{0.4, 0.0123, 1.0}, {0.3, 0.07, -40.0}, {0.1, 1e-5, 0.3}},
+                                     .S_reference = 1.1});
+  const auto table = Friction::table({{1.0, 1.2, 1.3, 1.9}, {0.3, 0.6, 0.1, 0.5}});
+  std::vector<double> S;
+  for (int i = 0; i < 1003; ++i) S.push_back(1 + 0.001 * i);
+  for (const Friction& friction : {sums, table, Friction::constant(0.4)})
+    on_each_instruction_set([&] {
+      const FrictionArrays all = friction.at(S);
+      for (std::size_t i = 0; i < S.size(); ++i) {
+        CHECK(all.mu[i] == friction.at(S[i]).mu);
+        CHECK(all.slope[i] == friction.at(S[i]).slope);
+      }
+    });
 }
 
 }  // namespace flexslip
