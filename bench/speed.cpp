@@ -1,32 +1,27 @@
-// How long the things take that everything is made of. The same work by Boost.Math's elliptic functions stands beside ours;
-// bench/compare adds SciPy doing the paper's Algorithm 1 and prints the ratios.
+// How long the things take that everything is made of. The same work by others stands beside it in the other files; bench/compare runs
+// them all and prints the ratios.
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <boost/math/special_functions/ellint_2.hpp>
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
+#include <hwy/targets.h>
 
+#include "bench/reference.h"
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
+#include "bending_test/rig.h"
+#include "fibre/batch.h"
+#include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
+#include "fibre/state_table.h"
 #include "inference/analysis.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {
 namespace {
 
-// States as a test visits them: S up to 1.5, friction from 0.3 to 0.8.
-struct Inputs {
-  std::vector<double> S, q;
-  Inputs() {
-    for (int i = 0; i < 1000; ++i) {
-      S.push_back(1.0001 + 0.5 * i / 1000);
-      q.push_back(0.3 + 0.5 * (i % 7) / 7);
-    }
-  }
-};
-const Inputs inputs;
+const Points& inputs = visited_states();
 
 void state(benchmark::State& run) {
   std::size_t i = 0;
@@ -57,73 +52,71 @@ void inverse(benchmark::State& run) {
 }
 BENCHMARK(inverse);
 
-// The closed form of the model by Boost.Math (without promotion to long double), and the root u by Newton's iteration with the
-// same start and a derivative by a difference, until it stands still: the same state to ten digits.
-struct BoostState {
-  double w, F, S;
-};
+// The same in arrays, on the widest vectors that the processor has or on those of an instruction set named.
+constexpr std::int64_t widest = 0;
 
-BoostState boost_closed_form(double u, double q) {
-  namespace bm = boost::math;
-  using Policy = bm::policies::policy<bm::policies::promote_double<false>>;
-  const double beta0 = std::atan2(1.0, -q);
-  const double k = std::sin(beta0 / 2);
-  const double k1 = std::cos(beta0 / 2);
-  double cn = 0;
-  double dn = 0;
-  const double sn = bm::jacobi_elliptic(k, u, &cn, &dn, Policy());
-  const double phi = std::atan2(sn, cn);
-  const double E = bm::ellint_2(k, phi, Policy());
-  const double cd = cn / dn;
-  const double b = 2 * std::asin(k * cd);
-  const double C = (2 * E - u - 2 * k * k * sn * cd) / (2 * u);
-  const double D = 2 * k * k1 * sn / dn / (2 * u);
-  const double Ic = std::cos(b) * C + std::sin(b) * D;
-  const double Is = std::cos(b) * D - std::sin(b) * C;
-  return {.w = Is / (2 * Ic), .F = 32 * u * u * Ic * Ic * std::sin(b), .S = 1 / (2 * Ic)};
+template <class Function>
+void in_arrays(benchmark::State& run, Function f, std::int64_t instruction_set) {
+  if (instruction_set != widest && (hwy::SupportedTargets() & instruction_set) == 0)
+    return run.SkipWithError("the processor does not have this instruction set");
+  hwy::SetSupportedTargetsForTest(instruction_set);
+  hwy::GetChosenTarget().DeInit();
+  const Points& points = visited_states();
+  report_errors(run, f(FibrePoints(reference_states().S, reference_states().q)));
+  for (auto _ : run) benchmark::DoNotOptimize(f(FibrePoints(points.S, points.q)));
+  run.SetItemsProcessed(run.iterations() * static_cast<std::int64_t>(points.S.size()));
+  hwy::SetSupportedTargetsForTest(widest);
+  hwy::GetChosenTarget().DeInit();
 }
+void states_exact(benchmark::State& run) { in_arrays(run, fibre_states, widest); }
+void states_tabulated(benchmark::State& run) { in_arrays(run, tabulated_states, widest); }
+void states_exact_slopes(benchmark::State& run) { in_arrays(run, fibre_states_slopes, widest); }
+void states_tabulated_slopes(benchmark::State& run) { in_arrays(run, tabulated_states_slopes, widest); }
+BENCHMARK(states_exact);
+BENCHMARK(states_tabulated);
+BENCHMARK(states_exact_slopes);
+BENCHMARK(states_tabulated_slopes);
+void states_exact_avx2(benchmark::State& run) { in_arrays(run, fibre_states, HWY_AVX2); }
+void states_tabulated_avx2(benchmark::State& run) { in_arrays(run, tabulated_states, HWY_AVX2); }
+void states_exact_slopes_avx2(benchmark::State& run) { in_arrays(run, fibre_states_slopes, HWY_AVX2); }
+void states_tabulated_slopes_avx2(benchmark::State& run) { in_arrays(run, tabulated_states_slopes, HWY_AVX2); }
+BENCHMARK(states_exact_avx2);
+BENCHMARK(states_tabulated_avx2);
+BENCHMARK(states_exact_slopes_avx2);
+BENCHMARK(states_tabulated_slopes_avx2);
 
-BoostState boost_state(double S, double q) {
-  double u = std::sqrt(std::sqrt(15 * (1 - 1 / S) * (1 + q * q)));
-  for (int iteration = 0; iteration < 20; ++iteration) {
-    const double h = 1e-6 * u;
-    const double value = boost_closed_form(u, q).S;
-    const double step = (value - S) / ((boost_closed_form(u + h, q).S - value) / h);
-    u -= step;
-    if (std::abs(step) < 1e-12 * u) break;
-  }
-  return boost_closed_form(u, q);
+template <class Function>
+void inverses_in_arrays(benchmark::State& run, Function f) {
+  const auto points = visited_states();
+  const StateArrays states = fibre_states({points.S, points.q});
+  for (auto _ : run) benchmark::DoNotOptimize(f(states.w, states.F));
+  run.SetItemsProcessed(run.iterations() * static_cast<std::int64_t>(points.S.size()));
 }
-
-void state_by_boost(benchmark::State& run) {
-  for (std::size_t i = 0; i < inputs.S.size(); i += 10) {
-    const auto ours = fibre_state(inputs.S[i], inputs.q[i]);
-    const auto theirs = boost_state(inputs.S[i], inputs.q[i]);
-    // the closed form loses digits as 1/(S - 1)
-    if (std::abs(ours.F - theirs.F) > 1e-9 * ours.F / (ours.S - 1)) run.SkipWithError("the states differ");
-  }
-  std::size_t i = 0;
-  for (auto _ : run) {
-    benchmark::DoNotOptimize(boost_state(inputs.S[i], inputs.q[i]));
-    i = (i + 1) % inputs.S.size();
-  }
-}
-BENCHMARK(state_by_boost);
-
-void closed_form_by_boost(benchmark::State& run) {
-  std::size_t i = 0;
-  for (auto _ : run) {
-    benchmark::DoNotOptimize(boost_closed_form(0.1 + 1.5 * static_cast<double>(i) / 1000, inputs.q[i]));
-    i = (i + 1) % inputs.q.size();
-  }
-}
-BENCHMARK(closed_form_by_boost);
+void inverse_exact(benchmark::State& run) { inverses_in_arrays(run, fibre_states_from_forces); }
+void inverse_tabulated(benchmark::State& run) { inverses_in_arrays(run, tabulated_states_from_forces); }
+BENCHMARK(inverse_exact);
+BENCHMARK(inverse_tabulated);
 
 void equilibrium_curve_2000(benchmark::State& run) {
   const Friction friction = Friction::sinusoid(0.6, 0.4, 0.0628318530717959, 0);
   for (auto _ : run) benchmark::DoNotOptimize(equilibrium_curve(friction, Sliding::in, 1.5, 2000));
 }
-BENCHMARK(equilibrium_curve_2000)->Unit(benchmark::kMillisecond);
+BENCHMARK(equilibrium_curve_2000)->Unit(benchmark::kMicrosecond);
+
+void tabulated_curve_2000(benchmark::State& run) {
+  const Friction friction = Friction::sinusoid(0.6, 0.4, 0.0628318530717959, 0);
+  for (auto _ : run) benchmark::DoNotOptimize(tabulated_equilibrium_curve(friction, Sliding::in, 1.5, 2000));
+}
+BENCHMARK(tabulated_curve_2000)->Unit(benchmark::kMicrosecond);
+
+// All folds of a curve with 29 periods of the roughness, and where its snaps land.
+void curve_with_25_snaps(benchmark::State& run) {
+  const Friction friction = Friction::sinusoid(0.6, 0.2, 0.0085, 0);
+  std::size_t parts = 0;
+  for (auto _ : run) parts = stable_parts(trace_loading_curve(friction, {80}, 1.5)).size();
+  run.counters["snaps"] = static_cast<double>(parts - 1);
+}
+BENCHMARK(curve_with_25_snaps)->Unit(benchmark::kMicrosecond);
 
 void test_with_25_snaps(benchmark::State& run) {
   const Friction friction = Friction::sinusoid(0.6, 0.2, 0.008, 0);
