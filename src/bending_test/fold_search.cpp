@@ -126,7 +126,7 @@ class FoldSearch {
       const double end = last_existing(x, *ended);
       std::erase_if(brackets_, [&](const Bracket& bracket) { return bracket.low >= x; });
       ended = std::nullopt;
-      if (end > x) ended = isolate_exactly({x, end}, 0);
+      if (end > x) ended = isolate_in({x, end}, exact, 0);
       if (!ended) x = end;
     }
     return {friction_, rig_, sliding_, first.point, polished_folds(), sample(x).point, reason};
@@ -154,23 +154,30 @@ class FoldSearch {
     at.push_back(cells.back().b);
     const auto samples = tabulated_samples_at(friction_, rig_, sliding_, at);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (const auto ended = isolate(cells[i], Nodes(&samples[i * degree], degree + 1), tabulated_error, 0))
-        return ended;
+      if (const auto ended = isolate(cells[i], Nodes(&samples[i * degree], degree + 1), table, 0)) return ended;
       x = cells[i].b;
     }
     return std::nullopt;
   }
 
-  std::optional<double> isolate_exactly(const Cell& cell, int halvings) {
+  using Sampler = std::vector<CurveSample> (*)(const Friction&, const Rig&, Sliding, std::span<const double>);
+  struct Source {
+    Sampler sampler;
+    double error;  // of slopes, relative to their scale
+  };
+  static constexpr Source table{tabulated_samples_at, tabulated_error};
+  static constexpr Source exact{samples_at, exact_error};
+
+  std::optional<double> isolate_in(const Cell& cell, const Source& source, int halvings) {
     std::array<double, degree + 1> at;
     for (int j = 0; j <= degree; ++j) at[static_cast<std::size_t>(j)] = node_in(cell, j);
-    const auto samples = samples_at(friction_, rig_, sliding_, at);
-    return isolate(cell, Nodes(samples), exact_error, halvings);
+    const auto samples = source.sampler(friction_, rig_, sliding_, at);
+    return isolate(cell, Nodes(samples), source, halvings);
   }
 
-  // Brackets the folds between two points of the way; or, if the branch ends there, gives a point beyond its end. Samples have the
-  // relative error stated.
-  std::optional<double> isolate(const Cell& cell, Nodes samples, double sample_error, int halvings) {
+  // Brackets the folds between two points of the way; or, if the branch ends there, gives a point beyond its end. What the table resolves
+  // but cannot decide is looked at again on the exact map.
+  std::optional<double> isolate(const Cell& cell, Nodes samples, const Source& source, int halvings) {
     Values values;
     double scale = 0;
     for (std::size_t j = 0; j <= degree; ++j) {
@@ -192,15 +199,18 @@ class FoldSearch {
     const bool smooth = !friction_.may_be_held() || !may_have_kink(cell);
     const bool resolved =
         smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;  // S itself is rounded, too
-    const double error = std::max(4 * tail, sample_error * scale);
+    const double error = std::max(4 * tail, source.error * scale);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && changes == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
-    if (changes_sign && (single || halvings == most_halvings)) {
+    const bool smallest = halvings == most_halvings;
+    if (changes_sign && (single || smallest)) {
       add_bracket(cell, at_a < 0, bernstein);
-    } else if (halvings < most_halvings) {
+    } else if (resolved && source.sampler == table.sampler) {
+      return isolate_in(cell, exact, halvings);
+    } else if (!smallest) {
       const double middle = 0.5 * (cell.a + cell.b);
-      if (const auto ended = isolate_exactly({cell.a, middle}, halvings + 1)) return ended;
-      return isolate_exactly({middle, cell.b}, halvings + 1);
+      if (const auto ended = isolate_in({cell.a, middle}, source, halvings + 1)) return ended;
+      return isolate_in({middle, cell.b}, source, halvings + 1);
     }
     return std::nullopt;
   }

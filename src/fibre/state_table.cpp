@@ -267,37 +267,34 @@ Matrix transposed(const Matrix& a) {
   return result;
 }
 
-// A cell whose far corner the branch does not reach is left NaN, and so are those whose nodes it does not reach.
+// Cells whose far corner the branch does not reach are left NaN.
 std::vector<double> build_table() {
   const Matrix to_powers = powers_from_values();
+  const auto at = [](std::size_t cell, double x, double scale) {
+    return (static_cast<double>(cell) + 0.5 * (1 + x)) / scale;
+  };
   std::vector<double> table((TableLayout::no_cell + 1) * TableLayout::cell, not_a_number);
-  std::vector<double> S(TableLayout::q_cells * terms * terms);
-  std::vector<double> q(S.size());
+  std::vector<double> S(terms * terms);
+  std::vector<double> q(terms * terms);
   for (std::size_t i = 0; i < TableLayout::sigma_cells; ++i) {
-    const auto at = [](std::size_t cell, double x, double scale) {
-      return (static_cast<double>(cell) + 0.5 * (1 + x)) / scale;
-    };
-    std::size_t n = 0;
-    for (std::size_t j = 0; j < TableLayout::q_cells; ++j)
-      for (std::size_t a = 0; a < terms; ++a)
-        for (std::size_t b = 0; b < terms; ++b, ++n) {
-          const double sigma = at(i, node(a), TableLayout::sigma_scale);
-          S[n] = 1 + sigma * sigma;
-          q[n] = at(j, node(b), TableLayout::q_scale) + table_q.least;
-        }
-    const StateArrays states = fibre_states({S, q});
     const double sigma_end = at(i, 1, TableLayout::sigma_scale);
     for (std::size_t j = 0; j < TableLayout::q_cells; ++j) {
-      const auto corner = fibre_state(1 + sigma_end * sigma_end, at(j, -1, TableLayout::q_scale) + table_q.least);
-      if (corner.status != FibreStatus::ok) continue;
+      const double q_least = at(j, -1, TableLayout::q_scale) + table_q.least;
+      if (fibre_state(1 + sigma_end * sigma_end, q_least).status != FibreStatus::ok) continue;
+      for (std::size_t a = 0; a < terms; ++a)
+        for (std::size_t b = 0; b < terms; ++b) {
+          const double sigma = at(i, node(a), TableLayout::sigma_scale);
+          S[a * terms + b] = 1 + sigma * sigma;
+          q[a * terms + b] = at(j, node(b), TableLayout::q_scale) + table_q.least;
+        }
+      const StateArrays states = fibre_states({S, q});
       double* cell = table.data() + (i * TableLayout::q_cells + j) * TableLayout::cell;
-      const std::size_t first = j * terms * terms;
       for (std::size_t k = 0; k < 2; ++k) {
-        const double* values = (k == 0 ? states.w : states.F).data() + first;
+        const std::vector<double>& values = k == 0 ? states.w : states.F;
         Matrix per_sigma{};
         for (std::size_t a = 0; a < terms; ++a)
           for (std::size_t b = 0; b < terms; ++b)
-            per_sigma[a][b] = values[a * terms + b] / std::sqrt(S[first + a * terms + b] - 1);
+            per_sigma[a][b] = values[a * terms + b] / std::sqrt(S[a * terms + b] - 1);
         const Matrix coefficients = product(to_powers, transposed(product(to_powers, per_sigma)));
         for (std::size_t r = 0; r < terms; ++r)
           std::copy(coefficients[r].begin(), coefficients[r].end(), cell + r * TableLayout::row + k * terms);
