@@ -41,6 +41,24 @@ TEST_CASE("equilibrium: every point of the region has |q| <= mu(S), and is a sta
   CHECK(region.back().S == 1.4);
 }
 
+TEST_CASE(
+    "equilibrium: the tabulated curve is the exact one to the accuracy of the table, and ends where it ends (oracle)") {
+  for (const double S_max : {1.4, 1.9, 3.0})
+    for (const Sliding sliding : {Sliding::in, Sliding::out}) {
+      const auto exact = equilibrium_curve(friction_of_fig_7(), sliding, S_max, 500);
+      const auto table = tabulated_equilibrium_curve(friction_of_fig_7(), sliding, S_max, 500);
+      REQUIRE(table.points.size() == exact.points.size());
+      CHECK(table.status == exact.status);
+      for (std::size_t i = 0; i < exact.points.size(); ++i) {
+        CHECK(table.points[i].S == exact.points[i].S);
+        CHECK(table.points[i].q == exact.points[i].q);
+        CHECK(std::abs(table.points[i].w - exact.points[i].w) <= 1e-12 * exact.points[i].w);
+        CHECK(std::abs(table.points[i].F - exact.points[i].F) <=
+              1e-12 * (10 + exact.points[i].F));  // F -> 0 at the end
+      }
+    }
+}
+
 TEST_CASE("equilibrium: the curve is the upper envelope of the region, its counterpart the lower (paper, Fig. 7)") {
   const auto friction = friction_of_fig_7();
   const int n_S = 60, n_q = 21;

@@ -2,13 +2,18 @@
 #include "tests/fibre/accuracy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <sstream>
 
 #include <doctest/doctest.h>
+
+#include "fibre/batch.h"
+#include "fibre/state_table.h"
 
 namespace flexslip {
 
@@ -83,6 +88,48 @@ void write_tables(std::ostream& out, const Worsts& worsts, const std::vector<std
   }
 }
 
+// Worst errors of the table for q in a band.
+struct Band {
+  double from, to;
+  double w, F, S_slopes, q_slopes;
+};
+
+std::vector<Band> measured_table() {
+  std::vector<Band> bands;
+  std::mt19937_64 generator(20210829);
+  const auto uniform = [&](double a, double b) {
+    return a + (b - a) * static_cast<double>(generator() >> 11) * 0x1p-53;
+  };
+  constexpr int count = 6;
+  for (int i = 0; i < count; ++i) {
+    const double width = (table_q.greatest - table_q.least) / count;
+    Band band{table_q.least + i * width, table_q.least + (i + 1) * width, 0, 0, 0, 0};
+    std::vector<double> S, q;
+    for (int j = 0; j < 4000; ++j) {
+      S.push_back(1 + std::pow(uniform(0, table_sigma), 2));
+      q.push_back(uniform(band.from, band.to));
+    }
+    const SlopeArrays table = tabulated_states_slopes({S, q});
+    const SlopeArrays exact = fibre_states_slopes({S, q});
+    for (std::size_t j = 0; j < S.size(); ++j) {
+      if (std::isnan(exact.w[j])) continue;
+      const double w = exact.w[j], F = exact.F[j];
+      const double condition = 1 + std::abs((S[j] - 1) * exact.F_S[j] / F) + std::abs(q[j] * exact.F_q[j] / F);
+      const auto error = [](double found, double expected, double size) {
+        return std::abs(found - expected) / std::max(std::abs(expected), size);
+      };
+      band.w = std::max(band.w, std::abs(table.w[j] / w - 1));
+      band.F = std::max(band.F, std::abs(table.F[j] / F - 1) / condition);
+      band.S_slopes = std::max({band.S_slopes, error(table.w_S[j], exact.w_S[j], w / (S[j] - 1)),
+                                error(table.F_S[j], exact.F_S[j], F / (S[j] - 1)) / condition});
+      band.q_slopes = std::max({band.q_slopes, error(table.w_q[j], exact.w_q[j], w / (1 + std::abs(q[j]))),
+                                error(table.F_q[j], exact.F_q[j], F / (1 + std::abs(q[j]))) / condition});
+    }
+    bands.push_back(band);
+  }
+  return bands;
+}
+
 std::string document() {
   std::ostringstream out;
   out << R"(# Accuracy
@@ -108,6 +155,19 @@ Slopes pass through zero: the error of X_S is measured by the larger of |X_S| an
 
 )";
   write_tables(out, states, {"w_S", "w_q", "Pn_S", "Pn_q", "U_S", "U_q", "F_S", "F_q"});
+  out << R"(
+## The table: `tabulated_states` and `tabulated_states_slopes`
+
+Against `fibre_states_slopes`, 4,000 random states in each row; measured as above. States beyond the table, and near the end of the branch, are
+computed exactly.
+
+| q | w | F / condition | w_S, F_S | w_q, F_q |
+|---|---|---|---|---|
+)";
+  for (const auto& band : measured_table())
+    out << "| " << number("%g", band.from) << " to " << number("%g", band.to) << " | "
+        << number("%.0e", rounded_up(band.w)) << " | " << number("%.0e", rounded_up(band.F)) << " | "
+        << number("%.0e", rounded_up(band.S_slopes)) << " | " << number("%.0e", rounded_up(band.q_slopes)) << " |\n";
   out << R"(
 ## Jacobi's functions: `elliptic_arc` and `jacobi_epsilon`, for u ≤ K(m)
 

@@ -1,0 +1,227 @@
+#include "cases/sweep_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include "tests/refusal.h"
+#include "tests/temporary_folder.h"
+
+namespace flexslip {
+namespace {
+
+const std::string some_case = R"([specimen]
+diameter = "30 um"
+modulus = "30 GPa"
+[rig]
+span = "1 mm"
+stiffness = "90 N/m"
+[friction]
+model = "sinusoid"
+mu0 = 0.4
+amplitude = 0.2
+wavelength = "10 um"
+phase = 1
+[stage]
+program = ["0 um", "300 um"]
+step = "2 um"
+)";
+
+SweepPlan plan_of(const std::string& sweep) { return read_sweep(some_case + sweep, "map.toml"); }
+
+SweepPlan hypercube_of(std::uint64_t samples, std::uint64_t seed) {
+  return plan_of("[sweep]\nmethod = \"latin hypercube\"\nsamples = " + std::to_string(samples) +
+                 "\nseed = " + std::to_string(seed) +
+                 "\n[sweep.axes]\nmu0 = { from = 0, to = 1 }\namplitude = { from = 0, to = 1 }\n");
+}
+
+TEST_CASE("table: a grid in the order of the file, the last axis fastest") {
+  const auto plan = plan_of(R"([sweep]
+method = "grid"
+axes = { stiffness = ["90 N/m", "inf"], mu0 = { from = 0.2, to = 0.4, points = 3 }, step = ["continuous"] }
+)");
+  CHECK(plan.rows == 6);
+  CHECK(shape_of(plan) == std::vector<std::uint64_t>{2, 3, 1});
+  CHECK(inputs_of(plan, 0) == std::vector{90.0, 0.2, 0.0});
+  CHECK(inputs_of(plan, 1)[1] == doctest::Approx(0.3).epsilon(1e-15));  // one rounding
+  CHECK(inputs_of(plan, 2) == std::vector{90.0, 0.4, 0.0});
+  CHECK(std::isinf(inputs_of(plan, 3)[0]));
+  CHECK(message_of([&] { inputs_of(plan, 6); }).find('6') != std::string::npos);
+}
+
+TEST_CASE("oracle: a logarithmic range against long double pow, its ends exact") {
+  for (const auto& [from, to] : {std::pair{10.0, 1000.0}, std::pair{3e10, 1e-6}, std::pair{1e-9, 1e9}}) {
+    const AxisRange range{from, to, Spacing::logarithmic, 0};
+    CHECK(value_at(range, 0) == from);
+    CHECK(value_at(range, 1) == to);
+    for (int i = 1; i < 1000; ++i) {
+      const double t = i / 1000.0;
+      const auto exact = static_cast<double>(from * std::pow(static_cast<long double>(to) / from, t));
+      // Half an ulp for each square root, 26 of them twice; a last interval of 1e-8 of the logarithm, squared over 8.
+      const double bound = 30 * 2.3e-16 + std::pow(std::log(to / from) * std::ldexp(1, -26), 2) / 8;
+      CHECK(std::abs(value_at(range, t) / exact - 1) < bound);
+    }
+  }
+}
+
+TEST_CASE("identity: a Latin hypercube meets each stratum of each axis once, whatever the number of samples") {
+  for (const std::uint64_t samples : {1ULL, 2ULL, 3ULL, 5ULL, 64ULL, 65ULL, 1000ULL, 4097ULL}) {
+    const auto plan = hypercube_of(samples, 7);
+    std::set<double> mu0, amplitude;
+    for (std::uint64_t row = 0; row < samples; ++row) {
+      const auto inputs = inputs_of(plan, row);
+      mu0.insert(std::floor(inputs[0] * static_cast<double>(samples)));
+      amplitude.insert(std::floor(inputs[1] * static_cast<double>(samples)));
+    }
+    CHECK(mu0.size() == samples);
+    CHECK(amplitude.size() == samples);
+    CHECK(*mu0.begin() == 0);
+    CHECK(*amplitude.rbegin() == static_cast<double>(samples - 1));
+  }
+}
+
+TEST_CASE("oracle: axes and seeds are uncorrelated, as those of independent random numbers are") {
+  constexpr std::uint64_t samples = 10'000;
+  const auto plan = hypercube_of(samples, 1);
+  const auto other = hypercube_of(samples, 2);
+  double axes = 0, seeds = 0, neighbours = 0;
+  for (std::uint64_t row = 0; row < samples; ++row) {
+    const double x = inputs_of(plan, row)[0] - 0.5;
+    axes += x * (inputs_of(plan, row)[1] - 0.5);
+    seeds += x * (inputs_of(other, row)[0] - 0.5);
+    neighbours += x * (inputs_of(plan, (row + 1) % samples)[0] - 0.5);
+  }
+  // Of independent numbers, 12 times the mean product has the standard deviation 1/sqrt(samples): four of them.
+  const double bound = 4 / std::sqrt(static_cast<double>(samples)) / 12 * static_cast<double>(samples);
+  CHECK(std::abs(axes) < bound);
+  CHECK(std::abs(seeds) < bound);
+  CHECK(std::abs(neighbours) < bound);
+}
+
+TEST_CASE("table: rows of a Latin hypercube of 10^12 samples, the same on every machine and in every version") {
+  const auto plan = hypercube_of(1'000'000'000'000, 2021);
+  // Computed by this function on the day that it was written: another value means that old sweeps cannot be gone on with.
+  CHECK(inputs_of(plan, 0)[0] == 0.53816883311213548);
+  CHECK(inputs_of(plan, 999'999'999'999)[1] == 0.23677890445156818);
+}
+
+TEST_CASE("identity: the chunks of a plan are all its rows, in order") {
+  rc::check("chunks partition the rows", [](std::uint32_t samples) {
+    const auto plan = hypercube_of(std::uint64_t{samples} + 1, 0);
+    std::uint64_t next = 0;
+    const std::uint64_t step = std::max<std::uint64_t>(1, chunks_of(plan) / 50);
+    for (std::uint64_t chunk = 0; chunk < chunks_of(plan); chunk += step) {
+      const auto [first, count] = rows_of_chunk(plan, chunk);
+      RC_ASSERT(first == chunk * rows_in_chunk(plan));
+      RC_ASSERT(count >= 1 && count <= rows_in_chunk(plan));
+      next = first + count;
+    }
+    const auto [first, count] = rows_of_chunk(plan, chunks_of(plan) - 1);
+    RC_ASSERT(first + count == plan.rows);
+    RC_ASSERT(next <= plan.rows);
+  });
+}
+
+TEST_CASE("identity: the digest is of what matters: not of comments, names of files and layout") {
+  const std::string sweep = "[sweep]\nmethod = \"grid\"\n[sweep.axes]\nmu0 = [0.3, 0.4]\n";
+  const std::string digest = digest_of(plan_of(sweep));
+  CHECK(digest_of(read_sweep("# another day\n" + some_case + "\n" + sweep, "there/copy.toml")) == digest);
+  CHECK(digest_of(plan_of("[sweep]\nmethod = \"grid\"\naxes = { mu0 = [3e-1, 0.4] }\n")) == digest);
+  CHECK(digest_of(plan_of("[sweep]\nmethod = \"grid\"\n[sweep.axes]\nmu0 = [0.3, 0.5]\n")) != digest);
+  std::string stiffer = some_case;
+  stiffer.replace(stiffer.find("30 GPa"), 2, "31");
+  CHECK(digest_of(read_sweep(stiffer + sweep, "map.toml")) != digest);
+}
+
+TEST_CASE("identity: the digest is of a friction table's content, wherever it lies") {
+  const TemporaryFolder folder;
+  const auto digest = [&](const std::string& name, const std::string& content) {
+    folder.file(name + "/trace.csv", content);
+    const std::string text = R"([specimen]
+bending_stiffness = "1e-9 N m^2"
+[rig]
+span = "1 mm"
+stiffness = "90 N/m"
+[friction]
+model = "table"
+file = "trace.csv"
+length = "S [um]"
+[stage]
+program = ["0 um", "300 um"]
+step = "2 um"
+[sweep]
+method = "grid"
+axes = { stiffness = ["80 N/m"] }
+)";
+    return digest_of(read_sweep(text, (folder.path() / name / "map.toml").string()));
+  };
+  CHECK(digest("a", "S [um],mu\n1000,0.5\n3000,0.6\n") == digest("b", "S [um],mu\n1000,0.5\n3000,0.6\n"));
+  CHECK(digest("a", "S [um],mu\n1000,0.5\n3000,0.6\n") != digest("b", "S [um],mu\n1000,0.5\n3000,0.7\n"));
+}
+
+TEST_CASE("table: what a sweep cannot be is refused with line, key and remedy") {
+  const auto says = [](const std::string& sweep) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("map.toml", some_case + sweep);
+    return message_of([&] { read_sweep(path); });
+  };
+  struct Row {
+    std::string sweep;
+    std::vector<std::string> words;
+  };
+  const std::string grid = "[sweep]\nmethod = \"grid\"\n[sweep.axes]\n";  // lines 16 to 18
+  const std::string sample = "[sweep]\nmethod = \"latin hypercube\"\nsamples = 9\nseed = 1\n[sweep.axes]\n";
+  const std::vector<Row> table{
+      {"", {"[sweep]", "add [sweep]"}},
+      {"sweep = 3\n", {"stage", "one of the keys"}},  // of the section before it
+      {"[sweep]\n", {"map.toml:16", "method", "grid"}},
+      {"[sweep]\nmethod = \"random\"\n",
+       {"map.toml:17: [sweep] method", "\"grid\" or \"latin hypercube\"", "'random'"}},
+      {"[sweep]\nmethod = \"grid\"\n", {"axes", "[sweep.axes]"}},
+      {grid, {"map.toml:18: [sweep] axes", "at least one axis"}},
+      {grid + "mu = [1]\n", {"map.toml:19: [sweep] axes.mu", "did you mean 'mu0'?"}},
+      {grid + "mu0 = []\n", {"at least one value"}},
+      {grid + "mu0 = 0.4\n", {"map.toml:19", "the number 0.4", "{ from = …, to = …, points = … }"}},
+      {grid + "mu0 = [0.3, -1]\n", {"map.toml:19: [sweep] axes.mu0[2]", "-1"}},
+      {grid + "span = [\"1 N\"]\n", {"axes.span[1]", "a length"}},
+      {grid + "span = [1]\n", {"axes.span[1]", "unit"}},
+      {grid + "mu0 = { from = 0, to = 1 }\n", {"axes.mu0.points"}},
+      {grid + "mu0 = { from = 0, to = 1, points = 1 }\n", {"axes.mu0.points", "at least 2"}},
+      {grid + "mu0 = { from = 0, to = 1, points = 2000000 }\n", {"axes.mu0.points", "at most 1000000"}},
+      {grid + "mu0 = { from = 1, to = 1, points = 3 }\n", {"axes.mu0.to", "another value than from"}},
+      {grid + "mu0 = { from = 0, to = 1, points = 3, spacing = \"log\" }\n", {"axes.mu0.from", "positive"}},
+      {grid + "mu0 = { from = 0, to = 1, points = 3, spacing = \"cubic\" }\n", {"axes.mu0.spacing", "\"linear\""}},
+      {grid + "mu0 = { from = 0, to = 1, steps = 3 }\n", {"axes.mu0.steps", "an unknown key"}},
+      {grid + "stiffness = { from = \"1 N/m\", to = \"inf\", points = 3 }\n", {"axes.stiffness.to"}},
+      {grid + "amplitude = { from = 0, to = 2, points = 3 }\n", {"axes.amplitude.to", "2"}},
+      {"[sweep]\nmethod = \"grid\"\nseed = 1\n", {"[sweep] seed", "Latin hypercube"}},
+      {"[sweep]\nmethod = \"latin hypercube\"\nsamples = 0\nseed = 1\n", {"samples", "at least 1"}},
+      {sample + "mu0 = [0.1]\n", {"axes.mu0", "in a Latin hypercube"}},
+      {sample + "mu0 = { from = 0, to = 1, points = 3 }\n", {"axes.mu0.points"}},
+      {grid + "mu0 = { from = 0, to = 1, points = 1000000 }\nphase = { from = 0, to = 1, points = 1000000 }\n"
+              "amplitude = { from = 0, to = 1, points = 1000000 }\nstiffness = { from = \"1 N/m\", to = \"2 N/m\", "
+              "points = 1000000 }\n",
+       {"[sweep] axes", "at most 1e+12 designs", "1e+24", "fewer points"}},
+  };
+  for (const auto& [sweep, words] : table) {
+    const std::string message = says(sweep);
+    for (const std::string& word : words) {
+      INFO(sweep, message);
+      CHECK(message.find(word) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("table: only a sweep may have a section [sweep]") {
+  const std::string text = some_case + "[sweep]\nmethod = \"grid\"\naxes = { mu0 = [0.3] }\n";
+  CHECK(message_of([&] { read_case(text, "map.toml"); }).find("map.toml:16: [sweep]") != std::string::npos);
+  CHECK(plan_of("[sweep]\nmethod = \"grid\"\naxes = { mu0 = [0.3] }\n").rows == 1);
+}
+
+}  // namespace
+}  // namespace flexslip

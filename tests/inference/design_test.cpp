@@ -1,0 +1,151 @@
+#include "inference/design.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "bending_test/history.h"
+#include "tests/approximately.h"
+#include "tests/generators.h"
+#include "tests/refusal.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Friction friction_of_fig_8() { return Friction::sinusoid(0.6, 0.4, 0.02 * std::numbers::pi, 0); }
+
+// The oracle: the slow follower of any history, with its own account of energy, and every reading computed.
+History followed(const Design& design) {
+  const BendingTest test{design.friction, design.rig};
+  if (design.step == 0) return follow_continuously(test, std::vector{design.travel}, 300);
+  std::vector<double> stages;
+  const int n = static_cast<int>(std::ceil(design.travel / design.step - 1e-9));
+  for (int i = 1; i < n; ++i) stages.push_back(i * design.step);
+  stages.push_back(design.travel);
+  return follow_in_steps(test, stages);
+}
+
+struct CountedDrops {
+  std::size_t count = 0;
+  double largest = 0, sum = 0;
+};
+
+// Runs of readings of which each is less than the one before.
+CountedDrops drops_in(const std::vector<PathPoint>& path) {
+  CountedDrops drops;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!(path[i].F < path[i - 1].F)) continue;
+    const double top = path[i - 1].F;
+    while (i < path.size() && path[i].F < path[i - 1].F) ++i;
+    const double drop = top - path[i - 1].F;
+    drops = {drops.count + 1, std::max(drops.largest, drop), drops.sum + drop};
+  }
+  return drops;
+}
+
+Design any_design() {
+  const double wavelength = std::pow(10, *between(-2, -0.7));
+  std::vector<Sinusoid> waves{{*between(0, 0.5), wavelength, *between(0, 6.28)}};
+  if (*whole(0, 1) == 1) waves.push_back({*between(0, 0.5), wavelength * *between(0.3, 3), *between(0, 6.28)});
+  return {Friction::waves({*between(0, 1.2), 0, waves}),
+          {*whole(0, 9) == 0 ? infinity : std::pow(10, *between(0.7, 3))},
+          *between(0.1, 0.9),
+          std::pow(10, *between(-3.5, -1))};
+}
+
+}  // namespace
+
+TEST_CASE("design, oracle: snaps, end and energies are those of the path followed") {
+  CHECK(rc::check([] {
+    Design design = any_design();
+    design.step = 0;
+    const auto outcome = outcome_of(design);
+    const auto history = followed(design);
+    RC_ASSERT((outcome.status == DesignStatus::ok) == (history.status == HistoryStatus::ok));
+    RC_ASSERT(outcome.snaps == history.snaps.size());
+    RC_ASSERT(outcome.end == to(1e-12, history.path.back().stage));  // both solve G(S) = stage to its rounding
+    if (outcome.first_snap) {
+      const auto& snap = history.snaps.front();
+      RC_ASSERT(outcome.first_snap->stage == to(1e-12, snap.stage));
+      RC_ASSERT(outcome.first_snap->w == to(1e-9, snap.before.w));  // at a fold S is known to the root of rounding
+      RC_ASSERT(outcome.first_snap->F_before == to(1e-9, snap.before.F));
+      RC_ASSERT(outcome.first_snap->F_after == to(1e-9, snap.after.F));
+    }
+    const double work = work_of_fracture(history.energy);
+    // As the header promises, of the work measured.
+    RC_ASSERT(std::abs(outcome.work - work) <= 1e-7 * work);
+    RC_ASSERT(std::abs(outcome.friction - history.energy.friction) <= 1e-5 * work);
+    RC_ASSERT(std::abs(outcome.released - history.energy.snaps) <= 1e-5 * work);
+    RC_ASSERT(outcome.work - outcome.friction - outcome.released == to(1e-6, history.energy.bending));
+    double most = 0;
+    for (const auto& point : history.path) most = std::max(most, point.F);
+    RC_ASSERT(outcome.greatest_force >= most * (1 - 1e-9));
+    RC_ASSERT(outcome.greatest_force <= most * 1.01);  // a peak between two of the follower's points
+  }));
+}
+
+TEST_CASE("design, oracle: the drops are those of a record in which every reading is computed") {
+  CHECK(rc::check([] {
+    const Design design = any_design();
+    const auto outcome = outcome_of(design);
+    const auto drops = drops_in(followed(design).path);
+    RC_ASSERT(outcome.drops == drops.count);
+    RC_ASSERT(std::abs(outcome.largest_drop - drops.largest) <= 1e-6 * outcome.greatest_force);  // as promised
+    if (drops.count == 0) return;
+    RC_ASSERT(std::abs(outcome.mean_drop - drops.sum / static_cast<double>(drops.count)) <=
+              1e-6 * outcome.greatest_force);
+  }));
+}
+
+TEST_CASE("design, paper: Fig. 8C snaps three times, first at the fold of its first tooth") {
+  const auto outcome = outcome_of({friction_of_fig_8(), {30}, 0.76, 0});
+  CHECK(outcome.status == DesignStatus::ok);
+  CHECK(outcome.snaps == 3);
+  CHECK(outcome.first_snap->stage == to(1e-6, 0.588456));  // the digits printed
+}
+
+TEST_CASE("design, limit: readings further apart than the teeth do not show them") {
+  const Friction fine = Friction::sinusoid(0.5, 0.15, 10.9 / 1278, 1);
+  const auto seen = outcome_of({fine, {90}, 0.3, 1e-4});
+  const auto unseen = outcome_of({fine, {90}, 0.3, 0.15});
+  CHECK(seen.snaps == unseen.snaps);
+  CHECK(seen.drops > 0);
+  CHECK(unseen.drops == 0);
+}
+
+TEST_CASE("design, limit: a rig stiffer than the critical one does not snap, and a softer one does") {
+  CHECK(rc::check([] {
+    Design design = any_design();
+    design.travel = *between(0.3, 0.9);
+    const double w_max = 0.3;
+    const double critical = critical_stiffness(design.friction, w_max);
+    RC_PRE(critical > 10 && critical < infinity);
+    design.rig.stiffness = critical * 1.001;
+    const auto stiff = outcome_of(design);
+    RC_ASSERT(!stiff.first_snap || stiff.first_snap->w > w_max * (1 - 1e-9));
+    design.rig.stiffness = critical * 0.999;
+    design.travel = 3;
+    RC_ASSERT(outcome_of(design).first_snap->w < w_max * (1 + 1e-9));
+  }));
+}
+
+TEST_CASE("design, limit: a fibre on a soft rig slips through") {
+  const auto outcome = outcome_of({Friction::constant(0.5), {5}, 3.66, 0.01});
+  CHECK(outcome.status == DesignStatus::slipped_through);
+  CHECK(outcome.end < 3.66);
+}
+
+TEST_CASE("design, contract: what is out of its domain is refused with its value") {
+  CHECK(message_of([] { outcome_of({friction_of_fig_8(), {30}, 0, 0}); }).find("0.000000") != std::string::npos);
+  CHECK(message_of([] { outcome_of({friction_of_fig_8(), {0}, 0.5, 0}); }).find("0.000000") != std::string::npos);
+  CHECK(message_of([] { outcome_of({friction_of_fig_8(), {30}, 0.5, -1}); }).find("-1") != std::string::npos);
+  CHECK(message_of([] { outcome_of({friction_of_fig_8(), {30}, 0.5, infinity}); }).find("inf") != std::string::npos);
+}
+
+}  // namespace flexslip
