@@ -20,12 +20,11 @@ struct ForceLine {
 
 template <class T>
 HWY_INLINE ForceLine<T> force_line(T q) {
-  const T h = sqrt(1.0 + q * q);
-  const T s0 = 1.0 / h;
-  const T larger = 0.5 * (1.0 + abs(q) / h);
+  const T s0 = reciprocal(sqrt(1.0 + q * q));
+  const T larger = 0.5 * (1.0 + abs(q) * s0);
   const T smaller = 0.25 * s0 * s0 / larger;
   const auto negative = q < 0.0;
-  return {s0, -q / h, choose(negative, smaller, larger), choose(negative, larger, smaller)};
+  return {s0, -(q * s0), choose(negative, smaller, larger), choose(negative, larger, smaller)};
 }
 
 // The half fibre from the support to midspan, in units in which its arc length is u. With a the half span,
@@ -43,22 +42,23 @@ struct HalfFibre {
 template <class T, class Argument>
 HWY_INLINE HalfFibre<T> half_fibre(Argument u, const T& s0, const T& c0, const T& m, const T& m1, const Arc<T>& arc) {
   const T dn2 = m1 + m * (arc.cn * arc.cn);
-  const T dn = sqrt(dn2);
+  const T per_dn2 = reciprocal(dn2);
+  const T per_dn = sqrt(dn2) * per_dn2;
   const T sn = sqrt(arc.one_minus_cn * (1.0 + arc.cn));
   const T p = s0 * arc.P;             // ∫ sin ψ, ψ = θ0 - θ being the angle turned since the support
   const T r = 0.5 * s0 * s0 * arc.R;  // ∫ (1 - cos ψ)
-  const T x = 0.5 * s0 * arc.one_minus_cn / dn;
-  const T y = (m1 + m * arc.cn) / dn;
+  const T x = 0.5 * s0 * arc.one_minus_cn * per_dn;
+  const T y = (m1 + m * arc.cn) * per_dn;
   const T sin_theta0 = 2.0 * x * y;
   const T versine = 2.0 * x * x;  // 1 - cos θ0
   const T cos_theta0 = 1.0 - versine;
   return {.gap = u * versine + cos_theta0 * r - sin_theta0 * p,
           .z = sin_theta0 * (u - r) - cos_theta0 * p,
           .V = 2.0 * arc.P - c0 * arc.R,
-          .sin_b = s0 * arc.cn / dn2,
+          .sin_b = s0 * arc.cn * per_dn2,
           .x = x,
           .y = y,
-          .sd = sn / dn};
+          .sd = sn * per_dn};
 }
 
 // The half fibre as its phase moves by a small step: a Taylor expansion, for along the fibre dθ/du = s0 sd, whose own slope is sin b.
@@ -113,7 +113,8 @@ HWY_INLINE T common_phase_guess(const T& root_drawn, const T& q, const ForceLine
 // Domain: any; valid where is_common() says so.
 template <class T>
 HWY_INLINE CommonState<T> common_state(const T& S, const T& q, const ForceLine<T>& line) {
-  const T drawn = (S - 1.0) / S;
+  const T per_S = reciprocal(S);
+  const T drawn = (S - 1.0) * per_S;
   const T guess = common_phase_guess<T>(sqrt(drawn), q, line);
   const auto arc = arc_by_doubling<T>(guess, common_doublings, line.m, line.m1);
   const auto half = half_fibre<T>(guess, line.s0, line.c0, line.m, line.m1, arc);
@@ -123,16 +124,17 @@ HWY_INLINE CommonState<T> common_state(const T& S, const T& q, const ForceLine<T
   const T B = bend.along;
 
   // The root of gap/u - drawn.
-  const T value = half.gap / guess;
-  const T slope = (B * z - value) / guess;
-  const T curvature = (half.sin_b * z + B * B * a - 2.0 * slope) / guess;
-  const T newton = (drawn - value) / slope;
-  const T step = newton / (1.0 + 0.5 * newton * (curvature / slope));
+  const T per_guess = reciprocal(guess);
+  const T value = half.gap * per_guess;
+  const T slope = (B * z - value) * per_guess;
+  const T curvature = (half.sin_b * z + B * B * a - 2.0 * slope) * per_guess;
+  const T miss = (drawn - value) * slope;
+  const T step = miss / (slope * slope + 0.5 * (drawn - value) * curvature);
 
   const T z_step = step * (B * a + 0.5 * step * (half.sin_b * a + B * (1.0 - B * z)));
   const T sin_b_step = -(step * (B * bend.cos_b + 0.5 * step * (half.sin_b * (bend.cos_b + B * B))));
   const T u = guess + step;
-  const T half_span = u / S;
+  const T half_span = u * per_S;
   return {.u = u,
           .step = step,
           .w = (z + z_step) / (2.0 * half_span),                         // (4.18)

@@ -34,7 +34,7 @@ HWY_INLINE Arc<T> series(Argument u, const T& m, const T& m1) {
   const T c5 = (3.0 / 11.0) * c2 * c3;
   const T c6 = (1.0 / 13.0) * (2.0 * c2 * c4 + c3 * c3);
   const T t_ns2 = 1.0 + t * ((1.0 / 3.0) * (1.0 + m) + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
-  const T sn2 = t / t_ns2;
+  const T sn2 = t * reciprocal(t_ns2);
 
   // In ψ = β0 - β along the fibre, P = ∫ sin ψ / s0 and R = 2 ∫ (1 - cos ψ)/s0^2, with ψ'' = s0 cos ψ - c0 sin ψ and
   // s0 = sin β0, c0 = cos β0. Their Taylor coefficients are polynomials in c0 = m1 - m and g = s0^2 = 4 m m1.
@@ -54,7 +54,7 @@ HWY_INLINE Arc<T> series(Argument u, const T& m, const T& m1) {
   const T R = 1.0 / 20 + t * ((-1.0 / 168) * c + t * (r2 + t * (r3 + t * (r4 + t * (r5 + t * r6)))));
 
   const T cn = sqrt(1.0 - sn2);
-  return {.cn = cn, .one_minus_cn = sn2 / (1.0 + cn), .P = u * t * P, .R = u * t * t * R};
+  return {.cn = cn, .one_minus_cn = sn2 * reciprocal(1.0 + cn), .P = u * t * P, .R = u * t * t * R};
 }
 
 // From u to 2u. Every sum has terms of one sign for 2u <= K, but for cn itself, which must vanish at K. The increments of
@@ -65,8 +65,10 @@ HWY_INLINE Arc<T> doubled(const Arc<T>& arc, const T& m, const T& m1) {
   const T c2 = c * c, c4 = c2 * c2;
   const T s2 = e * (1.0 + c);
   const T d2 = m1 + m * c2;
-  const T inverse = 1.0 / (m1 + m * c2 * (1.0 + s2));  // 1/(1 - m sn^4)
-  const T common = 2.0 * sqrt(s2 / d2) * e / (m1 + m * c4);
+  const T N = m1 + m * c2 * (1.0 + s2);  // 1 - m sn^4
+  const T Qd2 = (m1 + m * c4) * d2;
+  const auto [inverse, per_Qd2] = reciprocals(N, Qd2);
+  const T common = 2.0 * sqrt(s2 * d2) * e * per_Qd2;
   const T e_new = 2.0 * s2 * d2 * inverse;
   return {.cn = choose(e_new < 0.5, 1.0 - e_new, (m * c4 + m1 * (2.0 * c2 - 1.0)) * inverse),
           .one_minus_cn = e_new,

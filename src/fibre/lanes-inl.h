@@ -45,9 +45,23 @@ HWY_INLINE Lanes sqrt(Lanes a) { return hn::Sqrt(a.v); }
 HWY_INLINE Lanes abs(Lanes a) { return hn::Abs(a.v); }
 HWY_INLINE Lanes choose(LanesMask mask, Lanes yes, Lanes no) { return hn::IfThenElse(mask.m, yes.v, no.v); }
 
+HWY_INLINE Lanes reciprocal(Lanes a) { return 1.0 / a; }
+
+HWY_INLINE double reciprocal(double a) { return 1.0 / a; }
 HWY_INLINE double sqrt(double a) { return std::sqrt(a); }
 HWY_INLINE double abs(double a) { return std::abs(a); }
 HWY_INLINE double choose(bool mask, double yes, double no) { return mask ? yes : no; }
+
+// Two reciprocals for one division: divisions are what a state costs.
+template <class T>
+struct Reciprocals {
+  T of_a, of_b;
+};
+template <class T>
+HWY_INLINE Reciprocals<T> reciprocals(const T& a, const T& b) {
+  const T both = reciprocal(a * b);
+  return {both * b, both * a};
+}
 
 // Calls f(i, n, a, b) for every n elements of two arrays, from i on, side by side in lanes. In the last call n may be less than the lanes
 // there are; those beyond it hold zeros.
@@ -98,11 +112,6 @@ template <class T>
 HWY_INLINE Dual<T> operator*(const Dual<T>& a, const Dual<T>& b) {
   return {a.v * b.v, a.d * b.v + a.v * b.d};
 }
-template <class T>
-HWY_INLINE Dual<T> operator/(const Dual<T>& a, const Dual<T>& b) {
-  const T value = a.v / b.v;
-  return {value, (a.d - value * b.d) / b.v};
-}
 // With a plain number, whose derivative is zero.
 template <class T>
 using Plain = std::type_identity_t<T>;
@@ -127,9 +136,14 @@ HWY_INLINE Dual<T> operator*(const Plain<T>& a, const Dual<T>& b) {
   return {a * b.v, a * b.d};
 }
 template <class T>
-HWY_INLINE Dual<T> operator/(const Plain<T>& a, const Dual<T>& b) {
-  const T value = a / b.v;
-  return {value, -(value * b.d) / b.v};
+HWY_INLINE Dual<T> reciprocal(const Dual<T>& b) {
+  const T value = reciprocal(b.v);
+  return {value, -(value * value * b.d)};
+}
+template <class T>
+HWY_INLINE Reciprocals<Dual<T>> reciprocals(const Dual<T>& a, const Dual<T>& b) {
+  const auto [of_a, of_b] = reciprocals(a.v, b.v);
+  return {{of_a, -(of_a * of_a * a.d)}, {of_b, -(of_b * of_b * b.d)}};
 }
 template <class T>
 HWY_INLINE auto operator<(const Dual<T>& a, const Plain<T>& b) {
@@ -138,7 +152,7 @@ HWY_INLINE auto operator<(const Dual<T>& a, const Plain<T>& b) {
 template <class T>
 HWY_INLINE Dual<T> sqrt(const Dual<T>& a) {
   const T root = sqrt(a.v);
-  return {root, T(0.5) * a.d / root};
+  return {root, T(0.5) * a.d * reciprocal(root)};
 }
 template <class Mask, class T>
 HWY_INLINE Dual<T> choose(Mask mask, const Dual<T>& yes, const Dual<T>& no) {
