@@ -30,7 +30,7 @@ struct EllipticArcSlope {
 
 // Domain:     0 <= u <= 2 K(m) (a fibre needs u <= K); m in [0, 1].
 // Max error:  for u <= K(m) and m in [6e-4, 1 - 6e-4] (q in [-20, 20]), in units of 2^-52 relative: sn 3, dn 10,
-//             one_minus_cn 5, P 10, R 30; cn 5 absolute.
+//             one_minus_cn 6, P 10, R 30; cn 5 absolute.
 // Method:     ℘-series for sn, and Taylor series for P and R, at u/2^n <= 1/8; then n doublings.
 // Cost:       about 0.1 µs.
 EllipticArc elliptic_arc(double u, const EllipticParameter& parameter);

@@ -127,7 +127,7 @@ TEST_CASE("elliptic: the errors promised hold everywhere up to K (oracle: AGM la
     RC_ASSERT(error_of(arc.sn, digits(truth.sn)) <= 3);
     RC_ASSERT(error_of_cn(arc.cn, digits(truth.cn)) <= 5);
     RC_ASSERT(error_of(arc.dn, digits(truth.dn)) <= 10);
-    RC_ASSERT(error_of(arc.one_minus_cn, digits(1 - truth.cn)) <= 5);
+    RC_ASSERT(error_of(arc.one_minus_cn, digits(1 - truth.cn)) <= 6);
     RC_ASSERT(error_of(arc.P, digits(truth.P)) <= 10);
     RC_ASSERT(error_of(arc.R, digits(truth.R)) <= 30);
     RC_ASSERT(error_of(jacobi_epsilon(u, arc, parameter), digits(truth.E)) <= 8);
