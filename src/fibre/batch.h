@@ -43,7 +43,7 @@ struct SlopeArrays {
 
 // Domain:     S >= 1 and q in [-20, 20]; std::invalid_argument, naming the index, otherwise.
 // Max error:  as fibre_state, of which these are the values, bit by bit.
-// Cost:       about 35 ns a state on a processor with AVX2; beyond S = 1.67, q in [-1.2, 3] or near the end of the branch as much as
+// Cost:       about 35 ns a state on a processor with AVX2; beyond S = 2.16, q in [-1.2, 3] or near the end of the branch as much as
 //             fibre_state (docs/performance.md).
 StateArrays fibre_states(const FibrePoints& points);
 

@@ -18,7 +18,7 @@ namespace flexslip {
 // The table in memory. A cell is a polynomial of degree 7 in each of x and y, its coordinates in [-1, 1] along σ and q: eight rows, one for
 // each power of y, of the coefficients of 1, x, ..., x^7 for w/σ and then those for F/σ. A row fills vectors of any width.
 struct TableLayout {
-  static constexpr std::size_t sigma_cells = 24;
+  static constexpr std::size_t sigma_cells = 32;
   static constexpr std::size_t q_cells = 48;
   static constexpr std::size_t terms = 8;  // of each polynomial
   static constexpr std::size_t row = 2 * terms;

@@ -10,7 +10,7 @@
 namespace flexslip {
 
 // Where states are interpolated: σ below this, q in this range; beyond, and where the branch ends nearby, they are computed as by batch.h.
-inline constexpr double table_sigma = 0.8;  // [√L] S up to 1.64
+inline constexpr double table_sigma = 1.05;  // [√L] S up to 2.1
 struct FrictionRange {
   double least, greatest;  // [1]
 };

@@ -47,7 +47,7 @@ Points mixed_points() {
     points.add(end * (1 + uniform(-1e-3, 1e-3)), q);
     points.add(end * (1 + uniform(-1e-15, 1e-15)), q);
   }
-  for (const double S : {1.0, std::nextafter(1.0, 2.0), 1.64, 1.67, 30.0})
+  for (const double S : {1.0, std::nextafter(1.0, 2.0), 2.1, 2.17, 30.0})
     for (const double q : {-20.0, -1.2, -0.0, 0.0, 3.0, 20.0}) points.add(S, q);
   return points;
 }
