@@ -263,7 +263,7 @@ class FoldSearch {
         ((there.slope < 0) == bracket.rising ? bracket.low : bracket.high) = bracket.x;
         double next = bracket.x - there.slope / bracket.bend;
         if (!(next > bracket.low && next < bracket.high)) next = 0.5 * (bracket.low + bracket.high);
-        const bool done = std::abs(there.slope) <= 0x1p-50 * there.scale ||
+        const bool done = std::abs(there.slope) <= exact_error * there.scale ||
                           std::abs(next - bracket.x) <= 0x1p-51 * std::abs(next) ||
                           !(next > bracket.low && next < bracket.high);
         bracket.x = next;

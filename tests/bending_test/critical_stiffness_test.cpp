@@ -7,7 +7,6 @@
 
 #include <doctest/doctest.h>
 
-#include "bending_test/reach.h"
 #include "bending_test/rig.h"
 #include "fibre/elastica.h"
 #include "tests/approximately.h"
@@ -139,27 +138,9 @@ TEST_CASE("critical stiffness, limit: a friction that rises fast enough snaps wi
   CHECK(critical_stiffness(step, 0.2) < infinity);
 }
 
-TEST_CASE("reach, identity: a loading is not drawn in beyond it, and hardly less") {
-  CHECK(rc::check([] {
-    const Friction friction =
-        Friction::sinusoid(*between(0, 1.2), *between(0, 0.9), *between(0.008, 0.2), *between(0, 6.28));
-    const Rig rig{std::pow(10, *between(0.5, 3))};
-    const double stage = *between(0.05, 1);
-    const double S = longest_in_loading(friction, rig, stage);
-    const auto whole = trace_loading_curve(friction, rig, longest_at_stage(stage));
-    RC_ASSERT(S <= longest_at_stage(stage));
-    for (const auto& part : stable_parts(whole)) {
-      if (part.from.stage >= stage) break;
-      if (part.to.stage < stage) continue;
-      RC_ASSERT(point_at_stage(whole, part, stage).S <= S);
-    }
-  }));
-}
-
-TEST_CASE("critical stiffness and reach, contract: what is out of their domain is refused with its value") {
+TEST_CASE("critical stiffness, contract: what is out of their domain is refused with its value") {
   CHECK(message_of([] { critical_stiffness(friction_of_fig_8(), 0); }).find("0.000000") != std::string::npos);
   CHECK(message_of([] { critical_stiffness(friction_of_fig_8(), infinity); }).find("inf") != std::string::npos);
-  CHECK(message_of([] { longest_in_loading(friction_of_fig_8(), {-1}, 0.5); }).find("-1") != std::string::npos);
 }
 
 }  // namespace flexslip
