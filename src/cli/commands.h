@@ -24,9 +24,12 @@ void add_state_command(CLI::App& app);
 void add_invert_command(CLI::App& app);
 void add_equilibrium_command(CLI::App& app);
 void add_simulate_command(CLI::App& app);
+void add_design_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
 void add_read_command(CLI::App& app);
 void add_campaign_command(CLI::App& app);
+void add_sweep_command(CLI::App& app);
+void add_merge_command(CLI::App& app);
 void add_modulus_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
 

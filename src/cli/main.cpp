@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/interruption.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -18,7 +19,6 @@ namespace {
 
 constexpr int exit_not_calculated = 1;
 constexpr int exit_wrong_input = 2;
-constexpr int exit_interrupted = 130;
 
 int complain(std::string_view message, int exit_code) {
   std::cerr << fmt::format("flexslip: {}\n", message);
@@ -100,8 +100,11 @@ int run(int argc, char** argv) {
   add_read_command(app);
   add_modulus_command(app);
   add_invert_command(app);
+  add_design_command(app);
   add_simulate_command(app);
   add_equilibrium_command(app);
+  add_sweep_command(app);
+  add_merge_command(app);
   add_state_command(app);
   add_completions_command(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) command->group("Commands");

@@ -1,0 +1,78 @@
+// A test that is being planned: the numbers of a case that a designer may change, and the design they make.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cases/case_file.h"
+#include "data/scales.h"
+#include "inference/design.h"
+#include "io/quantity.h"
+
+namespace flexslip {
+
+enum class DesignParameter { mu0, amplitude, wavelength, phase, span, diameter, modulus, stiffness, travel, step };
+
+struct DesignParameterName {
+  DesignParameter parameter;
+  std::string_view name;  // "mu0", as in files and on the command line
+  Kind kind;              // of the quantity; a plain number in reduced cases
+};
+std::array<DesignParameterName, 10> design_parameters();
+
+// The name of one of them.
+const DesignParameterName& described(DesignParameter parameter);
+
+// A case whose numbers can be varied. Values in SI, or in the model's scaled variables if the case is reduced.
+class DesignCase {
+ public:
+  // Domain:     a case to simulate, with specimen, rig, friction and [stage], whose farthest position is the travel and
+  //             whose step is the step.
+  // Fails:      InputError, naming the key, for what is not there or cannot be loaded once: a measured programme, one that turns
+  //             back before its farthest position, static friction above the kinetic one, snaps that overshoot.
+  explicit DesignCase(const Case& input);
+
+  bool reduced() const { return input_->reduced; }
+
+  // Does the case have this parameter? A table of friction has no wavelength, a rectangular section no diameter, a reduced case
+  // neither span nor modulus. Of friction, mu0 is one with any waves, and amplitude, wavelength and phase are those of a single
+  // one; tables and rough profiles are used as they are. A diameter is one only if the bending stiffness follows from it.
+  bool has(DesignParameter parameter) const;
+  double value(DesignParameter parameter) const;
+  // Fails:      InputError if the case does not have it, or the value is out of its range.
+  // Cost:       a few ns. Whether the numbers go together is told by scales() and design().
+  void set(DesignParameter parameter, double value);
+
+  Scales scales() const;
+  // Fails:      InputError if the numbers as they are now cannot be computed: a specimen too thick, a rig too soft.
+  // Cost:       below 1 µs, but for tables and rough profiles.
+  Design design() const;
+
+ private:
+  static constexpr std::size_t count = 10;
+  struct Value {
+    bool exists = false;
+    double number = 0;
+  };
+  // A table of friction whose lengths [L] are those of the case as it was read.
+  using Profile = std::variant<WavyFriction, FrictionTable, RoughFriction>;
+
+  Value& at(DesignParameter parameter) { return values_[static_cast<std::size_t>(parameter)]; }
+  const Value& at(DesignParameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
+  void add(DesignParameter parameter, double number) { at(parameter) = {true, number}; }
+  double bending_stiffness() const;
+  void require_slender() const;
+  Friction friction(const Scales& scales, double S_max) const;
+
+  std::shared_ptr<const Case> input_;  // what does not vary
+  std::array<Value, count> values_{};
+  double span_;                   // [m] as it was read
+  double bending_stiffness_ = 0;  // [N m^2] likewise
+  Profile profile_;               // the numbers that vary are in values_
+};
+
+}  // namespace flexslip

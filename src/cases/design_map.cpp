@@ -1,0 +1,115 @@
+#include "cases/design_map.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "cases/design_answer.h"
+#include "cases/parallel.h"
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t most_points = 10000;  // of an axis
+
+std::vector<std::string> names_of(const DesignCase& input) {
+  std::vector<std::string> names;
+  for (const auto& [parameter, name, kind] : design_parameters())
+    if (input.has(parameter)) names.emplace_back(name);
+  return names;
+}
+
+const DesignParameterName& parameter_named(const DesignCase& input, std::string_view name) {
+  for (const auto& known : design_parameters())
+    if (known.name == name && input.has(known.parameter)) return described(known.parameter);
+  const auto names = names_of(input);
+  const std::string meant = nearest(name, names);
+  throw InputError({.expected = "one of the numbers of this case, " + listed(names),
+                    .found = in_quotes(name),
+                    .remedy = meant.empty() ? "" : fmt::format("did you mean {}?", in_quotes(meant))});
+}
+
+std::size_t points_from(std::string_view text) {
+  std::size_t points = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), points);
+  if (error == std::errc() && end == text.data() + text.size() && points >= 2 && points <= most_points) return points;
+  throw InputError({.expected = fmt::format("2 to {} points", most_points), .found = in_quotes(text)});
+}
+
+}  // namespace
+
+MapAxis map_axis(const DesignCase& input, std::string_view text, std::size_t usual_points) {
+  const auto cut = [&](std::string_view& rest, char at) {
+    const std::size_t end = std::min(rest.find(at), rest.size());
+    const std::string_view part = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    return part;
+  };
+  std::string_view rest = text;
+  const std::string_view name = cut(rest, '=');
+  const std::string_view first = cut(rest, ':');
+  const std::string_view last = cut(rest, ':');
+  if (first.empty() || last.empty())
+    throw InputError({.expected = "a name and its range",
+                      .found = in_quotes(text),
+                      .remedy = "write it as \"stiffness=10 N/m:1000 N/m\""});
+  const auto& [parameter, known, kind] = parameter_named(input, name);
+  const Kind& as = input.reduced() ? kind::number : kind;
+  const double from = parse_quantity(first, as);
+  const double to = parse_quantity(last, as);
+  if (!(from != to && std::isfinite(from) && std::isfinite(to)))
+    throw InputError({.expected = "a range with two ends", .found = in_quotes(text)});
+  const std::size_t points = rest.empty() ? usual_points : points_from(trimmed(rest));
+  DesignCase trial = input;
+  for (const double end : {from, to}) trial.set(parameter, end);
+
+  constexpr double decade = 10;
+  const bool logarithmic = from > 0 && to > 0 && std::max(from / to, to / from) >= decade;
+  MapAxis axis{parameter, {}, logarithmic};
+  axis.values.reserve(points);
+  for (std::size_t i = 0; i < points; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(points - 1);
+    axis.values.push_back(logarithmic ? from * std::pow(to / from, share) : from + share * (to - from));
+  }
+  axis.values.back() = to;
+  return axis;
+}
+
+std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<MapAxis>& axes) {
+  std::size_t count = 1;
+  for (const MapAxis& axis : axes) count *= axis.values.size();
+  std::vector<MapPoint> points(count);
+  for_each_index(count, std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t i) {
+    MapPoint& point = points[i];
+    point = {{}, {}, {}, std::numeric_limits<double>::quiet_NaN()};
+    DesignCase there = input;
+    std::size_t rest = i;
+    std::size_t block = count;
+    try {
+      for (const MapAxis& axis : axes) {
+        block /= axis.values.size();
+        point.values.push_back(axis.values[rest / block]);
+        rest %= block;
+      }
+      for (std::size_t j = 0; j < axes.size(); ++j) there.set(axes[j].parameter, point.values[j]);
+      const Design design = there.design();
+      point.outcome = outcome_of(design);
+      point.margin = stiffness_margin(design);
+      point.scales = there.scales();
+    } catch (const InputError&) {  // no such test: a specimen too thick, a rig too soft
+      point.outcome.reset();
+    } catch (const std::invalid_argument&) {  // more roughness than can be followed
+      point.outcome.reset();
+    }
+  });
+  return points;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,385 @@
+#include "report/design_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bending_test/history.h"
+#include "bending_test/reach.h"
+#include "fibre/elastica.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Reading {
+  double stage, F;
+};
+
+std::vector<Reading> readings_of(const Design& design) {
+  constexpr double most = 20000;  // more would not be told apart
+  const BendingTest test{design.friction, design.rig};
+  std::vector<Reading> readings{{0, 0}};
+  if (design.step == 0 || design.travel / design.step > most) {
+    for (const auto& point : follow_continuously(test, std::vector{design.travel}, 60).path)
+      readings.push_back({point.stage, point.F});
+    return readings;
+  }
+  std::vector<double> stages;
+  for (int i = 1; i * design.step < design.travel * (1 - 1e-9); ++i) stages.push_back(i * design.step);
+  stages.push_back(design.travel);
+  for (const auto& point : follow_in_steps(test, stages).path) readings.push_back({point.stage, point.F});
+  return readings;
+}
+
+FigureData line_of(std::string name, const std::vector<Reading>& readings, double x, double y, bool falling_only) {
+  FigureData data{std::move(name), {"stage", "force"}, {}};
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const bool falls = i > 0 && readings[i].F < readings[i - 1].F;
+    if (falling_only && !falls) continue;
+    if (falling_only && (i < 2 || !(readings[i - 1].F < readings[i - 2].F))) {
+      if (!data.rows.empty()) data.rows.emplace_back();
+      data.rows.push_back({x * readings[i - 1].stage, y * readings[i - 1].F});
+    }
+    data.rows.push_back({x * readings[i].stage, y * readings[i].F});
+  }
+  if (data.rows.empty()) data.rows.push_back({nan, nan});
+  return data;
+}
+
+struct FoldPoint {
+  double w, stiffness;
+};
+
+// The stiffnesses of folds along the curve up to a deflection.
+std::vector<FoldPoint> folds_along(const Friction& friction, double w_max) {
+  const double S_max = longest_in_loading(friction, {std::numeric_limits<double>::infinity()}, w_max);
+  const double for_waves = 96 * (S_max - 1) / (4 * friction.smooth_scale());
+  const double for_knots = 8 * static_cast<double>(friction.knots().size());
+  const int n = static_cast<int>(std::clamp(std::max(for_waves, for_knots), 400.0, 20000.0));
+  std::vector<FoldPoint> points;
+  for (int i = 1; i <= n; ++i) {
+    const double sigma = std::sqrt(S_max - 1) * i / n;
+    const double S = 1 + sigma * sigma;
+    const auto state = fibre_state(S, friction.at(S).mu);
+    if (state.status != FibreStatus::ok || state.w > w_max) break;
+    points.push_back({state.w, stiffness_of_fold(friction, S)});
+  }
+  return points;
+}
+
+std::string_view words_of(DesignParameter parameter) {
+  switch (parameter) {
+    case DesignParameter::mu0:
+      return "Mean friction";
+    case DesignParameter::amplitude:
+      return "Amplitude of friction";
+    case DesignParameter::wavelength:
+      return "Wavelength of friction";
+    case DesignParameter::phase:
+      return "Phase of friction";
+    case DesignParameter::span:
+      return "Support span";
+    case DesignParameter::diameter:
+      return "Diameter";
+    case DesignParameter::modulus:
+      return "Flexural modulus";
+    case DesignParameter::stiffness:
+      return "Load-train stiffness";
+    case DesignParameter::travel:
+      return "Stage travel";
+    case DesignParameter::step:
+      return "Step of the stage";
+  }
+  throw std::invalid_argument("no such parameter");
+}
+
+std::string_view symbol_of(DesignParameter parameter) {
+  switch (parameter) {
+    case DesignParameter::mu0:
+      return "{/:Italic μ}_0";
+    case DesignParameter::amplitude:
+      return "{/:Italic A}";
+    case DesignParameter::wavelength:
+      return "{/:Italic λ}";
+    case DesignParameter::phase:
+      return "{/:Italic φ}";
+    case DesignParameter::span:
+      return "{/:Italic L}";
+    case DesignParameter::diameter:
+      return "{/:Italic D}";
+    case DesignParameter::modulus:
+      return "{/:Italic E}";
+    case DesignParameter::stiffness:
+      return "{/:Italic k}";
+    case DesignParameter::travel:
+    case DesignParameter::step:
+      return "{/:Italic w}_s";
+  }
+  throw std::invalid_argument("no such parameter");
+}
+
+std::string_view reduced_unit_of(const Kind& kind) {
+  if (kind.dimension == kind::length.dimension) return "L";
+  return kind.dimension == kind::stiffness.dimension ? "EI/L³" : "";
+}
+
+// An axis of a map: what is drawn of its values, logarithms if it is logarithmic, because gnuplot's pixels are all of one size.
+class Drawn {
+ public:
+  Drawn(const DesignCase& input, const MapAxis& axis) : logarithmic_(axis.logarithmic) {
+    const auto& [parameter, name, kind] = described(axis.parameter);
+    const auto [least, most] = std::minmax(axis.values.front(), axis.values.back());
+    unit_ = kind.units.empty()
+                ? PlotUnit{"", 1}
+                : plot_unit(logarithmic_ ? std::sqrt(least * most) : std::max(std::abs(least), std::abs(most)), kind,
+                            input.reduced(), reduced_unit_of(kind));
+    label_ = axis_label(words_of(parameter), symbol_of(parameter), unit_);
+    low_ = unit_.factor * least;
+    high_ = unit_.factor * most;
+  }
+
+  double operator()(double value) const {
+    return logarithmic_ ? std::log10(unit_.factor * value) : unit_.factor * value;
+  }
+  const std::string& label() const { return label_; }
+
+  // The commands that set range and tics of the axis "x" or "y", with a margin on both sides [1] of the range.
+  std::string set(char name, double margin) const {
+    const double from = logarithmic_ ? std::log10(low_) : low_;
+    const double to = logarithmic_ ? std::log10(high_) : high_;
+    std::string script =
+        fmt::format("  set {}range [{:.8g}:{:.8g}]\n", name, from - margin * (to - from), to + margin * (to - from));
+    if (!logarithmic_) return script;
+    std::string tics;
+    for (int decade = static_cast<int>(std::floor(from)); decade <= to; ++decade)
+      for (const double digit : {1.0, 2.0, 5.0})
+        if (const double tic = decade + std::log10(digit); tic >= from - 1e-9 && tic <= to + 1e-9)
+          tics += fmt::format("{}'{:g}' {:.8g}", tics.empty() ? "" : ", ", digit * std::pow(10, decade), tic);
+    return script + fmt::format("  set {}tics ({})\n", name, tics);
+  }
+
+ private:
+  bool logarithmic_;
+  PlotUnit unit_;
+  std::string label_;
+  double low_, high_;
+};
+
+double drop_share(const DesignOutcome& outcome) { return 100 * outcome.largest_drop / outcome.greatest_force; }
+
+Figure curve_figure(const DesignCase& input, const MapAxis& axis, const std::vector<MapPoint>& points) {
+  const Drawn drawn(input, axis);
+  double deepest = 0;
+  double most = 1;
+  for (const auto& point : points)
+    if (point.outcome) {
+      most = std::max(most, drop_share(*point.outcome));
+      if (point.outcome->first_snap)
+        deepest = std::max(deepest, point.scales->physical_length(point.outcome->first_snap->w));
+    }
+  const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, kind::length, input.reduced(), "L");
+  FigureData data{"designs", {"parameter", "largest drop [%]", "mean drop [%]", "friction [%]", "first snap"}, {}};
+  for (const auto& point : points) {
+    if (!point.outcome) {
+      data.rows.emplace_back();
+      continue;
+    }
+    const DesignOutcome& outcome = *point.outcome;
+    data.rows.push_back(
+        {drawn(point.values[0]), drop_share(outcome), 100 * outcome.mean_drop / outcome.greatest_force,
+         100 * outcome.friction / outcome.work,
+         outcome.first_snap ? length.factor * point.scales->physical_length(outcome.first_snap->w) : nan});
+  }
+  const std::string script = fmt::format(
+      R"(  set multiplot
+  set tmargin at screen 0.88; set bmargin at screen 0.16
+  set key at screen 0.28,0.985 center top vertical Left reverse maxrows 1 width 1 samplen 2
+  set lmargin at screen 0.08; set rmargin at screen 0.48
+  set xlabel '{0}' offset 0,0.3
+{1}  set yrange [0:{2:.6g}]
+  set ylabel 'Share (%)' offset 1
+  set label 1 '(A)' at graph 0.03, 0.94 font ',9'
+  plot designs using 1:2 with lines lw 1.6 lc rgb 'black' title 'Largest drop', \
+       designs using 1:3 with lines lw 1.2 dt (6,4) lc rgb 'black' title 'Mean drop', \
+       designs using 1:4 with lines lw 1.6 lc rgb vermillion title 'Friction'
+  unset key
+  set lmargin at screen 0.58; set rmargin at screen 0.97
+  set yrange [0:{3:.6g}]
+  set ylabel '{4}' offset 0.6
+  set label 1 '(B)'
+  plot designs using 1:5 with points pt 7 ps 0.3 lc rgb blue
+  unset multiplot; unset label 1
+)",
+      drawn.label(), drawn.set('x', 0), 1.15 * std::max(most, 40.0), deepest > 0 ? 1.15 * length.factor * deepest : 1,
+      axis_label("First snap at deflection", "{/:Italic w}_0", length));
+  return {.name = "designs",
+          .title = "What a test shows over a range",
+          .description = fmt::format("Two panels over the {}: the largest and the mean drop of the force, as shares of "
+                                     "the greatest force, and the share of friction in "
+                                     "the work; and the deflection of the first snap.",
+                                     described(axis.parameter).name),
+          .width = two_columns,
+          .height = 66,
+          .data = {std::move(data)},
+          .script = script};
+}
+
+// Where the margin vanishes: on the edges of the grid's cells, and straight between them.
+FigureData border_of(const std::vector<MapPoint>& points, std::size_t rows, std::size_t columns, const Drawn& x,
+                     const Drawn& y) {
+  FigureData border{"border", {"x", "y"}, {}};
+  const auto at = [&](std::size_t i, std::size_t j) -> const MapPoint& { return points[i * columns + j]; };
+  for (std::size_t i = 0; i + 1 < rows; ++i)
+    for (std::size_t j = 0; j + 1 < columns; ++j) {
+      const std::array corners{&at(i, j), &at(i + 1, j), &at(i + 1, j + 1), &at(i, j + 1), &at(i, j)};
+      std::vector<std::vector<double>> crossings;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const double a = corners[c]->margin;
+        const double b = corners[c + 1]->margin;
+        if (std::isnan(a) || std::isnan(b) || (a > 0) == (b > 0)) continue;
+        const double share = a / (a - b);
+        const auto between = [&](const Drawn& axis, std::size_t k) {
+          const double from = axis(corners[c]->values[k]);
+          return from + share * (axis(corners[c + 1]->values[k]) - from);
+        };
+        crossings.push_back({between(x, 0), between(y, 1)});
+      }
+      for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
+        border.rows.push_back(crossings[c]);
+        border.rows.push_back(crossings[c + 1]);
+        border.rows.emplace_back();
+      }
+    }
+  if (border.rows.empty()) border.rows.push_back({nan, nan});
+  return border;
+}
+
+Figure plane_figure(const DesignCase& input, const std::vector<MapAxis>& axes, const std::vector<MapPoint>& points) {
+  const Drawn x(input, axes[0]);
+  const Drawn y(input, axes[1]);
+  FigureData data{"designs", {"x", "y", "largest drop [%]"}, {}};
+  for (const MapPoint& point : points)
+    data.rows.push_back({x(point.values[0]), y(point.values[1]),
+                         !point.outcome             ? nan
+                         : point.outcome->snaps > 0 ? drop_share(*point.outcome)
+                                                    : 0});
+  FigureData own{"own", {"x", "y"}, {{x(input.value(axes[0].parameter)), y(input.value(axes[1].parameter))}}};
+  const std::string script = fmt::format(
+      R"(  set lmargin at screen 0.13; set rmargin at screen 0.80; set tmargin at screen 0.89; set bmargin at screen 0.145
+  set key at screen 0.465,0.985 center top vertical Left reverse maxrows 1 samplen 2.2
+  set xlabel '{0}' offset 0,0.3; set ylabel '{1}' offset 0.8
+{2}{3}  set cblabel 'Largest drop (% of the greatest force)' offset 0.5
+  set cbrange [0:*]
+  set palette defined (0 '#FFFFFF', 0.005 '#EAF2F8', 0.3 '#9CC9E6', 0.65 '#2F83BE', 1 '#08306B')
+  set colorbox user origin screen 0.83, 0.145 size screen 0.03, 0.745
+  set tics front
+  plot designs using 1:2:3 with image pixels notitle, \
+       border using 1:2 with lines lw 2 lc rgb vermillion title 'Critical stiffness', \
+       own using 1:2 with points pt 7 ps 0.7 lc rgb 'black' title 'This test'
+)",
+      x.label(), y.label(), x.set('x', 0.5 / static_cast<double>(axes[0].values.size() - 1)),
+      y.set('y', 0.5 / static_cast<double>(axes[1].values.size() - 1)));
+  return {
+      .name = "designs",
+      .title = "Where a test shows a sawtooth",
+      .description = fmt::format(
+          "The largest drop of the force over {} and {}, with the border beyond which the specimen does not snap.",
+          described(axes[0].parameter).name, described(axes[1].parameter).name),
+      .width = 110,
+      .height = 85,
+      .data = {std::move(data), border_of(points, axes[0].values.size(), axes[1].values.size(), x, y), std::move(own)},
+      .script = script};
+}
+
+}  // namespace
+
+Figure design_figure(const DesignAnswer& answer) {
+  const Design& design = answer.design;
+  const Scales& scales = answer.scales;
+  const bool reduced = answer.input.reduced();
+  const DesignOutcome& outcome = answer.outcome;
+  const PlotUnit length = plot_unit(scales.physical_length(design.travel), kind::length, reduced, "L");
+  const PlotUnit force = plot_unit(scales.physical_force(outcome.greatest_force), kind::force, reduced, "EI/L²");
+  const double x = scales.physical_length(length.factor);
+  const double y = scales.physical_force(force.factor);
+
+  const auto readings = readings_of(design);
+  const auto folds = folds_along(design.friction, design.travel);
+  double top = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : 0;
+  for (const auto& fold : folds) top = std::max(top, std::min(fold.stiffness, 1e6));
+  if (std::isfinite(answer.critical)) top = std::max(top, answer.critical);
+  const PlotUnit stiffness = plot_unit(scales.physical_stiffness(top), kind::stiffness, reduced, "EI/L³");
+  const double z = scales.physical_stiffness(stiffness.factor);
+
+  FigureData curve{"folds", {"deflection", "stiffness"}, {}};
+  for (const auto& fold : folds) curve.rows.push_back({x * fold.w, z * fold.stiffness});
+  if (curve.rows.empty()) curve.rows.push_back({nan, nan});
+  FigureData first{"first", {"deflection", "stiffness", "stage", "force"}, {}};
+  if (outcome.first_snap)
+    first.rows.push_back({x * outcome.first_snap->w, z * std::min(design.rig.stiffness, top),
+                          x * outcome.first_snap->stage, y * outcome.first_snap->F_before});
+  else
+    first.rows.push_back({nan, nan, nan, nan});
+
+  const double right = x * (folds.empty() ? design.travel : folds.back().w);
+  std::string lines;
+  if (std::isfinite(design.rig.stiffness))
+    lines += fmt::format("{:.8g} with lines lw 1.4 lc rgb 'black' title 'This load train', \\\n       ",
+                         z * design.rig.stiffness);
+  if (std::isfinite(answer.critical) && answer.critical > 0)
+    lines += fmt::format("{:.8g} with lines lw 1.4 dt (7,4) lc rgb green title 'Critical stiffness', \\\n       ",
+                         z * answer.critical);
+  const std::string script = fmt::format(
+      R"(  set multiplot
+  set tmargin at screen 0.865; set bmargin at screen 0.15
+  set lmargin at screen 0.075; set rmargin at screen 0.475
+  set key at screen 0.275,0.985 center top vertical Left reverse maxrows 1 width 1 samplen 2
+  set xrange [0:{0:.6g}]; set yrange [0:{1:.6g}]
+  set xlabel '{2}' offset 0,0.3; set ylabel '{3}' offset 0.9
+  set label 1 '(A)' at graph 0.03, 0.94 font ',9'
+  plot record using 1:2 with lines lw 1.1 lc rgb 'black' title 'Record', \
+       drops using 1:2 with lines lw 1.5 lc rgb vermillion title 'Drops', \
+       first using 3:4 with points pt 6 ps 0.7 lw 1 lc rgb vermillion title 'First snap'
+  set lmargin at screen 0.58; set rmargin at screen 0.985
+  set key at screen 0.78,0.985 center top vertical Left reverse maxrows 2 width 1 samplen 2
+  set xrange [0:{4:.6g}]; set yrange [0:{5:.6g}]
+  set xlabel '{6}'; set ylabel '{7}' offset 0.6
+  set label 1 '(B)'
+  plot folds using 1:($2 > 0 ? $2 : 0) with filledcurves above y1=0 fs solid 0.35 noborder lc rgb sky title 'Unstable', \
+       folds using 1:2 with lines lw 0.8 lc rgb blue notitle, \
+       {8}first using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion title 'First snap'
+  unset multiplot; unset label 1
+)",
+      1.02 * x * design.travel, 1.15 * y * outcome.greatest_force,
+      axis_label("Stage displacement", "{/:Italic w}_s", length), axis_label("Force", "{/:Italic F}", force), right,
+      1.12 * z * top, axis_label("Deflection", "{/:Italic w}_0", length),
+      axis_label("Load-train stiffness", "{/:Italic k}", stiffness), lines);
+  return {.name = "design",
+          .title = "What a planned test will show",
+          .description = fmt::format("Two panels: the record of force against stage displacement, with {} drops "
+                                     "marked; and the load-train stiffnesses below which "
+                                     "the specimen snaps, against deflection, with that of the rig.",
+                                     outcome.drops),
+          .width = two_columns,
+          .height = 70,
+          .data = {line_of("record", readings, x, y, false), line_of("drops", readings, x, y, true), std::move(curve),
+                   std::move(first)},
+          .script = script};
+}
+
+Figure design_map_figure(const DesignCase& input, const std::vector<MapAxis>& axes,
+                         const std::vector<MapPoint>& points) {
+  if (axes.size() == 1) return curve_figure(input, axes.front(), points);
+  if (axes.size() == 2) return plane_figure(input, axes, points);
+  throw std::invalid_argument("a map has one axis or two, not " + std::to_string(axes.size()));
+}
+
+}  // namespace flexslip

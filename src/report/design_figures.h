@@ -1,0 +1,21 @@
+// Figures of a planned test.
+#pragma once
+
+#include <vector>
+
+#include "cases/design_answer.h"
+#include "cases/design_map.h"
+#include "report/figure.h"
+
+namespace flexslip {
+
+// The record as it will be, its drops marked, beside the stiffnesses on which the specimen is at a fold: where that of the rig is
+// below them, it snaps.
+Figure design_figure(const DesignAnswer& answer);
+
+// Drops and the first snap over one parameter; or the largest drop over two, with the border of those that do not snap.
+// Domain:     one or two axes, and their points; std::invalid_argument otherwise.
+Figure design_map_figure(const DesignCase& input, const std::vector<MapAxis>& axes,
+                         const std::vector<MapPoint>& points);
+
+}  // namespace flexslip

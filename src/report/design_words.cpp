@@ -1,0 +1,194 @@
+#include "report/design_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "report/plain_text.h"
+#include "report/printed.h"
+
+namespace flexslip {
+namespace {
+
+// Numbers in the units of the case.
+class Shown {
+ public:
+  explicit Shown(const DesignAnswer& answer) : scales_(answer.scales), reduced_(answer.input.reduced()) {}
+
+  std::string length(double reduced) const { return own(scales_.physical_length(reduced), kind::length); }
+  std::string force(double reduced) const { return own(scales_.physical_force(reduced), kind::force); }
+  std::string stiffness(double reduced) const {
+    return std::isfinite(reduced) ? own(scales_.physical_stiffness(reduced), kind::stiffness) : "no give at all";
+  }
+  std::string energy(double reduced) const { return own(scales_.physical_energy(reduced), kind::energy); }
+  std::string own(double value, const Kind& kind) const { return readable(value, reduced_ ? kind::number : kind); }
+
+ private:
+  const Scales& scales_;
+  bool reduced_;
+};
+
+// To three digits, on the far side of where the change is reached.
+double on_far_side(double from, double to) {
+  if (to == 0) return to;
+  const double step = std::pow(10, std::floor(std::log10(std::abs(to))) - 2);
+  return step * (to > from ? std::ceil(to / step) : std::floor(to / step));
+}
+
+std::string share(double part, double whole) {
+  const double percentage = 100 * part / whole;
+  return percentage > 0 && percentage < 0.1 ? "less than 0.1 %"
+                                            : fmt::format("{:.{}f} %", percentage, percentage < 10 ? 1 : 0);
+}
+
+bool hidden(const DesignOutcome& outcome) { return outcome.snaps > 0 && outcome.drops == 0; }
+
+std::string drops_in_words(const DesignAnswer& answer, const Shown& shown) {
+  const DesignOutcome& outcome = answer.outcome;
+  const std::string record = answer.design.step > 0
+                                 ? fmt::format("a record with a reading every {}", shown.length(answer.design.step))
+                                 : "a continuous record";
+  if (outcome.drops == 0)
+    return fmt::format("In {} the force never falls; the greatest is {}.", record, shown.force(outcome.greatest_force));
+  return fmt::format("In {} the force falls {}: by {} at most, which is {} of the greatest force, {}{}.", record,
+                     outcome.drops == 1 ? "once" : fmt::format("{} times", outcome.drops),
+                     shown.force(outcome.largest_drop), share(outcome.largest_drop, outcome.greatest_force),
+                     shown.force(outcome.greatest_force),
+                     outcome.drops == 1 ? "" : fmt::format(", and by {} on average", shown.force(outcome.mean_drop)));
+}
+
+std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
+  const DesignOutcome& outcome = answer.outcome;
+  if (!outcome.first_snap)
+    return fmt::format("Up to the stage position {} the specimen does not snap.", shown.length(outcome.end));
+  const auto& first = *outcome.first_snap;
+  return fmt::format(
+      "The first snap comes at the stage position {}, at a deflection of {}: the force falls from {} to {}. Up to {} "
+      "there {}.",
+      shown.length(first.stage), shown.length(first.w), shown.force(first.F_before), shown.force(first.F_after),
+      shown.length(outcome.end),
+      outcome.snaps == 1 ? "is no other" : fmt::format("are {} snaps in all", outcome.snaps));
+}
+
+std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
+  const std::string range = shown.length(answer.design.travel);
+  const std::string yours = fmt::format("This one has {}.", shown.stiffness(answer.design.rig.stiffness));
+  if (answer.critical == 0)
+    return fmt::format("Up to a deflection of {} no load train, however soft, makes it snap.", range);
+  if (!std::isfinite(answer.critical))
+    return fmt::format(
+        "There is no critical load-train stiffness: up to a deflection of {} the specimen snaps even where the "
+        "deflection itself is "
+        "controlled. {}",
+        range, yours);
+  return fmt::format(
+      "The critical load-train stiffness is {}: with a stiffer one no loading up to a deflection of {} snaps. {}",
+      shown.stiffness(answer.critical), range, yours);
+}
+
+std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
+  const DesignOutcome& outcome = answer.outcome;
+  const std::string snaps =
+      outcome.snaps > 0 ? fmt::format(", {} set free by the snaps beyond it", share(outcome.released, outcome.work))
+                        : "";
+  return fmt::format("Of the work done on the specimen, {}, {} is friction at the supports{}; the rest bends it.",
+                     shown.energy(outcome.work), share(outcome.friction, outcome.work), snaps);
+}
+
+std::string change_in_words(const DesignChange& change, const Shown& shown) {
+  const auto& [parameter, name, kind] = described(change.parameter);
+  const bool more = change.to > change.from;
+  const std::string to = shown.own(on_far_side(change.from, change.to), kind);
+  const std::string from = shown.own(change.from, kind);
+  const std::string_view limit = more ? "at least" : "at most";
+  switch (parameter) {
+    case DesignParameter::stiffness:
+      return fmt::format("a {} load train: {} {} instead of {}", more ? "stiffer" : "softer", limit, to, from);
+    case DesignParameter::span:
+      return fmt::format("a {} support span: {} {} instead of {}", more ? "longer" : "shorter", limit, to, from);
+    case DesignParameter::diameter:
+      return fmt::format("a {} specimen: a diameter of {} {} instead of {}", more ? "thicker" : "thinner", limit, to,
+                         from);
+    case DesignParameter::modulus:
+      return fmt::format("a {} specimen: a modulus of {} {} instead of {}", more ? "stiffer" : "softer", limit, to,
+                         from);
+    case DesignParameter::mu0:
+      return fmt::format("{}: mu0 {} {} instead of {}", more ? "supports with more friction" : "lubricated supports",
+                         limit, to, from);
+    case DesignParameter::amplitude:
+      return fmt::format("{}: an amplitude of {} {} instead of {}",
+                         more ? "rougher supports or specimens" : "polished supports", limit, to, from);
+    case DesignParameter::wavelength:
+      return fmt::format("another specimen, with roughness of a {} wavelength: {} {} instead of {}",
+                         more ? "longer" : "shorter", limit, to, from);
+    case DesignParameter::travel:
+      return more ? fmt::format("loading farther: beyond the stage position {} instead of up to {}", to, from)
+                  : fmt::format("stopping before the first snap: at the stage position {} instead of {}", to, from);
+    case DesignParameter::phase:
+    case DesignParameter::step:
+      break;
+  }
+  throw std::invalid_argument("no change of this parameter is looked for");
+}
+
+// The force may fall without a snap: friction that varies along the specimen makes it wavy on any rig.
+std::string what_remains(const DesignAnswer& answer, const DesignChange& change) {
+  const DesignOutcome& then = change.outcome;
+  if (answer.outcome.snaps == 0 || then.drops == 0) return "";
+  return fmt::format(" (the force then still falls, smoothly, by up to {})",
+                     share(then.largest_drop, then.greatest_force));
+}
+
+}  // namespace
+
+std::string design_in_short(const DesignAnswer& answer) {
+  const Shown shown(answer);
+  const DesignOutcome& outcome = answer.outcome;
+  if (hidden(outcome))
+    return fmt::format("The specimen will snap {}, but readings {} apart will not show it.",
+                       outcome.snaps == 1 ? "once" : fmt::format("{} times", outcome.snaps),
+                       shown.length(answer.design.step));
+  if (outcome.snaps > 0) return "Yes, you will see a sawtooth.";
+  if (outcome.drops == 1) return "No sawtooth: the specimen slides without a snap, past a smooth peak of the force.";
+  if (outcome.drops > 1)
+    return "No sawtooth, but a wavy force: the specimen slides without a snap, and where the force falls it falls "
+           "smoothly.";
+  return "No sawtooth: the specimen slides without a snap, and the force never falls.";
+}
+
+std::vector<std::string> design_in_words(const DesignAnswer& answer) {
+  const Shown shown(answer);
+  std::vector<std::string> paragraphs{snaps_in_words(answer, shown), drops_in_words(answer, shown),
+                                      critical_in_words(answer, shown), work_in_words(answer, shown)};
+  if (answer.outcome.status == DesignStatus::slipped_through)
+    paragraphs.push_back(
+        fmt::format("Beyond the stage position {} the specimen slips through the supports: all this is up to there.",
+                    shown.length(answer.outcome.end)));
+  return paragraphs;
+}
+
+std::vector<std::string> changes_in_words(const DesignAnswer& answer) {
+  const Shown shown(answer);
+  std::vector<std::string> words;
+  words.reserve(answer.changes.size());
+  for (const DesignChange& change : answer.changes)
+    words.push_back(change_in_words(change, shown) + what_remains(answer, change));
+  return words;
+}
+
+std::string design_text(const DesignAnswer& answer) {
+  std::string text = wrapped(design_in_short(answer), "") + "\n";
+  for (const std::string& paragraph : design_in_words(answer)) text += wrapped(paragraph, "");
+  const bool snaps = answer.outcome.snaps > 0;
+  const auto changes = changes_in_words(answer);
+  if (changes.empty())
+    return text + fmt::format("\nNo single change was found that would {} it snap.\n", snaps ? "not let" : "make");
+  text += snaps ? "\nAny one of these would keep it from snapping, all else as it is:\n"
+                : "\nAny one of these would make it snap, all else as it is:\n";
+  for (const std::string& change : changes) text += "  - " + wrapped(change, "    ");
+  return text;
+}
+
+}  // namespace flexslip

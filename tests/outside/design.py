@@ -1,0 +1,92 @@
+#!/usr/bin/python3
+"""outside: flexslip design against flexslip simulate, the paper's Fig. 8 and what a user may get wrong."""
+import unittest
+
+from program import SOURCE, InFolder
+
+CASE = """[specimen]
+diameter = "34.8 um"
+modulus = "29.6 GPa"
+[rig]
+span = "1278 um"
+stiffness = "90.65 N/m"
+[friction]
+model = "sinusoid"
+mu0 = 0.5
+amplitude = 0.15
+wavelength = "40 um"
+phase = 1.0
+[stage]
+program = ["0 um", "700 um"]
+step = "2 um"
+"""
+FIG_8 = SOURCE / "docs" / "figures" / "paper-fig8.toml"
+
+
+class Design(InFolder):
+    def test_oracle_simulate(self):
+        # 1e-5 of the work is what the header of inference/design.h promises
+        case = self.file("case.toml", CASE)
+        answer = self.json("design", case)
+        simulated = self.json("simulate", case)
+        energy = simulated["energy"]
+        self.assertEqual(answer["snaps"], len(self.json("simulate", self.file("c.toml", CASE.replace('step = "2 um"', "")))["snaps"]))
+        self.assertAlmostEqual(answer["first_snap"]["stage"], simulated["snaps"][0]["stage"], delta=1e-15)
+        self.assertAlmostEqual(answer["work"], energy["work_of_fracture"], delta=1e-7 * answer["work"])
+        self.assertAlmostEqual(answer["friction"], energy["friction"], delta=1e-5 * answer["work"])
+        forces = [row["force"] for row in simulated["path"]]
+        falls = [b < a for a, b in zip(forces, forces[1:])]
+        self.assertEqual(answer["drops"], sum(now and not before for before, now in zip([False] + falls, falls)))
+
+    def test_paper_fig_8(self):
+        answer = self.json("design", FIG_8)
+        self.assertAlmostEqual(answer["first_snap"]["stage"], 0.588456, delta=5e-7)  # the digits printed
+        self.assertEqual(answer["snaps"], 4)
+
+    def test_identity_changes_hold(self):
+        answer = self.json("design", self.file("case.toml", CASE))
+        change = {c["parameter"]: c["to"] for c in answer["changes"]}
+        stiff = CASE.replace("90.65 N/m", f"{change['stiffness']!r} N/m")
+        self.assertEqual(self.json("design", self.file("stiff.toml", stiff))["snaps"], 0)
+        words = self.succeeds("design", self.file("stiff.toml", stiff))
+        self.assertTrue(words.startswith("No sawtooth"), words)
+        self.assertIn("softer load train", words)
+
+    def test_limit_hidden_between_readings(self):
+        fine = CASE.replace("40 um", "10.9 um").replace("700 um", "450 um")
+        self.assertIn("you will see a sawtooth", self.succeeds("design", self.file("fine.toml", fine)))
+        coarse = self.file("coarse.toml", fine.replace('"2 um"', '"225 um"'))
+        self.assertIn("will not show it", self.succeeds("design", coarse))
+
+    def test_identity_map_is_designs(self):
+        case = self.file("case.toml", CASE)
+        rows = self.succeeds("design", case, "--over", "stiffness=50 N/m:90.65 N/m:3").splitlines()
+        self.assertEqual(len(rows), 4)
+        last = dict(zip(rows[0].split(","), rows[-1].split(",")))
+        answer = self.json("design", case)
+        self.assertEqual(int(last["snaps"]), answer["snaps"])
+        self.assertEqual(float(last["work [J]"]), answer["work"])
+        designs = self.json("design", case, "--over", "mu0=0:0.5:2", "--over", "step=1 um:5 um:3")["designs"]
+        self.assertEqual(len(designs), 6)
+
+    def test_figures_are_drawn(self):
+        case = self.file("case.toml", CASE)
+        for name, over in (("a.svg", []), ("b.svg", ["mu0=0:0.6:5"]), ("c.svg", ["mu0=0:0.6:5", "stiffness=10 N/m:1 kN/m:5"])):
+            ranges = [word for text in over for word in ("--over", text)]
+            self.succeeds("design", case, "--figure", self.folder / name, *ranges)
+            self.assertTrue((self.folder / name).exists())
+
+    def test_bad_input_is_located(self):
+        for text, arguments, said in (
+            (CASE.replace('"700 um"', '"700 um", "10 um", "900 um"'), [], "case.toml:14: [stage] program[3]"),
+            (CASE.replace("phase = 1.0", "static_excess = 0.1"), [], "[friction] static_excess"),
+            (CASE, ["--over", "stiffnes=1 N/m:2 N/m"], "did you mean 'stiffness'?"),
+            (CASE, ["--over", "stiffness=1:2"], "--over: expected a stiffness with its unit"),
+            (CASE, ["--over", "mu0=0:1", "--over", "mu0=0:1"], "the same twice"),
+            (CASE, ["--over", "mu0=0:1", "--over", "span=1 mm:2 mm", "--over", "step=1 um:2 um"], "flexslip sweep"),
+        ):
+            self.refused("design", self.file("case.toml", text), *arguments, says=[said])
+
+
+if __name__ == "__main__":
+    unittest.main()
