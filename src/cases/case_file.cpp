@@ -88,13 +88,19 @@ constexpr std::array examples{
     Example{"record", R"(file = "ss14.csv", stage = "w_s_m [m]" and force = "F_N [N]")",
             R"(file = "test.csv", stage = "w_s" and force = "F")"},
     Example{"record.file", R"(file = "ss14.csv")", R"(file = "test.csv")"},
+    Example{"sweep", R"([sweep] with method = "grid" and [sweep.axes] with mu0 = [0.3, 0.5])",
+            R"([sweep] with method = "grid" and [sweep.axes] with mu0 = [0.3, 0.5])"},
+    Example{"sweep.method", R"(method = "grid", or "latin hypercube")", R"(method = "grid", or "latin hypercube")"},
+    Example{"sweep.samples", "samples = 1000", "samples = 1000"},
+    Example{"sweep.seed", "seed = 1", "seed = 1"},
+    Example{"sweep.axes", "[sweep.axes] with mu0 = [0.3, 0.5]", "[sweep.axes] with mu0 = [0.3, 0.5]"},
 };
 
 // "specimen.diameter" as the user finds it: "[specimen] diameter".
 std::string field_name(std::string_view key) {
   const std::size_t dot = key.find('.');
   if (dot != std::string_view::npos) return fmt::format("[{}] {}", key.substr(0, dot), key.substr(dot + 1));
-  for (const std::string_view section : {"specimen", "rig", "friction", "stage", "record"})
+  for (const std::string_view section : {"specimen", "rig", "friction", "stage", "record", "sweep"})
     if (key == section) return fmt::format("[{}]", key);
   return std::string(key);
 }
@@ -612,12 +618,16 @@ void write(Writer& out, const RecordInput& record) {
 
 }  // namespace
 
-Case read_case(std::string_view text, const std::string& source) {
+Case read_case(std::string_view text, const std::string& source) { return read_case(text, source, {}); }
+
+Case read_case(std::string_view text, const std::string& source, const std::vector<std::string>& other_sections) {
   const toml::table table = parse_toml(text, source);
   Case input{source, false, {}, {}, {}, {}, {}, {}};
   note_lines(table, "", input);
   const Keys top(table, "", input);
-  top.only({"reduced", "specimen", "rig", "friction", "stage", "record"});
+  std::vector<std::string> known{"reduced", "specimen", "rig", "friction", "stage", "record"};
+  known.insert(known.end(), other_sections.begin(), other_sections.end());
+  top.only(known);
   if (const toml::node* reduced = top.find("reduced")) {
     if (!reduced->is_boolean()) top.refuse("reduced", "true or false", kind_of_node(*reduced));
     input.reduced = reduced->value_or(false);
@@ -643,7 +653,9 @@ Case read_case(std::string_view text, const std::string& source) {
   return input;
 }
 
-Case read_case(const std::string& path) {
+Case read_case(const std::string& path) { return read_case(case_text(path), path == "-" ? "standard input" : path); }
+
+std::string case_text(const std::string& path) {
   const std::string source = path == "-" ? "standard input" : path;
   const std::shared_ptr<std::istream> in = open_to_read(path);
   std::string text(largest_file + 1, '\0');
@@ -652,7 +664,7 @@ Case read_case(const std::string& path) {
   text.resize(static_cast<std::size_t>(in->gcount()));
   if (text.size() > largest_file)
     throw InputError({.file = source, .expected = "a case file (TOML)", .found = "a file of more than 1 MiB"});
-  return read_case(text, source);
+  return text;
 }
 
 std::string to_toml(const Case& input) {

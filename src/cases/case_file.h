@@ -194,8 +194,15 @@ struct Case {
 // Fails:      InputError with file, line and key.
 Case read_case(std::string_view text, const std::string& source);
 
+// The same for a file with more in it: sections that are another reader's are let through, and their lines noted.
+Case read_case(std::string_view text, const std::string& source, const std::vector<std::string>& other_sections);
+
 // The same from a file; "-" is standard input.
 Case read_case(const std::string& path);
+
+// The text of a case file; "-" is standard input.
+// Fails:      InputError if it cannot be read, or is too long for a case.
+std::string case_text(const std::string& path);
 
 // The case as TOML text: read_case gives the same case back, to the last bit, in the same working directory.
 std::string to_toml(const Case& input);

@@ -1,8 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -19,6 +16,7 @@
 #include "cases/campaign_run.h"
 #include "cli/analysis_flags.h"
 #include "cli/commands.h"
+#include "cli/interruption.h"
 #include "cli/output.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
@@ -42,27 +40,6 @@ struct CampaignRequest {
   AnalysisFlags flags;
   std::vector<std::string> shared;
   Output output;
-};
-
-constexpr int exit_interrupted = 130;
-
-// Set by whoever interrupts the program; the tests that are being computed are
-// finished and kept.
-std::atomic<bool> interrupted = false;
-
-class WhileInterruptible {
- public:
-  WhileInterruptible() {
-    for (const int signal : {SIGINT, SIGTERM})
-      std::signal(signal, [](int) {
-        if (interrupted.exchange(true)) std::_Exit(exit_interrupted);  // asked twice
-      });
-  }
-  ~WhileInterruptible() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
-  }
-  WhileInterruptible(const WhileInterruptible&) = delete;
-  WhileInterruptible& operator=(const WhileInterruptible&) = delete;
 };
 
 // The files of one test: all that `fit` writes.
@@ -96,7 +73,7 @@ CampaignOptions options_of(const CampaignRequest& request) {
   CampaignOptions options;
   options.analysis = [&request](const Case& input) { return options_for(input, request.flags); };
   options.threads = request.jobs;
-  options.stop = &interrupted;
+  options.stop = &interrupted();
   if (!request.report.empty()) {
     options.folder = (std::filesystem::path(request.report) / "tests").string();
     options.present = [&request](const FittedTest& test, const std::string& folder) {
@@ -149,7 +126,7 @@ void run_campaign_command(const CampaignRequest& request) {
   CampaignOptions options = options_of(request);
   const auto run = [&] {
     const WhileInterruptible guard;
-    const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs, &interrupted);
+    const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs, &interrupted());
     options.held = shared.held;
     CampaignRun computed = run_campaign(shared.plan, options);
     computed.campaign.shared = shared.parameters;

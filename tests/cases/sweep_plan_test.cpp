@@ -208,10 +208,10 @@ TEST_CASE("table: what a sweep cannot be is refused with line, key and remedy") 
               "points = 1000000 }\n",
        {"[sweep] axes", "at most 1e+12 designs", "1e+24", "fewer points"}},
   };
-  for (const auto& [sweep, words] : table) {
-    const std::string message = says(sweep);
-    for (const std::string& word : words) {
-      INFO(sweep, message);
+  for (const Row& row : table) {
+    const std::string message = says(row.sweep);
+    for (const std::string& word : row.words) {
+      INFO(row.sweep, message);
       CHECK(message.find(word) != std::string::npos);
     }
   }

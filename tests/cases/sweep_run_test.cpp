@@ -59,6 +59,7 @@ TEST_CASE("identity: shards share out all chunks, none twice, evenly") {
   CHECK(rows == 5000);
   CHECK(run_sweep(parts, some_rows(), {}).rows_found == 5000);
   CHECK(run_sweep(parts, some_rows(), {.shard = {900, 1000}}).rows_computed == 0);  // more shards than chunks
+  CHECK(run_sweep(parts, some_rows(), {.shard = {2, ~std::uint64_t{0}}}).rows_found == rows_in_chunk(plan));
   CHECK(message_of([&] { run_sweep(parts, some_rows(), {.shard = {3, 2}}); }) == "no shard 3 of 2");
 }
 
@@ -101,7 +102,7 @@ TEST_CASE("identity: stopped at any row, a sweep keeps the chunks that are done,
   run_sweep(whole, some_rows(), {});
   const SweepParts parts(folder.path() / "parts", plan);
   std::uint64_t kept = 0;
-  for (const std::uint64_t rows : {10, 64, 100, 200}) {
+  for (const std::uint64_t rows : {10U, 64U, 100U, 200U}) {
     std::atomic<bool> stop = false;
     const auto run =
         run_sweep(parts, some_rows(),

@@ -100,12 +100,5 @@ TEST_CASE("table: a file that cannot be written is refused by its name, with the
   CHECK(message.find("No such file or directory") != std::string::npos);
 }
 
-TEST_CASE("outside: a disk that is full is told of") {
-  if (!std::filesystem::exists("/dev/full")) return;
-  const TemporaryFolder folder;
-  std::filesystem::create_symlink("/dev/full", folder.path() / "full.h5");
-  CHECK(message_of([&] { write_some_file(folder.path() / "full.h5", rows); }) != "");
-}
-
 }  // namespace
 }  // namespace flexslip

@@ -2,9 +2,11 @@
 """Sweeps from outside: a grid of designs in, one HDF5 file out, the same bytes whatever happened on the way."""
 import json
 import os
+import pathlib
 import pty
 import random
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -229,6 +231,20 @@ class Sweep(InFolder):
         self.succeeds("merge", parts)
         self.assertEqual(output.read_bytes(), whole)
 
+    @unittest.skipUnless(pathlib.Path("/dev/full").exists(), "a disk that is always full")
+    def test_a_disk_that_is_full_loses_nothing(self):
+        case = self.file("map.toml", grid(20, 20))
+        output = self.folder / "map.h5"
+        whole = self.sweep(case, "whole.h5")
+        (self.folder / "map.h5.unfinished").symlink_to("/dev/full")
+        # HDF5 1.10 does not free all that it had to write to a file that cannot be written.
+        result = subprocess.run([PROGRAM, "sweep", case, "--output", output], capture_output=True, text=True, timeout=60,
+                                env={**os.environ, "ASAN_OPTIONS": "detect_leaks=0"})
+        self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+        self.assertIn("map.h5.unfinished: expected a file that can be written, found No space left on device", result.stderr)
+        self.assertEqual(run("sweep", case, "--output", output).stdout, f"{output}: 400 designs (400 ok)\n")
+        self.assertEqual(output.read_bytes(), whole)
+
     def test_another_sweep_is_not_mixed_in(self):
         case, other = self.file("map.toml", grid(5, 4)), self.file("other.toml", grid(5, 5))
         output = self.folder / "map.h5"
@@ -242,6 +258,15 @@ class Sweep(InFolder):
         self.succeeds("sweep", case, "--output", self.folder / "a.h5", "--shard", "1/1")
         self.succeeds("sweep", other, "--output", self.folder / "b.h5", "--shard", "1/1")
         self.refused("merge", self.folder / "a.h5.parts", self.folder / "b.h5.parts", says=["b.h5.parts", "leave it out"])
+
+    @unittest.skipUnless(shutil.which("parallel"), "skipped: no GNU parallel")
+    def test_the_line_for_gnu_parallel_is_true(self):
+        case = self.file("map.toml", grid(20, 20))
+        line, = re.findall("^parallel flexslip .*$", (SOURCE / "docs/sweeps.md").read_text(encoding="utf-8"), re.MULTILINE)
+        path = f"{pathlib.Path(PROGRAM).resolve().parent}:{os.environ['PATH']}"
+        subprocess.run(["bash", "-c", line], cwd=self.folder, env={**os.environ, "PATH": path, "HOME": str(self.folder)}, check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
+        self.assertEqual((self.folder / "map.h5").read_bytes(), self.sweep(case, "whole.h5"))
 
     def test_what_cannot_be_is_refused_before_it_starts(self):
         case = self.file("huge.toml", grid(1000000, 1000000))
@@ -257,6 +282,7 @@ class Sweep(InFolder):
         self.refused("merge", self.folder, says=["--output"])
         self.refused("sweep", case, "--output", case / "map.h5", says=["map.h5.parts", "a folder that can be written to"])
 
+    @unittest.skipUnless(os.environ.get("FLEXSLIP_CONFIG", "Release") == "Release", "sanitizers keep memory")
     def test_memory_does_not_grow_with_the_designs(self):
         # Shorter paths: it is not they that are measured.
         short = CASE.replace('"200 um"', '"20 um"').replace("0.3\n", "0.01\n")

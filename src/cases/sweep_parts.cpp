@@ -1,0 +1,171 @@
+#include "cases/sweep_parts.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cases/sweep_row.h"
+#include "io/durable_file.h"
+#include "io/input_error.h"
+#include "io/json.h"
+#include "io/sha256.h"
+
+namespace flexslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+static_assert(std::endian::native == std::endian::little, "parts may be read on another computer");
+
+constexpr int layout = 1;  // of the folder and its parts: another one is not read
+constexpr const char* plan_name = "sweep.json";
+constexpr std::string_view part_prefix = "part-";
+constexpr std::size_t checksum_size = 64;  // [bytes]
+
+std::string sha256_of(std::string_view bytes) {
+  std::istringstream in{std::string(bytes)};
+  return digest_of(in).sha256;
+}
+
+[[noreturn]] void refuse(const fs::path& folder, std::string found, std::string remedy) {
+  throw InputError({.file = folder.string(),
+                    .expected = "the parts of this sweep",
+                    .found = std::move(found),
+                    .remedy = std::move(remedy)});
+}
+
+// What the folder says it is for; none if it says nothing.
+struct Label {
+  std::string version, digest, source, text;
+};
+
+std::optional<Label> read_label(const fs::path& folder) {
+  std::ifstream in(folder / plan_name, std::ios::binary);
+  if (!in) return std::nullopt;
+  try {
+    const Json json = Json::parse(in);
+    if (json.at("layout") != layout)
+      refuse(folder, "those of another version of FlexSlip", "go on with that version, or remove the folder");
+    return Label{json.at("version").get<std::string>(), json.at("digest").get<std::string>(),
+                 json.at("source").get<std::string>(), json.at("text").get<std::string>()};
+  } catch (const Json::exception&) {
+    refuse(folder, fmt::format("a damaged {}", plan_name), "remove the folder: the sweep is computed anew");
+  }
+}
+
+void write_label(const fs::path& folder, const SweepPlan& plan, const std::string& digest) {
+  const Json json{{"layout", layout}, {"program", "FlexSlip"},       {"version", FLEXSLIP_VERSION},
+                  {"digest", digest}, {"source", plan.input.source}, {"text", plan.text}};
+  write_durably(folder / plan_name, json.dump(1) + "\n");
+}
+
+Label label_of(const fs::path& folder) {
+  auto label = read_label(folder);
+  if (!label)
+    throw InputError({.file = folder.string(),
+                      .expected = "a folder of parts, as flexslip sweep makes it beside its output",
+                      .found = fs::is_directory(folder) ? fmt::format("one without {}", plan_name) : "no such folder"});
+  if (label->version != FLEXSLIP_VERSION)
+    refuse(folder, fmt::format("those of FlexSlip {}, and this is {}", label->version, FLEXSLIP_VERSION),
+           "join them with that version, or compute the sweep anew");
+  return *std::move(label);
+}
+
+SweepPlan plan_of(const Label& label) { return read_sweep(label.text, label.source); }
+
+}  // namespace
+
+SweepParts::SweepParts(fs::path folder, const SweepPlan& plan)
+    : folder_(std::move(folder)), plan_(plan), digest_(digest_of(plan)), columns_(columns_of(plan).size()) {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error)
+    throw InputError(
+        {.file = folder_.string(), .expected = "a folder that can be written to", .found = error.message()});
+  const auto label = read_label(folder_);
+  if (!label) write_label(folder_, plan_, digest_);
+  if (label && label->digest != digest_)
+    refuse(folder_,
+           label->version == FLEXSLIP_VERSION
+               ? fmt::format("those of another one, of {} as it was", in_quotes(label->source))
+               : fmt::format("those of FlexSlip {}", label->version),
+           "pass another --output, or remove the folder if they are not needed");
+}
+
+SweepParts::SweepParts(fs::path folder)
+    : folder_(std::move(folder)),
+      plan_(plan_of(label_of(folder_))),
+      digest_(label_of(folder_).digest),
+      columns_(columns_of(plan_).size()) {}
+
+fs::path SweepParts::file_of(std::uint64_t chunk) const {
+  return folder_ / fmt::format("{}{:06}", part_prefix, chunk + 1);
+}
+
+std::string SweepParts::head_of(std::uint64_t chunk) const {
+  const auto [first, count] = rows_of_chunk(plan_, chunk);
+  return fmt::format("FlexSlip sweep {}\nplan {}\nrows {} to {}\ncolumns {}\n", layout, digest_, first + 1,
+                     first + count, columns_);
+}
+
+Part SweepParts::read(std::uint64_t chunk) const {
+  std::ifstream in(file_of(chunk), std::ios::binary);
+  if (!in) return {PartState::missing, {}};
+  const std::string head = head_of(chunk);
+  const std::size_t values = columns_ * rows_of_chunk(plan_, chunk).count;
+  const std::size_t body = head.size() + values * sizeof(double);
+  std::string bytes(body + checksum_size + 1, '\0');  // one more than there should be
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const auto got = static_cast<std::size_t>(in.gcount());
+  const std::string_view all(bytes.data(), got);
+  if (got != body + checksum_size || !all.starts_with(head) || all.substr(body) != sha256_of(all.substr(0, body)))
+    return {PartState::damaged, {}};
+  Part part{PartState::whole, std::vector<double>(values)};
+  std::memcpy(part.values.data(), bytes.data() + head.size(), values * sizeof(double));
+  return part;
+}
+
+void SweepParts::write(std::uint64_t chunk, std::span<const double> values) const {
+  if (values.size() != columns_ * rows_of_chunk(plan_, chunk).count)
+    throw std::invalid_argument(fmt::format("SweepParts::write: {} values", values.size()));
+  std::string bytes = head_of(chunk);
+  const std::size_t head = bytes.size();
+  bytes.resize(head + values.size_bytes());
+  std::memcpy(bytes.data() + head, values.data(), values.size_bytes());
+  bytes += sha256_of(bytes);
+  write_durably(file_of(chunk), bytes);
+}
+
+void SweepParts::remove(std::uint64_t chunk) const {
+  std::error_code absent;
+  fs::remove(file_of(chunk), absent);
+}
+
+void SweepParts::remove_all() const {
+  std::vector<fs::path> ours;
+  std::error_code error;
+  for (auto file = fs::directory_iterator(folder_, error); !error && file != fs::directory_iterator();
+       file.increment(error))
+    if (file->path().filename().string().starts_with(part_prefix) || is_unfinished(file->path()))
+      ours.push_back(file->path());
+  for (const fs::path& file : ours) fs::remove(file, error);
+  fs::remove(folder_ / plan_name, error);  // last: without it, nobody would know what the others are
+  fs::remove(folder_, error);
+}
+
+double bytes_of_parts(const SweepPlan& plan) {
+  constexpr double block = 4096;  // [bytes] files take whole blocks
+  constexpr double head = 256;    // [bytes] at most, with the checksum
+  const auto of_rows = static_cast<double>(rows_in_chunk(plan) * columns_of(plan).size() * sizeof(double));
+  return static_cast<double>(chunks_of(plan)) * block * std::ceil((of_rows + head) / block);
+}
+
+}  // namespace flexslip

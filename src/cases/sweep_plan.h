@@ -1,0 +1,89 @@
+// A sweep: a case some of whose numbers go through a grid or a Latin hypercube (docs/sweeps.md). A row is one design.
+//
+// Every row follows from the plan alone, so that any computer can compute any of them: with the operations of IEEE 754
+// only, which give the same bits on all.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cases/case_file.h"
+#include "cases/design_case.h"
+
+namespace flexslip {
+
+enum class Spacing { linear, logarithmic };
+
+// From one end to the other, both finite and included; logarithmic ones are positive.
+struct AxisRange {
+  double from, to;  // SI or reduced, as the case
+  Spacing spacing;
+  std::uint64_t points;  // of a grid, at least 2; 0 in a Latin hypercube
+};
+
+using AxisValues = std::vector<double>;  // at least one; only in a grid
+
+struct SweepAxis {
+  DesignParameterName parameter;
+  std::variant<AxisRange, AxisValues> values;
+};
+
+// Every value of an axis with every value of the others; the last axis changes fastest.
+struct Grid {};
+
+// Every axis is cut into as many strata as there are samples, and each stratum is met once.
+struct LatinHypercube {
+  std::uint64_t samples;
+  std::uint64_t seed;
+};
+
+struct SweepPlan {
+  Case input;
+  std::string text;             // the whole file
+  std::vector<SweepAxis> axes;  // at least one, as the file orders them
+  std::variant<Grid, LatinHypercube> method;
+  std::uint64_t rows;  // at least 1
+};
+
+// Reads a case with a section [sweep].
+// Fails:      InputError with file, line and key.
+SweepPlan read_sweep(std::string_view text, const std::string& source);
+
+// The same from a file; "-" is standard input. All that the axes hold is checked to be a number that the case may have.
+SweepPlan read_sweep(const std::string& path);
+
+// [1] points of each axis of a grid; empty for a Latin hypercube.
+std::vector<std::uint64_t> shape_of(const SweepPlan& plan);
+
+// All values of an axis of a grid, in their order.
+std::vector<double> values_of(const SweepAxis& axis);
+
+// The value of a range at t in [0, 1]; at 0 and 1 its ends, exactly.
+// Max error:  4 ulp if linear, 30 ulp if logarithmic.
+// Method:     linear; or halving the ratio of the ends by square roots until it is linear to rounding.
+double value_at(const AxisRange& range, double t);
+
+// The numbers of a row, one for each axis: SI or reduced, as the case.
+// Domain:     row < plan.rows; std::invalid_argument otherwise.
+// Method:     for a Latin hypercube, the stratum of a row is that of a keyed permutation, a Feistel network walked along its
+//             cycles until it is back in range; so no table of the permutation is held.
+std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row);
+
+// Rows are computed, kept and counted out to computers in chunks of this many; the last one may have fewer.
+std::uint64_t rows_in_chunk(const SweepPlan& plan);
+std::uint64_t chunks_of(const SweepPlan& plan);
+
+struct RowSpan {
+  std::uint64_t first, count;
+};
+RowSpan rows_of_chunk(const SweepPlan& plan, std::uint64_t chunk);
+
+// What the answers depend on, as 64 hexadecimal digits: the case with the content of its files, the axes, the version of the
+// program. Comments, layout and file names are not in it.
+// Fails:      InputError if a file of the case cannot be read.
+std::string digest_of(const SweepPlan& plan);
+
+}  // namespace flexslip

@@ -1,0 +1,48 @@
+// A row of a sweep: the numbers that make a design, and what its test will show.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/design_case.h"
+#include "cases/sweep_plan.h"
+#include "io/hdf5.h"
+
+namespace flexslip {
+
+struct SweepColumn {
+  std::string path;         // in the HDF5 file, "/outcomes/snaps"
+  std::string units;        // "N"; "EI/L^2" if the case is reduced; "1" of a plain number
+  std::string description;  // a sentence without its full stop
+  StoredAs stored_as;
+};
+
+// The inputs, in the order of the axes, and after them the outcomes.
+std::vector<SweepColumn> columns_of(const SweepPlan& plan);
+
+enum class RowStatus {
+  ok,
+  slipped_through,  // the outcomes are those up to there
+  impossible,       // there is no such test, or it cannot be computed: all outcomes are NaN, counts 0
+};
+std::vector<std::string> row_status_words();
+
+// The column whose values are RowStatus.
+std::size_t status_column(const SweepPlan& plan);
+
+// Computes rows; what it answers does not depend on what it was asked before.
+class RowComputer {
+ public:
+  // Fails:      InputError as DesignCase.
+  explicit RowComputer(const SweepPlan& plan);
+
+  // The outcomes of a row, one for each of their columns.
+  std::vector<double> operator()(std::span<const double> inputs);
+
+ private:
+  std::vector<DesignParameter> parameters_;
+  DesignCase case_;
+};
+
+}  // namespace flexslip

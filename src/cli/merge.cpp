@@ -1,0 +1,85 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cases/sweep_file.h"
+#include "cases/sweep_parts.h"
+#include "cli/commands.h"
+#include "cli/sweep_output.h"
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+struct MergeRequest {
+  std::vector<std::string> folders;
+  std::optional<std::string> path;
+  bool keep_parts = false;
+  Output output;
+};
+
+std::string output_of(const MergeRequest& request) {
+  if (request.path) return *request.path;
+  std::filesystem::path folder = std::filesystem::path(request.folders.front()).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();  // "map.h5.parts/"
+  if (folder.extension() != ".parts")
+    throw InputError({.field = "--output",
+                      .expected = "the file to write",
+                      .found = fmt::format("none, and {} does not end in .parts", in_quotes(folder.string())),
+                      .remedy = "pass --output FILE"});
+  return folder.replace_extension().string();
+}
+
+void run_merge(const MergeRequest& request) {
+  const std::string path = output_of(request);
+  // A job that is run again after its work was done.
+  const bool is_gone = !std::filesystem::exists(request.folders.front());
+  if (is_gone && std::filesystem::exists(path) && digest_of_sweep_file(path))
+    return note(request.output, fmt::format("{} is complete already, and its parts are removed", path));
+
+  std::vector<SweepParts> folders;
+  folders.reserve(request.folders.size());
+  for (const std::string& folder : request.folders) {
+    folders.emplace_back(folder);
+    if (folders.back().digest() != folders.front().digest())
+      throw InputError({.file = folder,
+                        .expected = fmt::format("parts of the same sweep as in {}", request.folders.front()),
+                        .found = "those of another one",
+                        .remedy = "leave it out"});
+  }
+  if (is_complete(path, folders.front().digest())) note(request.output, fmt::format("{} is replaced", path));
+  if (request.keep_parts)
+    join_and_keep_parts(folders, path, request.output);
+  else
+    join_parts(folders, path, request.output);
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& app) {
+  const auto request = std::make_shared<MergeRequest>();
+  CLI::App* command = app.add_subcommand("merge", "The parts of a sweep in one file, once all shards are computed");
+  command->add_option("folders", request->folders, "Folder of parts, FILE.parts; several if shards were computed apart")
+      ->type_name("FOLDER")
+      ->required();
+  command->add_option("-o,--output", request->path, "HDF5 file to write")
+      ->type_name("FILE")
+      ->default_str("the first folder without .parts");
+  command->add_flag("--keep-parts", request->keep_parts, "Leave the parts where they are");
+  command->add_flag("--json", request->output.json, "Say in JSON what came of it");
+  command->add_flag("--quiet", request->output.quiet, "No remarks on standard error, only errors");
+  command->footer(
+      "If parts are missing or damaged, no file is written: they are listed with their rows, and with the call that\n"
+      "computes only these; the exit code is 1. The parts are removed once the file is whole and safe on the disk, so\n"
+      "nothing is lost if the merge is stopped. Memory does not grow with the sweep.\n\n"
+      "Examples:\n"
+      "  flexslip merge map.h5.parts\n"
+      "  flexslip merge here/map.h5.parts there/map.h5.parts --output map.h5");
+  command->callback([request] { run_merge(*request); });
+}
+
+}  // namespace flexslip

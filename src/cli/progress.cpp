@@ -1,0 +1,59 @@
+#include "cli/progress.h"
+
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace flexslip {
+namespace {
+
+std::string in_words(double seconds) {
+  if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+  const double minutes = seconds / 60;
+  return minutes < 100 ? fmt::format("{:.0f} min", minutes) : fmt::format("{:.1f} h", minutes / 60);
+}
+
+class Display {
+ public:
+  explicit Display(std::string what) : what_(std::move(what)) {}
+
+  void show(std::uint64_t done, std::uint64_t all) {
+    constexpr std::chrono::milliseconds often(200);
+    const bool is_last = done == all;
+    const auto now = Clock::now();
+    if (now < next_.load(std::memory_order_relaxed) && !is_last) return;
+    const std::lock_guard lock(mutex_);
+    if (done < shown_) return;  // another thread was faster
+    shown_ = done;
+    next_ = now + often;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double left = seconds * static_cast<double>(all - done) / static_cast<double>(done);
+    std::cerr << fmt::format("\r{} of {} {}, {} left   {}", done, all, what_, in_words(left), is_last ? "\n" : "")
+              << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string what_;
+  Clock::time_point start_ = Clock::now();
+  std::atomic<Clock::time_point> next_ = start_;
+  std::mutex mutex_;
+  std::uint64_t shown_ = 0;
+};
+
+}  // namespace
+
+ProgressFunction progress_of(const std::string& what, const Output& output) {
+  if (output.quiet || isatty(STDERR_FILENO) != 1) return {};
+  return
+      [display = std::make_shared<Display>(what)](std::uint64_t done, std::uint64_t all) { display->show(done, all); };
+}
+
+}  // namespace flexslip

@@ -1,0 +1,77 @@
+#include "cli/slurm_script.h"
+
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cli/shell_word.h"
+
+namespace flexslip {
+namespace {
+
+// A file name as sbatch reads it: % begins what it replaces.
+std::string sbatch_name(std::string_view path) {
+  std::string name;
+  for (const char c : path) name += c == '%' ? "%%" : std::string(1, c);
+  return name;
+}
+
+std::string words_of(double minutes) {
+  return minutes < 1 ? "less than a minute" : fmt::format("about {:.0f} minutes", minutes);
+}
+
+constexpr std::string_view script = R"script(#!/bin/bash
+# A sweep of FlexSlip as an array of jobs, each {minutes} on {threads} threads.
+#
+#   bash THIS_FILE      submits the array, and a job after it that joins the parts
+#   sbatch THIS_FILE    submits the array alone
+#
+# Whatever ends a job, running this again computes only what is missing.
+#
+#SBATCH --job-name={job}
+#SBATCH --array=1-{shards}
+#SBATCH --cpus-per-task={threads}
+#SBATCH --time={time:.0f}
+#SBATCH --output="{log}"
+#SBATCH --open-mode=append
+# As your cluster wants it; "##" leaves a line out. A job needs little memory, however large the sweep.
+##SBATCH --mem=1G
+##SBATCH --partition=NAME
+##SBATCH --account=NAME
+
+FLEXSLIP={program}   # as the compute nodes see it
+CASE={case_file}
+OUTPUT={output}
+
+# Outside of the array: submit it, and the merge when all its jobs have ended. afterany, not afterok: if a job failed, the
+# merge writes no file, but says in the log which parts are missing and how to compute them.
+if [[ -z ${{SLURM_ARRAY_TASK_ID:-}} ]]; then
+  set -euo pipefail
+  array=$(sbatch --parsable "$0")
+  array=${{array%%;*}}   # without the name of the cluster
+  merge=$(sbatch --parsable --dependency="afterany:$array" --job-name={job} --output={log_word} --open-mode=append \
+    --wrap "$(printf '%q ' "$FLEXSLIP" merge "$OUTPUT.parts" --output "$OUTPUT")")
+  echo "array job $array, merge job ${{merge%%;*}}; watch them with: squeue --me"
+  exit
+fi
+
+exec "$FLEXSLIP" sweep "$CASE" --output "$OUTPUT" --shard "$SLURM_ARRAY_TASK_ID/{shards}" --threads "$SLURM_CPUS_PER_TASK"
+)script";
+
+}  // namespace
+
+std::string slurm_script(const SlurmJobs& jobs) {
+  constexpr double safety = 3;         // nodes differ, and so do the designs of a sweep
+  constexpr double least_minutes = 5;  // for starting up
+  const std::string log = sbatch_name(jobs.output + ".log");
+  return fmt::format(script, fmt::arg("minutes", words_of(jobs.minutes)), fmt::arg("threads", jobs.threads),
+                     fmt::arg("job", shell_word(std::filesystem::path(jobs.output).filename().string())),
+                     fmt::arg("shards", jobs.shards),
+                     fmt::arg("time", std::ceil(safety * jobs.minutes + least_minutes)), fmt::arg("log", log),
+                     fmt::arg("program", shell_word(jobs.program)), fmt::arg("case_file", shell_word(jobs.case_file)),
+                     fmt::arg("output", shell_word(jobs.output)), fmt::arg("log_word", shell_word(log)));
+}
+
+}  // namespace flexslip

@@ -1,0 +1,19 @@
+// A sweep as an array of jobs of Slurm.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace flexslip {
+
+struct SlurmJobs {
+  std::string program, case_file, output;  // absolute paths
+  std::uint64_t shards;
+  unsigned threads;  // of each job
+  double minutes;    // that a job is expected to take
+};
+
+// A commented script that submits itself, and the merge after it.
+std::string slurm_script(const SlurmJobs& jobs);
+
+}  // namespace flexslip

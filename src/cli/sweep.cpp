@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "cases/sweep_parts.h"
+#include "cases/sweep_plan.h"
+#include "cases/sweep_run.h"
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/progress.h"
+#include "cli/shell_word.h"
+#include "cli/slurm_script.h"
+#include "cli/sweep_output.h"
+#include "io/input_error.h"
+#include "io/text_file.h"
+
+namespace flexslip {
+namespace {
+
+struct SweepRequest {
+  std::string file;
+  std::optional<std::string> path;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string shard;
+  bool keep_parts = false;
+  std::string slurm;
+  double minutes = 10;
+  std::optional<std::uint64_t> shards;
+  Output output;
+};
+
+std::string output_of(const SweepRequest& request) {
+  if (request.path) return *request.path;
+  if (request.file == "-")
+    throw InputError({.field = "--output",
+                      .expected = "the file to write, as the case has no name",
+                      .found = "none",
+                      .remedy = "pass --output FILE"});
+  return std::filesystem::path(request.file).filename().replace_extension(".h5").string();
+}
+
+Shard shard_of(const SweepRequest& request) {
+  Shard shard;
+  if (request.shard.empty()) return shard;
+  const char* const end = request.shard.data() + request.shard.size();
+  const auto index = std::from_chars(request.shard.data(), end, shard.index);
+  const bool has_count = index.ec == std::errc{} && index.ptr != end && *index.ptr == '/';
+  const auto count = has_count ? std::from_chars(index.ptr + 1, end, shard.count) : index;
+  if (!has_count || count.ec != std::errc{} || count.ptr != end || shard.index < 1 || shard.index > shard.count)
+    throw InputError({.field = "--shard",
+                      .expected = "I/N, the I-th of N shards, counted from 1",
+                      .found = in_quotes(request.shard)});
+  return shard;
+}
+
+std::string absolute(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
+
+void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, const std::string& path) {
+  constexpr double most_jobs = 1000;  // Slurm's usual limit on an array
+  if (request.file == "-")
+    throw InputError({.field = "--slurm", .expected = "a case file that the jobs can read", .found = "standard input"});
+  const double minutes = seconds_of_design(plan, designs_of(plan)) * static_cast<double>(plan.rows) / 60 /
+                         static_cast<double>(request.threads);
+  const double wanted = std::clamp(std::ceil(minutes / request.minutes), 1.0, most_jobs);
+  const std::uint64_t shards = std::min(request.shards.value_or(static_cast<std::uint64_t>(wanted)), chunks_of(plan));
+  write_text(request.slurm, slurm_script({.program = std::filesystem::read_symlink("/proc/self/exe").string(),
+                                          .case_file = absolute(request.file),
+                                          .output = absolute(path),
+                                          .shards = shards,
+                                          .threads = request.threads,
+                                          .minutes = minutes / static_cast<double>(shards)}));
+  note(request.output,
+       fmt::format("jobs: {}, for {:.2g} core hours of designs. To submit them, and the merge: bash {}", shards,
+                   minutes * static_cast<double>(request.threads) / 60, shell_word(request.slurm)));
+}
+
+SweepRun compute(const SweepRequest& request, const SweepParts& parts, const Shard& shard) {
+  const WhileInterruptible guard;
+  return run_sweep(parts, designs_of(parts.plan()),
+                   {.threads = request.threads,
+                    .shard = shard,
+                    .stop = &interrupted(),
+                    .progress = progress_of("designs", request.output)});
+}
+
+void report_shard(const SweepRequest& request, const SweepParts& parts, const Shard& shard, const SweepRun& run) {
+  const std::string folder = parts.folder().string();
+  if (request.output.json)
+    write_json("-", {{"status", "done"},
+                     {"parts", folder},
+                     {"shard", {shard.index, shard.count}},
+                     {"rows_found", run.rows_found},
+                     {"rows_computed", run.rows_computed}});
+  else
+    write_text("-", fmt::format("shard {} of {}: {} designs in {}; flexslip merge joins all shards\n", shard.index,
+                                shard.count, run.rows_found + run.rows_computed, folder));
+}
+
+void run_sweep_command(const SweepRequest& request) {
+  const Shard shard = shard_of(request);
+  const std::string path = output_of(request);
+  const SweepPlan plan = read_sweep(request.file);
+  const bool is_done = is_complete(path, digest_of(plan));
+  if (!is_done) require_space(plan, path);
+  if (!request.slurm.empty()) return write_slurm_script(request, plan, path);
+  if (is_done) {
+    note(request.output, fmt::format("{} is complete already", path));
+    // A merge may have been stopped before it had removed all parts.
+    if (std::filesystem::exists(parts_folder_of(path)) && !request.keep_parts)
+      SweepParts(parts_folder_of(path), plan).remove_all();
+    return;
+  }
+  const SweepParts parts(parts_folder_of(path), plan);
+  const SweepRun run = compute(request, parts, shard);
+  for (const std::uint64_t chunk : run.damaged)
+    note(request.output, fmt::format("{} was damaged, and is computed anew", parts.file_of(chunk).string()));
+  if (run.rows_found > 0)
+    note(request.output, fmt::format("{} of {} designs were kept by an earlier run", run.rows_found, plan.rows));
+  if (run.status == SweepStatus::stopped)
+    throw Interrupted(fmt::format("interrupted; {} designs are kept in {}, and the same command goes on from there",
+                                  run.rows_found + run.rows_computed, parts.folder().string()));
+  if (!request.shard.empty()) return report_shard(request, parts, shard, run);
+  if (request.keep_parts)
+    join_and_keep_parts({&parts, 1}, path, request.output);
+  else
+    join_parts({&parts, 1}, path, request.output);
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app) {
+  const auto request = std::make_shared<SweepRequest>();
+  CLI::App* command =
+      app.add_subcommand("sweep", "Thousands of designs of a test: a grid or a sample of them, in HDF5");
+  command->add_option("case", request->file, "Case file with a section [sweep]; - is standard input")
+      ->type_name("CASE")
+      ->required();
+  command->add_option("-o,--output", request->path, "HDF5 file to write")
+      ->type_name("FILE")
+      ->default_str("the case's name with .h5");
+  command->add_option("-j,--threads", request->threads, "Designs computed at the same time")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1U, 1024U))
+      ->default_str("the number of cores");
+  CLI::Option* shard =
+      command
+          ->add_option("--shard", request->shard, "Compute the I-th of N shards only, and leave the joining to `merge`")
+          ->type_name("I/N");
+  command->add_flag("--keep-parts", request->keep_parts, "Leave the parts where they are once they are joined");
+  CLI::Option* slurm = command
+                           ->add_option("--slurm", request->slurm,
+                                        "Write a script for an array of jobs of Slurm, and compute nothing yet")
+                           ->type_name("FILE");
+  slurm->excludes(shard);
+  command->add_option("--minutes", request->minutes, "With --slurm: how long a job is to take, about")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(0.1, 1e5).description(""))
+      ->capture_default_str()
+      ->needs(slurm);
+  command->add_option("--shards", request->shards, "With --slurm: the number of jobs")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber.description(""))
+      ->needs(slurm);
+  command->add_flag("--json", request->output.json, "Say in JSON what came of it");
+  command->add_flag("--quiet", request->output.quiet, "No remarks on standard error, only errors");
+  command->footer(
+      "The section [sweep] names the numbers of the case that vary:\n"
+      "  [sweep]\n"
+      "  method = \"grid\"          # or \"latin hypercube\", with samples = N and seed = N, and axes without points\n"
+      "  [sweep.axes]\n"
+      "  stiffness = { from = \"10 N/m\", to = \"1 kN/m\", points = 50, spacing = \"log\" }\n"
+      "  mu0 = [0.3, 0.4, 0.5]\n"
+      "Axes: mu0, amplitude, wavelength, phase, span, diameter, modulus, stiffness, travel, step.\n\n"
+      "What is computed lies in FILE.parts until all is joined in FILE: stopped at any moment, the same command goes "
+      "on\n"
+      "where it was. The file is the same, byte for byte, for any number of threads and shards.\n\n"
+      "Examples:\n"
+      "  flexslip sweep map.toml\n"
+      "  flexslip sweep map.toml --slurm map.slurm && bash map.slurm\n"
+      "  parallel flexslip sweep map.toml --threads 1 --shard {}/8 ::: $(seq 8) && flexslip merge map.h5.parts");
+  command->callback([request] { run_sweep_command(*request); });
+}
+
+}  // namespace flexslip

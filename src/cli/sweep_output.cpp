@@ -1,0 +1,114 @@
+#include "cli/sweep_output.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cases/sweep_file.h"
+#include "cases/sweep_row.h"
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/progress.h"
+#include "cli/shell_word.h"
+#include "io/input_error.h"
+#include "io/text_file.h"
+
+namespace flexslip {
+namespace {
+
+std::string_view word(PartState state) { return state == PartState::damaged ? "damaged" : "missing"; }
+
+std::size_t count_of(const std::vector<PartFault>& faults, PartState state) {
+  return static_cast<std::size_t>(
+      std::count_if(faults.begin(), faults.end(), [&](const PartFault& fault) { return fault.state == state; }));
+}
+
+Json faults_json(const std::vector<PartFault>& faults, const SweepPlan& plan) {
+  Json list = Json::array();
+  for (const PartFault& fault : faults) {
+    const auto [first, count] = rows_of_chunk(plan, fault.chunk);
+    list.push_back({{"file", fault.file}, {"rows", {first + 1, first + count}}, {"state", word(fault.state)}});
+  }
+  return list;
+}
+
+// The call that computes what is missing from a folder.
+std::string remedy(const SweepParts& parts) {
+  std::filesystem::path output = parts.folder();
+  output.replace_extension();  // .parts
+  return fmt::format("flexslip sweep {} --output {}", shell_word(parts.plan().input.source),
+                     shell_word(output.string()));
+}
+
+std::string words_of(const std::vector<PartFault>& faults, const SweepParts& parts, const std::string& path) {
+  constexpr std::size_t most = 20;
+  std::string text =
+      fmt::format("{} is not written: of {} parts, {} are missing and {} damaged\n", path, chunks_of(parts.plan()),
+                  count_of(faults, PartState::missing), count_of(faults, PartState::damaged));
+  for (std::size_t i = 0; i < std::min(faults.size(), most); ++i) {
+    const auto [first, count] = rows_of_chunk(parts.plan(), faults[i].chunk);
+    text += fmt::format("  {}, rows {} to {}: {}\n", faults[i].file, first + 1, first + count, word(faults[i].state));
+  }
+  if (faults.size() > most) text += fmt::format("  and {} more (--json lists all)\n", faults.size() - most);
+  return text +
+         fmt::format("To compute only these, and join all: {}\nIn jobs: the same with --shard I/N, for any I and N",
+                     remedy(parts));
+}
+
+Json counts_json(const std::vector<std::uint64_t>& counts) {
+  Json json = Json::object();
+  const std::vector<std::string> words = row_status_words();
+  for (std::size_t i = 0; i < words.size(); ++i) json[words[i]] = counts[i];
+  return json;
+}
+
+std::string words_of(const std::vector<std::uint64_t>& counts) {
+  std::string text;
+  const std::vector<std::string> words = row_status_words();
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], words[i]);
+  return text;
+}
+
+}  // namespace
+
+bool is_complete(const std::string& path, const std::string& digest) {
+  if (!std::filesystem::exists(path)) return false;
+  const auto found = digest_of_sweep_file(path);
+  if (found == digest) return true;
+  throw InputError({.file = path,
+                    .expected = "no file, or that of this sweep",
+                    .found = found ? "that of another sweep, or of another version" : "another file",
+                    .remedy = "pass another --output, or remove it"});
+}
+
+void join_and_keep_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output) {
+  const SweepPlan& plan = folders.front().plan();
+  const SweepMerge merge = [&] {
+    const WhileInterruptible guard;
+    return merge_sweep(folders, path, {.stop = &interrupted(), .progress = progress_of("designs joined", output)});
+  }();
+  if (merge.status == MergeStatus::stopped)
+    throw Interrupted(fmt::format("interrupted; all parts are kept in {}, and the same command joins them",
+                                  folders.front().folder().string()));
+  const bool is_done = merge.status == MergeStatus::done;
+  if (output.json)
+    write_json("-", {{"status", is_done ? "done" : "incomplete"},
+                     {"file", path},
+                     {"rows", plan.rows},
+                     {"counts", is_done ? counts_json(merge.counts) : Json(nullptr)},
+                     {"faults", faults_json(merge.faults, plan)}});
+  if (!is_done) throw CalculationFailed(words_of(merge.faults, folders.front(), path));
+  if (!output.json) write_text("-", fmt::format("{}: {} designs ({})\n", path, plan.rows, words_of(merge.counts)));
+}
+
+void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output) {
+  join_and_keep_parts(folders, path, output);
+  for (const SweepParts& parts : folders) parts.remove_all();
+}
+
+}  // namespace flexslip
