@@ -8,6 +8,7 @@
 #include <hwy/targets.h>
 
 #include "bench/reference.h"
+#include "bending_test/critical_stiffness.h"
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
 #include "bending_test/rig.h"
@@ -16,6 +17,7 @@
 #include "fibre/elastica.h"
 #include "fibre/state_table.h"
 #include "inference/analysis.h"
+#include "inference/design.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {
@@ -117,6 +119,21 @@ void curve_with_25_snaps(benchmark::State& run) {
   run.counters["snaps"] = static_cast<double>(parts - 1);
 }
 BENCHMARK(curve_with_25_snaps)->Unit(benchmark::kMicrosecond);
+
+// What `flexslip sweep` computes for each row, and `flexslip design` besides.
+const Friction design_friction = Friction::sinusoid(0.5, 0.15, 10.9 / 1278, 1);
+
+void design_with_33_snaps(benchmark::State& run) {
+  std::size_t snaps = 0;
+  for (auto _ : run) snaps = outcome_of({design_friction, {90}, 0.66, 2.0 / 1278}).snaps;
+  run.counters["snaps"] = static_cast<double>(snaps);
+}
+BENCHMARK(design_with_33_snaps)->Unit(benchmark::kMicrosecond);
+
+void critical_stiffness_of_33_snaps(benchmark::State& run) {
+  for (auto _ : run) benchmark::DoNotOptimize(critical_stiffness(design_friction, 0.55));
+}
+BENCHMARK(critical_stiffness_of_33_snaps)->Unit(benchmark::kMicrosecond);
 
 void test_with_25_snaps(benchmark::State& run) {
   const Friction friction = Friction::sinusoid(0.6, 0.2, 0.008, 0);
