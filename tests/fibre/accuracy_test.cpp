@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <sstream>
 
 #include <doctest/doctest.h>
 
 #include "fibre/batch.h"
 #include "fibre/state_table.h"
+#include "tests/uniform.h"
 
 namespace flexslip {
 
@@ -96,10 +96,7 @@ struct Band {
 
 std::vector<Band> measured_table() {
   std::vector<Band> bands;
-  std::mt19937_64 generator(20210829);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(generator() >> 11) * 0x1p-53;
-  };
+  Uniform uniform;
   constexpr int count = 6;
   for (int i = 0; i < count; ++i) {
     const double width = (table_q.greatest - table_q.least) / count;

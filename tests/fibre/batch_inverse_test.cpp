@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "fibre/elastica.h"
 #include "tests/fibre/instruction_sets.h"
 #include "tests/refusal.h"
+#include "tests/uniform.h"
 
 namespace flexslip {
 namespace {
@@ -25,10 +25,7 @@ struct States {
 // As tests visit them, beyond the table, and near the straight fibre.
 States mixed_states() {
   States states;
-  std::mt19937_64 generator(20210829);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(generator() >> 11) * 0x1p-53;
-  };
+  Uniform uniform;
   const auto add = [&](double S, double q) {
     const auto state = fibre_state(S, q);
     if (state.status != FibreStatus::ok) return;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "fibre/elastica.h"
 #include "tests/fibre/instruction_sets.h"
 #include "tests/refusal.h"
+#include "tests/uniform.h"
 
 namespace flexslip {
 namespace {
@@ -35,10 +35,7 @@ struct Points {
 // and beyond.
 Points mixed_points() {
   Points points;
-  std::mt19937_64 generator(20210829);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(generator() >> 11) * 0x1p-53;
-  };
+  Uniform uniform;
   for (int i = 0; i < 4000; ++i) points.add(1 + std::pow(uniform(0, 0.8), 2), uniform(-0.3, 2));
   for (int i = 0; i < 1000; ++i) points.add(1 + std::pow(10, uniform(-15.5, 0.3)), uniform(-20, 20));
   for (int i = 0; i < 200; ++i) {

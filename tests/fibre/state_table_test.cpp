@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "fibre/elastica.h"
 #include "tests/fibre/instruction_sets.h"
 #include "tests/refusal.h"
+#include "tests/uniform.h"
 
 namespace flexslip {
 namespace {
@@ -22,10 +22,7 @@ struct Points {
 // Evenly in σ and q over the table, at its edges, and down to S - 1 = 1e-15; where there is a state.
 Points points_in_table() {
   Points points;
-  std::mt19937_64 generator(20210829);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(generator() >> 11) * 0x1p-53;
-  };
+  Uniform uniform;
   const auto add = [&](double S, double q) {
     if (fibre_state(S, q).status != FibreStatus::ok) return;
     points.S.push_back(S);
