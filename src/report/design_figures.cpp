@@ -339,7 +339,7 @@ Figure design_figure(const DesignAnswer& answer) {
                          z * answer.critical);
   const std::string script = fmt::format(
       R"(  set multiplot
-  set tmargin at screen 0.865; set bmargin at screen 0.15
+  set tmargin at screen 0.825; set bmargin at screen 0.185
   set lmargin at screen 0.075; set rmargin at screen 0.475
   set key at screen 0.275,0.985 center top vertical Left reverse maxrows 1 width 1 samplen 2
   set xrange [0:{0:.6g}]; set yrange [0:{1:.6g}]
@@ -355,7 +355,7 @@ Figure design_figure(const DesignAnswer& answer) {
   set label 1 '(B)'
   plot folds using 1:($2 > 0 ? $2 : 0) with filledcurves above y1=0 fs solid 0.35 noborder lc rgb sky title 'Unstable', \
        folds using 1:2 with lines lw 0.8 lc rgb blue notitle, \
-       {8}first using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion title 'First snap'
+       {8}first using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion notitle
   unset multiplot; unset label 1
 )",
       1.02 * x * design.travel, 1.15 * y * outcome.greatest_force,
