@@ -15,7 +15,7 @@ namespace flexslip {
 //             that the tracer finds on a soft rig one is followed up to its cusp; just above it the curve is traced anew; and so on
 //             until the tracer, which misses none, finds no fold. A maximum of k(S) is flat and needs no second derivatives
 //             (theory.md, "The critical stiffness").
-// Cost:       about three traces, and 20 µs for each cusp.
+// Cost:       about three traces, and 20 µs for each cusp; at worst a trace for every maximum of k(S).
 double critical_stiffness(const Friction& friction, double w_max);
 
 // -F'/w' along q = μ(S) [EI/L^3]: on the rig of that stiffness the fibre is at a fold at this length.

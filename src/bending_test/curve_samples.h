@@ -27,7 +27,8 @@ CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding,
 std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
                                     std::span<const double> x);
 
-// The same to the accuracy of the table (state_table.h): slopes to 1e-9 of their scale.
+// The same to the accuracy of the table (state_table.h): slopes to this, relative to their scale.
+inline constexpr double tabulated_error = 1e-9;
 std::vector<CurveSample> tabulated_samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
                                               std::span<const double> x);
 

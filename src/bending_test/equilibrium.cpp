@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "bending_test/curve_samples.h"
 #include "fibre/batch.h"
 #include "fibre/elastica.h"
 #include "fibre/state_table.h"
@@ -38,7 +39,7 @@ EquilibriumPoint last_point(const Friction& friction, double sign, double exists
 template <class States>
 EquilibriumCurve curve_of(const Friction& friction, Sliding sliding, double S_max, int n, const States& states) {
   require_range(S_max, n);
-  const double sign = sliding == Sliding::in ? 1 : -1;
+  const double sign = direction_of(sliding);
   std::vector<double> S;
   S.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) S.push_back(length_at(S_max, i, n));

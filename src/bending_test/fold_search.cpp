@@ -78,7 +78,6 @@ std::pair<double, double> evaluate(Values b, double t) {
 constexpr int most_halvings = 20;
 // How well G' is known, relative to its terms: what interpolation cannot better, and within which no fold is to be found.
 constexpr double exact_error = 64 * std::numeric_limits<double>::epsilon();
-constexpr double tabulated_error = 1e-9;  // as tabulated_samples_at
 
 // Where G' changes sign once.
 struct Bracket {
@@ -163,10 +162,11 @@ class FoldSearch {
   using Sampler = std::vector<CurveSample> (*)(const Friction&, const Rig&, Sliding, std::span<const double>);
   struct Source {
     Sampler sampler;
-    double error;  // of slopes, relative to their scale
+    double error;         // of slopes, relative to their scale
+    const Source* finer;  // where this cannot decide; none: halve the cell
   };
-  static constexpr Source table{tabulated_samples_at, tabulated_error};
-  static constexpr Source exact{samples_at, exact_error};
+  static constexpr Source exact{samples_at, exact_error, nullptr};
+  static constexpr Source table{tabulated_samples_at, tabulated_error, &exact};
 
   std::optional<double> isolate_in(const Cell& cell, const Source& source, int halvings) {
     std::array<double, degree + 1> at;
@@ -205,8 +205,8 @@ class FoldSearch {
     const bool smallest = halvings == most_halvings;
     if (changes_sign && (single || smallest)) {
       add_bracket(cell, at_a < 0, bernstein);
-    } else if (resolved && source.sampler == table.sampler) {
-      return isolate_in(cell, exact, halvings);
+    } else if (resolved && source.finer) {
+      return isolate_in(cell, *source.finer, halvings);
     } else if (!smallest) {
       const double middle = 0.5 * (cell.a + cell.b);
       if (const auto ended = isolate_in({cell.a, middle}, source, halvings + 1)) return ended;

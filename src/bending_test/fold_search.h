@@ -6,7 +6,8 @@
 
 namespace flexslip {
 
-// Domain:     as trace_loading_curve; a state must exist at S_from.
+// Domain:     as trace_loading_curve and trace_unloading_curve, whose arguments these are; std::invalid_argument if there is no state at S_from.
+// Tolerance, cost: as there.
 SlidingCurve find_folds(const Friction& friction, const Rig& rig, Sliding sliding, double S_from, double S_to);
 
 }  // namespace flexslip

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "bending_test/curve_samples.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {
@@ -74,7 +75,7 @@ std::pair<double, double> sum_and_slope_at(const std::array<double, size>& c, do
 }  // namespace
 
 SlidingTable::SlidingTable(Friction friction, const Rig& rig, Sliding sliding)
-    : friction_(std::move(friction)), rig_(rig), direction_(sliding == Sliding::in ? 1 : -1) {}
+    : friction_(std::move(friction)), rig_(rig), direction_(direction_of(sliding)) {}
 
 SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
   const double S = 1 + sigma * sigma;

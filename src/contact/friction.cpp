@@ -84,6 +84,10 @@ Friction::Friction(FrictionWaves waves) {
     if (!(term.amplitude >= 0)) refuse("an amplitude of friction must be >= 0", term.amplitude);
     if (!(term.wavelength > 0 && term.wavelength < infinity))
       refuse("a wavelength of friction must be > 0", term.wavelength);
+    constexpr double least_wavelength = 1e-12;  // shorter waves are lost in the rounding of S
+    if (term.wavelength < least_wavelength)
+      throw std::invalid_argument("a wavelength of friction of " + std::to_string(1e12 * term.wavelength) +
+                                  "e-12 spans is shorter than 1e-12 spans, the rounding of lengths");
     if (!std::isfinite(term.phase)) refuse("a phase of friction must be finite", term.phase);
     total += term.amplitude;
     const double height = waves.mu0 * term.amplitude;

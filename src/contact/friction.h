@@ -55,7 +55,7 @@ struct WaveTerm {
 
 class Friction {
  public:
-  // Fails: std::invalid_argument, naming the value, if a number is not finite, a wavelength not positive, or μ could
+  // Fails: std::invalid_argument, naming the value, if a number is not finite, a wavelength below 1e-12, or μ could
   // become negative: mu0 Σ amplitude > mu0, or mu < 0 in a table.
   static Friction constant(double mu);
   static Friction sinusoid(double mu0, double amplitude, double wavelength, double phase);

@@ -39,6 +39,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -51,15 +52,7 @@ namespace {
 HWY_EXPORT(common_states);
 HWY_EXPORT(common_states_slopes);
 
-// What f gives for the state i; what it throws, with the index.
-template <class Function>
-auto at_index(std::size_t i, Function f) {
-  try {
-    return f();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("state " + std::to_string(i) + ": " + error.what());
-  }
-}
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -67,6 +60,13 @@ FibrePoints::FibrePoints(std::span<const double> S, std::span<const double> q) :
   if (S.size() != q.size())
     throw std::invalid_argument("there are " + std::to_string(S.size()) + " lengths, but " + std::to_string(q.size()) +
                                 " frictions");
+  bool valid = true;  // in one pass that can be done in vectors; which one is not, is asked afterwards
+  for (std::size_t i = 0; i < S.size(); ++i) valid &= S[i] >= 1 && S[i] < infinity && std::abs(q[i]) <= largest_q;
+  for (std::size_t i = 0; !valid && i < S.size(); ++i) try {
+      fibre_state(S[i], q[i]);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("state " + std::to_string(i) + ": " + error.what());
+    }
 }
 
 StateArrays fibre_states(const FibrePoints& points) {
@@ -74,7 +74,7 @@ StateArrays fibre_states(const FibrePoints& points) {
   HWY_DYNAMIC_DISPATCH(common_states)(points.S(), points.q(), points.size(), states.w.data(), states.F.data());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isnan(states.w[i])) continue;
-    const FibreState state = at_index(i, [&] { return fibre_state(points.S()[i], points.q()[i]); });
+    const FibreState state = fibre_state(points.S()[i], points.q()[i]);
     states.w[i] = state.w;
     states.F[i] = state.F;
   }
@@ -87,7 +87,7 @@ SlopeArrays fibre_states_slopes(const FibrePoints& points) {
   HWY_DYNAMIC_DISPATCH(common_states_slopes)(points.S(), points.q(), points.size(), columns.data());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isnan(states.w[i])) continue;
-    const auto [state, slopes] = at_index(i, [&] { return fibre_state_slopes(points.S()[i], points.q()[i]); });
+    const auto [state, slopes] = fibre_state_slopes(points.S()[i], points.q()[i]);
     const double values[] = {state.w, state.F, slopes.w_S, slopes.w_q, slopes.F_S, slopes.F_q};
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k][i] = values[k];
   }

@@ -14,7 +14,8 @@ namespace flexslip {
 // Where states are asked for: lengths and mobilised frictions in pairs.
 class FibrePoints {
  public:
-  // Domain: arrays of one length, which outlive this; std::invalid_argument otherwise.
+  // Domain:     arrays of one length, which outlive this; S >= 1, finite, and q in [-20, 20]; std::invalid_argument, naming the index,
+  //             otherwise.
   FibrePoints(std::span<const double> S, std::span<const double> q);
 
   std::size_t size() const { return S_.size(); }
@@ -41,7 +42,6 @@ struct SlopeArrays {
   std::array<double*, 6> columns() { return {w.data(), F.data(), w_S.data(), w_q.data(), F_S.data(), F_q.data()}; }
 };
 
-// Domain:     S >= 1 and q in [-20, 20]; std::invalid_argument, naming the index, otherwise.
 // Max error:  as fibre_state, of which these are the values, bit by bit.
 // Cost:       about 35 ns a state on a processor with AVX2; beyond S = 2.16, q in [-1.2, 3] or near the end of the branch as much as
 //             fibre_state (docs/performance.md).

@@ -100,7 +100,10 @@ InverseArrays fibre_states_from_forces(std::span<const double> w, std::span<cons
   std::vector<double> S = inverse.S;
   std::vector<double> q = inverse.q;
   for (std::size_t i = 0; i < S.size(); ++i)
-    if (std::isnan(S[i])) S[i] = 1, q[i] = 0;
+    if (std::isnan(S[i])) {  // no state: any will do, it is not used
+      S[i] = 1;
+      q[i] = 0;
+    }
   const SlopeArrays at = fibre_states_slopes({S, q});
   for (std::size_t i = 0; i < S.size(); ++i) {
     const Step step = newton_step(S[i], w[i] - at.w[i], F[i] - at.F[i], at, i);

@@ -12,7 +12,6 @@
 namespace flexslip {
 namespace {
 
-constexpr double largest_q = 20;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 

@@ -35,6 +35,8 @@ struct FibreStateSlopes {
   FibreSlopes slopes;  // valid if state.status is ok and S > 1
 };
 
+inline constexpr double largest_q = 20;  // [1] of mobilised friction that is computed
+
 // Ψ: the state of a fibre of length S with mobilised friction q.
 // Domain:     S >= 1 and q in [-20, 20]; std::invalid_argument outside.
 // Max error:  relative, 3e-15 in w and Pn, 4e-15 in theta0, 8e-15 in U, 8e-15 in F times its condition number

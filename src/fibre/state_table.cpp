@@ -127,8 +127,8 @@ HWY_INLINE void find_places(const double* S, const double* q, std::size_t count,
     const Lanes across = (frictions - table_q.least) * TableLayout::q_scale;
     const Lanes i_sigma(hn::Floor(along.v));
     const Lanes i_q(hn::Floor(across.v));
-    const auto inside = (Lanes(-1.0) < along) & (along < Lanes(double{TableLayout::sigma_cells})) &
-                        (Lanes(-1.0) < i_q) & (i_q < Lanes(double{TableLayout::q_cells}));
+    const auto inside = (Lanes(0.0) < along) & (along < Lanes(double{TableLayout::sigma_cells})) & (Lanes(-1.0) < i_q) &
+                        (i_q < Lanes(double{TableLayout::q_cells}));
     store(sigma, places.sigma + i, n);
     store(2.0 * (along - i_sigma) - 1.0, places.x + i, n);
     store(2.0 * (across - i_q) - 1.0, places.y + i, n);

@@ -9,7 +9,7 @@
 
 namespace flexslip {
 
-// Where states are interpolated: σ below this, q in this range; beyond, and where the branch ends nearby, they are computed as by batch.h.
+// Where states are interpolated: 0 < σ < table_sigma, q in [table_q.least, table_q.greatest); beyond, and where the branch ends nearby, they are computed as by batch.h.
 inline constexpr double table_sigma = 1.05;  // [√L] S up to 2.1
 struct FrictionRange {
   double least, greatest;  // [1]

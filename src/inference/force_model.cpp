@@ -34,7 +34,7 @@ double least_wavelength_of(const FrictionProfile& profile) {
 
 SlidingLadder make_ladder(const FrictionProfile& profile) {
   constexpr double lengths_per_period = 8;  // at the end of the ladder, where they are farthest apart
-  return {std::min(1 + 1.15 * (lengths_of(profile).greatest - 1), 2.1),
+  return {std::min(1 + 1.15 * (lengths_of(profile).greatest - 1), longest_ladder),
           2 * least_wavelength_of(profile) / lengths_per_period};
 }
 

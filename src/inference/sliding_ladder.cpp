@@ -19,7 +19,7 @@ std::vector<double> bounded(std::span<const double> mu) {
 }  // namespace
 
 SlidingLadder::SlidingLadder(double S_max, double S_step) {
-  if (!(S_max > 1 && S_max <= 2.1))
+  if (!(S_max > 1 && S_max <= longest_ladder))
     throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
   if (!(S_step > 0)) throw std::invalid_argument("S_step must be positive, not " + std::to_string(S_step));
   const double sigma_max = std::sqrt(S_max - 1);

@@ -9,10 +9,12 @@
 
 namespace flexslip {
 
+inline constexpr double longest_ladder = 2.1;  // [L] before the branch ends, whatever the friction
+
 class SlidingLadder {
  public:
   // Lengths evenly spaced in √(S - 1) from 1 to S_max, their largest distance being S_step.
-  // Domain:     1 < S_max <= 2.1, 0 < S_step; std::invalid_argument otherwise.
+  // Domain:     1 < S_max <= longest_ladder, 0 < S_step; std::invalid_argument otherwise.
   SlidingLadder(double S_max, double S_step);
 
   std::span<const double> lengths() const { return S_; }  // [L] 1 + (i step)^2

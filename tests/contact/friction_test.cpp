@@ -186,6 +186,7 @@ TEST_CASE("friction: whatever is not a friction is refused, and says what is wro
   refused("wavelength", "0.0", [] { Friction::sinusoid(0.5, 0.2, 0, 0); });
   refused("wavelength", "-0.01", [] { Friction::sinusoid(0.5, 0.2, -0.01, 0); });
   refused("wavelength", "nan", [] { Friction::sinusoid(0.5, 0.2, nan, 0); });
+  refused("wavelength", "0.9", [] { Friction::sinusoid(0.5, 0.2, 0.9e-12, 0); });
   refused("wavelength", "inf", [] { Friction::sinusoid(0.5, 0.2, infinity, 0); });
   refused("phase", "inf", [] { Friction::sinusoid(0.5, 0.2, 0.01, infinity); });
   refused("reference", "inf", [] { Friction::waves({.mu0 = 0.5, .drift = 0, .terms = {}, .S_reference = infinity}); });

@@ -109,8 +109,11 @@ TEST_CASE(
   }
   CHECK(std::isnan(table.w[5]));  // the branch for q = -1 ends at 1.177
   CHECK(tabulated_states({{}, {}}).w.empty());
-  const std::vector<double> wrong{0.5};
-  CHECK_THROWS_AS(tabulated_states({wrong, wrong}), std::invalid_argument);
+  const auto slopes = tabulated_states_slopes({S, q});
+  CHECK(slopes.F[0] == 0);
+  CHECK((std::isnan(slopes.w_S[0]) && std::isnan(slopes.F_q[0])));
+  const std::vector<double> wrong{1.1, 1.2, 1.3, 0.5}, friction(4, 0.5);
+  CHECK(message_of([&] { tabulated_states({wrong, friction}); }).find("state 3: ") == 0);
 }
 
 }  // namespace
