@@ -32,7 +32,7 @@ double stiffness_of_cusp(const Friction& friction, const Stretch& stretch) {
   double k_third = k;
   double step = 0;
   double step_before = 0;
-  const double tolerance = flat * (high - low);
+  const double tolerance = std::max(flat * (high - low), 0x1p-50 * high);  // and no finer than lengths are
   while (std::max(high - x, x - low) > 2 * tolerance) {
     const double middle = 0.5 * (low + high);
     const double r = (x - second) * (k - k_third);

@@ -262,7 +262,9 @@ class FoldSearch {
         folds[active[j]] = {there.point, !bracket.rising};
         ((there.slope < 0) == bracket.rising ? bracket.low : bracket.high) = bracket.x;
         double next = bracket.x - there.slope / bracket.bend;
-        if (!(next > bracket.low && next < bracket.high)) next = 0.5 * (bracket.low + bracket.high);
+        // Smooth folds are there after three steps; at a corner of friction the bend is another on either side.
+        const bool creeps = iteration > 4 && iteration % 2 == 0;
+        if (creeps || !(next > bracket.low && next < bracket.high)) next = 0.5 * (bracket.low + bracket.high);
         const bool done = std::abs(there.slope) <= exact_error * there.scale ||
                           std::abs(next - bracket.x) <= 0x1p-51 * std::abs(next) ||
                           !(next > bracket.low && next < bracket.high);

@@ -33,38 +33,43 @@ void require_forces(std::span<const double> w, std::span<const double> F) {
                                 std::to_string(F.size()) + " forces");
 }
 
-// What the scalar inverse gives, or says with the index.
-void solve_alone(InverseArrays& inverse, std::size_t i, double w, double F) {
-  try {
-    const FibreState state = fibre_state_from_force(w, F);
-    inverse.S[i] = state.S;
-    inverse.q[i] = state.q;
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("state " + std::to_string(i) + ": " + error.what());
-  }
-}
+// What the table gives, and which of it comes from the scalar inverse instead.
+struct TableInverse {
+  InverseArrays states;
+  std::vector<bool> exact;
+};
 
-}  // namespace
-
-InverseArrays tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) {
+TableInverse solve_on_table(std::span<const double> w, std::span<const double> F) {
   require_forces(w, F);
-  InverseArrays inverse{std::vector<double>(w.size()), std::vector<double>(w.size())};
-  std::vector<std::size_t> active(w.size());
+  const std::size_t n = w.size();
+  TableInverse result{{std::vector<double>(n), std::vector<double>(n)}, std::vector<bool>(n)};
+  const auto solve_alone = [&](std::size_t i) {
+    try {
+      const FibreState state = fibre_state_from_force(w[i], F[i]);
+      result.states.S[i] = state.S;
+      result.states.q[i] = state.q;
+      result.exact[i] = true;
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("state " + std::to_string(i) + ": " + error.what());
+    }
+  };
+  std::vector<std::size_t> active(n);
   std::iota(active.begin(), active.end(), 0);
-  std::vector<double> S(w.size());
-  std::vector<double> q(w.size());
-  for (std::size_t i = 0; i < w.size(); ++i) {
+  std::vector<double> S(n);
+  std::vector<double> q(n);
+  for (std::size_t i = 0; i < n; ++i) {
     // S - 1 = 2.4 w^2 and F = 48 w (1 + 2.1 q w - 7 w^2), a fit up to w = 0.3
     S[i] = 1 + 2.4 * w[i] * w[i];
     q[i] = std::clamp((F[i] / (48 * w[i]) - 1 + 7 * w[i] * w[i]) / (2.1 * w[i]), -1.0, 2.0);
   }
   // A step below `small` leaves an error of the order of its square. 12 steps are twice what states within the table need.
   constexpr double small = 1e-7;
+  constexpr double least_S = 1 + 1e-12;  // below, S has not enough digits to iterate with
   constexpr double greatest_S = 1 + table_sigma * table_sigma;
   for (int iteration = 0; iteration < 12 && !active.empty(); ++iteration) {
     std::erase_if(active, [&](std::size_t i) {
-      const bool inside = S[i] > 1 && S[i] < greatest_S && q[i] > table_q.least && q[i] < table_q.greatest;
-      if (!inside) solve_alone(inverse, i, w[i], F[i]);
+      const bool inside = S[i] > least_S && S[i] < greatest_S && q[i] > table_q.least && q[i] < table_q.greatest;
+      if (!inside) solve_alone(i);
       return !inside;
     });
     std::vector<double> S_now, q_now;
@@ -83,33 +88,39 @@ InverseArrays tabulated_states_from_forces(std::span<const double> w, std::span<
       S[i] = 1 + (sigma + step.sigma) * (sigma + step.sigma);
       q[i] += step.q;
       if (std::abs(step.sigma) < small * sigma && std::abs(step.q) < small) {
-        inverse.S[i] = S[i];
-        inverse.q[i] = q[i];
+        result.states.S[i] = S[i];
+        result.states.q[i] = q[i];
       } else {
         active[left++] = i;
       }
     }
     active.resize(left);
   }
-  for (const std::size_t i : active) solve_alone(inverse, i, w[i], F[i]);
-  return inverse;
+  for (const std::size_t i : active) solve_alone(i);
+  return result;
+}
+
+}  // namespace
+
+InverseArrays tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) {
+  return solve_on_table(w, F).states;
 }
 
 InverseArrays fibre_states_from_forces(std::span<const double> w, std::span<const double> F) {
-  InverseArrays inverse = tabulated_states_from_forces(w, F);
-  std::vector<double> S = inverse.S;
-  std::vector<double> q = inverse.q;
-  for (std::size_t i = 0; i < S.size(); ++i)
-    if (std::isnan(S[i])) {  // no state: any will do, it is not used
-      S[i] = 1;
-      q[i] = 0;
-    }
+  auto [inverse, exact] = solve_on_table(w, F);
+  std::vector<std::size_t> rest;
+  std::vector<double> S, q;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (exact[i]) continue;
+    rest.push_back(i);
+    S.push_back(inverse.S[i]);
+    q.push_back(inverse.q[i]);
+  }
   const SlopeArrays at = fibre_states_slopes({S, q});
-  for (std::size_t i = 0; i < S.size(); ++i) {
-    const Step step = newton_step(S[i], w[i] - at.w[i], F[i] - at.F[i], at, i);
-    if (!(std::isfinite(step.sigma) && std::isfinite(step.q))) continue;  // S = 1, or no state at all
-    const double sigma = std::sqrt(S[i] - 1);
-    inverse.S[i] += step.sigma * (2 * sigma + step.sigma);
+  for (std::size_t j = 0; j < rest.size(); ++j) {
+    const std::size_t i = rest[j];
+    const Step step = newton_step(S[j], w[i] - at.w[j], F[i] - at.F[j], at, j);
+    inverse.S[i] += step.sigma * (2 * std::sqrt(S[j] - 1) + step.sigma);
     inverse.q[i] += step.q;
   }
   return inverse;

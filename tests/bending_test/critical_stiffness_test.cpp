@@ -81,8 +81,8 @@ TEST_CASE("critical stiffness, oracle: the tracer finds folds just below it and 
     const double k = critical_stiffness(friction, w_max);
     RC_PRE(k > 1e-3 && k < infinity);
     // 1e-6: the ends of the two ranges, found in two ways, differ by rounding
-    RC_ASSERT(snaps(friction, k * (1 - 1e-6), w_max));
-    RC_ASSERT(!snaps(friction, k * (1 + 1e-6), w_max));
+    RC_ASSERT(snaps(friction, 0.999 * k, w_max));
+    RC_ASSERT(!snaps(friction, 1.001 * k, w_max));
   }));
 }
 
@@ -124,7 +124,7 @@ TEST_CASE(
 TEST_CASE("critical stiffness, table: no rig snaps before the frictionless peak of the force") {
   constexpr double peak = 0.238188798912727;  // MODEL, section 2
   const Friction none = Friction::constant(0);
-  CHECK(critical_stiffness(none, peak * (1 - 1e-6)) == 0);
+  CHECK(critical_stiffness(none, pea0 .999 * k) == 0);
   CHECK(critical_stiffness(none, peak * (1 + 1e-3)) > 0);
 }
 
@@ -134,6 +134,18 @@ TEST_CASE("critical stiffness, limit: a friction that falls fast enough snaps wi
   REQUIRE(state_on(cliff, 1.2001).w < state_on(cliff, 1.2).w);
   CHECK(critical_stiffness(cliff, 0.4) == infinity);
   CHECK(critical_stiffness(cliff, 0.2) < infinity);
+}
+
+TEST_CASE(
+    "critical stiffness, limit: at the corner of a table a pair of folds closes to the rounding of lengths, and is "
+    "followed there") {
+  for (const auto& [S_1, S_2] : {std::pair{1.48, 1.485}, std::pair{1.4, 1.41}}) {
+    const Friction ramp = Friction::table({{S_1, S_2}, {0.9, 0.5}});
+    const double k = critical_stiffness(ramp, 0.9);
+    const auto S_end = longest_at_stage(0.9);
+    CHECK(trace_loading_curve(ramp, {1.001 * k}, S_end).folds.size() <
+          trace_loading_curve(ramp, {0.999 * k}, S_end).folds.size());
+  }
 }
 
 TEST_CASE("critical stiffness, contract: what is out of their domain is refused with its value") {

@@ -87,6 +87,10 @@ TEST_CASE(
     CHECK(std::isnan(inverse.q[1]));
     CHECK(inverse.S[2] > 1.1);
   }
+  const double w_end = 0.6, tiny = 1e-9;  // the end of the branch, where F = 0; and where S rounds to 1
+  const auto end = fibre_states_from_forces({&w_end, 1}, {F.data(), 1});
+  CHECK(end.q[0] == fibre_state_from_force(w_end, 0).q);
+  CHECK(std::isnan(fibre_states_from_forces({&tiny, 1}, {&tiny, 1}).S[0]));
   CHECK(fibre_states_from_forces({}, {}).S.empty());
   CHECK_THROWS_AS(fibre_states_from_forces(w, {}), std::invalid_argument);
   const std::vector<double> wrong{12.0, 12.0, -1.0};
