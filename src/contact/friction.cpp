@@ -34,7 +34,8 @@ HWY_AFTER_NAMESPACE();
 namespace flexslip {
 namespace {
 
-using namespace HWY_NAMESPACE;
+using HWY_NAMESPACE::held;
+using HWY_NAMESPACE::wave_sum;
 
 HWY_EXPORT(sum_waves);
 

@@ -71,10 +71,10 @@ FibrePoints::FibrePoints(std::span<const double> S, std::span<const double> q) :
 
 StateArrays fibre_states(const FibrePoints& points) {
   StateArrays states(points.size());
-  HWY_DYNAMIC_DISPATCH(common_states)(points.S(), points.q(), points.size(), states.w.data(), states.F.data());
+  HWY_DYNAMIC_DISPATCH(common_states)(points.lengths(), points.frictions(), points.size(), states.w.data(), states.F.data());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isnan(states.w[i])) continue;
-    const FibreState state = fibre_state(points.S()[i], points.q()[i]);
+    const FibreState state = fibre_state(points.lengths()[i], points.frictions()[i]);
     states.w[i] = state.w;
     states.F[i] = state.F;
   }
@@ -84,10 +84,10 @@ StateArrays fibre_states(const FibrePoints& points) {
 SlopeArrays fibre_states_slopes(const FibrePoints& points) {
   SlopeArrays states(points.size());
   const auto columns = states.columns();
-  HWY_DYNAMIC_DISPATCH(common_states_slopes)(points.S(), points.q(), points.size(), columns.data());
+  HWY_DYNAMIC_DISPATCH(common_states_slopes)(points.lengths(), points.frictions(), points.size(), columns.data());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isnan(states.w[i])) continue;
-    const auto [state, slopes] = fibre_state_slopes(points.S()[i], points.q()[i]);
+    const auto [state, slopes] = fibre_state_slopes(points.lengths()[i], points.frictions()[i]);
     const double values[] = {state.w, state.F, slopes.w_S, slopes.w_q, slopes.F_S, slopes.F_q};
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k][i] = values[k];
   }

@@ -19,8 +19,8 @@ class FibrePoints {
   FibrePoints(std::span<const double> S, std::span<const double> q);
 
   std::size_t size() const { return S_.size(); }
-  const double* S() const { return S_.data(); }  // [L]
-  const double* q() const { return q_.data(); }  // [1]
+  const double* lengths() const { return S_.data(); }  // [L]
+  const double* frictions() const { return q_.data(); }  // [1]
 
  private:
   std::span<const double> S_, q_;

@@ -15,7 +15,16 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-using namespace HWY_NAMESPACE;
+using HWY_NAMESPACE::arc_by_doubling;
+using HWY_NAMESPACE::Bend;
+using HWY_NAMESPACE::common_state;
+using HWY_NAMESPACE::doublings_for;
+using HWY_NAMESPACE::force_line;
+using HWY_NAMESPACE::ForceLine;
+using HWY_NAMESPACE::half_fibre;
+using HWY_NAMESPACE::HalfFibre;
+using HWY_NAMESPACE::is_common;
+using HWY_NAMESPACE::state_slopes;
 
 using Line = ForceLine<double>;
 using Half = HalfFibre<double>;

@@ -82,7 +82,10 @@ constexpr int common_doublings = 4;
 constexpr double common_limit = 16 * series_limit;
 HWY_INLINE int doublings_for(double u) {
   int doublings = common_doublings;
-  for (; u > common_limit; u *= 0.5) ++doublings;
+  while (u > common_limit) {
+    u *= 0.5;
+    ++doublings;
+  }
   return doublings;
 }
 

@@ -7,7 +7,9 @@
 
 namespace flexslip {
 
-using namespace HWY_NAMESPACE;
+using HWY_NAMESPACE::arc_by_doubling;
+using HWY_NAMESPACE::doublings_for;
+using HWY_NAMESPACE::Dual;
 
 EllipticArc elliptic_arc(double u, const EllipticParameter& parameter) {
   const auto [m, m1] = parameter;

@@ -317,8 +317,8 @@ struct Rest {
     for (std::size_t i = 0; i < w.size(); ++i) {
       if (!std::isnan(w[i])) continue;
       index.push_back(i);
-      S.push_back(points.S()[i]);
-      q.push_back(points.q()[i]);
+      S.push_back(points.lengths()[i]);
+      q.push_back(points.frictions()[i]);
     }
   }
 };
@@ -328,7 +328,7 @@ struct Rest {
 StateArrays tabulated_states(const FibrePoints& points) {
   StateArrays states(points.size());
   HWY_DYNAMIC_DISPATCH(interpolate)
-  (table(), points.S(), points.q(), points.size(), states.w.data(), states.F.data());
+  (table(), points.lengths(), points.frictions(), points.size(), states.w.data(), states.F.data());
   const Rest rest(points, states.w);
   const StateArrays exact = fibre_states({rest.S, rest.q});
   for (std::size_t j = 0; j < rest.index.size(); ++j) {
@@ -341,7 +341,7 @@ StateArrays tabulated_states(const FibrePoints& points) {
 SlopeArrays tabulated_states_slopes(const FibrePoints& points) {
   SlopeArrays states(points.size());
   const auto columns = states.columns();
-  HWY_DYNAMIC_DISPATCH(interpolate_slopes)(table(), points.S(), points.q(), points.size(), columns.data());
+  HWY_DYNAMIC_DISPATCH(interpolate_slopes)(table(), points.lengths(), points.frictions(), points.size(), columns.data());
   const Rest rest(points, states.w);
   SlopeArrays exact = fibre_states_slopes({rest.S, rest.q});
   const auto from = exact.columns();
