@@ -618,16 +618,12 @@ void write(Writer& out, const RecordInput& record) {
 
 }  // namespace
 
-Case read_case(std::string_view text, const std::string& source) { return read_case(text, source, {}); }
-
-Case read_case(std::string_view text, const std::string& source, const std::vector<std::string>& other_sections) {
+Case read_case(std::string_view text, const std::string& source) {
   const toml::table table = parse_toml(text, source);
   Case input{source, false, {}, {}, {}, {}, {}, {}};
   note_lines(table, "", input);
   const Keys top(table, "", input);
-  std::vector<std::string> known{"reduced", "specimen", "rig", "friction", "stage", "record"};
-  known.insert(known.end(), other_sections.begin(), other_sections.end());
-  top.only(known);
+  top.only({"reduced", "specimen", "rig", "friction", "stage", "record", "sweep"});
   if (const toml::node* reduced = top.find("reduced")) {
     if (!reduced->is_boolean()) top.refuse("reduced", "true or false", kind_of_node(*reduced));
     input.reduced = reduced->value_or(false);

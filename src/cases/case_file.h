@@ -190,12 +190,9 @@ struct Case {
 };
 
 // Reads a case. Every value is in its range, every key is known, and what belongs together is complete; which
-// sections a command needs is its own affair (see missing()).
+// sections a command needs is its own affair (see missing()), and [sweep] that of its own reader (sweep_plan.h).
 // Fails:      InputError with file, line and key.
 Case read_case(std::string_view text, const std::string& source);
-
-// The same for a file with more in it: sections that are another reader's are let through, and their lines noted.
-Case read_case(std::string_view text, const std::string& source, const std::vector<std::string>& other_sections);
 
 // The same from a file; "-" is standard input.
 Case read_case(const std::string& path);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cases/design_case.h"
+#include "cases/design_result.h"
 
 namespace flexslip {
 
@@ -19,15 +19,17 @@ struct DesignAnswer {
   Design design;
   Scales scales;
   DesignOutcome outcome;
-  double critical;  // [EI/L^3] load-train stiffness above which no loading to a deflection as large as the travel snaps
+  double critical;  // [EI/L^3] of this loading to this travel, critical_stiffness (design.h)
   std::vector<DesignChange> changes;
 };
 
-// Fails:      InputError as DesignCase::design().
-// Method:     the stiffness between its own value and the critical one (critical_stiffness.h), and from it in closed form diameter and
-//             modulus, of which nothing else depends; the travel is that of the first snap. Of the others the nearest value is sought in
-//             steps of 10 %, up to 30 times as much or as little, and its neighbourhood halved to 1e-4: a window narrower than a step
-//             may be missed.
+// Fails:      InputError as DesignCase::planned().
+// Method:     a specimen that snaps needs the critical stiffness; one that does not, on a rig stiffer than that, one a hair softer
+//             (1e-4). From the stiffness diameter and modulus follow in closed form, unless it is infinite: nothing else depends on
+//             them. The travel is that of the first snap. Of the others, and of the stiffness where the critical one tells nothing (it is
+//             infinite, or the rig is softer and yet does not snap), the nearest value is sought in steps of 10 %, up to 30 times as much or
+//             as little, and its neighbourhood halved to 1e-4: a window narrower than a step may be missed. From 0, where there are no
+//             such steps, they begin at 1/900 of the greatest value; from infinity none are made.
 // Cost:       some 500 outcomes.
 DesignAnswer answer_of(const DesignCase& input);
 

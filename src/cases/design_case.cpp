@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,56 +15,62 @@
 namespace flexslip {
 namespace {
 
-constexpr double most_friction = 20;      // what the mechanics covers
-constexpr double thickest = 0.2;          // [L] beyond it shear, which the elastica leaves out, matters
-constexpr double nearest_reduced = 1e-6;  // [L] of the deflection: what the loading curve can be traced for
-constexpr double farthest_reduced = 100;  // [L] of the stage
-constexpr double most_periods = 1e6;      // of the roughness: what the curve can be traced for
-constexpr double finest_period = 1e-9;    // [L] likewise
+constexpr double most_friction = 20;         // what the mechanics covers
+constexpr double thickest = 0.2;             // [L] beyond it shear, which the elastica leaves out, matters
+constexpr double nearest_reduced = 1e-6;     // [L] of the deflection: what the loading curve can be traced for
+constexpr double farthest_reduced = 100;     // [L] of the stage
+constexpr double most_periods = 1e6;         // of the roughness: what the curve can be traced for
+constexpr double finest_period = 1e-9;       // [L] likewise
+constexpr double most_readings = 1e9;        // what they can be counted for
+constexpr double most_correlations = 2.4e5;  // of a rough profile, which has four knots to each
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array parameters{
-    DesignParameterName{DesignParameter::mu0, "mu0", kind::number},
-    DesignParameterName{DesignParameter::amplitude, "amplitude", kind::number},
-    DesignParameterName{DesignParameter::wavelength, "wavelength", kind::length},
-    DesignParameterName{DesignParameter::phase, "phase", kind::angle},
-    DesignParameterName{DesignParameter::span, "span", kind::length},
-    DesignParameterName{DesignParameter::diameter, "diameter", kind::length},
-    DesignParameterName{DesignParameter::modulus, "modulus", kind::pressure},
-    DesignParameterName{DesignParameter::stiffness, "stiffness", kind::stiffness},
-    DesignParameterName{DesignParameter::travel, "travel", kind::length},
-    DesignParameterName{DesignParameter::step, "step", kind::length},
+    DesignParameterName{DesignParameter::mu0, "mu0", kind::number, "mean friction coefficient", "{/:Italic μ}_0",
+                        Range::non_negative, most_friction},
+    DesignParameterName{DesignParameter::amplitude, "amplitude", kind::number, "relative amplitude of friction",
+                        "{/:Italic A}", Range::non_negative, 1},
+    DesignParameterName{DesignParameter::wavelength, "wavelength", kind::length, "wavelength of friction",
+                        "{/:Italic λ}", Range::positive, infinity},
+    DesignParameterName{DesignParameter::phase, "phase", kind::angle, "phase of friction", "{/:Italic φ}", Range::any,
+                        infinity},
+    DesignParameterName{DesignParameter::span, "span", kind::length, "support span", "{/:Italic L}", Range::positive,
+                        infinity},
+    DesignParameterName{DesignParameter::diameter, "diameter", kind::length, "diameter of the specimen", "{/:Italic D}",
+                        Range::positive, infinity},
+    DesignParameterName{DesignParameter::modulus, "modulus", kind::pressure, "flexural modulus", "{/:Italic E}",
+                        Range::positive, infinity},
+    DesignParameterName{DesignParameter::stiffness, "stiffness", kind::stiffness, "load-train stiffness",
+                        "{/:Italic k}", Range::positive_or_infinite, infinity},
+    DesignParameterName{DesignParameter::travel, "travel", kind::length, "stage travel", "{/:Italic w}_s",
+                        Range::positive, infinity},
+    DesignParameterName{DesignParameter::step, "step", kind::length, "step of the stage", "{/:Italic w}_s",
+                        Range::non_negative, infinity},
 };
 
-InputError wrong_number(DesignParameter parameter, std::string expected, double found, bool reduced,
-                        std::string remedy = "") {
-  const auto& [which, name, kind] = described(parameter);
-  return InputError({.field = std::string(name),
-                     .expected = std::move(expected),
-                     .found = readable(found, reduced ? kind::number : kind),
-                     .remedy = std::move(remedy)});
+std::string words_of_range(const DesignParameterName& parameter) {
+  const std::string upper = std::isfinite(parameter.most) ? fmt::format(" and at most {:g}", parameter.most) : "";
+  switch (parameter.range) {
+    case Range::any:
+      return "a finite number";
+    case Range::non_negative:
+      return fmt::format("a number of at least 0{}", upper);
+    case Range::positive:
+    case Range::positive_or_infinite:
+      return fmt::format("a number above 0{}", upper);
+  }
+  throw std::invalid_argument("words_of_range: no such range");
 }
 
-// What is expected of a parameter by itself; empty if the value is that.
-std::string unmet(DesignParameter parameter, double value) {
-  switch (parameter) {
-    case DesignParameter::mu0:
-      return value >= 0 && value <= most_friction ? "" : "friction of 0 to 20";
-    case DesignParameter::amplitude:
-      return value >= 0 && value <= 1 ? "" : "an amplitude of 0 to 1, relative to mu0";
-    case DesignParameter::phase:
-      return std::isfinite(value) ? "" : "a finite angle";
-    case DesignParameter::stiffness:
-      return value > 0 ? "" : "a stiffness above 0";
-    case DesignParameter::step:
-      return value >= 0 && std::isfinite(value) ? "" : "a step above 0, or 0 for a continuous record";
-    case DesignParameter::wavelength:
-    case DesignParameter::span:
-    case DesignParameter::diameter:
-    case DesignParameter::modulus:
-    case DesignParameter::travel:
-      return value > 0 && std::isfinite(value) ? "" : "a number above 0";
-  }
-  throw std::invalid_argument("no such parameter");
+// A bound of the friction between the lengths 1 and S_max.
+double most_of(const Friction& friction, double S_max) {
+  if (const auto* table = std::get_if<FrictionTable>(&friction.form()))
+    return *std::max_element(table->mu.begin(), table->mu.end());
+  const auto& waves = std::get<FrictionWaves>(friction.form());
+  double most = waves.mu0 + std::max(0.0, waves.drift * (S_max - waves.S_reference));
+  for (const Sinusoid& term : waves.terms) most += waves.mu0 * term.amplitude;
+  return most;
 }
 
 struct Loading {
@@ -100,10 +107,18 @@ Loading loading_of(const Case& input) {
 
 }  // namespace
 
-std::array<DesignParameterName, 10> design_parameters() { return parameters; }
+std::span<const DesignParameterName> design_parameters() { return parameters; }
 
 const DesignParameterName& described(DesignParameter parameter) {
   return parameters[static_cast<std::size_t>(parameter)];
+}
+
+bool is_within(const DesignParameterName& parameter, double value) {
+  const double least = parameter.range == Range::any ? -infinity : 0;
+  const bool may_be_least = parameter.range == Range::non_negative;
+  const bool may_be_infinite = parameter.range == Range::positive_or_infinite;
+  return (value > least || (may_be_least && value == least)) && value <= parameter.most &&
+         (std::isfinite(value) || may_be_infinite);
 }
 
 DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(input)), span_(span_of(input)) {
@@ -153,8 +168,11 @@ double DesignCase::value(DesignParameter parameter) const {
 
 void DesignCase::set(DesignParameter parameter, double value) {
   this->value(parameter);
-  if (std::string expected = unmet(parameter, value); !expected.empty())
-    throw wrong_number(parameter, std::move(expected), value, reduced());
+  const DesignParameterName& known = described(parameter);
+  if (!is_within(known, value))
+    throw InputError({.field = std::string(known.name),
+                      .expected = words_of_range(known),
+                      .found = readable(value, reduced() ? kind::number : known.kind)});
   at(parameter).number = value;
 }
 
@@ -166,29 +184,86 @@ double DesignCase::bending_stiffness() const {
   return bending_stiffness_;
 }
 
-Scales DesignCase::scales() const {
-  const double span = has(DesignParameter::span) ? at(DesignParameter::span).number : span_;
+// None if they are out of what a computer can hold.
+std::optional<Scales> DesignCase::scales() const {
   try {
-    return {span, bending_stiffness()};
-  } catch (const std::invalid_argument& error) {
-    throw InputError({.field = "modulus",
-                      .expected = "a bending stiffness and a span that a computer can hold",
-                      .found = error.what()});
+    return Scales(has(DesignParameter::span) ? at(DesignParameter::span).number : span_, bending_stiffness());
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
   }
 }
 
-void DesignCase::require_slender() const {
-  if (reduced() || !input_->specimen->section) return;
+DesignRefusal DesignCase::refusal(DesignFault fault, DesignParameter parameter, std::string expected) const {
+  const DesignParameterName& known = described(parameter);
+  return {fault,
+          InputError({.field = std::string(known.name),
+                      .expected = std::move(expected),
+                      .found = has(parameter) ? readable(at(parameter).number, reduced() ? kind::number : known.kind)
+                                              : "what the case has"})};
+}
+
+std::optional<DesignRefusal> DesignCase::fault_of_specimen() const {
+  if (reduced() || !input_->specimen->section) return std::nullopt;
   const bool varies = has(DesignParameter::diameter);
   const double thickness = varies ? at(DesignParameter::diameter).number : depth(*input_->specimen->section);
   const double span = at(DesignParameter::span).number;
-  if (thickness < thickest * span) return;
-  throw wrong_number(varies ? DesignParameter::diameter : DesignParameter::span,
-                     varies ? fmt::format("less than a fifth of the span, {}", readable(span, kind::length))
-                            : fmt::format("more than five times the thickness, {}", readable(thickness, kind::length)),
-                     varies ? thickness : span, false, "beam theory does not hold for a thicker specimen");
+  if (thickness < thickest * span) return std::nullopt;
+  return varies
+             ? refusal(DesignFault::impossible, DesignParameter::diameter,
+                       fmt::format("less than a fifth of the span, {}, for beam theory", readable(span, kind::length)))
+             : refusal(DesignFault::impossible, DesignParameter::span,
+                       fmt::format("more than five times the thickness, {}, for beam theory",
+                                   readable(thickness, kind::length)));
 }
 
+std::optional<DesignRefusal> DesignCase::fault_of_loading(const Scales& scales) const {
+  const double travel = scales.reduced_length(at(DesignParameter::travel).number);
+  const double stiffness = scales.reduced_stiffness(at(DesignParameter::stiffness).number);
+  const std::string span = readable(scales.span(), reduced() ? kind::number : kind::length);
+  if (!(travel <= farthest_reduced))
+    return refusal(DesignFault::not_computable, DesignParameter::travel,
+                   fmt::format("at most {:g} spans of {}", farthest_reduced, span));
+  if (!(travel >= nearest_reduced))
+    return refusal(DesignFault::not_computable, DesignParameter::travel,
+                   fmt::format("at least {:g} spans of {}", nearest_reduced, span));
+  if (!(travel / (1 + 48 / stiffness) >= nearest_reduced))
+    return refusal(DesignFault::impossible, DesignParameter::stiffness,
+                   fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced));
+  const double step = scales.reduced_length(at(DesignParameter::step).number);
+  if (!std::isfinite(step) || (step > 0 && travel / step > most_readings))
+    return refusal(
+        DesignFault::not_computable, DesignParameter::step,
+        fmt::format("0, or a step of at least {:g} of the travel, which a computer can hold", 1 / most_readings));
+  return std::nullopt;
+}
+
+std::optional<DesignRefusal> DesignCase::fault_of_roughness(const Scales& scales, double S_max) const {
+  if (const auto* table = std::get_if<FrictionTable>(&profile_)) {
+    const double S_last = table->S.back() * (span_ / scales.span());
+    if (S_last > 1 && std::isfinite(S_last)) return std::nullopt;
+    return refusal(DesignFault::impossible, DesignParameter::span,
+                   "a span that is less than the last length of the friction table");
+  }
+  if (const auto* rough = std::get_if<RoughFriction>(&profile_)) {
+    if ((S_max - 1) / scales.reduced_length(rough->correlation_length) <= most_correlations) return std::nullopt;
+    return refusal(DesignFault::not_computable, DesignParameter::travel,
+                   fmt::format("at most {:.1e} correlation lengths along the specimen", most_correlations));
+  }
+  const auto is_fine = [&](double wavelength) {
+    const double period = 2 * scales.reduced_length(wavelength);
+    return std::isfinite(period) && period >= finest_period && (S_max - 1) / period <= most_periods;
+  };
+  const auto& waves = std::get<WavyFriction>(profile_).waves;
+  const bool can_be_traced =
+      has(DesignParameter::wavelength)
+          ? is_fine(at(DesignParameter::wavelength).number)
+          : std::all_of(waves.begin(), waves.end(), [&](const WaveInput& wave) { return is_fine(wave.wavelength); });
+  if (can_be_traced) return std::nullopt;
+  return refusal(DesignFault::not_computable, DesignParameter::wavelength,
+                 fmt::format("at most {:.0e} periods along the specimen", most_periods));
+}
+
+// Once its roughness is without fault.
 Friction DesignCase::friction(const Scales& scales, double S_max) const {
   if (const auto* table = std::get_if<FrictionTable>(&profile_)) {
     FrictionTable scaled = *table;
@@ -207,40 +282,34 @@ Friction DesignCase::friction(const Scales& scales, double S_max) const {
     waves.terms.front() = {at(DesignParameter::amplitude).number,
                            scales.reduced_length(at(DesignParameter::wavelength).number),
                            at(DesignParameter::phase).number};
-  double most = waves.mu0;
-  for (const Sinusoid& term : waves.terms) {
-    most += waves.mu0 * term.amplitude;
-    const double period = 2 * term.wavelength;
-    if (period >= finest_period && (S_max - 1) / period <= most_periods) continue;
-    throw wrong_number(DesignParameter::wavelength,
-                       fmt::format("at most {:.0e} periods along the specimen", most_periods),
-                       term.wavelength * scales.span(), reduced());
-  }
-  if (most > most_friction)
-    throw wrong_number(DesignParameter::mu0, "friction of at most 20, its waves included", waves.mu0, reduced());
   return Friction::waves(std::move(waves));
 }
 
-Design DesignCase::design() const {
-  require_slender();
-  const Scales units = scales();
-  const double travel = units.reduced_length(at(DesignParameter::travel).number);
-  const double stiffness = units.reduced_stiffness(at(DesignParameter::stiffness).number);
-  const auto shown_span = [&] { return readable(units.span(), reduced() ? kind::number : kind::length); };
-  if (!(travel <= farthest_reduced))
-    throw wrong_number(DesignParameter::travel, fmt::format("at most {:g} spans of {}", farthest_reduced, shown_span()),
-                       at(DesignParameter::travel).number, reduced());
-  if (!(travel >= nearest_reduced))
-    throw wrong_number(DesignParameter::travel, fmt::format("at least {:g} spans of {}", nearest_reduced, shown_span()),
-                       at(DesignParameter::travel).number, reduced());
-  if (!(travel / (1 + 48 / stiffness) >= nearest_reduced))
-    throw wrong_number(DesignParameter::stiffness,
-                       fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
-                       at(DesignParameter::stiffness).number, reduced());
-  return {friction(units, longest_at_stage(travel)),
-          {stiffness},
-          travel,
-          units.reduced_length(at(DesignParameter::step).number)};
+std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
+  if (auto fault = fault_of_specimen()) return *std::move(fault);
+  const auto units = scales();
+  if (!units)
+    return refusal(DesignFault::not_computable, DesignParameter::span,
+                   "a bending stiffness and a span that a computer can hold");
+  if (auto fault = fault_of_loading(*units)) return *std::move(fault);
+  const double travel = units->reduced_length(at(DesignParameter::travel).number);
+  const double S_max = longest_at_stage(travel);
+  if (auto fault = fault_of_roughness(*units, S_max)) return *std::move(fault);
+  Friction along = friction(*units, S_max);
+  if (!(most_of(along, S_max) <= most_friction))
+    return refusal(DesignFault::not_computable, DesignParameter::mu0,
+                   fmt::format("friction of at most {:g}, its waves included", most_friction));
+  return PlannedDesign{{std::move(along),
+                        {units->reduced_stiffness(at(DesignParameter::stiffness).number)},
+                        travel,
+                        units->reduced_length(at(DesignParameter::step).number)},
+                       *units};
+}
+
+PlannedDesign DesignCase::planned() const {
+  const auto planned = plan();
+  if (const auto* refused = std::get_if<DesignRefusal>(&planned)) throw refused->error;
+  return std::get<PlannedDesign>(planned);
 }
 
 }  // namespace flexslip

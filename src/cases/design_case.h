@@ -4,13 +4,15 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 #include "cases/case_file.h"
 #include "data/scales.h"
 #include "inference/design.h"
+#include "io/input_error.h"
 #include "io/quantity.h"
 
 namespace flexslip {
@@ -19,13 +21,36 @@ enum class DesignParameter { mu0, amplitude, wavelength, phase, span, diameter, 
 
 struct DesignParameterName {
   DesignParameter parameter;
-  std::string_view name;  // "mu0", as in files and on the command line
-  Kind kind;              // of the quantity; a plain number in reduced cases
+  std::string_view name;         // "mu0", as in files and on the command line
+  Kind kind;                     // of the quantity; a plain number in reduced cases
+  std::string_view description;  // "mean friction coefficient"
+  std::string_view symbol;       // in gnuplot's markup
+  Range range;
+  double most;  // [units of the case] the greatest value within the range
 };
-std::array<DesignParameterName, 10> design_parameters();
+std::span<const DesignParameterName> design_parameters();
 
 // The name of one of them.
 const DesignParameterName& described(DesignParameter parameter);
+
+// Is this a value that it may have?
+bool is_within(const DesignParameterName& parameter, double value);
+
+// Why numbers make no design.
+enum class DesignFault {
+  impossible,      // there is no such test: a specimen too thick for its span, a rig too soft to bend it
+  not_computable,  // beyond what FlexSlip can compute: friction above 20, roughness too fine
+};
+
+struct DesignRefusal {
+  DesignFault fault;
+  InputError error;
+};
+
+struct PlannedDesign {
+  Design design;
+  Scales scales;
+};
 
 // A case whose numbers can be varied. Values in SI, or in the model's scaled variables if the case is reduced.
 class DesignCase {
@@ -44,16 +69,17 @@ class DesignCase {
   bool has(DesignParameter parameter) const;
   double value(DesignParameter parameter) const;
   // Fails:      InputError if the case does not have it, or the value is out of its range.
-  // Cost:       a few ns. Whether the numbers go together is told by scales() and design().
+  // Cost:       a few ns. Whether the numbers go together is told by plan().
   void set(DesignParameter parameter, double value);
 
-  Scales scales() const;
-  // Fails:      InputError if the numbers as they are now cannot be computed: a specimen too thick, a rig too soft.
+  // What the numbers as they are now make: it can be computed (outcome_of) if it is not refused.
   // Cost:       below 1 µs, but for tables and rough profiles.
-  Design design() const;
+  std::variant<PlannedDesign, DesignRefusal> plan() const;
+  // Fails:      InputError if it is refused.
+  PlannedDesign planned() const;
 
  private:
-  static constexpr std::size_t count = 10;
+  static constexpr std::size_t count = static_cast<std::size_t>(DesignParameter::step) + 1;
   struct Value {
     bool exists = false;
     double number = 0;
@@ -65,8 +91,12 @@ class DesignCase {
   const Value& at(DesignParameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
   void add(DesignParameter parameter, double number) { at(parameter) = {true, number}; }
   double bending_stiffness() const;
-  void require_slender() const;
+  std::optional<Scales> scales() const;
+  std::optional<DesignRefusal> fault_of_specimen() const;
+  std::optional<DesignRefusal> fault_of_loading(const Scales& scales) const;
+  std::optional<DesignRefusal> fault_of_roughness(const Scales& scales, double S_max) const;
   Friction friction(const Scales& scales, double S_max) const;
+  DesignRefusal refusal(DesignFault fault, DesignParameter parameter, std::string expected) const;
 
   std::shared_ptr<const Case> input_;  // what does not vary
   std::array<Value, count> values_{};

@@ -4,9 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -21,8 +19,8 @@ constexpr std::size_t most_points = 10000;  // of an axis
 
 std::vector<std::string> names_of(const DesignCase& input) {
   std::vector<std::string> names;
-  for (const auto& [parameter, name, kind] : design_parameters())
-    if (input.has(parameter)) names.emplace_back(name);
+  for (const auto& known : design_parameters())
+    if (input.has(known.parameter)) names.emplace_back(known.name);
   return names;
 }
 
@@ -60,54 +58,47 @@ MapAxis map_axis(const DesignCase& input, std::string_view text, std::size_t usu
     throw InputError({.expected = "a name and its range",
                       .found = in_quotes(text),
                       .remedy = "write it as \"stiffness=10 N/m:1000 N/m\""});
-  const auto& [parameter, known, kind] = parameter_named(input, name);
-  const Kind& as = input.reduced() ? kind::number : kind;
+  const DesignParameterName& parameter = parameter_named(input, name);
+  const Kind& as = input.reduced() ? kind::number : parameter.kind;
   const double from = parse_quantity(first, as);
   const double to = parse_quantity(last, as);
   if (!(from != to && std::isfinite(from) && std::isfinite(to)))
     throw InputError({.expected = "a range with two ends", .found = in_quotes(text)});
   const std::size_t points = rest.empty() ? usual_points : points_from(trimmed(rest));
   DesignCase trial = input;
-  for (const double end : {from, to}) trial.set(parameter, end);
+  for (const double end : {from, to}) trial.set(parameter.parameter, end);
 
   constexpr double decade = 10;
   const bool logarithmic = from > 0 && to > 0 && std::max(from / to, to / from) >= decade;
-  MapAxis axis{parameter, {}, logarithmic};
+  MapAxis axis{parameter.parameter, {}, logarithmic};
   axis.values.reserve(points);
   for (std::size_t i = 0; i < points; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(points - 1);
-    axis.values.push_back(logarithmic ? from * std::pow(to / from, share) : from + share * (to - from));
+    const double value = logarithmic ? from * std::pow(to / from, share) : from + share * (to - from);
+    axis.values.push_back(std::clamp(value, std::min(from, to), std::max(from, to)));
   }
   axis.values.back() = to;
   return axis;
 }
 
-std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<MapAxis>& axes) {
+std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<MapAxis>& axes, unsigned threads) {
   std::size_t count = 1;
   for (const MapAxis& axis : axes) count *= axis.values.size();
   std::vector<MapPoint> points(count);
-  for_each_index(count, std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t i) {
+  for_each_index(count, threads, [&](std::size_t i) {
     MapPoint& point = points[i];
-    point = {{}, {}, {}, std::numeric_limits<double>::quiet_NaN()};
     DesignCase there = input;
     std::size_t rest = i;
     std::size_t block = count;
-    try {
-      for (const MapAxis& axis : axes) {
-        block /= axis.values.size();
-        point.values.push_back(axis.values[rest / block]);
-        rest %= block;
-      }
-      for (std::size_t j = 0; j < axes.size(); ++j) there.set(axes[j].parameter, point.values[j]);
-      const Design design = there.design();
-      point.outcome = outcome_of(design);
-      point.margin = stiffness_margin(design);
-      point.scales = there.scales();
-    } catch (const InputError&) {  // no such test: a specimen too thick, a rig too soft
-      point.outcome.reset();
-    } catch (const std::invalid_argument&) {  // more roughness than can be followed
-      point.outcome.reset();
+    for (const MapAxis& axis : axes) {
+      block /= axis.values.size();
+      point.values.push_back(axis.values[rest / block]);
+      there.set(axis.parameter, point.values.back());
+      rest %= block;
     }
+    point.result = result_of(there);
+    point.margin = point.result.planned ? stiffness_margin(point.result.planned->design)
+                                        : std::numeric_limits<double>::quiet_NaN();
   });
   return points;
 }

@@ -1,11 +1,10 @@
 // A planned test over a range of one of its numbers, or of two.
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
-#include "cases/design_case.h"
+#include "cases/design_result.h"
 
 namespace flexslip {
 
@@ -21,14 +20,13 @@ struct MapAxis {
 MapAxis map_axis(const DesignCase& input, std::string_view text, std::size_t usual_points);
 
 struct MapPoint {
-  std::vector<double> values;    // of the parameters of the axes
-  std::optional<Scales> scales;  // none, as what follows, if there is no such test
-  std::optional<DesignOutcome> outcome;
-  double margin;  // [1] as stiffness_margin; above 0 the specimen does not snap
+  std::vector<double> values;  // of the parameters of the axes
+  DesignResult result;
+  double margin;  // [1] as stiffness_margin; above 0 the specimen does not snap; NaN where there is no outcome
 };
 
 // Every combination of the axes' values, the last axis fastest.
-// Cost:       one outcome and one critical stiffness each, on all processors. The same points for any number of them.
-std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<MapAxis>& axes);
+// Cost:       one outcome and one critical stiffness each. The same points for any number of them.
+std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<MapAxis>& axes, unsigned threads);
 
 }  // namespace flexslip

@@ -1,6 +1,5 @@
 #include "cases/sweep_file.h"
 
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -13,8 +12,6 @@
 
 namespace flexslip {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* digest_name = "plan";
 
@@ -88,25 +85,6 @@ FoundPart find_part(std::span<const SweepParts> folders, std::uint64_t chunk) {
   return found;
 }
 
-// The file until it is finished: under one name always, so that a merge that is killed leaves nothing that the next one does
-// not replace. HDF5 locks what it writes, should there be two at once.
-class Unfinished {
- public:
-  explicit Unfinished(const fs::path& file) : file_(file), name_(file.string() + ".unfinished") {}
-  ~Unfinished() {
-    std::error_code absent;
-    fs::remove(name_, absent);
-  }
-  Unfinished(const Unfinished&) = delete;
-  Unfinished& operator=(const Unfinished&) = delete;
-
-  std::string name() const { return name_.string(); }
-  void finish() const { finish_file(name_, file_); }
-
- private:
-  fs::path file_, name_;
-};
-
 }  // namespace
 
 SweepMerge merge_sweep(std::span<const SweepParts> folders, const std::string& path, const MergeOptions& options) {
@@ -115,8 +93,8 @@ SweepMerge merge_sweep(std::span<const SweepParts> folders, const std::string& p
     if (parts.digest() != folders.front().digest()) throw std::invalid_argument("merge_sweep: parts of two sweeps");
   const SweepPlan& plan = folders.front().plan();
   const std::vector<SweepColumn> columns = columns_of(plan);
-  const Unfinished unfinished(path);
-  Hdf5File file(unfinished.name());
+  UnfinishedFile unfinished(path);
+  Hdf5File file(unfinished.name().string());
   describe(file, folders.front(), columns);
   SweepMerge merge{MergeStatus::done, {}, std::vector<std::uint64_t>(row_status_words().size())};
   for (std::uint64_t chunk = 0; chunk < chunks_of(plan); ++chunk) {

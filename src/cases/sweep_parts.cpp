@@ -1,17 +1,18 @@
 #include "cases/sweep_parts.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "cases/sweep_digest.h"
 #include "cases/sweep_row.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
@@ -29,11 +30,6 @@ constexpr int layout = 1;  // of the folder and its parts: another one is not re
 constexpr const char* plan_name = "sweep.json";
 constexpr std::string_view part_prefix = "part-";
 constexpr std::size_t checksum_size = 64;  // [bytes]
-
-std::string sha256_of(std::string_view bytes) {
-  std::istringstream in{std::string(bytes)};
-  return digest_of(in).sha256;
-}
 
 [[noreturn]] void refuse(const fs::path& folder, std::string found, std::string remedy) {
   throw InputError({.file = folder.string(),
@@ -81,16 +77,29 @@ Label label_of(const fs::path& folder) {
 
 SweepPlan plan_of(const Label& label) { return read_sweep(label.text, label.source); }
 
+// Is all that a folder holds a label that was being written, by a run that was stopped or by one beside this?
+bool begun(const fs::path& folder) {
+  return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
+    return entry.path().filename().string().starts_with(plan_name);
+  });
+}
+
 }  // namespace
 
 SweepParts::SweepParts(fs::path folder, const SweepPlan& plan)
-    : folder_(std::move(folder)), plan_(plan), digest_(digest_of(plan)), columns_(columns_of(plan).size()) {
+    : folder_(std::move(folder)), plan_(plan), digest_(digest_of_sweep(plan)), columns_(columns_of(plan).size()) {
+  // Only this folder is made, so that a path misspelt is told.
   std::error_code error;
-  fs::create_directories(folder_, error);
+  fs::create_directory(folder_, error);
   if (error)
     throw InputError(
         {.file = folder_.string(), .expected = "a folder that can be written to", .found = error.message()});
   const auto label = read_label(folder_);
+  if (!label && !fs::is_empty(folder_) && !begun(folder_))
+    throw InputError({.file = folder_.string(),
+                      .expected = "a folder of parts, or none",
+                      .found = fmt::format("one with other files in it and without {}", plan_name),
+                      .remedy = "pass another --output"});
   if (!label) write_label(folder_, plan_, digest_);
   if (label && label->digest != digest_)
     refuse(folder_,

@@ -4,28 +4,24 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cases/keys.h"
 #include "cases/toml.h"
-#include "io/sha256.h"
 #include "io/table.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::uint64_t most_rows = 1'000'000'000'000;  // half a year of a thousand cores; more is a slip of the pen
+constexpr std::uint64_t most_rows = 1'000'000'000'000;  // three days of a thousand cores; more is a slip of the pen
 constexpr std::uint64_t most_points = 1'000'000;        // of an axis; all its values stand in the file
 constexpr std::uint64_t many_chunks = 512;              // enough for every core that a cluster gives one person
-constexpr std::uint64_t least_chunk = 64;               // [rows] a file for less would cost more than what is in it
-constexpr std::uint64_t largest_chunk = 1 << 16;        // [rows] half a minute of a core: what a kill may lose
+constexpr std::uint64_t least_chunk = 64;               // [rows] 20 ms of a core: a file for less would cost as much
+constexpr std::uint64_t largest_chunk = 1 << 16;        // [rows] 20 s of a core: what a kill may lose
 
 constexpr Words<Spacing, 2> spacing_names{{{"linear", Spacing::linear}, {"log", Spacing::logarithmic}}};
 
@@ -179,17 +175,6 @@ std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube
   return inputs;
 }
 
-// In place of the name of a file, what is in it.
-std::string content_digest(const std::string& file) { return digest_of(*open_to_read(file)).sha256; }
-
-std::string text_of(const SweepAxis& axis) {
-  if (const auto* values = std::get_if<AxisValues>(&axis.values))
-    return fmt::format("{} {}", axis.parameter.name, *values);
-  const auto& range = std::get<AxisRange>(axis.values);
-  return fmt::format("{} {} {} {} {}", axis.parameter.name, range.from, range.to, range.points,
-                     range.spacing == Spacing::linear ? "linear" : "log");
-}
-
 // A refusal of a number, told as one of the axis that it stands in.
 void set_from_axis(DesignCase& design, const SweepPlan& plan, const SweepAxis& axis, const std::string& key,
                    double value) {
@@ -221,7 +206,7 @@ void check(const SweepPlan& plan) {
 }  // namespace
 
 SweepPlan read_sweep(std::string_view text, const std::string& source) {
-  SweepPlan plan{read_case(text, source, {"sweep"}), std::string(text), {}, {}, 0};
+  SweepPlan plan{read_case(text, source), std::string(text), {}, {}, 0};
   const toml::table file = parse_toml(text, source);
   const toml::node& section = Keys(file, "", plan.input).need("sweep");
   if (!section.is_table()) throw wrong_value(plan.input, "sweep", "a section [sweep]", kind_of_node(section));
@@ -283,6 +268,12 @@ std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row) {
   return hypercube ? inputs_of_sample(plan, *hypercube, row) : inputs_of_grid(plan, row);
 }
 
+std::uint64_t row_from_all_over(const SweepPlan& plan, std::uint64_t i) {
+  const double place = static_cast<double>(i) * 0.6180339887498949;
+  const auto row = static_cast<std::uint64_t>((place - std::floor(place)) * static_cast<double>(plan.rows));
+  return std::min(row, plan.rows - 1);
+}
+
 std::uint64_t rows_in_chunk(const SweepPlan& plan) {
   return std::clamp(std::bit_ceil(plan.rows / many_chunks), least_chunk, largest_chunk);
 }
@@ -293,24 +284,6 @@ RowSpan rows_of_chunk(const SweepPlan& plan, std::uint64_t chunk) {
   const std::uint64_t first = chunk * rows_in_chunk(plan);
   if (first >= plan.rows) throw std::invalid_argument(fmt::format("rows_of_chunk: no chunk {}", chunk));
   return {first, std::min(rows_in_chunk(plan), plan.rows - first)};
-}
-
-std::string digest_of(const SweepPlan& plan) {
-  constexpr int layout = 1;  // of the parts: another one is not read
-  Case input = plan.input;
-  input.record.reset();
-  if (input.friction && input.friction->profile)
-    if (auto* table = std::get_if<TabulatedFriction>(&*input.friction->profile))
-      table->file = content_digest(table->file);
-  if (input.stage)
-    if (auto* measured = std::get_if<MeasuredProgramme>(&input.stage->programme))
-      measured->file = content_digest(measured->file);
-  std::string text = fmt::format("sweep {} of FlexSlip {}\n{}", layout, FLEXSLIP_VERSION, to_toml(input));
-  if (const auto* hypercube = std::get_if<LatinHypercube>(&plan.method))
-    text += fmt::format("latin hypercube {} {}\n", hypercube->samples, hypercube->seed);
-  for (const SweepAxis& axis : plan.axes) text += text_of(axis) + "\n";
-  std::istringstream in(std::move(text));
-  return digest_of(in).sha256;
 }
 
 }  // namespace flexslip

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -72,6 +74,13 @@ double value_at(const AxisRange& range, double t);
 //             cycles until it is back in range; so no table of the permutation is held.
 std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row);
 
+// The outcomes of a row from its inputs.
+using RowFunction = std::function<std::vector<double>(std::span<const double> inputs)>;
+
+// The i-th of some rows from all over the sweep, however few are taken.
+// Method:     the fractional parts of multiples of the golden ratio.
+std::uint64_t row_from_all_over(const SweepPlan& plan, std::uint64_t i);
+
 // Rows are computed, kept and counted out to computers in chunks of this many; the last one may have fewer.
 std::uint64_t rows_in_chunk(const SweepPlan& plan);
 std::uint64_t chunks_of(const SweepPlan& plan);
@@ -80,10 +89,5 @@ struct RowSpan {
   std::uint64_t first, count;
 };
 RowSpan rows_of_chunk(const SweepPlan& plan, std::uint64_t chunk);
-
-// What the answers depend on, as 64 hexadecimal digits: the case with the content of its files, the axes, the version of the
-// program. Comments, layout and file names are not in it.
-// Fails:      InputError if a file of the case cannot be read.
-std::string digest_of(const SweepPlan& plan);
 
 }  // namespace flexslip

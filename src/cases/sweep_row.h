@@ -21,14 +21,10 @@ struct SweepColumn {
 // The inputs, in the order of the axes, and after them the outcomes.
 std::vector<SweepColumn> columns_of(const SweepPlan& plan);
 
-enum class RowStatus {
-  ok,
-  slipped_through,  // the outcomes are those up to there
-  impossible,       // there is no such test, or it cannot be computed: all outcomes are NaN, counts 0
-};
+// What the values of the status mean: ResultStatus (design_result.h).
 std::vector<std::string> row_status_words();
 
-// The column whose values are RowStatus.
+// The column whose values are ResultStatus.
 std::size_t status_column(const SweepPlan& plan);
 
 // Computes rows; what it answers does not depend on what it was asked before.
@@ -37,7 +33,7 @@ class RowComputer {
   // Fails:      InputError as DesignCase.
   explicit RowComputer(const SweepPlan& plan);
 
-  // The outcomes of a row, one for each of their columns.
+  // The outcomes of a row, one for each of their columns; NaN, and counts 0, where there is no design.
   std::vector<double> operator()(std::span<const double> inputs);
 
  private:

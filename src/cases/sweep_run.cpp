@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -111,11 +110,7 @@ fs::path nearest_folder(fs::path path) {
 
 }  // namespace
 
-RowFunctionMaker designs_of(const SweepPlan& plan) {
-  return [computer = RowComputer(plan)]() -> RowFunction { return computer; };
-}
-
-SweepRun run_sweep(const SweepParts& parts, const RowFunctionMaker& make_row, const SweepOptions& options) {
+SweepRun run_sweep(const SweepParts& parts, const RowFunction& outcomes_of, const SweepOptions& options) {
   const SweepPlan& plan = parts.plan();
   SweepRun run{SweepStatus::done, 0, 0, {}};
   std::vector<std::uint64_t> to_do;
@@ -138,7 +133,7 @@ SweepRun run_sweep(const SweepParts& parts, const RowFunctionMaker& make_row, co
   std::atomic<std::uint64_t> rows_kept = 0;
   for_each_index(to_do.size(), options.threads, [&](std::size_t i) {
     if (watch.is_stopped()) return;
-    const auto values = values_of_chunk(plan, to_do[i], make_row(), watch);
+    const auto values = values_of_chunk(plan, to_do[i], RowFunction(outcomes_of), watch);
     if (!values) return;
     parts.write(to_do[i], *values);
     rows_kept += rows_of_chunk(plan, to_do[i]).count;
@@ -164,20 +159,15 @@ void require_space(const SweepPlan& plan, const std::string& output) {
                     "take fewer points, or an --output on a larger disk");
 }
 
-double seconds_of_design(const SweepPlan& plan, const RowFunctionMaker& make_row) {
+double seconds_of_design(const SweepPlan& plan, const RowFunction& outcomes_of) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::duration<double> long_enough(2.0);
   constexpr std::uint64_t most = 10'000;
-  const RowFunction outcomes_of = make_row();
   const std::uint64_t samples = std::min(plan.rows, most);
   const Clock::time_point start = Clock::now();
   std::uint64_t taken = 0;
-  while (taken < samples && Clock::now() - start < long_enough) {
-    // Spread over the sweep however soon time is up: the fractional parts of multiples of the golden ratio.
-    const double place = static_cast<double>(taken++) * 0.6180339887498949;
-    const auto row = static_cast<std::uint64_t>((place - std::floor(place)) * static_cast<double>(plan.rows));
-    outcomes_of(inputs_of(plan, std::min(row, plan.rows - 1)));
-  }
+  while (taken < samples && Clock::now() - start < long_enough)
+    outcomes_of(inputs_of(plan, row_from_all_over(plan, taken++)));
   return std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(taken);
 }
 

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,13 +17,6 @@ struct Shard {
   std::uint64_t index = 1;  // from 1 to count
   std::uint64_t count = 1;
 };
-
-// The outcomes of a row from its inputs. One function is made for each chunk, for one thread.
-using RowFunction = std::function<std::vector<double>(std::span<const double> inputs)>;
-using RowFunctionMaker = std::function<RowFunction()>;
-
-// What a sweep computes: RowComputer.
-RowFunctionMaker designs_of(const SweepPlan& plan);
 
 struct SweepOptions {
   unsigned threads = 1;
@@ -42,9 +34,9 @@ struct SweepRun {
   std::vector<std::uint64_t> damaged;  // chunks whose parts were removed
 };
 
-// Computes the chunks of a shard whose parts are missing or damaged.
+// Computes the chunks of a shard whose parts are missing or damaged; with a copy of the function for each.
 // Fails:      InputError if a part cannot be written.
-SweepRun run_sweep(const SweepParts& parts, const RowFunctionMaker& make_row, const SweepOptions& options);
+SweepRun run_sweep(const SweepParts& parts, const RowFunction& outcomes_of, const SweepOptions& options);
 
 // Where the parts of an output lie: beside it.
 std::string parts_folder_of(const std::string& output);
@@ -53,6 +45,6 @@ std::string parts_folder_of(const std::string& output);
 void require_space(const SweepPlan& plan, const std::string& output);
 
 // [s] that a design takes on one thread: the mean of rows from all over the sweep, as many as two seconds take.
-double seconds_of_design(const SweepPlan& plan, const RowFunctionMaker& make_row);
+double seconds_of_design(const SweepPlan& plan, const RowFunction& outcomes_of);
 
 }  // namespace flexslip

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,13 +10,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "cases/campaign_run.h"
 #include "cli/analysis_flags.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/campaign_json.h"
@@ -81,10 +80,7 @@ CampaignOptions options_of(const CampaignRequest& request) {
     };
     options.presented = request.test_reports ? "report" : "";
   }
-  if (!request.output.quiet && isatty(STDERR_FILENO) == 1)
-    options.progress = [](std::size_t done, std::size_t tests) {
-      std::cerr << fmt::format("\r{} of {} tests{}", done, tests, done == tests ? "\n" : "") << std::flush;
-    };
+  options.progress = progress_of("tests", request.output);
   return options;
 }
 

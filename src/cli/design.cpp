@@ -1,8 +1,9 @@
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -25,12 +26,14 @@ struct DesignRequest {
   std::string file;
   std::vector<std::string> over;
   std::string figure;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   Output output;
 };
 
 std::vector<MapAxis> axes_of(const DesignRequest& request, const DesignCase& input) {
   constexpr std::size_t points_of_curve = 101;
   constexpr std::size_t points_of_map = 41;
+  constexpr std::size_t most_designs = 1'000'000;  // all are held in memory
   if (request.over.size() > 2)
     throw InputError({.field = "--over",
                       .expected = "one parameter or two",
@@ -44,70 +47,55 @@ std::vector<MapAxis> axes_of(const DesignRequest& request, const DesignCase& inp
     }
   if (axes.size() == 2 && axes[0].parameter == axes[1].parameter)
     throw InputError({.field = "--over", .expected = "two parameters", .found = "the same twice"});
+  std::size_t designs = 1;
+  for (const MapAxis& axis : axes) designs *= axis.values.size();
+  if (designs > most_designs)
+    throw InputError({.field = "--over",
+                      .expected = fmt::format("at most {} designs", most_designs),
+                      .found = std::to_string(designs),
+                      .remedy = "take fewer points, or flexslip sweep, which takes as many as the disk"});
   return axes;
 }
 
-struct OutcomeColumn {
-  std::string_view name, unit;
-  double (*value)(const MapPoint& point);
-};
-
-constexpr std::array outcome_columns{
-    OutcomeColumn{"end", "m", [](const MapPoint& at) { return at.scales->physical_length(at.outcome->end); }},
-    OutcomeColumn{"snaps", "", [](const MapPoint& at) { return static_cast<double>(at.outcome->snaps); }},
-    OutcomeColumn{"first_snap_stage", "m",
-                  [](const MapPoint& at) {
-                    return at.outcome->first_snap ? at.scales->physical_length(at.outcome->first_snap->stage) : NAN;
-                  }},
-    OutcomeColumn{"first_snap_deflection", "m",
-                  [](const MapPoint& at) {
-                    return at.outcome->first_snap ? at.scales->physical_length(at.outcome->first_snap->w) : NAN;
-                  }},
-    OutcomeColumn{"drops", "", [](const MapPoint& at) { return static_cast<double>(at.outcome->drops); }},
-    OutcomeColumn{"largest_drop", "N",
-                  [](const MapPoint& at) { return at.scales->physical_force(at.outcome->largest_drop); }},
-    OutcomeColumn{"mean_drop", "N",
-                  [](const MapPoint& at) { return at.scales->physical_force(at.outcome->mean_drop); }},
-    OutcomeColumn{"greatest_force", "N",
-                  [](const MapPoint& at) { return at.scales->physical_force(at.outcome->greatest_force); }},
-    OutcomeColumn{"work", "J", [](const MapPoint& at) { return at.scales->physical_energy(at.outcome->work); }},
-    OutcomeColumn{"friction", "J", [](const MapPoint& at) { return at.scales->physical_energy(at.outcome->friction); }},
-    OutcomeColumn{"released", "J", [](const MapPoint& at) { return at.scales->physical_energy(at.outcome->released); }},
-    OutcomeColumn{"stiffness_margin", "", [](const MapPoint& at) { return at.margin; }},
-};
-
-std::string_view si_unit(const Kind& kind) {
-  for (const auto& [known, unit] : {std::pair{&kind::length, "m"}, std::pair{&kind::stiffness, "N/m"},
-                                    std::pair{&kind::pressure, "Pa"}, std::pair{&kind::angle, "rad"}})
-    if (known->dimension == kind.dimension) return unit;
-  return "";
+std::string title_of(std::string_view name, const Kind& kind, bool reduced) {
+  return kind.dimension == kind::number.dimension ? std::string(name)
+                                                  : column_title(name, unit_of(kind, reduced), reduced);
 }
 
-std::string title_of(std::string_view name, std::string_view unit, bool reduced) {
-  return unit.empty() ? std::string(name) : column_title(name, unit, reduced);
+double value_in(const OutcomeColumn& column, const DesignResult& result) {
+  return result.outcome ? column.value(*result.outcome, result.planned->scales)
+                        : std::numeric_limits<double>::quiet_NaN();
 }
 
 void write_map(const DesignRequest& request, const DesignCase& input, const std::vector<MapAxis>& axes,
                const std::vector<MapPoint>& points) {
   if (request.output.json) return write_json(request.output.path, design_map_json(input, axes, points));
-  std::vector<std::vector<double>> values(axes.size() + outcome_columns.size());
-  std::vector<std::string_view> status;
-  for (const MapPoint& point : points) {
-    for (std::size_t i = 0; i < axes.size(); ++i) values[i].push_back(point.values[i]);
-    for (std::size_t i = 0; i < outcome_columns.size(); ++i)
-      values[axes.size() + i].push_back(point.outcome ? outcome_columns[i].value(point) : NAN);
-    const bool is_ok = point.outcome && point.outcome->status == DesignStatus::ok;
-    status.emplace_back(is_ok ? "ok" : point.outcome ? "slipped_through" : "impossible");
-  }
-  std::vector<OutputColumn> columns;
+  std::vector<std::string> titles;
+  std::vector<std::vector<double>> values;
+  const auto add = [&](std::string title, const auto& value) {
+    titles.push_back(std::move(title));
+    std::vector<double>& cells = values.emplace_back();
+    cells.reserve(points.size());
+    for (const MapPoint& point : points) cells.push_back(value(point));
+  };
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const auto& [parameter, name, kind] = described(axes[i].parameter);
-    columns.push_back({title_of(name, si_unit(kind), input.reduced()), values[i]});
+    const DesignParameterName& parameter = described(axes[i].parameter);
+    add(title_of(parameter.name, parameter.kind, input.reduced()), [&](const MapPoint& at) { return at.values[i]; });
   }
-  columns.emplace_back(OutputColumn{"status", status});
-  for (std::size_t i = 0; i < outcome_columns.size(); ++i)
-    columns.push_back(
-        {title_of(outcome_columns[i].name, outcome_columns[i].unit, input.reduced()), values[axes.size() + i]});
+  for (const OutcomeColumn& column : outcome_columns())
+    add(title_of(column.name, column.kind, input.reduced()),
+        [&](const MapPoint& at) { return value_in(column, at.result); });
+  add("stiffness_margin", [](const MapPoint& at) { return at.margin; });
+
+  std::vector<std::string_view> status;
+  status.reserve(points.size());
+  for (const MapPoint& point : points) status.push_back(word_of(point.result.status));
+  std::vector<OutputColumn> columns;
+  columns.reserve(titles.size() + 1);
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    if (i == axes.size()) columns.push_back({"status", status});
+    columns.push_back({titles[i], values[i]});
+  }
   write_table(request.output.path, columns);
 }
 
@@ -116,7 +104,7 @@ void run_design(const DesignRequest& request) {
   const DesignCase input(given);
   const auto axes = axes_of(request, input);
   if (!axes.empty()) {
-    const auto points = design_map(input, axes);
+    const auto points = design_map(input, axes, request.threads);
     if (!request.figure.empty()) draw_for(request.output, design_map_figure(input, axes, points), request.figure);
     return write_map(request, input, axes, points);
   }
@@ -141,6 +129,10 @@ void add_design_command(CLI::App& app) {
                    "twice: a map "
                    "over two")
       ->type_name("RANGE");
+  command->add_option("-j,--threads", request->threads, "With --over: designs computed at the same time")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1U, 1024U))
+      ->default_str("the number of cores");
   add_figure_option(*command, request->figure);
   add_output_options(*command, request->output);
   command->footer(

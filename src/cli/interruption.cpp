@@ -8,17 +8,18 @@ namespace {
 
 std::atomic<bool> is_interrupted = false;
 
-}  // namespace
-
-WhileInterruptible::WhileInterruptible() {
-  for (const int signal : {SIGINT, SIGTERM})
-    std::signal(signal, [](int) {
-      if (is_interrupted.exchange(true)) std::_Exit(exit_interrupted);  // asked twice
-    });
+void request_to_stop(int) {
+  if (is_interrupted.exchange(true)) std::_Exit(exit_interrupted);  // asked twice
 }
 
+}  // namespace
+
+WhileInterruptible::WhileInterruptible()
+    : on_interrupt_(std::signal(SIGINT, request_to_stop)), on_terminate_(std::signal(SIGTERM, request_to_stop)) {}
+
 WhileInterruptible::~WhileInterruptible() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  std::signal(SIGINT, on_interrupt_);
+  std::signal(SIGTERM, on_terminate_);
 }
 
 const std::atomic<bool>& interrupted() { return is_interrupted; }

@@ -5,7 +5,7 @@
 
 namespace flexslip {
 
-inline constexpr int exit_interrupted = 130;
+inline constexpr int exit_interrupted = 130;  // whichever of the two it was: what was done is kept
 
 // While one of these lives, a first request sets interrupted(), and a second one ends the program.
 class WhileInterruptible {
@@ -14,6 +14,10 @@ class WhileInterruptible {
   ~WhileInterruptible();
   WhileInterruptible(const WhileInterruptible&) = delete;
   WhileInterruptible& operator=(const WhileInterruptible&) = delete;
+
+ private:
+  using Handler = void (*)(int);
+  Handler on_interrupt_, on_terminate_;  // as they were
 };
 
 const std::atomic<bool>& interrupted();

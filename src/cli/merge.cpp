@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -25,6 +26,11 @@ struct MergeRequest {
 std::string output_of(const MergeRequest& request) {
   if (request.path) return *request.path;
   std::filesystem::path folder = std::filesystem::path(request.folders.front()).lexically_normal();
+  if (std::filesystem::is_regular_file(folder))
+    throw InputError({.file = folder.string(),
+                      .expected = "a folder of parts, as flexslip sweep makes it beside its output",
+                      .found = "a file",
+                      .remedy = fmt::format("pass {}.parts", folder.string())});
   if (!folder.has_filename()) folder = folder.parent_path();  // "map.h5.parts/"
   if (folder.extension() != ".parts")
     throw InputError({.field = "--output",
@@ -36,10 +42,12 @@ std::string output_of(const MergeRequest& request) {
 
 void run_merge(const MergeRequest& request) {
   const std::string path = output_of(request);
-  // A job that is run again after its work was done.
-  const bool is_gone = !std::filesystem::exists(request.folders.front());
-  if (is_gone && std::filesystem::exists(path) && digest_of_sweep_file(path))
-    return note(request.output, fmt::format("{} is complete already, and its parts are removed", path));
+  // A job that is run again after its work was done. Which sweep the folder held is not known any more.
+  const auto is_there = [](const std::string& folder) { return std::filesystem::exists(folder); };
+  const bool is_gone = std::none_of(request.folders.begin(), request.folders.end(), is_there);
+  if (is_gone && digest_of_sweep_file(path))
+    return note(request.output,
+                fmt::format("no {}, but {} is there, the file of a sweep", request.folders.front(), path));
 
   std::vector<SweepParts> folders;
   folders.reserve(request.folders.size());
@@ -51,11 +59,10 @@ void run_merge(const MergeRequest& request) {
                         .found = "those of another one",
                         .remedy = "leave it out"});
   }
-  if (is_complete(path, folders.front().digest())) note(request.output, fmt::format("{} is replaced", path));
-  if (request.keep_parts)
-    join_and_keep_parts(folders, path, request.output);
-  else
-    join_parts(folders, path, request.output);
+  if (finds_sweep(path, folders.front().digest())) note(request.output, fmt::format("{} is replaced", path));
+  join_parts(folders, path, request.output);
+  if (!request.keep_parts)
+    for (const SweepParts& parts : folders) parts.remove_all();
 }
 
 }  // namespace
@@ -75,7 +82,8 @@ void add_merge_command(CLI::App& app) {
   command->footer(
       "If parts are missing or damaged, no file is written: they are listed with their rows, and with the call that\n"
       "computes only these; the exit code is 1. The parts are removed once the file is whole and safe on the disk, so\n"
-      "nothing is lost if the merge is stopped. Memory does not grow with the sweep.\n\n"
+      "nothing is lost if the merge is stopped. Memory does not grow with the sweep, but for the list of what is "
+      "missing.\n\n"
       "Examples:\n"
       "  flexslip merge map.h5.parts\n"
       "  flexslip merge here/map.h5.parts there/map.h5.parts --output map.h5");

@@ -7,12 +7,19 @@
 #include <fmt/format.h>
 
 #include "cli/shell_word.h"
+#include "io/input_error.h"
 
 namespace flexslip {
 namespace {
 
-// A file name as sbatch reads it: % begins what it replaces.
-std::string sbatch_name(std::string_view path) {
+// A file name as sbatch reads it in quotes: % begins what it replaces, and a quote would end it.
+std::string sbatch_name(const std::string& path) {
+  if (path.find_first_of("\"\\\n") != std::string::npos)
+    throw InputError(
+        {.field = "--output",
+         .expected = "a path without double quotes, backslashes and line breaks, as sbatch does not read them",
+         .found = in_quotes(path),
+         .remedy = "pass another --output"});
   std::string name;
   for (const char c : path) name += c == '%' ? "%%" : std::string(1, c);
   return name;
@@ -40,19 +47,21 @@ constexpr std::string_view script = R"script(#!/bin/bash
 ##SBATCH --mem=1G
 ##SBATCH --partition=NAME
 ##SBATCH --account=NAME
+# module load hdf5   # where the nodes have their libraries as modules
 
 FLEXSLIP={program}   # as the compute nodes see it
 CASE={case_file}
 OUTPUT={output}
 
-# Outside of the array: submit it, and the merge when all its jobs have ended. afterany, not afterok: if a job failed, the
-# merge writes no file, but says in the log which parts are missing and how to compute them.
+if [[ ${{1:-}} == merge ]]; then exec "$FLEXSLIP" merge "$OUTPUT.parts" --output "$OUTPUT"; fi
+
+# Outside of the array: submit it, and the merge when all its jobs have ended, with the same options. afterany, not afterok: if a
+# job failed, the merge writes no file, but says in the log which parts are missing and how to compute them.
 if [[ -z ${{SLURM_ARRAY_TASK_ID:-}} ]]; then
   set -euo pipefail
   array=$(sbatch --parsable "$0")
   array=${{array%%;*}}   # without the name of the cluster
-  merge=$(sbatch --parsable --dependency="afterany:$array" --job-name={job} --output={log_word} --open-mode=append \
-    --wrap "$(printf '%q ' "$FLEXSLIP" merge "$OUTPUT.parts" --output "$OUTPUT")")
+  merge=$(sbatch --parsable --dependency="afterany:$array" --array=0 --cpus-per-task=1 "$0" merge)
   echo "array job $array, merge job ${{merge%%;*}}; watch them with: squeue --me"
   exit
 fi
@@ -71,7 +80,7 @@ std::string slurm_script(const SlurmJobs& jobs) {
                      fmt::arg("shards", jobs.shards),
                      fmt::arg("time", std::ceil(safety * jobs.minutes + least_minutes)), fmt::arg("log", log),
                      fmt::arg("program", shell_word(jobs.program)), fmt::arg("case_file", shell_word(jobs.case_file)),
-                     fmt::arg("output", shell_word(jobs.output)), fmt::arg("log_word", shell_word(log)));
+                     fmt::arg("output", shell_word(jobs.output)));
 }
 
 }  // namespace flexslip

@@ -14,6 +14,7 @@ struct SlurmJobs {
 };
 
 // A commented script that submits itself, and the merge after it.
+// Fails:      InputError if sbatch could not read the name of the output.
 std::string slurm_script(const SlurmJobs& jobs);
 
 }  // namespace flexslip

@@ -10,8 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "cases/sweep_digest.h"
 #include "cases/sweep_parts.h"
 #include "cases/sweep_plan.h"
+#include "cases/sweep_row.h"
 #include "cases/sweep_run.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -67,7 +69,7 @@ void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, cons
   constexpr double most_jobs = 1000;  // Slurm's usual limit on an array
   if (request.file == "-")
     throw InputError({.field = "--slurm", .expected = "a case file that the jobs can read", .found = "standard input"});
-  const double minutes = seconds_of_design(plan, designs_of(plan)) * static_cast<double>(plan.rows) / 60 /
+  const double minutes = seconds_of_design(plan, RowComputer(plan)) * static_cast<double>(plan.rows) / 60 /
                          static_cast<double>(request.threads);
   const double wanted = std::clamp(std::ceil(minutes / request.minutes), 1.0, most_jobs);
   const std::uint64_t shards = std::min(request.shards.value_or(static_cast<std::uint64_t>(wanted)), chunks_of(plan));
@@ -84,7 +86,7 @@ void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, cons
 
 SweepRun compute(const SweepRequest& request, const SweepParts& parts, const Shard& shard) {
   const WhileInterruptible guard;
-  return run_sweep(parts, designs_of(parts.plan()),
+  return run_sweep(parts, RowComputer(parts.plan()),
                    {.threads = request.threads,
                     .shard = shard,
                     .stop = &interrupted(),
@@ -108,7 +110,7 @@ void run_sweep_command(const SweepRequest& request) {
   const Shard shard = shard_of(request);
   const std::string path = output_of(request);
   const SweepPlan plan = read_sweep(request.file);
-  const bool is_done = is_complete(path, digest_of(plan));
+  const bool is_done = finds_sweep(path, digest_of_sweep(plan));
   if (!is_done) require_space(plan, path);
   if (!request.slurm.empty()) return write_slurm_script(request, plan, path);
   if (is_done) {
@@ -128,10 +130,8 @@ void run_sweep_command(const SweepRequest& request) {
     throw Interrupted(fmt::format("interrupted; {} designs are kept in {}, and the same command goes on from there",
                                   run.rows_found + run.rows_computed, parts.folder().string()));
   if (!request.shard.empty()) return report_shard(request, parts, shard, run);
-  if (request.keep_parts)
-    join_and_keep_parts({&parts, 1}, path, request.output);
-  else
-    join_parts({&parts, 1}, path, request.output);
+  join_parts({&parts, 1}, path, request.output);
+  if (!request.keep_parts) parts.remove_all();
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ std::string words_of(const std::vector<std::uint64_t>& counts) {
 
 }  // namespace
 
-bool is_complete(const std::string& path, const std::string& digest) {
+bool finds_sweep(const std::string& path, const std::string& digest) {
   if (!std::filesystem::exists(path)) return false;
   const auto found = digest_of_sweep_file(path);
   if (found == digest) return true;
@@ -86,7 +86,7 @@ bool is_complete(const std::string& path, const std::string& digest) {
                     .remedy = "pass another --output, or remove it"});
 }
 
-void join_and_keep_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output) {
+void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output) {
   const SweepPlan& plan = folders.front().plan();
   const SweepMerge merge = [&] {
     const WhileInterruptible guard;
@@ -104,11 +104,6 @@ void join_and_keep_parts(std::span<const SweepParts> folders, const std::string&
                      {"faults", faults_json(merge.faults, plan)}});
   if (!is_done) throw CalculationFailed(words_of(merge.faults, folders.front(), path));
   if (!output.json) write_text("-", fmt::format("{}: {} designs ({})\n", path, plan.rows, words_of(merge.counts)));
-}
-
-void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output) {
-  join_and_keep_parts(folders, path, output);
-  for (const SweepParts& parts : folders) parts.remove_all();
 }
 
 }  // namespace flexslip

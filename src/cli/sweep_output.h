@@ -9,15 +9,12 @@
 
 namespace flexslip {
 
-// Is the file there, and that of the sweep with this digest?
+// Is the file there? It is that of the sweep with this digest.
 // Fails:      InputError if another file is there.
-bool is_complete(const std::string& path, const std::string& digest);
+bool finds_sweep(const std::string& path, const std::string& digest);
 
-// Joins the parts in a file, and says what came of it on standard output. Parts are removed once the file is safe on the disk.
+// Joins the parts in a file, and says what came of it on standard output. The file is safe on the disk when this returns.
 // Fails:      InputError if the file cannot be written; CalculationFailed, naming the parts, if some are missing or damaged.
 void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output);
-
-// The same, leaving the parts where they are.
-void join_and_keep_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output);
 
 }  // namespace flexslip

@@ -2,78 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "bending_test/quadrature.h"
 #include "bending_test/reach.h"
 #include "bending_test/snap.h"
 #include "fibre/elastica.h"
+#include "inference/readings.h"
 #include "inference/sliding_piece.h"
 
 namespace flexslip {
 namespace {
-
-// Which reading stands where: at every whole step of the stage, and at the end of its travel.
-class Readings {
- public:
-  Readings(double travel, double step) : travel_(travel), step_(step), last_(std::ceil(travel / step - rounding)) {}
-
-  double position(double i) const { return i < last_ ? i * step_ : travel_; }
-  // The first reading beyond a stage position, and the last one that is not.
-  double first_beyond(double stage) const {
-    double i = std::clamp(std::floor(stage / step_) + 1, 0.0, last_ + 1);
-    while (i > 0 && position(i - 1) > stage) --i;
-    while (i <= last_ && position(i) <= stage) ++i;
-    return i;
-  }
-
- private:
-  static constexpr double rounding = 1e-9;  // of a step: a last one as short as that is none
-  double travel_, step_, last_;
-};
-
-// Forces in the order in which they are read, or as many of them as tell where they fall.
-class Drops {
- public:
-  void read(double F) {
-    // What is read off a polynomial is rounded.
-    constexpr double rounding = 1e-11;
-    if (F < last_ - rounding * last_) {
-      if (!falling_) top_ = last_;
-      falling_ = true;
-    } else if (F > last_ + rounding * last_) {
-      end_fall();
-    } else {
-      return;
-    }
-    last_ = F;
-  }
-
-  void tell(DesignOutcome& outcome) {
-    end_fall();
-    outcome.drops = count_;
-    outcome.largest_drop = largest_;
-    outcome.mean_drop = count_ > 0 ? sum_ / static_cast<double>(count_) : 0;
-  }
-
- private:
-  void end_fall() {
-    if (!falling_) return;
-    falling_ = false;
-    ++count_;
-    sum_ += top_ - last_;
-    largest_ = std::max(largest_, top_ - last_);
-  }
-
-  double last_ = 0;
-  double top_ = 0;
-  bool falling_ = false;
-  std::size_t count_ = 0;
-  double sum_ = 0;
-  double largest_ = 0;
-};
 
 // A state with what holds the stage there, and how it changes as the fibre slides at that stage position.
 struct Rest {
@@ -100,7 +43,10 @@ class Loading {
 
   DesignOutcome outcome() {
     outcome_.status = walk();
-    drops_.tell(outcome_);
+    drops_.end();
+    outcome_.drops = drops_.count();
+    outcome_.largest_drop = drops_.largest();
+    outcome_.mean_drop = drops_.mean();
     return outcome_;
   }
 
@@ -114,7 +60,7 @@ class Loading {
       if (arrives) to = point_at_stage(curve_, {here, to}, design_.travel);
       const Rest end = rest_at(design_.rig, to.S, to.q);
       if (!slide(here, rest, to, end)) return DesignStatus::slipped_through;
-      outcome_.end = arrives ? design_.travel : to.stage;
+      outcome_.stage_reached = arrives ? design_.travel : to.stage;
       if (arrives) {
         // The last reading, which may stand beyond the rounded end of its piece.
         if (design_.step > 0 && readings_.first_beyond(design_.travel) > next_) drops_.read(end.state.F);
@@ -126,7 +72,7 @@ class Loading {
       here = landing(point(i + 1), point(i + 2), to.stage);
       here.stage = to.stage;
       rest = rest_at(design_.rig, here.S, here.q);
-      const auto heat = friction_heat(to.stage, end, rest);
+      const auto heat = heat_of_snap(to.stage, end, rest);
       if (!heat) return DesignStatus::slipped_through;
       snap(to.stage, end, rest, *heat);
     }
@@ -154,7 +100,7 @@ class Loading {
       S = end;
     }
     outcome_.work += work;
-    outcome_.friction += work - (rest_to.state.U - rest_from.state.U);
+    outcome_.friction_heat += work - (rest_to.state.U - rest_from.state.U);
     see(rest_to.state.F);
     return true;
   }
@@ -207,11 +153,12 @@ class Loading {
 
   // ∫ μ Pn dS of a snap. At a fixed stage position the force at the supports is a smooth function of the length, whatever the
   // friction: a cubic between lengths that are near one another for the elastica. None if the fibre is not held all the way.
-  std::optional<double> friction_heat(double stage, const Rest& from, const Rest& to) const {
-    constexpr double near = 0.15;   // of S - 1
-    constexpr double short_ = 0.1;  // [L]
+  std::optional<double> heat_of_snap(double stage, const Rest& from, const Rest& to) const {
+    constexpr double near = 0.15;         // of S - 1
+    constexpr double longest_part = 0.1;  // [L]
     const double length = to.state.S - from.state.S;
-    const int parts = static_cast<int>(std::ceil(std::max(length / (near * (from.state.S - 1)), length / short_)));
+    const int parts =
+        static_cast<int>(std::ceil(std::max(length / (near * (from.state.S - 1)), length / longest_part)));
     double heat = 0;
     Rest a = from;
     for (int i = 1; i <= parts; ++i) {
@@ -251,7 +198,7 @@ class Loading {
     const FibreState& after = to.state;
     if (outcome_.snaps++ == 0) outcome_.first_snap = FirstSnap{stage, before.w, before.F, after.F};
     outcome_.work += 0.5 * (before.F + after.F) * (after.w - before.w);
-    outcome_.friction += heat;
+    outcome_.friction_heat += heat;
     outcome_.released += from.potential - to.potential - heat;
   }
 
@@ -264,9 +211,13 @@ class Loading {
 };
 
 void require_loading(const Design& design) {
+  constexpr double most_readings = 1e9;  // the counts of readings are doubles
   if (!(design.step >= 0 && std::isfinite(design.step)))
     throw std::invalid_argument("the step of the stage must be finite and not negative, not " +
                                 std::to_string(design.step));
+  if (design.step > 0 && design.travel / design.step > most_readings)
+    throw std::invalid_argument("a loading has at most 1e9 readings, not " +
+                                std::to_string(design.travel / design.step));
 }
 
 }  // namespace
@@ -274,6 +225,46 @@ void require_loading(const Design& design) {
 DesignOutcome outcome_of(const Design& design) {
   require_loading(design);
   return Loading(design).outcome();
+}
+
+double critical_stiffness(const Design& design) {
+  constexpr double above = 1e-7;
+  constexpr double settled = 1e-9;
+  constexpr double least = 1e-6;  // [L] of a deflection: what a curve can be traced for
+  double deflection = design.travel;
+  double stiffness = std::numeric_limits<double>::infinity();
+  while (true) {
+    const double critical = (1 + above) * critical_stiffness(design.friction, deflection);
+    if (!(critical < (1 - settled) * stiffness)) return critical;
+    // A rig that soft hardly bends the fibre, which has not begun to slide.
+    if (!(design.travel / (1 + 48 / critical) > least)) return 0;
+    stiffness = critical;
+    const Rig rig{stiffness};
+    const auto curve =
+        trace_loading_curve(design.friction, rig, longest_in_loading(design.friction, rig, design.travel));
+    const StablePart part = stable_part_from(curve, curve.begin);
+    const double reached = part.to.stage > design.travel ? point_at_stage(curve, part, design.travel).w : part.to.w;
+    deflection = std::max(reached, least);
+  }
+}
+
+std::vector<FoldPoint> folds_up_to(const Friction& friction, double w_max) {
+  constexpr double per_period = 96;
+  constexpr double per_knot = 8;
+  const double S_max = longest_in_loading(friction, {std::numeric_limits<double>::infinity()}, w_max);
+  const double for_waves = per_period * (S_max - 1) / (4 * friction.smooth_scale());
+  const double for_knots = per_knot * static_cast<double>(friction.knots().size());
+  const int n = static_cast<int>(std::clamp(std::max(for_waves, for_knots), 400.0, 20000.0));
+  std::vector<FoldPoint> points;
+  points.reserve(static_cast<std::size_t>(n));
+  for (int i = 1; i <= n; ++i) {
+    const double sigma = std::sqrt(S_max - 1) * i / n;
+    const double S = 1 + sigma * sigma;
+    const auto state = fibre_state(S, friction.at(S).mu);
+    if (state.status != FibreStatus::ok || state.w > w_max) break;
+    points.push_back({state.w, state.F, stiffness_of_fold(friction, S)});
+  }
+  return points;
 }
 
 }  // namespace flexslip

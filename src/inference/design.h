@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "bending_test/critical_stiffness.h"
 #include "bending_test/rig.h"
@@ -33,26 +34,49 @@ struct FirstSnap {
 
 struct DesignOutcome {
   DesignStatus status;
-  double end;         // [L] stage position that the loading gets to
-  std::size_t snaps;  // those of the fibre, however small
+  double stage_reached;  // [L] stage position that the loading gets to
+  std::size_t snaps;     // those of the fibre, however small
   std::optional<FirstSnap> first_snap;
   std::size_t drops;      // falls of the force between readings, a run of them counting once: what the record shows
   double largest_drop;    // [EI/L^2] 0 without drops
   double mean_drop;       // [EI/L^2] 0 without drops
   double greatest_force;  // [EI/L^2]
   double work;            // [EI/L] ∫ F dw, what is measured as work on the specimen
-  double friction;        // [EI/L] of it, heat at the supports; what the snaps set free is not in it
-  double
-      released;  // [EI/L] what the snaps set free beyond friction; work = friction + released + bending energy at the end
+  double friction_heat;   // [EI/L] of it, heat at the supports while the fibre slides and snaps
+  double released;        // [EI/L] of it, what the snaps set free beyond friction; the rest bends the fibre
 };
 
-// Domain:     travel at least 1e-6, step >= 0 and finite, rig.stiffness > 0; std::invalid_argument otherwise.
-// Max error:  of the stage positions and forces of snaps as stable_parts (rig.h); of work 1e-7, of friction and released 1e-5 of the work
-//             (typically 1e-7); of drops 1e-6 of the greatest force. Falls below 1e-11 of the force are none.
+// Domain:     travel at least 1e-6, step 0 or at least 1e-9 of it, finite, rig.stiffness > 0; std::invalid_argument otherwise.
+// Max error:  of the stage positions and forces of snaps as stable_parts (rig.h); of work and the greatest force 1e-7; of friction_heat
+//             and released 1e-5 of the work (typically 1e-7); of drops 1e-6 of the greatest force. Falls below 1e-11 of the force are
+//             none.
 // Fails:      slipped_through.
 // Method:     the curve is traced; its stable parts are followed as polynomials, whose turning points tell which readings to look at.
 //             In a snap the force at the supports is a smooth function of the length, whatever the friction (theory.md, "Designs").
 // Cost:       the trace, and 6 µs for each period or snap, however many readings.
 DesignOutcome outcome_of(const Design& design);
+
+// The least stiffness of the load train [EI/L^3] with none stiffer than which this loading, to its travel, comes to a fold, where the fibre
+// snaps or, if there is no rest beyond it, slips through. 0 where it does on none. The stiffness of the design itself does not count.
+// Domain:     as outcome_of.
+// Tolerance:  rounded up, by 1e-7, so that on a rig of just this stiffness there is no snap; 1e-8 beside it.
+// Fails:      infinity where the fibre snaps even with the deflection controlled.
+// Method:     on a rig of stiffness k and on all softer ones the loading gets no farther than to a deflection w(k), and up to that the
+//             critical stiffness K(w) is known (critical_stiffness.h): so k = K(travel) at first, and then k = K(w(k)) until it stays.
+//             No stiffer rig snaps at any moment of this. It stays at a cusp, because along a rising k(S) the stage positions of folds
+//             fall, by F k'/k^2.
+// Cost:       a few times that of critical_stiffness.
+double critical_stiffness(const Design& design);
+
+// A point of the curve with the stiffness of the rig on which it is a fold.
+struct FoldPoint {
+  double w;          // [L]
+  double F;          // [EI/L^2]
+  double stiffness;  // [EI/L^3]
+};
+
+// Points along the curve up to a deflection, close enough to be drawn as lines.
+// Domain:     w_max >= 1e-6, finite.
+std::vector<FoldPoint> folds_up_to(const Friction& friction, double w_max);
 
 }  // namespace flexslip

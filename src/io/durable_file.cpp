@@ -4,9 +4,12 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "io/input_error.h"
@@ -34,18 +37,7 @@ void sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
-}  // namespace
-
-fs::path unfinished_name(const fs::path& file) {
-  std::array<char, 256> computer{};
-  gethostname(computer.data(), computer.size() - 1);
-  fs::path name = file;
-  name += fmt::format(".{}-{}{}", computer.data(), getpid(), suffix);
-  return name;
-}
-
-bool is_unfinished(const fs::path& file) { return file.extension() == suffix; }
-
+// Gives a file that is written its name.
 void finish_file(const fs::path& unfinished, const fs::path& file) {
   sync(unfinished);
   std::error_code error;
@@ -54,8 +46,28 @@ void finish_file(const fs::path& unfinished, const fs::path& file) {
   sync(folder_of(file));
 }
 
+// Of this process alone, also where several computers share the folder.
+fs::path own_name(const fs::path& file) {
+  std::array<char, 256> computer{};
+  gethostname(computer.data(), computer.size() - 1);
+  fs::path name = file;
+  name += fmt::format(".{}-{}{}", computer.data(), getpid(), suffix);
+  return name;
+}
+
+bool is_open_as(int descriptor, const fs::path& name) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(descriptor, &opened) == 0 && stat(name.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+bool is_unfinished(const fs::path& file) { return file.extension() == suffix; }
+
 void write_durably(const fs::path& file, std::string_view bytes) {
-  const fs::path unfinished = unfinished_name(file);
+  const fs::path unfinished = own_name(file);
   try {
     write_text(unfinished.string(), bytes);
     finish_file(unfinished, file);
@@ -64,6 +76,32 @@ void write_durably(const fs::path& file, std::string_view bytes) {
     fs::remove(unfinished, gone);
     throw;
   }
+}
+
+UnfinishedFile::UnfinishedFile(fs::path file) : file_(std::move(file)), name_(file_) {
+  name_ += suffix;
+  while (!is_open_as(lock_, name_)) {  // again if it was finished or removed before it was locked
+    if (lock_ >= 0) close(lock_);
+    lock_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock_ < 0) refuse(name_, {errno, std::generic_category()});
+    if (flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) continue;  // or a file system without locks
+    close(lock_);
+    throw InputError({.file = file_.string(),
+                      .expected = "one program that writes it",
+                      .found = "another one that does",
+                      .remedy = "wait for it, or pass another --output"});
+  }
+}
+
+UnfinishedFile::~UnfinishedFile() {
+  std::error_code absent;
+  if (!is_finished_) fs::remove(name_, absent);
+  close(lock_);
+}
+
+void UnfinishedFile::finish() {
+  finish_file(name_, file_);
+  is_finished_ = true;
 }
 
 }  // namespace flexslip

@@ -78,24 +78,12 @@ class TextType : public Handle {
   }
 };
 
-struct Attribute {
-  hid_t file;
-  const std::string& path;
-  const std::string& name;
-};
-
-bool is_written(const Attribute& attribute, const Handle& space, hid_t stored_type, hid_t memory_type,
-                const void* values) {
-  const Handle object(H5Oopen(attribute.file, attribute.path.c_str(), H5P_DEFAULT), H5Oclose);
-  const Handle written(
-      H5Acreate2(object.id(), attribute.name.c_str(), stored_type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  return written.is_open() && H5Awrite(written.id(), memory_type, values) >= 0;
-}
-
 }  // namespace
 
 Hdf5File::Hdf5File(std::string path) : path_(std::move(path)) {
   be_silent();
+  // HDF5 empties a file before it locks it, too late for the program that has the lock. So who writes it has to lock it.
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
   file_ = H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (file_ < 0) refuse();
 }
@@ -145,7 +133,7 @@ void Hdf5File::describe(const std::string& path, const std::string& name, std::s
   const TextType type;
   const std::string terminated(text);
   const char* const pointer = terminated.c_str();
-  if (!is_written({file_, path, name}, space, type.id(), type.id(), &pointer)) refuse();
+  add_attribute(path, name, {space.id(), type.id(), type.id(), &pointer});
 }
 
 void Hdf5File::describe(const std::string& path, const std::string& name, std::span<const std::string> texts) {
@@ -155,23 +143,32 @@ void Hdf5File::describe(const std::string& path, const std::string& name, std::s
   std::vector<const char*> pointers;
   pointers.reserve(texts.size());
   for (const std::string& text : texts) pointers.push_back(text.c_str());
-  if (!is_written({file_, path, name}, space, type.id(), type.id(), pointers.data())) refuse();
+  add_attribute(path, name, {space.id(), type.id(), type.id(), pointers.data()});
 }
 
 void Hdf5File::describe(const std::string& path, const std::string& name, double number) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  if (!is_written({file_, path, name}, space, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &number)) refuse();
+  add_attribute(path, name, {space.id(), H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &number});
 }
 
 void Hdf5File::describe(const std::string& path, const std::string& name, std::uint64_t number) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  if (!is_written({file_, path, name}, space, H5T_STD_U64LE, H5T_NATIVE_UINT64, &number)) refuse();
+  add_attribute(path, name, {space.id(), H5T_STD_U64LE, H5T_NATIVE_UINT64, &number});
 }
 
 void Hdf5File::describe(const std::string& path, const std::string& name, std::span<const std::uint64_t> numbers) {
   const hsize_t size = numbers.size();
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  if (!is_written({file_, path, name}, space, H5T_STD_U64LE, H5T_NATIVE_UINT64, numbers.data())) refuse();
+  add_attribute(path, name, {space.id(), H5T_STD_U64LE, H5T_NATIVE_UINT64, numbers.data()});
+}
+
+void Hdf5File::add_attribute(const std::string& path, const std::string& name, const Attribute& attribute) {
+  const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
+  if (!object.is_open()) refuse();
+  const Handle added(
+      H5Acreate2(object.id(), name.c_str(), attribute.stored_type, attribute.space, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  if (!added.is_open() || H5Awrite(added.id(), attribute.memory_type, attribute.values) < 0) refuse();
 }
 
 void Hdf5File::finish() {
@@ -190,9 +187,11 @@ std::optional<std::string> hdf5_text(const std::string& path, const std::string&
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.is_open()) return std::nullopt;
   const Handle attribute(H5Aopen(file.id(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Handle space(H5Aget_space(attribute.id()), H5Sclose);
   const TextType type;
   char* text = nullptr;
-  if (!attribute.is_open() || H5Aread(attribute.id(), type.id(), &text) < 0 || !text) return std::nullopt;
+  if (H5Sget_simple_extent_npoints(space.id()) != 1 || H5Aread(attribute.id(), type.id(), &text) < 0 || !text)
+    return std::nullopt;
   std::string copy(text);
   H5free_memory(text);
   return copy;

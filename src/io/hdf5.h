@@ -18,7 +18,7 @@ enum class StoredAs { float64, uint32, uint8 };
 // Fails:      every function with an InputError that names the file, if it cannot be written or the disk is full.
 class Hdf5File {
  public:
-  // Replaces a file that is there.
+  // Replaces a file that is there, and does not lock it: UnfinishedFile does.
   explicit Hdf5File(std::string path);
   ~Hdf5File();  // an unfinished file is closed, whatever it holds
   Hdf5File(const Hdf5File&) = delete;
@@ -47,6 +47,12 @@ class Hdf5File {
   void finish();
 
  private:
+  struct Attribute {
+    std::int64_t space, stored_type, memory_type;
+    const void* values;
+  };
+  void add_attribute(const std::string& path, const std::string& name, const Attribute& attribute);
+  // While what failed is still open: to close it would clear HDF5's reason.
   [[noreturn]] void refuse() const;
 
   std::string path_;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -80,6 +81,11 @@ Digest digest_of(std::istream& in) {
   absorb(state, block);
   for (const auto word : state) digest.sha256 += fmt::format("{:08x}", word);
   return digest;
+}
+
+std::string sha256_of(std::string_view bytes) {
+  std::istringstream in{std::string(bytes)};
+  return digest_of(in).sha256;
 }
 
 }  // namespace flexslip

@@ -3,6 +3,7 @@
 
 #include <istream>
 #include <string>
+#include <string_view>
 
 namespace flexslip {
 
@@ -14,5 +15,8 @@ struct Digest {
 // Of all that is left in a stream.
 // Cost:       5 ns a byte.
 Digest digest_of(std::istream& in);
+
+// The 64 digits, of bytes in memory.
+std::string sha256_of(std::string_view bytes);
 
 }  // namespace flexslip

@@ -2,42 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "bending_test/history.h"
-#include "bending_test/reach.h"
-#include "fibre/elastica.h"
+#include "inference/readings.h"
+#include "io/quantity.h"
 
 namespace flexslip {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Reading {
-  double stage, F;
-};
-
-std::vector<Reading> readings_of(const Design& design) {
-  constexpr double most = 20000;  // more would not be told apart
-  const BendingTest test{design.friction, design.rig};
-  std::vector<Reading> readings{{0, 0}};
-  if (design.step == 0 || design.travel / design.step > most) {
-    for (const auto& point : follow_continuously(test, std::vector{design.travel}, 60).path)
-      readings.push_back({point.stage, point.F});
-    return readings;
-  }
-  std::vector<double> stages;
-  for (int i = 1; i * design.step < design.travel * (1 - 1e-9); ++i) stages.push_back(i * design.step);
-  stages.push_back(design.travel);
-  for (const auto& point : follow_in_steps(test, stages).path) readings.push_back({point.stage, point.F});
-  return readings;
-}
 
 FigureData line_of(std::string name, const std::vector<Reading>& readings, double x, double y, bool falling_only) {
   FigureData data{std::move(name), {"stage", "force"}, {}};
@@ -54,94 +35,24 @@ FigureData line_of(std::string name, const std::vector<Reading>& readings, doubl
   return data;
 }
 
-struct FoldPoint {
-  double w, stiffness;
-};
-
-// The stiffnesses of folds along the curve up to a deflection.
-std::vector<FoldPoint> folds_along(const Friction& friction, double w_max) {
-  const double S_max = longest_in_loading(friction, {std::numeric_limits<double>::infinity()}, w_max);
-  const double for_waves = 96 * (S_max - 1) / (4 * friction.smooth_scale());
-  const double for_knots = 8 * static_cast<double>(friction.knots().size());
-  const int n = static_cast<int>(std::clamp(std::max(for_waves, for_knots), 400.0, 20000.0));
-  std::vector<FoldPoint> points;
-  for (int i = 1; i <= n; ++i) {
-    const double sigma = std::sqrt(S_max - 1) * i / n;
-    const double S = 1 + sigma * sigma;
-    const auto state = fibre_state(S, friction.at(S).mu);
-    if (state.status != FibreStatus::ok || state.w > w_max) break;
-    points.push_back({state.w, stiffness_of_fold(friction, S)});
-  }
-  return points;
-}
-
-std::string_view words_of(DesignParameter parameter) {
-  switch (parameter) {
-    case DesignParameter::mu0:
-      return "Mean friction";
-    case DesignParameter::amplitude:
-      return "Amplitude of friction";
-    case DesignParameter::wavelength:
-      return "Wavelength of friction";
-    case DesignParameter::phase:
-      return "Phase of friction";
-    case DesignParameter::span:
-      return "Support span";
-    case DesignParameter::diameter:
-      return "Diameter";
-    case DesignParameter::modulus:
-      return "Flexural modulus";
-    case DesignParameter::stiffness:
-      return "Load-train stiffness";
-    case DesignParameter::travel:
-      return "Stage travel";
-    case DesignParameter::step:
-      return "Step of the stage";
-  }
-  throw std::invalid_argument("no such parameter");
-}
-
-std::string_view symbol_of(DesignParameter parameter) {
-  switch (parameter) {
-    case DesignParameter::mu0:
-      return "{/:Italic μ}_0";
-    case DesignParameter::amplitude:
-      return "{/:Italic A}";
-    case DesignParameter::wavelength:
-      return "{/:Italic λ}";
-    case DesignParameter::phase:
-      return "{/:Italic φ}";
-    case DesignParameter::span:
-      return "{/:Italic L}";
-    case DesignParameter::diameter:
-      return "{/:Italic D}";
-    case DesignParameter::modulus:
-      return "{/:Italic E}";
-    case DesignParameter::stiffness:
-      return "{/:Italic k}";
-    case DesignParameter::travel:
-    case DesignParameter::step:
-      return "{/:Italic w}_s";
-  }
-  throw std::invalid_argument("no such parameter");
-}
-
-std::string_view reduced_unit_of(const Kind& kind) {
-  if (kind.dimension == kind::length.dimension) return "L";
-  return kind.dimension == kind::stiffness.dimension ? "EI/L³" : "";
+std::string capitalised(std::string_view words) {
+  std::string text(words);
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
 }
 
 // An axis of a map: what is drawn of its values, logarithms if it is logarithmic, because gnuplot's pixels are all of one size.
 class Drawn {
  public:
   Drawn(const DesignCase& input, const MapAxis& axis) : logarithmic_(axis.logarithmic) {
-    const auto& [parameter, name, kind] = described(axis.parameter);
+    const DesignParameterName& parameter = described(axis.parameter);
+    const Kind& kind = parameter.kind;
     const auto [least, most] = std::minmax(axis.values.front(), axis.values.back());
     unit_ = kind.units.empty()
                 ? PlotUnit{"", 1}
                 : plot_unit(logarithmic_ ? std::sqrt(least * most) : std::max(std::abs(least), std::abs(most)), kind,
-                            input.reduced(), reduced_unit_of(kind));
-    label_ = axis_label(words_of(parameter), symbol_of(parameter), unit_);
+                            input.reduced(), typeset(unit_of(kind, true)));
+    label_ = axis_label(capitalised(parameter.description), parameter.symbol, unit_);
     low_ = unit_.factor * least;
     high_ = unit_.factor * most;
   }
@@ -175,28 +86,32 @@ class Drawn {
 
 double drop_share(const DesignOutcome& outcome) { return 100 * outcome.largest_drop / outcome.greatest_force; }
 
+// [units of the case] of the first snap.
+std::optional<double> first_deflection(const DesignResult& result) {
+  const auto& snap = result.outcome->first_snap;
+  return snap ? std::optional(result.planned->scales.physical_length(snap->w)) : std::nullopt;
+}
+
 Figure curve_figure(const DesignCase& input, const MapAxis& axis, const std::vector<MapPoint>& points) {
   const Drawn drawn(input, axis);
   double deepest = 0;
   double most = 1;
   for (const auto& point : points)
-    if (point.outcome) {
-      most = std::max(most, drop_share(*point.outcome));
-      if (point.outcome->first_snap)
-        deepest = std::max(deepest, point.scales->physical_length(point.outcome->first_snap->w));
+    if (const auto& outcome = point.result.outcome) {
+      most = std::max(most, drop_share(*outcome));
+      deepest = std::max(deepest, first_deflection(point.result).value_or(0));
     }
   const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, kind::length, input.reduced(), "L");
   FigureData data{"designs", {"parameter", "largest drop [%]", "mean drop [%]", "friction [%]", "first snap"}, {}};
   for (const auto& point : points) {
-    if (!point.outcome) {
+    if (!point.result.outcome) {
       data.rows.emplace_back();
       continue;
     }
-    const DesignOutcome& outcome = *point.outcome;
-    data.rows.push_back(
-        {drawn(point.values[0]), drop_share(outcome), 100 * outcome.mean_drop / outcome.greatest_force,
-         100 * outcome.friction / outcome.work,
-         outcome.first_snap ? length.factor * point.scales->physical_length(outcome.first_snap->w) : nan});
+    const DesignOutcome& outcome = *point.result.outcome;
+    data.rows.push_back({drawn(point.values[0]), drop_share(outcome), 100 * outcome.mean_drop / outcome.greatest_force,
+                         100 * outcome.friction_heat / outcome.work,
+                         length.factor * first_deflection(point.result).value_or(nan)});
   }
   const std::string script = fmt::format(
       R"(  set multiplot
@@ -268,9 +183,9 @@ Figure plane_figure(const DesignCase& input, const std::vector<MapAxis>& axes, c
   FigureData data{"designs", {"x", "y", "largest drop [%]"}, {}};
   for (const MapPoint& point : points)
     data.rows.push_back({x(point.values[0]), y(point.values[1]),
-                         !point.outcome             ? nan
-                         : point.outcome->snaps > 0 ? drop_share(*point.outcome)
-                                                    : 0});
+                         !point.result.outcome             ? nan
+                         : point.result.outcome->snaps > 0 ? drop_share(*point.result.outcome)
+                                                           : 0});
   FigureData own{"own", {"x", "y"}, {{x(input.value(axes[0].parameter)), y(input.value(axes[1].parameter))}}};
   const std::string script = fmt::format(
       R"(  set lmargin at screen 0.13; set rmargin at screen 0.80; set tmargin at screen 0.89; set bmargin at screen 0.145
@@ -282,7 +197,7 @@ Figure plane_figure(const DesignCase& input, const std::vector<MapAxis>& axes, c
   set colorbox user origin screen 0.83, 0.145 size screen 0.03, 0.745
   set tics front
   plot designs using 1:2:3 with image pixels notitle, \
-       border using 1:2 with lines lw 2 lc rgb vermillion title 'Critical stiffness', \
+       border using 1:2 with lines lw 2 lc rgb vermillion title 'Border of snapping', \
        own using 1:2 with points pt 7 ps 0.7 lc rgb 'black' title 'This test'
 )",
       x.label(), y.label(), x.set('x', 0.5 / static_cast<double>(axes[0].values.size() - 1)),
@@ -311,17 +226,19 @@ Figure design_figure(const DesignAnswer& answer) {
   const double x = scales.physical_length(length.factor);
   const double y = scales.physical_force(force.factor);
 
-  const auto readings = readings_of(design);
-  const auto folds = folds_along(design.friction, design.travel);
+  const auto readings = record_of({design.friction, design.rig}, design.travel, design.step);
+  const auto folds = folds_up_to(design.friction, design.travel);
   double top = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : 0;
   for (const auto& fold : folds) top = std::max(top, std::min(fold.stiffness, 1e6));
   if (std::isfinite(answer.critical)) top = std::max(top, answer.critical);
   const PlotUnit stiffness = plot_unit(scales.physical_stiffness(top), kind::stiffness, reduced, "EI/L³");
   const double z = scales.physical_stiffness(stiffness.factor);
 
-  FigureData curve{"folds", {"deflection", "stiffness"}, {}};
-  for (const auto& fold : folds) curve.rows.push_back({x * fold.w, z * fold.stiffness});
-  if (curve.rows.empty()) curve.rows.push_back({nan, nan});
+  // On a rig softer than F/(travel - w) the loading ends before this deflection.
+  FigureData curve{"folds", {"deflection", "stiffness", "softest that gets there"}, {}};
+  for (const auto& fold : folds)
+    curve.rows.push_back({x * fold.w, z * fold.stiffness, z * fold.F / (design.travel - fold.w)});
+  if (curve.rows.empty()) curve.rows.push_back({nan, nan, nan});
   FigureData first{"first", {"deflection", "stiffness", "stage", "force"}, {}};
   if (outcome.first_snap)
     first.rows.push_back({x * outcome.first_snap->w, z * std::min(design.rig.stiffness, top),
@@ -341,7 +258,7 @@ Figure design_figure(const DesignAnswer& answer) {
       R"(  set multiplot
   set tmargin at screen 0.825; set bmargin at screen 0.185
   set lmargin at screen 0.075; set rmargin at screen 0.475
-  set key at screen 0.275,0.985 center top vertical Left reverse maxrows 1 width 1 samplen 2
+  set key at screen 0.275,0.985 center top vertical Left reverse maxrows 1 width 0 samplen 1.6
   set xrange [0:{0:.6g}]; set yrange [0:{1:.6g}]
   set xlabel '{2}' offset 0,0.3; set ylabel '{3}' offset 0.9
   set label 1 '(A)' at graph 0.03, 0.94 font ',9'
@@ -349,12 +266,13 @@ Figure design_figure(const DesignAnswer& answer) {
        drops using 1:2 with lines lw 1.5 lc rgb vermillion title 'Drops', \
        first using 3:4 with points pt 6 ps 0.7 lw 1 lc rgb vermillion title 'First snap'
   set lmargin at screen 0.58; set rmargin at screen 0.985
-  set key at screen 0.78,0.985 center top vertical Left reverse maxrows 2 width 1 samplen 2
+  set key at screen 0.79,0.985 center top vertical Left reverse maxrows 2 width 0 samplen 1.6
   set xrange [0:{4:.6g}]; set yrange [0:{5:.6g}]
   set xlabel '{6}'; set ylabel '{7}' offset 0.6
   set label 1 '(B)'
   plot folds using 1:($2 > 0 ? $2 : 0) with filledcurves above y1=0 fs solid 0.35 noborder lc rgb sky title 'Unstable', \
        folds using 1:2 with lines lw 0.8 lc rgb blue notitle, \
+       folds using 1:3 with lines lw 1.2 dt (2,3) lc rgb 'black' title 'End of travel', \
        {8}first using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion notitle
   unset multiplot; unset label 1
 )",
@@ -366,7 +284,8 @@ Figure design_figure(const DesignAnswer& answer) {
           .title = "What a planned test will show",
           .description = fmt::format("Two panels: the record of force against stage displacement, with {} drops "
                                      "marked; and the load-train stiffnesses below which "
-                                     "the specimen snaps, against deflection, with that of the rig.",
+                                     "the specimen snaps, against deflection, with that of the rig, the critical one, "
+                                     "and those with which the travel ends there.",
                                      outcome.drops),
           .width = two_columns,
           .height = 70,

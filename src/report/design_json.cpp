@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "report/design_words.h"
@@ -10,35 +9,20 @@
 namespace flexslip {
 namespace {
 
-std::string_view name_of(DesignStatus status) { return status == DesignStatus::ok ? "ok" : "slipped_through"; }
-
-Json outcome_json(const DesignOutcome& outcome, const Scales& scales) {
-  Json first = nullptr;
-  if (outcome.first_snap)
-    first = {{"stage", scales.physical_length(outcome.first_snap->stage)},
-             {"deflection", scales.physical_length(outcome.first_snap->w)},
-             {"force_before", scales.physical_force(outcome.first_snap->F_before)},
-             {"force_after", scales.physical_force(outcome.first_snap->F_after)}};
-  return {{"status", name_of(outcome.status)},
-          {"end", scales.physical_length(outcome.end)},
-          {"snaps", outcome.snaps},
-          {"first_snap", std::move(first)},
-          {"drops", outcome.drops},
-          {"largest_drop", scales.physical_force(outcome.largest_drop)},
-          {"mean_drop", scales.physical_force(outcome.mean_drop)},
-          {"greatest_force", scales.physical_force(outcome.greatest_force)},
-          {"work", scales.physical_energy(outcome.work)},
-          {"friction", scales.physical_energy(outcome.friction)},
-          {"released", scales.physical_energy(outcome.released)},
-          {"friction_share", outcome.friction / outcome.work}};
+void add_outcome(Json& json, const DesignOutcome& outcome, const Scales& scales) {
+  for (const OutcomeColumn& column : outcome_columns()) {
+    const double value = column.value(outcome, scales);
+    json[std::string(column.name)] =
+        column.stored_as == StoredAs::float64 ? Json(value) : Json(static_cast<std::size_t>(value));
+  }
 }
 
 }  // namespace
 
 Json design_json(const DesignAnswer& answer) {
   Json parameters = Json::object();
-  for (const auto& [parameter, name, kind] : design_parameters())
-    if (answer.input.has(parameter)) parameters[std::string(name)] = answer.input.value(parameter);
+  for (const DesignParameterName& known : design_parameters())
+    if (answer.input.has(known.parameter)) parameters[std::string(known.name)] = answer.input.value(known.parameter);
   Json changes = Json::array();
   const auto words = changes_in_words(answer);
   for (std::size_t i = 0; i < answer.changes.size(); ++i)
@@ -48,7 +32,9 @@ Json design_json(const DesignAnswer& answer) {
          {"to", answer.changes[i].to},
          {"largest_drop_share", answer.changes[i].outcome.largest_drop / answer.changes[i].outcome.greatest_force},
          {"words", words[i]}});
-  Json json = outcome_json(answer.outcome, answer.scales);
+  Json json{{"status", word_of(status_of(answer.outcome))}};
+  add_outcome(json, answer.outcome, answer.scales);
+  json["friction_share"] = answer.outcome.friction_heat / answer.outcome.work;
   json["answer"] = design_in_short(answer);
   json["critical_stiffness"] = answer.scales.physical_stiffness(answer.critical);
   json["snaps_whatever_the_stiffness"] = answer.critical > 0 && !std::isfinite(answer.critical);
@@ -61,8 +47,11 @@ Json design_json(const DesignAnswer& answer) {
 Json design_map_json(const DesignCase& input, const std::vector<MapAxis>& axes, const std::vector<MapPoint>& points) {
   Json rows = Json::array();
   for (const MapPoint& point : points) {
-    Json row = point.outcome ? outcome_json(*point.outcome, *point.scales) : Json{{"status", "impossible"}};
-    if (point.outcome) row["stiffness_margin"] = point.margin;
+    Json row{{"status", word_of(point.result.status)}};
+    if (point.result.outcome) {
+      add_outcome(row, *point.result.outcome, point.result.planned->scales);
+      row["stiffness_margin"] = point.margin;
+    }
     for (std::size_t i = 0; i < axes.size(); ++i) row[std::string(described(axes[i].parameter).name)] = point.values[i];
     rows.push_back(std::move(row));
   }

@@ -19,10 +19,11 @@ class Shown {
 
   std::string length(double reduced) const { return own(scales_.physical_length(reduced), kind::length); }
   std::string force(double reduced) const { return own(scales_.physical_force(reduced), kind::force); }
-  std::string stiffness(double reduced) const {
-    return std::isfinite(reduced) ? own(scales_.physical_stiffness(reduced), kind::stiffness) : "no give at all";
-  }
   std::string energy(double reduced) const { return own(scales_.physical_energy(reduced), kind::energy); }
+  // [units of the case]
+  std::string stiffness(double value) const {
+    return std::isfinite(value) ? own(value, kind::stiffness) : "no give at all";
+  }
   std::string own(double value, const Kind& kind) const { return readable(value, reduced_ ? kind::number : kind); }
 
  private:
@@ -38,7 +39,7 @@ double on_far_side(double from, double to) {
 }
 
 std::string share(double part, double whole) {
-  const double percentage = 100 * part / whole;
+  const double percentage = std::max(0.0, 100 * part / whole);  // what is rounding may be below
   return percentage > 0 && percentage < 0.1 ? "less than 0.1 %"
                                             : fmt::format("{:.{}f} %", percentage, percentage < 10 ? 1 : 0);
 }
@@ -62,30 +63,29 @@ std::string drops_in_words(const DesignAnswer& answer, const Shown& shown) {
 std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
   const DesignOutcome& outcome = answer.outcome;
   if (!outcome.first_snap)
-    return fmt::format("Up to the stage position {} the specimen does not snap.", shown.length(outcome.end));
+    return fmt::format("Up to the stage position {} the specimen does not snap.", shown.length(outcome.stage_reached));
   const auto& first = *outcome.first_snap;
   return fmt::format(
       "The first snap comes at the stage position {}, at a deflection of {}: the force falls from {} to {}. Up to {} "
       "there {}.",
       shown.length(first.stage), shown.length(first.w), shown.force(first.F_before), shown.force(first.F_after),
-      shown.length(outcome.end),
+      shown.length(outcome.stage_reached),
       outcome.snaps == 1 ? "is no other" : fmt::format("are {} snaps in all", outcome.snaps));
 }
 
 std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
-  const std::string range = shown.length(answer.design.travel);
-  const std::string yours = fmt::format("This one has {}.", shown.stiffness(answer.design.rig.stiffness));
+  const std::string yours =
+      fmt::format("This one has {}.", shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness)));
   if (answer.critical == 0)
-    return fmt::format("Up to a deflection of {} no load train, however soft, makes it snap.", range);
+    return fmt::format("In this test no load train, however soft, lets the specimen snap. {}", yours);
   if (!std::isfinite(answer.critical))
     return fmt::format(
-        "There is no critical load-train stiffness: up to a deflection of {} the specimen snaps even where the "
-        "deflection itself is "
-        "controlled. {}",
-        range, yours);
-  return fmt::format(
-      "The critical load-train stiffness is {}: with a stiffer one no loading up to a deflection of {} snaps. {}",
-      shown.stiffness(answer.critical), range, yours);
+        "There is no critical load-train stiffness: in this test the specimen snaps even where the deflection itself "
+        "is controlled. {}",
+        yours);
+  const double critical = on_far_side(0, answer.scales.physical_stiffness(answer.critical));
+  return fmt::format("The critical load-train stiffness of this test is {}: from that on it does not snap. {}",
+                     shown.stiffness(critical), yours);
 }
 
 std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
@@ -94,18 +94,20 @@ std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
       outcome.snaps > 0 ? fmt::format(", {} set free by the snaps beyond it", share(outcome.released, outcome.work))
                         : "";
   return fmt::format("Of the work done on the specimen, {}, {} is friction at the supports{}; the rest bends it.",
-                     shown.energy(outcome.work), share(outcome.friction, outcome.work), snaps);
+                     shown.energy(outcome.work), share(outcome.friction_heat, outcome.work), snaps);
 }
 
 std::string change_in_words(const DesignChange& change, const Shown& shown) {
-  const auto& [parameter, name, kind] = described(change.parameter);
+  const DesignParameter parameter = change.parameter;
+  const Kind& kind = described(parameter).kind;
   const bool more = change.to > change.from;
   const std::string to = shown.own(on_far_side(change.from, change.to), kind);
   const std::string from = shown.own(change.from, kind);
   const std::string_view limit = more ? "at least" : "at most";
   switch (parameter) {
     case DesignParameter::stiffness:
-      return fmt::format("a {} load train: {} {} instead of {}", more ? "stiffer" : "softer", limit, to, from);
+      return fmt::format("a {} load train: {} {} instead of {}", more ? "stiffer" : "softer", limit, to,
+                         shown.stiffness(change.from));
     case DesignParameter::span:
       return fmt::format("a {} support span: {} {} instead of {}", more ? "longer" : "shorter", limit, to, from);
     case DesignParameter::diameter:
@@ -165,7 +167,7 @@ std::vector<std::string> design_in_words(const DesignAnswer& answer) {
   if (answer.outcome.status == DesignStatus::slipped_through)
     paragraphs.push_back(
         fmt::format("Beyond the stage position {} the specimen slips through the supports: all this is up to there.",
-                    shown.length(answer.outcome.end)));
+                    shown.length(answer.outcome.stage_reached)));
   return paragraphs;
 }
 

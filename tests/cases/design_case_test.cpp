@@ -1,14 +1,19 @@
 #include "cases/design_case.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <variant>
 
 #include <doctest/doctest.h>
 
+#include "bending_test/rig.h"
 #include "cases/design_answer.h"
 #include "cases/design_map.h"
 #include "cases/problem.h"
 #include "tests/approximately.h"
+#include "tests/generators.h"
 #include "tests/refusal.h"
 
 namespace flexslip {
@@ -46,7 +51,7 @@ std::string refusal_of(const std::string& text) {
 
 TEST_CASE("design case, identity: unchanged, it is the test that the case describes") {
   const Case input = read_case(spicule, "case.toml");
-  const Design design = DesignCase(input).design();
+  const Design design = DesignCase(input).planned().design;
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   CHECK(design.rig.stiffness == rig_of(input, scales).stiffness);
   CHECK(design.travel == scales.reduced_length(700e-6));
@@ -63,8 +68,8 @@ TEST_CASE("design case, identity: a number set is the same as one read") {
   std::string text = with("1278 um", "1500 um");
   text.replace(text.find("34.8 um"), 7, "40 um");
   text.replace(text.find("\"40 um\"\nphase"), 7, "\"20 um\"");
-  const Design a = varied.design();
-  const Design b = design_of(text).design();
+  const Design a = varied.planned().design;
+  const Design b = design_of(text).planned().design;
   CHECK(a.rig.stiffness == b.rig.stiffness);
   CHECK(a.travel == b.travel);
   for (const double S : {1.0, 1.1, 1.37}) CHECK(a.friction.at(S).mu == b.friction.at(S).mu);
@@ -94,10 +99,82 @@ TEST_CASE("design case, contract: what cannot be loaded once is refused at its l
 
 TEST_CASE("design case, contract: a number out of its range is refused with its name") {
   DesignCase input = design_of(spicule);
-  CHECK(message_of([&] { input.set(DesignParameter::amplitude, 1.5); }).find("amplitude: expected") == 0);
+  CHECK(message_of([&] {
+          input.set(DesignParameter::amplitude, 1.5);
+        }).find("amplitude: expected a number of at least 0 and at most 1") == 0);
   CHECK(message_of([&] { input.set(DesignParameter::stiffness, 0); }).find("stiffness: expected") == 0);
   input.set(DesignParameter::diameter, 300e-6);
-  CHECK(message_of([&] { input.design(); }).find("diameter: expected less than a fifth of the span") == 0);
+  CHECK(message_of([&] { input.planned().design; }).find("diameter: expected less than a fifth of the span") == 0);
+}
+
+TEST_CASE("design result, table: what is no test, and what is beyond FlexSlip, are told apart") {
+  const auto status_with = [](DesignParameter parameter, double value) {
+    DesignCase input = design_of(spicule);
+    input.set(parameter, value);
+    return result_of(input).status;
+  };
+  CHECK(status_with(DesignParameter::step, 3e-6) == ResultStatus::ok);
+  CHECK(status_with(DesignParameter::diameter, 300e-6) == ResultStatus::impossible);
+  CHECK(status_with(DesignParameter::stiffness, 1e-6) == ResultStatus::impossible);
+  CHECK(status_with(DesignParameter::wavelength, 1e-12) == ResultStatus::not_computable);
+  CHECK(status_with(DesignParameter::mu0, 19) == ResultStatus::not_computable);  // the wave goes beyond 20
+  CHECK(status_with(DesignParameter::step, 1e-30) == ResultStatus::not_computable);
+  CHECK(status_with(DesignParameter::travel, 1) == ResultStatus::not_computable);
+  CHECK(status_with(DesignParameter::modulus, 1e308) == ResultStatus::impossible);  // the rig is too soft for it
+}
+
+TEST_CASE("design result, contract: whatever the numbers, it is computed or refused with a word") {
+  CHECK(rc::check([] {
+    DesignCase input = design_of(spicule);
+    for (const auto& known : design_parameters()) {
+      if (*whole(0, 2) > 0) continue;
+      const double value = *whole(0, 4) == 0 ? std::pow(10, *between(-300, 300))
+                                             : input.value(known.parameter) * std::pow(10, *between(-3, 3));
+      if (is_within(known, value)) input.set(known.parameter, value);
+    }
+    const auto plan = input.plan();
+    const auto* planned = std::get_if<PlannedDesign>(&plan);
+    // Millions of periods take their time.
+    const bool is_quick =
+        !planned || longest_at_stage(planned->design.travel) - 1 < 1e4 * planned->design.friction.smooth_scale();
+    RC_PRE(is_quick);
+    const auto result = result_of(input);
+    RC_ASSERT(result.outcome.has_value() == (planned != nullptr));
+    if (planned) RC_ASSERT(!std::isnan(stiffness_margin(planned->design)));
+  }));
+}
+
+TEST_CASE("design answer, limit: from displacement control a softer load train down to the critical one is offered") {
+  DesignCase input = design_of(spicule);
+  const auto soft = answer_of(input);
+  input.set(DesignParameter::stiffness, std::numeric_limits<double>::infinity());
+  const auto stiff = answer_of(input);
+  CHECK(stiff.critical == soft.critical);  // the stiffness of the design itself does not count
+  REQUIRE(stiff.outcome.snaps == 0);
+  REQUIRE(stiff.changes.front().parameter == DesignParameter::stiffness);
+  CHECK(stiff.changes.front().to == to(2e-4, stiff.scales.physical_stiffness(stiff.critical)));  // a hair softer
+  CHECK(soft.changes.front().to == soft.scales.physical_stiffness(soft.critical));
+  for (const double stiffness : {1e3, 1e5, 1e7}) {
+    input.set(DesignParameter::stiffness, stiffness);
+    CHECK(answer_of(input).changes.front().to == stiff.changes.front().to);
+  }
+}
+
+TEST_CASE("design answer, limit: what is 0 can be raised to where the specimen snaps, and a hair before it does not") {
+  for (const auto parameter : {DesignParameter::mu0, DesignParameter::amplitude}) {
+    CAPTURE(described(parameter).name);
+    DesignCase input = design_of(spicule);
+    input.set(parameter, 0);
+    const auto answer = answer_of(input);
+    REQUIRE(answer.outcome.snaps == 0);
+    const auto change = std::find_if(answer.changes.begin(), answer.changes.end(),
+                                     [&](const DesignChange& found) { return found.parameter == parameter; });
+    REQUIRE(change != answer.changes.end());
+    input.set(parameter, change->to * (1 - 2e-4));  // twice what the search leaves
+    CHECK(result_of(input).outcome->snaps == 0);
+    input.set(parameter, change->to);
+    CHECK(result_of(input).outcome->snaps > 0);
+  }
 }
 
 TEST_CASE("design answer, identity: each change makes it otherwise, and a hair before it nothing has changed") {
@@ -111,7 +188,7 @@ TEST_CASE("design answer, identity: each change makes it otherwise, and a hair b
     DesignCase before = input;
     before.set(change.parameter,
                change.to * (change.from > change.to ? 1 + 2e-4 : 1 - 2e-4));  // twice what the search leaves
-    CHECK(outcome_of(before.design()).snaps > 0);
+    CHECK(outcome_of(before.planned().design).snaps > 0);
   }
 }
 
@@ -131,7 +208,7 @@ TEST_CASE("design answer, oracle: the margin vanishes where the specimen begins 
   DesignCase input = design_of(spicule);
   const auto answer = answer_of(input);
   input.set(DesignParameter::stiffness, answer.changes.front().to);
-  CHECK(std::abs(stiffness_margin(input.design())) <
+  CHECK(std::abs(stiffness_margin(input.planned().design)) <
         0.03);  // the range is known to 1 %, the stiffness goes as its square
 }
 
@@ -140,13 +217,13 @@ TEST_CASE("design map, identity: its points are the outcomes at its values") {
   const std::vector<MapAxis> axes{map_axis(input, "stiffness=20 N/m:400 N/m:4", 10), map_axis(input, "mu0=0:0.6", 3)};
   CHECK(axes[0].logarithmic);
   CHECK(axes[1].values == std::vector{0.0, 0.3, 0.6});
-  const auto points = design_map(input, axes);
+  const auto points = design_map(input, axes, 2);
   REQUIRE(points.size() == 12);
   for (const auto& point : points) {
     DesignCase there = input;
     there.set(DesignParameter::stiffness, point.values[0]);
     there.set(DesignParameter::mu0, point.values[1]);
-    CHECK(point.outcome->snaps == outcome_of(there.design()).snaps);
+    CHECK(point.result.outcome->snaps == outcome_of(there.planned().design).snaps);
   }
 }
 

@@ -30,8 +30,4 @@ inline std::vector<double> some_outcomes(std::span<const double> inputs) {
   return outcomes;
 }
 
-inline RowFunctionMaker some_rows() {
-  return [] { return RowFunction(some_outcomes); };
-}
-
 }  // namespace flexslip

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "cases/sweep_digest.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 
@@ -103,15 +104,15 @@ TEST_CASE("oracle: axes and seeds are uncorrelated, as those of independent rand
   CHECK(std::abs(neighbours) < bound);
 }
 
-TEST_CASE("table: rows of a Latin hypercube of 10^12 samples, the same on every machine and in every version") {
+TEST_CASE("oracle: rows of a Latin hypercube of 10^12 samples, against the same arithmetic in Python") {
   const auto plan = hypercube_of(1'000'000'000'000, 2021);
-  // Computed by this function on the day that it was written: another value means that old sweeps cannot be gone on with.
+  // hypercube_point() of tests/outside/sweep.py, to the last bit. Other values: old sweeps cannot be gone on with.
   CHECK(inputs_of(plan, 0)[0] == 0.53816883311213548);
   CHECK(inputs_of(plan, 999'999'999'999)[1] == 0.23677890445156818);
 }
 
 TEST_CASE("identity: the chunks of a plan are all its rows, in order") {
-  rc::check("chunks partition the rows", [](std::uint32_t samples) {
+  CHECK(rc::check("chunks partition the rows", [](std::uint32_t samples) {
     const auto plan = hypercube_of(std::uint64_t{samples} + 1, 0);
     std::uint64_t next = 0;
     const std::uint64_t step = std::max<std::uint64_t>(1, chunks_of(plan) / 50);
@@ -124,18 +125,29 @@ TEST_CASE("identity: the chunks of a plan are all its rows, in order") {
     const auto [first, count] = rows_of_chunk(plan, chunks_of(plan) - 1);
     RC_ASSERT(first + count == plan.rows);
     RC_ASSERT(next <= plan.rows);
-  });
+  }));
 }
 
 TEST_CASE("identity: the digest is of what matters: not of comments, names of files and layout") {
   const std::string sweep = "[sweep]\nmethod = \"grid\"\n[sweep.axes]\nmu0 = [0.3, 0.4]\n";
-  const std::string digest = digest_of(plan_of(sweep));
-  CHECK(digest_of(read_sweep("# another day\n" + some_case + "\n" + sweep, "there/copy.toml")) == digest);
-  CHECK(digest_of(plan_of("[sweep]\nmethod = \"grid\"\naxes = { mu0 = [3e-1, 0.4] }\n")) == digest);
-  CHECK(digest_of(plan_of("[sweep]\nmethod = \"grid\"\n[sweep.axes]\nmu0 = [0.3, 0.5]\n")) != digest);
+  const std::string digest = digest_of_sweep(plan_of(sweep));
+  CHECK(digest_of_sweep(read_sweep("# another day\n" + some_case + "\n" + sweep, "there/copy.toml")) == digest);
+  CHECK(digest_of_sweep(plan_of("[sweep]\nmethod = \"grid\"\naxes = { mu0 = [3e-1, 0.4] }\n")) == digest);
+  CHECK(digest_of_sweep(plan_of("[sweep]\nmethod = \"grid\"\n[sweep.axes]\nmu0 = [0.3, 0.5]\n")) != digest);
   std::string stiffer = some_case;
   stiffer.replace(stiffer.find("30 GPa"), 2, "31");
-  CHECK(digest_of(read_sweep(stiffer + sweep, "map.toml")) != digest);
+  CHECK(digest_of_sweep(read_sweep(stiffer + sweep, "map.toml")) != digest);
+}
+
+TEST_CASE("identity: the digest is of the numbers: one that is another in its last bit makes another sweep") {
+  const SweepPlan plan = plan_of("[sweep]\nmethod = \"grid\"\n[sweep.axes]\nmu0 = [0.3, 0.4]\n");
+  const auto digest = [&](double last) {
+    return digest_of_sweep(plan,
+                           [&](std::span<const double> inputs) { return std::vector{inputs[0] == 0.4 ? last : 0.1}; });
+  };
+  CHECK(digest(0.2) == digest(0.2));
+  CHECK(digest(0.2) != digest(std::nextafter(0.2, 1)));
+  CHECK(digest(std::nan("")) != digest(0.2));
 }
 
 TEST_CASE("identity: the digest is of a friction table's content, wherever it lies") {
@@ -158,7 +170,7 @@ step = "2 um"
 method = "grid"
 axes = { stiffness = ["80 N/m"] }
 )";
-    return digest_of(read_sweep(text, (folder.path() / name / "map.toml").string()));
+    return digest_of_sweep(read_sweep(text, (folder.path() / name / "map.toml").string()));
   };
   CHECK(digest("a", "S [um],mu\n1000,0.5\n3000,0.6\n") == digest("b", "S [um],mu\n1000,0.5\n3000,0.6\n"));
   CHECK(digest("a", "S [um],mu\n1000,0.5\n3000,0.6\n") != digest("b", "S [um],mu\n1000,0.5\n3000,0.7\n"));
@@ -217,10 +229,10 @@ TEST_CASE("table: what a sweep cannot be is refused with line, key and remedy") 
   }
 }
 
-TEST_CASE("table: only a sweep may have a section [sweep]") {
-  const std::string text = some_case + "[sweep]\nmethod = \"grid\"\naxes = { mu0 = [0.3] }\n";
-  CHECK(message_of([&] { read_case(text, "map.toml"); }).find("map.toml:16: [sweep]") != std::string::npos);
-  CHECK(plan_of("[sweep]\nmethod = \"grid\"\naxes = { mu0 = [0.3] }\n").rows == 1);
+TEST_CASE("table: a section [sweep] is the sweep's affair: other commands take the same file") {
+  const std::string sweep = "[sweep]\nmethod = \"grid\"\naxes = { mu0 = [0.3] }\n";
+  CHECK(read_case(some_case + sweep, "map.toml").friction.has_value());
+  CHECK(plan_of(sweep).rows == 1);
 }
 
 }  // namespace

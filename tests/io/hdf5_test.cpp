@@ -88,6 +88,7 @@ TEST_CASE("identity: a text of the root comes back; what is no such file has non
   CHECK(hdf5_text(path, "title") == "µ of it all");
   CHECK(!hdf5_text(path, "nothing"));
   CHECK(!hdf5_text(path, "seed"));
+  CHECK(!hdf5_text(path, "names"));  // two of them
   CHECK(!hdf5_text(folder.file("text.h5", "no HDF5"), "title"));
   CHECK(!hdf5_text((folder.path() / "absent.h5").string(), "title"));
 }
@@ -98,6 +99,10 @@ TEST_CASE("table: a file that cannot be written is refused by its name, with the
   const std::string message = message_of([&] { Hdf5File file(path); });
   CHECK(message.find("absent/some.h5") != std::string::npos);
   CHECK(message.find("No such file or directory") != std::string::npos);
+  Hdf5File file((folder.path() / "some.h5").string());
+  CHECK(message_of([&] { file.describe("/absent", "title", "some"); }).find("an error of HDF5") == std::string::npos);
+  file.describe("/", "title", "some");
+  CHECK(message_of([&] { file.describe("/", "title", "again"); }).find("already exists") != std::string::npos);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ Digest digest(const std::string& text) {
 
 TEST_CASE("table: the examples of FIPS 180-4 and of NIST's test vectors") {
   CHECK(digest("").sha256 == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(sha256_of("abc") == digest("abc").sha256);
   CHECK(digest("abc").sha256 == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   CHECK(digest("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq").sha256 ==
         "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");

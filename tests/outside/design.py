@@ -31,26 +31,30 @@ class Design(InFolder):
         simulated = self.json("simulate", case)
         energy = simulated["energy"]
         self.assertEqual(answer["snaps"], len(self.json("simulate", self.file("c.toml", CASE.replace('step = "2 um"', "")))["snaps"]))
-        self.assertAlmostEqual(answer["first_snap"]["stage"], simulated["snaps"][0]["stage"], delta=1e-15)
+        self.assertAlmostEqual(answer["first_snap_stage"], simulated["snaps"][0]["stage"], delta=1e-15)
         self.assertAlmostEqual(answer["work"], energy["work_of_fracture"], delta=1e-7 * answer["work"])
-        self.assertAlmostEqual(answer["friction"], energy["friction"], delta=1e-5 * answer["work"])
+        self.assertAlmostEqual(answer["friction_heat"], energy["friction"], delta=1e-5 * answer["work"])
         forces = [row["force"] for row in simulated["path"]]
         falls = [b < a for a, b in zip(forces, forces[1:])]
         self.assertEqual(answer["drops"], sum(now and not before for before, now in zip([False] + falls, falls)))
 
     def test_paper_fig_8(self):
         answer = self.json("design", FIG_8)
-        self.assertAlmostEqual(answer["first_snap"]["stage"], 0.588456, delta=5e-7)  # the digits printed
+        self.assertAlmostEqual(answer["first_snap_stage"], 0.588456, delta=5e-7)  # the digits printed
         self.assertEqual(answer["snaps"], 4)
 
     def test_identity_changes_hold(self):
         answer = self.json("design", self.file("case.toml", CASE))
         change = {c["parameter"]: c["to"] for c in answer["changes"]}
         stiff = CASE.replace("90.65 N/m", f"{change['stiffness']!r} N/m")
-        self.assertEqual(self.json("design", self.file("stiff.toml", stiff))["snaps"], 0)
+        stiffer = self.json("design", self.file("stiff.toml", stiff))
+        self.assertEqual(stiffer["snaps"], 0)
+        self.assertEqual(answer["critical_stiffness"], change["stiffness"])  # one number, wherever it is told
+        self.assertEqual(answer["critical_stiffness"], stiffer["critical_stiffness"])
         words = self.succeeds("design", self.file("stiff.toml", stiff))
         self.assertTrue(words.startswith("No sawtooth"), words)
         self.assertIn("softer load train", words)
+        self.assertIn("softer load train", self.succeeds("design", self.file("inf.toml", CASE.replace("90.65 N/m", "inf"))))
 
     def test_limit_hidden_between_readings(self):
         fine = CASE.replace("40 um", "10.9 um").replace("700 um", "450 um")
@@ -65,7 +69,13 @@ class Design(InFolder):
         last = dict(zip(rows[0].split(","), rows[-1].split(",")))
         answer = self.json("design", case)
         self.assertEqual(int(last["snaps"]), answer["snaps"])
-        self.assertEqual(float(last["work [J]"]), answer["work"])
+        for name in ("stage_reached [m]", "first_snap_force_after [N]", "work [J]", "friction_heat [J]"):
+            self.assertEqual(float(last[name]), answer[name.split()[0]])
+        self.assertEqual(last["status"], answer["status"])
+        two = self.succeeds("design", case, "--over", "stiffness=50 N/m:90.65 N/m:3", "--threads", 2).splitlines()
+        self.assertEqual(two, rows)
+        thick = self.json("design", case, "--over", "diameter=100 um:300 um:2")["designs"]
+        self.assertEqual([row["status"] for row in thick], ["ok", "impossible"])
         designs = self.json("design", case, "--over", "mu0=0:0.5:2", "--over", "step=1 um:5 um:3")["designs"]
         self.assertEqual(len(designs), 6)
 
@@ -83,6 +93,7 @@ class Design(InFolder):
             (CASE, ["--over", "stiffnes=1 N/m:2 N/m"], "did you mean 'stiffness'?"),
             (CASE, ["--over", "stiffness=1:2"], "--over: expected a stiffness with its unit"),
             (CASE, ["--over", "mu0=0:1", "--over", "mu0=0:1"], "the same twice"),
+            (CASE, ["--over", "mu0=0:1:2000", "--over", "span=1 mm:2 mm:2000"], "at most 1000000 designs"),
             (CASE, ["--over", "mu0=0:1", "--over", "span=1 mm:2 mm", "--over", "step=1 um:2 um"], "flexslip sweep"),
         ):
             self.refused("design", self.file("case.toml", text), *arguments, says=[said])

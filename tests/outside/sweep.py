@@ -49,6 +49,28 @@ wavelength = {{ from = "40 um", to = "100 um", points = {wavelengths} }}
 """
 
 
+def mixed(x):
+    """splitmix64."""
+    x = (x + 0x9e3779b97f4a7c15) % 2**64
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9 % 2**64
+    x = (x ^ x >> 27) * 0x94d049bb133111eb % 2**64
+    return x ^ x >> 31
+
+
+def hypercube_point(samples, seed, parameter, row):
+    """Where a row of a Latin hypercube lies on the axis of a parameter, in [0, 1)."""
+    key = mixed(seed ^ mixed(parameter))
+    half = max(1, ((samples - 1).bit_length() + 1) // 2)
+    stratum = row
+    while True:
+        left, right = stratum >> half, stratum % 2**half
+        for i in range(6):
+            left, right = right, left ^ mixed(right ^ mixed((key + i) % 2**64)) % 2**half
+        stratum = left << half | right
+        if stratum < samples:
+            return (stratum + (mixed(mixed(key) ^ row) >> 11) / 2**53) / samples
+
+
 def peak_memory(*arguments):
     """[bytes] of the program, run to its end."""
     process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL)
@@ -106,6 +128,17 @@ class Sweep(InFolder):
         told = set(re.findall(r"`/?(?:outcomes/)?([a-z_]+)`", page.split("## What it writes")[1].split("```")[0]))
         self.assertLessEqual({name.split("/")[-1] for name in names if "outcomes" in name}, told)
 
+    def test_a_sample_is_that_of_the_same_arithmetic_in_python(self):
+        # As the test of the C++ has it, whose rows are too many for a file.
+        self.assertEqual((hypercube_point(10**12, 2021, 0, 0), hypercube_point(10**12, 2021, 1, 10**12 - 1)),
+                         (0.53816883311213548, 0.23677890445156818))
+        sweep = '[sweep]\nmethod = "latin hypercube"\nsamples = 200\nseed = 7\n[sweep.axes]\n'
+        axes = "mu0 = { from = 0, to = 1 }\namplitude = { from = 0, to = 1 }\n"
+        self.sweep(self.file("sample.toml", CASE + sweep + axes), "sample.h5")
+        with h5py.File(self.folder / "sample.h5") as file:
+            for parameter, name in enumerate(("mu0", "amplitude")):
+                self.assertEqual(list(file["inputs"][name]), [hypercube_point(200, 7, parameter, row) for row in range(200)])
+
     def test_a_row_is_what_simulating_its_case_gives(self):
         self.sweep(self.file("map.toml", grid(3, 2)), "map.h5")
         with h5py.File(self.folder / "map.h5") as file:
@@ -132,7 +165,7 @@ class Sweep(InFolder):
         self.assertFalse(seven.exists())
         self.assertIn("1200 designs", self.succeeds("merge", f"{seven}.parts"))
         self.assertEqual(seven.read_bytes(), one)
-        self.assertIn("complete already", run("merge", f"{seven}.parts").stderr)  # as a job that is run again would
+        self.assertIn("is there, the file of a sweep", run("merge", f"{seven}.parts").stderr)  # as a job that is run again would
         self.assertIn("complete already", run("sweep", case, "--output", seven).stderr)
         self.assertEqual(seven.read_bytes(), one)
 
@@ -245,6 +278,30 @@ class Sweep(InFolder):
         self.assertEqual(run("sweep", case, "--output", output).stdout, f"{output}: 400 designs (400 ok)\n")
         self.assertEqual(output.read_bytes(), whole)
 
+    def test_two_merges_at_once_do_not_spoil_each_others_file(self):
+        case = self.file("map.toml", grid(20, 20))
+        whole = self.sweep(case, "whole.h5")
+        output = self.folder / "map.h5"
+        unfinished = self.folder / "map.h5.unfinished"
+        self.succeeds("sweep", case, "--output", output, "--shard", "1/1")
+        with h5py.File(unfinished, "w") as file:  # which locks it, as a merge does
+            file["written"] = numpy.arange(1000)
+            file.flush()
+            before = unfinished.read_bytes()
+            self.refused("merge", f"{output}.parts", says=["map.h5", "one program that writes it", "another --output"])
+            self.assertEqual(unfinished.read_bytes(), before)
+        # What is left of a merge that was killed is replaced; also where HDF5 is told to lock what is locked already.
+        subprocess.run([PROGRAM, "merge", f"{output}.parts"], check=True, stdout=subprocess.DEVNULL,
+                       env={**os.environ, "HDF5_USE_FILE_LOCKING": "TRUE"})
+        self.assertEqual(output.read_bytes(), whole)
+        self.assertFalse(unfinished.exists())
+
+    def test_a_foreign_file_is_no_sweep_whatever_it_says(self):
+        case = self.file("map.toml", grid(5, 4))
+        with h5py.File(self.folder / "map.h5", "w") as file:
+            file.attrs["plan"] = ["not this one"] * 2000
+        self.refused("sweep", case, "--output", self.folder / "map.h5", says=["map.h5", "another file"])
+
     def test_another_sweep_is_not_mixed_in(self):
         case, other = self.file("map.toml", grid(5, 4)), self.file("other.toml", grid(5, 5))
         output = self.folder / "map.h5"
@@ -301,6 +358,9 @@ class Sweep(InFolder):
         text = script.read_text()
         for line in ("#SBATCH --array=1-3", "#SBATCH --cpus-per-task=2"):
             self.assertIn(line + "\n", text)
+        for name in ('a"b.h5', "a\nb.h5", "a\\b.h5"):
+            self.refused("sweep", case, "--output", self.folder / name, "--slurm", script, "--shards", 3,
+                         says=["--output", "double quotes", "pass another"])
         # An sbatch that keeps what it is told, and jobs that are run by hand.
         calls = self.folder / "calls"
         sbatch = self.file("sbatch", f'#!/bin/bash\nprintf "%s\\n" "$*" >> {calls}\necho 41\n')
