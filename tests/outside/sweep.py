@@ -172,7 +172,9 @@ class Sweep(InFolder):
     def test_shards_computed_apart_are_joined(self):
         case = self.file("map.toml", grid(20, 20))
         whole = self.sweep(case, "whole.h5")
+        self.refused("sweep", case, "--output", self.folder / "place1/map.h5", says=["place1/map.h5.parts"])  # a folder misspelt is not made
         for i in (1, 2):
+            (self.folder / f"place{i}").mkdir()
             self.succeeds("sweep", case, "--output", self.folder / f"place{i}/map.h5", "--shard", f"{i}/2")
         folders = [self.folder / f"place{i}/map.h5.parts" for i in (1, 2)]
         self.succeeds("merge", *folders, "--output", self.folder / "joined.h5", "--keep-parts")
@@ -371,10 +373,11 @@ class Sweep(InFolder):
         array, merge = calls.read_text().splitlines()
         self.assertEqual(array, f"--parsable {script}")
         self.assertIn("--dependency=afterany:41", merge)
+        self.assertTrue(merge.endswith(f"{script} merge"), merge)  # with the account and partition of the script
         for task in (1, 2, 3):
             subprocess.run(["bash", script], check=True, stdout=subprocess.DEVNULL,
                            env={**environment, "SLURM_ARRAY_TASK_ID": str(task), "SLURM_CPUS_PER_TASK": "2"})
-        subprocess.run(["sh", "-c", merge.split("--wrap ")[1]], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["bash", script, "merge"], check=True, stdout=subprocess.DEVNULL, env={**environment, "SLURM_ARRAY_TASK_ID": "0"})
         self.assertEqual((self.folder / "map.h5").read_bytes(), self.sweep(case, "again.h5"))
 
 
