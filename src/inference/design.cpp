@@ -118,6 +118,8 @@ class Loading {
       return after ? std::optional(*before + *after) : std::nullopt;
     }
     const auto turns = piece.turns();
+    see(piece.force_from());  // friction may have a corner there
+    see(piece.force_to());
     for (const auto& turn : turns) see(turn.F);
     if (design_.step > 0)
       read_in_steps(piece, turns);
@@ -211,6 +213,11 @@ class Loading {
 };
 
 void require_loading(const Design& design) {
+  constexpr double least_deflection = 1e-6;  // below it S - 1 has lost its digits
+  const double deflection = design.travel / (1 + 48 / design.rig.stiffness);  // of the straight fibre
+  if (!(deflection >= least_deflection))
+    throw std::invalid_argument("a loading must bend the fibre by at least 1e-6 spans, not " +
+                                std::to_string(1e6 * deflection) + "e-6");
   constexpr double most_readings = 1e9;  // the counts of readings are doubles
   if (!(design.step >= 0 && std::isfinite(design.step)))
     throw std::invalid_argument("the step of the stage must be finite and not negative, not " +

@@ -46,10 +46,12 @@ struct DesignOutcome {
   double released;        // [EI/L] of it, what the snaps set free beyond friction; the rest bends the fibre
 };
 
-// Domain:     travel at least 1e-6, step 0 or at least 1e-9 of it, finite, rig.stiffness > 0; std::invalid_argument otherwise.
+// Domain:     travel/(1 + 48/stiffness), about the deflection, at least 1e-6; step 0 or at least 1e-9 of the travel, finite;
+//             rig.stiffness > 0; std::invalid_argument otherwise.
 // Max error:  of the stage positions and forces of snaps as stable_parts (rig.h); of work and the greatest force 1e-7; of friction_heat
 //             and released 1e-5 of the work (typically 1e-7); of drops 1e-6 of the greatest force. Falls below 1e-11 of the force are
-//             none.
+//             none. Where a drift of friction begins or ends to be held at zero within a snap, friction_heat and released 1e-3 of the
+//             work and drops 1e-4; where the loading ends below a length S, all of them 2^-48/(S - 1) besides.
 // Fails:      slipped_through.
 // Method:     the curve is traced; its stable parts are followed as polynomials, whose turning points tell which readings to look at.
 //             In a snap the force at the supports is a smooth function of the length, whatever the friction (theory.md, "Designs").

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
+#include "fibre/elastica.h"
 #include "tests/approximately.h"
 #include "tests/generators.h"
 #include "tests/refusal.h"
@@ -154,6 +155,13 @@ TEST_CASE("design, limit: no rig stiffer than the critical one of a loading snap
     const auto soft = outcome_of(design);
     RC_ASSERT((soft.snaps > 0 || soft.status == DesignStatus::slipped_through));
   }));
+}
+
+TEST_CASE("design, limit: the greatest force may stand at a corner of the friction") {
+  const Friction ramp = Friction::table({{1.1, 1.3}, {0.2, 1.0}});
+  const auto outcome = outcome_of({ramp, {1000}, 0.9, 0});
+  CHECK(outcome.greatest_force == to(1e-9, fibre_state(1.3, 1).F));  // 1e-9: the polynomial at its end
+  CHECK(outcome.greatest_force >= outcome.largest_drop);
 }
 
 TEST_CASE("design, limit: a fibre on a soft rig slips through") {
