@@ -71,7 +71,8 @@ FibrePoints::FibrePoints(std::span<const double> S, std::span<const double> q) :
 
 StateArrays fibre_states(const FibrePoints& points) {
   StateArrays states(points.size());
-  HWY_DYNAMIC_DISPATCH(common_states)(points.lengths(), points.frictions(), points.size(), states.w.data(), states.F.data());
+  HWY_DYNAMIC_DISPATCH(common_states)
+  (points.lengths(), points.frictions(), points.size(), states.w.data(), states.F.data());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isnan(states.w[i])) continue;
     const FibreState state = fibre_state(points.lengths()[i], points.frictions()[i]);

@@ -19,7 +19,7 @@ class FibrePoints {
   FibrePoints(std::span<const double> S, std::span<const double> q);
 
   std::size_t size() const { return S_.size(); }
-  const double* lengths() const { return S_.data(); }  // [L]
+  const double* lengths() const { return S_.data(); }    // [L]
   const double* frictions() const { return q_.data(); }  // [1]
 
  private:

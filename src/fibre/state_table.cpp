@@ -341,7 +341,8 @@ StateArrays tabulated_states(const FibrePoints& points) {
 SlopeArrays tabulated_states_slopes(const FibrePoints& points) {
   SlopeArrays states(points.size());
   const auto columns = states.columns();
-  HWY_DYNAMIC_DISPATCH(interpolate_slopes)(table(), points.lengths(), points.frictions(), points.size(), columns.data());
+  HWY_DYNAMIC_DISPATCH(interpolate_slopes)
+  (table(), points.lengths(), points.frictions(), points.size(), columns.data());
   const Rest rest(points, states.w);
   SlopeArrays exact = fibre_states_slopes({rest.S, rest.q});
   const auto from = exact.columns();

@@ -213,7 +213,7 @@ class Loading {
 };
 
 void require_loading(const Design& design) {
-  constexpr double least_deflection = 1e-6;  // below it S - 1 has lost its digits
+  constexpr double least_deflection = 1e-6;                                   // below it S - 1 has lost its digits
   const double deflection = design.travel / (1 + 48 / design.rig.stiffness);  // of the straight fibre
   if (!(deflection >= least_deflection))
     throw std::invalid_argument("a loading must bend the fibre by at least 1e-6 spans, not " +
