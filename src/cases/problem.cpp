@@ -18,9 +18,9 @@ namespace {
 
 constexpr double thickest = 0.2;      // [L] beyond it shear, which the elastica leaves out, adds 10 % to the deflection
 constexpr double most_periods = 1e6;  // of a wave: what trace_loading_curve takes, half a minute
-constexpr double most_knots = 1e6;    // of a rough profile
-constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
-constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
+constexpr double most_correlations = 2.4e5;  // of a rough profile, which has four knots to each
+constexpr double nearest_reduced = 1e-6;     // [L] of the stage: what the loading curve can be traced for
+constexpr double farthest_reduced = 100;     // [L] of the stage: a fibre is through its supports within a few spans
 
 std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
 
@@ -108,9 +108,9 @@ Friction friction_from(const Case& input, const TabulatedFriction& tabulated, co
 
 Friction friction_from(const Case& input, const RoughFriction& rough, const Scales& scales, double S_max) {
   const double correlation_length = scales.reduced_length(rough.correlation_length);
-  if (!((S_max - 1) / correlation_length <= most_knots))
+  if (!((S_max - 1) / correlation_length <= most_correlations))
     throw wrong_value(input, "friction.correlation_length",
-                      fmt::format("at least {:.0e} of the length drawn in", 1 / most_knots),
+                      fmt::format("at least {:.0e} of the length drawn in", 1 / most_correlations),
                       readable_length(input, rough.correlation_length), "check its unit");
   return Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
 }

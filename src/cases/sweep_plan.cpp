@@ -259,7 +259,8 @@ double value_at(const AxisRange& range, double t) {
       (t < 1 ? to : from) = middle;
       if (t >= 1) t -= 1;
     }
-  return (1 - t) * from + t * to;
+  const auto [least, most] = std::minmax(range.from, range.to);
+  return std::clamp((1 - t) * from + t * to, least, most);  // rounding must not carry it beyond its end
 }
 
 std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row) {
