@@ -182,10 +182,8 @@ Figure plane_figure(const DesignCase& input, const std::vector<MapAxis>& axes, c
   const Drawn y(input, axes[1]);
   FigureData data{"designs", {"x", "y", "largest drop [%]"}, {}};
   for (const MapPoint& point : points)
-    data.rows.push_back({x(point.values[0]), y(point.values[1]),
-                         !point.result.outcome             ? nan
-                         : point.result.outcome->snaps > 0 ? drop_share(*point.result.outcome)
-                                                           : 0});
+    data.rows.push_back(
+        {x(point.values[0]), y(point.values[1]), point.result.outcome ? drop_share(*point.result.outcome) : nan});
   FigureData own{"own", {"x", "y"}, {{x(input.value(axes[0].parameter)), y(input.value(axes[1].parameter))}}};
   const std::string script = fmt::format(
       R"(  set lmargin at screen 0.13; set rmargin at screen 0.80; set tmargin at screen 0.89; set bmargin at screen 0.145
