@@ -71,7 +71,7 @@ class Friction {
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
   FrictionPoint at(double S) const;
 
-  // The same at many lengths, bit by bit, on the widest vectors that the processor has. Cost: 2 ns a length and wave.
+  // The same at many lengths, bit by bit, on the widest vectors that the processor has.
   FrictionArrays at(std::span<const double> S) const;
 
   // What μ would be, were it not held at zero: its zeros are the kinks of at(). Only a drift brings them about.
