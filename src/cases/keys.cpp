@@ -53,8 +53,9 @@ double Keys::number(std::string_view name, Range range) const { return quantity(
 
 std::uint64_t Keys::whole_number(std::string_view name, std::int64_t least) const {
   const toml::node& node = need(name);
-  const auto value = node.value_exact<std::int64_t>();
-  if (!value || *value < least) refuse(name, fmt::format("a whole number, at least {}", least), kind_of_node(node));
+  const auto value = node.value<std::int64_t>();  // of 1e5, too
+  if (!node.is_number() || !value || *value < least)
+    refuse(name, fmt::format("a whole number, at least {}", least), kind_of_node(node));
   return static_cast<std::uint64_t>(*value);
 }
 
@@ -104,9 +105,8 @@ double Keys::value(const toml::node& node, const std::string& key, const Kind& k
   const bool is_number = node.is_number();
   if (!text && !is_number) throw wrong_value(input_, key, std::string(kind.name), kind_of_node(node));
   const bool is_plain = kind.dimension == Dimension{} || (input_.reduced && kind.dimension != kind::angle.dimension);
-  const bool is_radians = is_number && kind.dimension == kind::angle.dimension;
   try {
-    if (is_number && (is_plain || is_radians)) {
+    if (is_number && is_plain) {
       const double plain = node.value<double>().value_or(0);
       return within(range, plain, fmt::format("{}", plain), kind);
     }
@@ -147,7 +147,9 @@ void Keys::refuse_word(std::string_view name, const std::vector<std::string_view
   std::string expected;
   for (std::size_t i = 0; i < known.size(); ++i)
     expected += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 < known.size() ? ", " : " or ", known[i]);
-  refuse(name, expected, kind_of_node(need(name)));
+  const auto word = need(name).value_exact<std::string>();
+  const std::string meant = nearest(word.value_or(""), {known.begin(), known.end()});
+  refuse(name, expected, kind_of_node(need(name)), meant.empty() ? "" : fmt::format("did you mean \"{}\"?", meant));
 }
 
 }  // namespace flexslip

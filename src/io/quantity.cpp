@@ -355,7 +355,8 @@ double parse_quantity(std::string_view text, const Kind& kind, Range range) {
         {.expected = std::string(kind.name),
          .found = in_quotes(body),
          .remedy = fmt::format("write a decimal point and no thousands separators, \"{}\"", kind.example)});
-  const bool needs_no_unit = !std::isfinite(number->value) || kind.dimension == Dimension{};
+  const bool needs_no_unit = !std::isfinite(number->value) || kind.dimension == Dimension{} ||
+                             kind.dimension == kind::angle.dimension;  // radians
   if (symbol.empty() && !needs_no_unit)
     throw InputError({.expected = fmt::format("{} with its unit", kind.name),
                       .found = fmt::format("the bare number {}", in_quotes(number->text)),
@@ -399,10 +400,11 @@ double from_si(double value, const Unit& unit) {
 
 std::string_view best_unit(double magnitude, const Kind& kind) {
   if (kind.units.empty()) return "";
-  if (magnitude == 0 || !std::isfinite(magnitude)) return kind.units.back();
+  if (!std::isfinite(magnitude)) return kind.units.back();
+  const double shown = magnitude == 0 ? 1 : std::abs(magnitude);  // nothing reads best in the unit of the SI
   std::string_view best = kind.units.front();
   for (const std::string_view unit : kind.units)
-    if (to_si(1, parse_unit(unit)) <= std::abs(magnitude)) best = unit;
+    if (to_si(1, parse_unit(unit)) <= shown) best = unit;
   return best;
 }
 

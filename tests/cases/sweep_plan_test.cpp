@@ -111,6 +111,12 @@ TEST_CASE("oracle: rows of a Latin hypercube of 10^12 samples, against the same 
   CHECK(inputs_of(plan, 999'999'999'999)[1] == 0.23677890445156818);
 }
 
+TEST_CASE("identity: whole numbers may be written as powers of ten") {
+  const std::string axes = "seed = 7\naxes = { mu0 = { from = 0.1, to = 0.9 } }\n";
+  const std::string sweep = "[sweep]\nmethod = \"latin hypercube\"\nsamples = ";
+  CHECK(digest_of_sweep(plan_of(sweep + "1e5\n" + axes)) == digest_of_sweep(plan_of(sweep + "100000\n" + axes)));
+}
+
 TEST_CASE("identity: the chunks of a plan are all its rows, in order") {
   CHECK(rc::check("chunks partition the rows", [](std::uint32_t samples) {
     const auto plan = hypercube_of(std::uint64_t{samples} + 1, 0);
@@ -194,6 +200,9 @@ TEST_CASE("table: what a sweep cannot be is refused with line, key and remedy") 
       {"[sweep]\n", {"map.toml:16", "method", "grid"}},
       {"[sweep]\nmethod = \"random\"\n",
        {"map.toml:17: [sweep] method", "\"grid\" or \"latin hypercube\"", "'random'"}},
+      {"[sweep]\nmethod = \"latin hypercub\"\n", {"did you mean \"latin hypercube\"?"}},
+      {"[sweep]\nmethod = \"latin hypercube\"\nsamples = 1.5\nseed = 1\n", {"samples", "a whole number", "1.5"}},
+      {"[sweep]\nmethod = \"latin hypercube\"\nsamples = true\nseed = 1\n", {"samples", "a whole number"}},
       {"[sweep]\nmethod = \"grid\"\n", {"axes", "[sweep.axes]"}},
       {grid, {"map.toml:18: [sweep] axes", "at least one axis"}},
       {grid + "mu = [1]\n", {"map.toml:19: [sweep] axes.mu", "did you mean 'mu0'?"}},

@@ -59,6 +59,7 @@ TEST_CASE("table: quantities as people write them, to the bit of the SI literal"
   CHECK(parse_quantity("3.4 mN mm", kind::energy) == 3.4e-6);
   CHECK(parse_quantity("0.2 1/mm", kind::inverse_length) == 200);
   CHECK(parse_quantity("1.5 rad", kind::angle) == 1.5);
+  CHECK(parse_quantity("1.5", kind::angle) == 1.5);
   CHECK(parse_quantity("5 %", kind::number) == 0.05);
   CHECK(parse_quantity("0.5", kind::number) == 0.5);
 }
@@ -201,7 +202,7 @@ TEST_CASE("table: quantities for people") {
   CHECK(readable(29.6e9, kind::pressure) == "29.6 GPa");
   CHECK(readable(2.1e-12, kind::bending_stiffness) == "2.1 µN mm²");
   CHECK(readable(7.2e-20, kind::area_moment) == "72000 µm⁴");
-  CHECK(readable(0, kind::force) == "0 kN");
+  CHECK(readable(0, kind::force) == "0 N");
   CHECK(readable(0.1449, kind::number) == "0.1449");
   CHECK(readable(1.5e-12, kind::number) == "1.5e-12");
   CHECK(readable(-3e-3, kind::force) == "-3 mN");
