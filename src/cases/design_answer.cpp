@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
-
-#include "bending_test/reach.h"
-#include "fibre/elastica.h"
 
 namespace flexslip {
 namespace {
@@ -77,11 +76,29 @@ std::optional<double> travel_change(const DesignCase& input, const DesignAnswer&
   return answer.scales.physical_length(farther->first_snap->stage) * (1 + 1e-6);  // beyond it, to have snapped
 }
 
+std::optional<PhaseStudy> phases_of(DesignCase input) {
+  constexpr int phases = 24;
+  if (!input.has(DesignParameter::phase) || input.value(DesignParameter::amplitude) == 0) return std::nullopt;
+  PhaseStudy study{0, 0, std::numeric_limits<double>::infinity(), 0, 0};
+  const double first = input.value(DesignParameter::phase);
+  for (int i = 0; i < phases; ++i) {
+    input.set(DesignParameter::phase, first + 2 * std::numbers::pi * i / phases);
+    const auto [status, planned, outcome] = result_of(input);
+    if (!outcome) continue;
+    ++study.phases;
+    if (outcome->snaps > 0) ++study.snapping;
+    study.least_drop = std::min(study.least_drop, outcome->largest_drop);
+    study.largest_drop = std::max(study.largest_drop, outcome->largest_drop);
+    study.critical = std::max(study.critical, critical_stiffness(planned->design));
+  }
+  return study;
+}
+
 }  // namespace
 
 DesignAnswer answer_of(const DesignCase& input) {
   const auto [design, scales] = input.planned();
-  DesignAnswer answer{input, design, scales, outcome_of(design), critical_stiffness(design), {}};
+  DesignAnswer answer{input, design, scales, outcome_of(design), critical_stiffness(design), {}, phases_of(input)};
   const bool now = answer.outcome.snaps > 0;
   const auto add = [&](DesignParameter parameter, std::optional<double> to) {
     const auto outcome = to ? outcome_with(input, parameter, *to) : std::nullopt;
@@ -104,15 +121,6 @@ DesignAnswer answer_of(const DesignCase& input) {
     if (input.has(parameter)) add(parameter, nearest_change(input, parameter, now));
   add(DesignParameter::travel, travel_change(input, answer));
   return answer;
-}
-
-double stiffness_margin(const Design& design) {
-  constexpr double most = 3;
-  const double S = longest_in_loading(design.friction, design.rig, design.travel);
-  const auto state = fibre_state(S, design.friction.at(S).mu);
-  const double w = state.status == FibreStatus::ok ? std::min(state.w, design.travel) : design.travel;
-  const double critical = critical_stiffness(design.friction, w);
-  return std::clamp(std::log(design.rig.stiffness / critical), -most, most);
 }
 
 }  // namespace flexslip

@@ -1,6 +1,8 @@
 // Will this test show a sawtooth, and what would have to change for it to be otherwise?
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "cases/design_result.h"
@@ -14,6 +16,15 @@ struct DesignChange {
   DesignOutcome outcome;  // with it
 };
 
+// What the phase of the friction decides, which is seldom known before a test: with phases evenly spaced over a turn, all else as it is.
+struct PhaseStudy {
+  std::size_t phases;    // of which a test can be computed
+  std::size_t snapping;  // of them, those with which the specimen snaps
+  double least_drop;     // [EI/L^2] of the largest drops, one for each phase
+  double largest_drop;   // [EI/L^2]
+  double critical;       // [EI/L^3] on no stiffer load train does the specimen snap, with any of these phases
+};
+
 struct DesignAnswer {
   DesignCase input;
   Design design;
@@ -21,6 +32,7 @@ struct DesignAnswer {
   DesignOutcome outcome;
   double critical;  // [EI/L^3] of this loading to this travel, critical_stiffness (design.h)
   std::vector<DesignChange> changes;
+  std::optional<PhaseStudy> phases;  // none if the case has no phase, or no waves for it to shift
 };
 
 // Fails:      InputError as DesignCase::planned().
@@ -32,9 +44,5 @@ struct DesignAnswer {
 //             such steps, they begin at 1/900 of the greatest value; from infinity none are made.
 // Cost:       some 500 outcomes.
 DesignAnswer answer_of(const DesignCase& input);
-
-// How far a rig is from where the fibre begins to snap: ln k/k_critical up to the deflection that the loading gets to, within [-3, 3].
-// Above 0 it does not snap. Tolerance: 1 % of the range.
-double stiffness_margin(const Design& design);
 
 }  // namespace flexslip

@@ -59,7 +59,8 @@ MapAxis map_axis(const DesignCase& input, std::string_view text, std::size_t usu
                       .found = in_quotes(text),
                       .remedy = "write it as \"stiffness=10 N/m:1000 N/m\""});
   const DesignParameterName& parameter = parameter_named(input, name);
-  const Kind& as = input.reduced() ? kind::number : parameter.kind;
+  const bool is_plain = input.reduced() && parameter.kind.dimension != kind::angle.dimension;
+  const Kind& as = is_plain ? kind::number : parameter.kind;
   const double from = parse_quantity(first, as);
   const double to = parse_quantity(last, as);
   if (!(from != to && std::isfinite(from) && std::isfinite(to)))
@@ -97,7 +98,7 @@ std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<MapA
       rest %= block;
     }
     point.result = result_of(there);
-    point.margin = point.result.planned ? stiffness_margin(point.result.planned->design)
+    point.margin = point.result.planned ? stiffness_margin(point.result.planned->design, *point.result.outcome)
                                         : std::numeric_limits<double>::quiet_NaN();
   });
   return points;

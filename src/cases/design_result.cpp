@@ -17,6 +17,8 @@ using S = const Scales&;
 constexpr std::array columns{
     OutcomeColumn{"stage_reached", kind::length, StoredAs::float64, "stage position that the loading gets to",
                   [](O o, S s) { return s.physical_length(o.stage_reached); }},
+    OutcomeColumn{"deflection_reached", kind::length, StoredAs::float64, "deflection at that stage position",
+                  [](O o, S s) { return s.physical_length(o.w_reached); }},
     OutcomeColumn{"snaps", kind::number, StoredAs::uint32, "snaps of the specimen, however small",
                   [](O o, S) { return static_cast<double>(o.snaps); }},
     OutcomeColumn{"first_snap_stage", kind::length, StoredAs::float64,

@@ -61,6 +61,7 @@ class Loading {
       const Rest end = rest_at(design_.rig, to.S, to.q);
       if (!slide(here, rest, to, end)) return DesignStatus::slipped_through;
       outcome_.stage_reached = arrives ? design_.travel : to.stage;
+      outcome_.w_reached = end.state.w;
       if (arrives) {
         // The last reading, which may stand beyond the rounded end of its piece.
         if (design_.step > 0 && readings_.first_beyond(design_.travel) > next_) drops_.read(end.state.F);
@@ -253,6 +254,15 @@ double critical_stiffness(const Design& design) {
     const double reached = part.to.stage > design.travel ? point_at_stage(curve, part, design.travel).w : part.to.w;
     deflection = std::max(reached, least);
   }
+}
+
+double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
+  constexpr double most = 3;
+  constexpr double least_deflection = 1e-6;
+  // What slips through is at a fold, beyond which there is only the rest of the curve.
+  const double w = outcome.status == DesignStatus::ok ? outcome.w_reached : design.travel;
+  const double critical = critical_stiffness(design.friction, std::max(w, least_deflection));
+  return std::clamp(std::log(design.rig.stiffness / critical), -most, most);
 }
 
 std::vector<FoldPoint> folds_up_to(const Friction& friction, double w_max) {

@@ -35,6 +35,7 @@ struct FirstSnap {
 struct DesignOutcome {
   DesignStatus status;
   double stage_reached;  // [L] stage position that the loading gets to
+  double w_reached;      // [L] deflection there
   std::size_t snaps;     // those of the fibre, however small
   std::optional<FirstSnap> first_snap;
   std::size_t drops;      // falls of the force between readings, a run of them counting once: what the record shows
@@ -69,6 +70,10 @@ DesignOutcome outcome_of(const Design& design);
 //             fall, by F k'/k^2.
 // Cost:       a few times that of critical_stiffness.
 double critical_stiffness(const Design& design);
+
+// How far a rig is from where the fibre begins to snap: ln k/k_critical up to the deflection that the loading got to, within [-3, 3].
+// 0 or more where it did not snap, at most 0 where it did or slipped through: to 1e-8, as critical_stiffness.
+double stiffness_margin(const Design& design, const DesignOutcome& outcome);
 
 // A point of the curve with the stiffness of the rig on which it is a fold.
 struct FoldPoint {

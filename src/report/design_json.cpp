@@ -38,6 +38,14 @@ Json design_json(const DesignAnswer& answer) {
   json["answer"] = design_in_short(answer);
   json["critical_stiffness"] = answer.scales.physical_stiffness(answer.critical);
   json["snaps_whatever_the_stiffness"] = answer.critical > 0 && !std::isfinite(answer.critical);
+  if (const auto& phases = answer.phases)
+    json["phases"] = {{"count", phases->phases},
+                      {"snapping", phases->snapping},
+                      {"least_largest_drop", answer.scales.physical_force(phases->least_drop)},
+                      {"greatest_largest_drop", answer.scales.physical_force(phases->largest_drop)},
+                      {"critical_stiffness", answer.scales.physical_stiffness(phases->critical)}};
+  else
+    json["phases"] = nullptr;
   json["changes"] = std::move(changes);
   json["parameters"] = std::move(parameters);
   json["units"] = units_json(answer.input.reduced());

@@ -63,13 +63,14 @@ std::string drops_in_words(const DesignAnswer& answer, const Shown& shown) {
 std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
   const DesignOutcome& outcome = answer.outcome;
   if (!outcome.first_snap)
-    return fmt::format("Up to the stage position {} the specimen does not snap.", shown.length(outcome.stage_reached));
+    return fmt::format("Up to the stage position {}, a deflection of {}, the specimen does not snap.",
+                       shown.length(outcome.stage_reached), shown.length(outcome.w_reached));
   const auto& first = *outcome.first_snap;
   return fmt::format(
-      "The first snap comes at the stage position {}, at a deflection of {}: the force falls from {} to {}. Up to {} "
-      "there {}.",
+      "The first snap comes at the stage position {}, at a deflection of {}: the force falls from {} to {}. Up to {}, "
+      "a deflection of {}, there {}.",
       shown.length(first.stage), shown.length(first.w), shown.force(first.F_before), shown.force(first.F_after),
-      shown.length(outcome.stage_reached),
+      shown.length(outcome.stage_reached), shown.length(outcome.w_reached),
       outcome.snaps == 1 ? "is no other" : fmt::format("are {} snaps in all", outcome.snaps));
 }
 
@@ -95,6 +96,26 @@ std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
                         : "";
   return fmt::format("Of the work done on the specimen, {}, {} is friction at the supports{}; the rest bends it.",
                      shown.energy(outcome.work), share(outcome.friction_heat, outcome.work), snaps);
+}
+
+std::string phases_in_words(const DesignAnswer& answer, const Shown& shown) {
+  const PhaseStudy& study = *answer.phases;
+  const std::string_view known =
+      "Where along the specimen the waves of friction stand, their phase, is seldom known before a test.";
+  const std::string drops = study.largest_drop > 0
+                                ? fmt::format(", and the largest drop is between {} and {}",
+                                              shown.force(study.least_drop), shown.force(study.largest_drop))
+                                : "";
+  if (study.snapping == 0) return fmt::format("{} With none of {} phases does it snap{}.", known, study.phases, drops);
+  const std::string count = study.snapping == study.phases
+                                ? fmt::format("With each of {} phases", study.phases)
+                                : fmt::format("With {} of {} phases", study.snapping, study.phases);
+  const std::string remedy =
+      std::isfinite(study.critical)
+          ? fmt::format("On a load train of at least {} it snaps with none of them",
+                        shown.stiffness(on_far_side(0, answer.scales.physical_stiffness(study.critical))))
+          : "With some of them it snaps however stiff the load train";
+  return fmt::format("{} {} it snaps{}. {}.", known, count, drops, remedy);
 }
 
 std::string change_in_words(const DesignChange& change, const Shown& shown) {
@@ -139,8 +160,7 @@ std::string change_in_words(const DesignChange& change, const Shown& shown) {
 std::string what_remains(const DesignAnswer& answer, const DesignChange& change) {
   const DesignOutcome& then = change.outcome;
   if (answer.outcome.snaps == 0 || then.drops == 0) return "";
-  return fmt::format(" (the force then still falls, smoothly, by up to {})",
-                     share(then.largest_drop, then.greatest_force));
+  return fmt::format(" (smooth falls of up to {})", share(then.largest_drop, then.greatest_force));
 }
 
 }  // namespace
@@ -152,6 +172,7 @@ std::string design_in_short(const DesignAnswer& answer) {
     return fmt::format("The specimen will snap {}, but readings {} apart will not show it.",
                        outcome.snaps == 1 ? "once" : fmt::format("{} times", outcome.snaps),
                        shown.length(answer.design.step));
+  if (outcome.snaps == 1) return "Yes: the specimen will snap once, and the force drop.";
   if (outcome.snaps > 0) return "Yes, you will see a sawtooth.";
   if (outcome.drops == 1) return "No sawtooth: the specimen slides without a snap, past a smooth peak of the force.";
   if (outcome.drops > 1)
@@ -164,6 +185,7 @@ std::vector<std::string> design_in_words(const DesignAnswer& answer) {
   const Shown shown(answer);
   std::vector<std::string> paragraphs{snaps_in_words(answer, shown), drops_in_words(answer, shown),
                                       critical_in_words(answer, shown), work_in_words(answer, shown)};
+  if (answer.phases) paragraphs.push_back(phases_in_words(answer, shown));
   if (answer.outcome.status == DesignStatus::slipped_through)
     paragraphs.push_back(
         fmt::format("Beyond the stage position {} the specimen slips through the supports: all this is up to there.",

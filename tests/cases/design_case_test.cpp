@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <variant>
 
@@ -142,7 +143,7 @@ TEST_CASE("design result, contract: whatever the numbers, it is computed or refu
     RC_PRE(is_quick);
     const auto result = result_of(input);
     RC_ASSERT(result.outcome.has_value() == (planned != nullptr));
-    if (planned) RC_ASSERT(!std::isnan(stiffness_margin(planned->design)));
+    if (planned) RC_ASSERT(!std::isnan(stiffness_margin(planned->design, *result.outcome)));
   }));
 }
 
@@ -206,12 +207,29 @@ TEST_CASE("design answer, limit: stiffness, diameter and modulus change the same
   CHECK(std::pow(diameter, 4) == to(1e-12, 1 / stiffness));
 }
 
-TEST_CASE("design answer, oracle: the margin vanishes where the specimen begins to snap") {
+TEST_CASE("design answer, identity: the study of phases is the same from the next of them") {
   DesignCase input = design_of(spicule);
-  const auto answer = answer_of(input);
-  input.set(DesignParameter::stiffness, answer.changes.front().to);
-  CHECK(std::abs(stiffness_margin(input.planned().design)) <
-        0.03);  // the range is known to 1 %, the stiffness goes as its square
+  const auto usual = answer_of(input);
+  const double own = usual.scales.physical_stiffness(usual.critical);
+  const double worst = usual.scales.physical_stiffness(usual.phases.value().critical);
+  REQUIRE(own < worst);
+  for (const double stiffness : {0.5 * own, 0.5 * (own + worst), 1.001 * worst}) {  // all of them snap, some, none
+    CAPTURE(stiffness);
+    input.set(DesignParameter::stiffness, stiffness);
+    const auto here = answer_of(input).phases.value();
+    DesignCase turned = input;
+    turned.set(DesignParameter::phase, input.value(DesignParameter::phase) + 2 * std::numbers::pi / 24);
+    const auto next = answer_of(turned).phases.value();
+    CHECK(here.phases == 24);
+    CHECK(here.snapping == next.snapping);
+    CHECK((here.snapping == 24) == (stiffness < own));
+    CHECK((here.snapping == 0) == (stiffness > worst));
+    CHECK(here.least_drop == to(1e-6, next.least_drop));
+    CHECK(here.largest_drop == to(1e-6, next.largest_drop));
+    CHECK(here.critical == to(1e-6, next.critical));
+  }
+  input.set(DesignParameter::amplitude, 0);
+  CHECK_FALSE(answer_of(input).phases);  // no waves, no phase
 }
 
 TEST_CASE("design map, identity: its points are the outcomes at its values") {
@@ -234,6 +252,8 @@ TEST_CASE("design map, contract: a range that makes no sense is refused with a r
   CHECK(message_of([&] { map_axis(input, "stiffnes=1 N/m:2 N/m", 5); }).find("did you mean 'stiffness'?") !=
         std::string::npos);
   CHECK(message_of([&] { map_axis(input, "stiffness=1:2", 5); }).find("unit") != std::string::npos);
+  CHECK(map_axis(input, "phase=0:90 deg", 5).values.back() == to(1e-15, std::numbers::pi / 2));
+  CHECK(map_axis(input, "phase=0:6.25", 5).values.back() == 6.25);  // radians
   CHECK(message_of([&] { map_axis(input, "mu0=0:1:1", 5); }).find("points") != std::string::npos);
   CHECK(message_of([&] { map_axis(input, "mu0", 5); }).find("write it as") != std::string::npos);
 }

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "cases/sweep_row.h"
 #include "tests/cases/some_sweep.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
@@ -14,7 +15,7 @@ namespace flexslip {
 namespace {
 
 std::vector<double> some_values(const SweepPlan& plan, std::uint64_t chunk) {
-  std::vector<double> values(16 * rows_of_chunk(plan, chunk).count, 1.0 / 3);
+  std::vector<double> values(columns_of(plan).size() * rows_of_chunk(plan, chunk).count, 1.0 / 3);
   values[1] = std::numeric_limits<double>::infinity();
   values[2] = 5e-324;
   return values;

@@ -72,6 +72,7 @@ TEST_CASE("design, oracle: snaps, end and energies are those of the path followe
     RC_ASSERT(outcome.snaps == history.snaps.size());
     RC_ASSERT(outcome.stage_reached ==
               to(1e-12, history.path.back().stage));  // both solve G(S) = stage to its rounding
+    RC_ASSERT(outcome.w_reached == to(1e-9, history.path.back().w));
     if (outcome.first_snap) {
       const auto& snap = history.snaps.front();
       RC_ASSERT(outcome.first_snap->stage == to(1e-12, snap.stage));
@@ -103,6 +104,25 @@ TEST_CASE("design, oracle: the drops are those of a record in which every readin
     RC_ASSERT(std::abs(outcome.mean_drop - drops.sum / static_cast<double>(drops.count)) <=
               1e-6 * outcome.greatest_force);
   }));
+}
+
+TEST_CASE("design, identity: the margin of the stiffness is negative just where the specimen snaps") {
+  CHECK(rc::check([] {
+    Design design = any_design();
+    const auto outcome = outcome_of(design);
+    RC_PRE(outcome.status == DesignStatus::ok);
+    const double margin = stiffness_margin(design, outcome);
+    if (outcome.snaps > 0)
+      RC_ASSERT(margin < 1e-8);
+    else
+      RC_ASSERT(margin > -1e-8);
+  }));
+}
+
+TEST_CASE("design, identity: on the critical stiffness the margin is nothing") {
+  Design design{friction_of_fig_8(), {30}, 0.76, 0};
+  design.rig.stiffness = critical_stiffness(design);
+  CHECK(std::abs(stiffness_margin(design, outcome_of(design))) < 1e-6);
 }
 
 TEST_CASE("design, paper: Fig. 8C snaps three times, first at the fold of its first tooth") {
