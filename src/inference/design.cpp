@@ -262,6 +262,7 @@ double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
   // What slips through is at a fold, beyond which there is only the rest of the curve.
   const double w = outcome.status == DesignStatus::ok ? outcome.w_reached : design.travel;
   const double critical = critical_stiffness(design.friction, std::max(w, least_deflection));
+  if (std::isinf(critical)) return -most;
   return std::clamp(std::log(design.rig.stiffness / critical), -most, most);
 }
 
