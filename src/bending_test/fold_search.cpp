@@ -5,74 +5,21 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bending_test/curve_samples.h"
+#include "bending_test/interpolant.h"
 
 namespace flexslip {
 namespace {
 
-// A polynomial through the values at the Chebyshev-Lobatto points of [-1, 1], which include the ends.
-constexpr int degree = 8;
-using Values = std::array<double, degree + 1>;
-
-double node(int j) { return -std::cos(std::numbers::pi * j / degree); }
-
-// From values at the nodes to Chebyshev coefficients, and from these to Bernstein coefficients; both are linear maps.
-struct Basis {
-  std::array<Values, degree + 1> chebyshev{};
-  std::array<Values, degree + 1> bernstein{};
-  Basis() {
-    for (int k = 0; k <= degree; ++k)
-      for (int j = 0; j <= degree; ++j) {
-        const double end_j = j == 0 || j == degree ? 0.5 : 1.0;
-        const double end_k = k == 0 || k == degree ? 0.5 : 1.0;
-        const double sign = k % 2 ? -1 : 1;  // nodes run from -1 to 1
-        chebyshev[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)] =
-            sign * 2.0 / degree * end_j * end_k * std::cos(std::numbers::pi * k * j / degree);
-      }
-    // T_k = Σ_i (-1)^(k-i) C(2k, 2i)/C(k, i) B_i^k, raised from degree k to the full degree.
-    const auto binomial = [](int n, int r) {
-      double value = 1;
-      for (int i = 1; i <= r; ++i) value = value * (n - r + i) / i;
-      return value;
-    };
-    std::array<Values, degree + 1> from_chebyshev{};
-    for (int k = 0; k <= degree; ++k)
-      for (int j = 0; j <= degree; ++j) {
-        double sum = 0;
-        for (int i = std::max(0, j + k - degree); i <= std::min(j, k); ++i)
-          sum += ((k - i) % 2 ? -1 : 1) * binomial(2 * k, 2 * i) * binomial(degree - k, j - i);
-        from_chebyshev[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] = sum / binomial(degree, j);
-      }
-    for (std::size_t i = 0; i <= degree; ++i)
-      for (std::size_t j = 0; j <= degree; ++j)
-        for (std::size_t k = 0; k <= degree; ++k) bernstein[i][j] += from_chebyshev[i][k] * chebyshev[k][j];
-  }
-};
-
-Values apply(const std::array<Values, degree + 1>& map, const Values& values) {
-  Values result{};
-  for (std::size_t i = 0; i <= degree; ++i)
-    for (std::size_t j = 0; j <= degree; ++j) result[i] += map[i][j] * values[j];
-  return result;
-}
-
-// Value and derivative of a Bernstein polynomial at t in [0, 1] (de Casteljau).
-std::pair<double, double> evaluate(Values b, double t) {
-  double slope = 0;
-  for (std::size_t n = degree; n > 0; --n) {
-    if (n == 1) slope = degree * (b[1] - b[0]);
-    for (std::size_t i = 0; i < n; ++i) b[i] += t * (b[i + 1] - b[i]);
-  }
-  return {b[0], slope};
-}
+constexpr std::size_t degree = 8;
+using Polynomial = Interpolant<degree>;
+using Values = Polynomial::Values;
 
 // Halvings of a cell, after which two folds in one piece are taken for none: 1e-6 of the roughness's period.
 constexpr int most_halvings = 20;
@@ -93,8 +40,8 @@ struct Cell {
   double a, b;
 };
 
-double node_in(const Cell& cell, int j) {
-  return j == 0 ? cell.a : j == degree ? cell.b : cell.a + 0.5 * (cell.b - cell.a) * (1 + node(j));
+double node_in(const Cell& cell, std::size_t j) {
+  return j == 0 ? cell.a : j == degree ? cell.b : cell.a + 0.5 * (cell.b - cell.a) * (1 + Polynomial::node(j));
 }
 
 // Walks a sliding curve and gathers its folds.
@@ -149,7 +96,7 @@ class FoldSearch {
     std::vector<double> at;
     at.reserve(cells.size() * degree + 1);
     for (const Cell& cell : cells)
-      for (int j = 0; j < degree; ++j) at.push_back(node_in(cell, j));
+      for (std::size_t j = 0; j < degree; ++j) at.push_back(node_in(cell, j));
     at.push_back(cells.back().b);
     const auto samples = tabulated_samples_at(friction_, rig_, sliding_, at);
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -170,7 +117,7 @@ class FoldSearch {
 
   std::optional<double> isolate_in(const Cell& cell, const Source& source, int halvings) {
     std::array<double, degree + 1> at;
-    for (int j = 0; j <= degree; ++j) at[static_cast<std::size_t>(j)] = node_in(cell, j);
+    for (std::size_t j = 0; j <= degree; ++j) at[j] = node_in(cell, j);
     const auto samples = source.sampler(friction_, rig_, sliding_, at);
     return isolate(cell, Nodes(samples), source, halvings);
   }
@@ -181,16 +128,14 @@ class FoldSearch {
     Values values;
     double scale = 0;
     for (std::size_t j = 0; j <= degree; ++j) {
-      if (!samples[j].exists) return node_in(cell, static_cast<int>(j));
+      if (!samples[j].exists) return node_in(cell, j);
       values[j] = samples[j].slope;
       scale = std::max(scale, samples[j].scale);
     }
-    const Values coefficients = apply(basis().chebyshev, values);
+    const Values coefficients = Polynomial::chebyshev(values);
     const double tail = std::abs(coefficients[degree]) + std::abs(coefficients[degree - 1]);
-    const Values bernstein = apply(basis().bernstein, values);
+    const Values bernstein = Polynomial::bernstein(values);
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
-    int changes = 0;
-    for (std::size_t i = 0; i < degree; ++i) changes += (bernstein[i] < 0) != (bernstein[i + 1] < 0);
 
     constexpr double accuracy = 1e-6;
     const double at_a = values.front();
@@ -201,7 +146,7 @@ class FoldSearch {
         smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;  // S itself is rounded, too
     const double error = std::max(4 * tail, source.error * scale);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
-    const bool single = resolved && changes == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
+    const bool single = resolved && sign_changes(bernstein) == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
     const bool smallest = halvings == most_halvings;
     if (changes_sign && (single || smallest)) {
       add_bracket(cell, at_a < 0, bernstein);
@@ -218,30 +163,21 @@ class FoldSearch {
   // May friction begin or end to be held at zero in a cell?
   bool may_have_kink(const Cell& cell) const {
     Values mu;
-    for (int j = 0; j <= degree; ++j) {
+    for (std::size_t j = 0; j <= degree; ++j) {
       const double x = node_in(cell, j);
-      mu[static_cast<std::size_t>(j)] = friction_.unheld(1 + x * x);
+      mu[j] = friction_.unheld(1 + x * x);
     }
-    const Values bernstein = apply(basis().bernstein, mu);
+    const Values bernstein = Polynomial::bernstein(mu);
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
     return *least <= 0 && *greatest >= 0;
   }
 
   void add_bracket(const Cell& cell, bool rising, const Values& bernstein) {
-    double low = 0;
-    double high = 1;
-    double t = 0.5;
-    for (int iteration = 0; iteration < 60; ++iteration) {
-      const auto [value, slope] = evaluate(bernstein, t);
-      ((value < 0) == rising ? low : high) = t;
-      const double newton = t - value / slope;
-      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-      const double step = std::abs(next - t);
-      t = next;
-      if (step < 1e-7) break;  // below what the interpolant is worth
-    }
+    constexpr double close = 1e-7;  // below what the interpolant is worth
+    const auto slope_at = [&](double t) { return bernstein_at(bernstein, t); };
+    const double t = zero_between(slope_at, 0.0, 1.0, 0.5, rising, close);
     const double length = cell.b - cell.a;
-    brackets_.push_back({cell.a, cell.b, cell.a + t * length, evaluate(bernstein, t).second / length, rising});
+    brackets_.push_back({cell.a, cell.b, cell.a + t * length, bernstein_at(bernstein, t).slope / length, rising});
   }
 
   // The folds themselves, by Newton's iteration kept within the brackets, for all of them at once.
@@ -274,11 +210,6 @@ class FoldSearch {
       active.resize(left);
     }
     return folds;
-  }
-
-  static const Basis& basis() {
-    static const Basis value;
-    return value;
   }
 
   const Friction& friction_;

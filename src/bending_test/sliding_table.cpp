@@ -2,75 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "bending_test/curve_samples.h"
+#include "bending_test/interpolant.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {
 namespace {
 
 constexpr double longest = 100;  // [L]
-
-// From values at the Chebyshev-Lobatto points cos(π j/n), j = 0..n, to coefficients.
-template <std::size_t size>
-std::array<double, size> chebyshev_coefficients(const std::array<double, size>& values) {
-  constexpr std::size_t n = size - 1;
-  static const auto cosines = [] {
-    std::array<double, 2 * n> table{};
-    for (std::size_t i = 0; i < table.size(); ++i)
-      table[i] = std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
-    return table;
-  }();
-  std::array<double, size> coefficients{};
-  for (std::size_t k = 0; k <= n; ++k) {
-    double sum = 0.5 * (values[0] + (k % 2 ? -values[n] : values[n]));
-    for (std::size_t j = 1; j < n; ++j) sum += values[j] * cosines[j * k % (2 * n)];
-    coefficients[k] = (k == 0 || k == n ? 1.0 : 2.0) / static_cast<double>(n) * sum;
-  }
-  return coefficients;
-}
-
-// The integral that vanishes at -1, times `scale`.
-template <std::size_t size>
-std::array<double, size + 1> integrated(const std::array<double, size>& c, double scale) {
-  std::array<double, size + 1> integral{};
-  const auto coefficient = [&](std::size_t k) { return k < size ? c[k] : 0.0; };
-  double at_start = 0;
-  for (std::size_t k = 1; k <= size; ++k) {
-    const double lower = k == 1 ? 2 * c[0] : coefficient(k - 1);
-    integral[k] = scale * (lower - coefficient(k + 1)) / (2 * static_cast<double>(k));
-    at_start += k % 2 ? -integral[k] : integral[k];
-  }
-  integral[0] = -at_start;
-  return integral;
-}
-
-// Clenshaw's sum at t in [-1, 1].
-template <std::size_t size>
-double sum_at(const std::array<double, size>& c, double t) {
-  double b1 = 0;
-  double b2 = 0;
-  for (std::size_t k = size - 1; k > 0; --k) b2 = std::exchange(b1, c[k] + 2 * t * b1 - b2);
-  return c[0] + t * b1 - b2;
-}
-
-// The same with its derivative, which is Σ c_k k U_{k-1}.
-template <std::size_t size>
-std::pair<double, double> sum_and_slope_at(const std::array<double, size>& c, double t) {
-  double b1 = 0;
-  double b2 = 0;
-  double d1 = 0;
-  double d2 = 0;
-  for (std::size_t k = size - 1; k > 0; --k) {
-    d2 = std::exchange(d1, static_cast<double>(k) * c[k] + 2 * t * d1 - d2);
-    b2 = std::exchange(b1, c[k] + 2 * t * b1 - b2);
-  }
-  return {c[0] + t * b1 - b2, d1};
-}
 
 }  // namespace
 
@@ -104,8 +47,7 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
   Series friction{};
   double noise = 0;
   for (std::size_t j = 0; j <= degree; ++j) {
-    const double t = std::cos(std::numbers::pi * static_cast<double>(j) / degree);
-    const Sample sample = sample_at(0.5 * (from + to) + 0.5 * (to - from) * t);
+    const Sample sample = sample_at(0.5 * (from + to) + 0.5 * (to - from) * Interpolant<degree>::node(j));
     G[j] = sample.G;
     stage[j] = sample.power.stage;
     friction[j] = sample.power.friction;
@@ -117,8 +59,8 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
     return most;
   };
   scale = std::max({scale, greatest(stage), greatest(friction)});
-  stage = chebyshev_coefficients(stage);
-  friction = chebyshev_coefficients(friction);
+  stage = Interpolant<degree>::chebyshev(stage);
+  friction = Interpolant<degree>::chebyshev(friction);
   constexpr double accuracy = 1e-12;        // what the integral loses is a tenth of that, and less
   constexpr int most_halvings = 30;         // at a kink: a piece 1e-9 of the whole
   constexpr std::size_t most_pieces = 200;  // enough for a few kinks
@@ -133,7 +75,8 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
   }
   const SlidingWork before = cell.empty() ? SlidingWork{0, 0} : up_to(cell, cell.back().to);
   const double reach = 0.5 * (to - from);
-  cell.push_back({from, to, chebyshev_coefficients(G), integrated(stage, reach), integrated(friction, reach), before});
+  cell.push_back(
+      {from, to, Interpolant<degree>::chebyshev(G), integrated(stage, reach), integrated(friction, reach), before});
 }
 
 const SlidingTable::Cell& SlidingTable::cell(std::size_t i) {
@@ -155,7 +98,7 @@ const SlidingTable::Piece& SlidingTable::piece_at(const Cell& cell, double sigma
 SlidingWork SlidingTable::up_to(const Cell& cell, double sigma) {
   const Piece& piece = piece_at(cell, sigma);
   const double t = std::clamp((2 * sigma - piece.from - piece.to) / (piece.to - piece.from), -1.0, 1.0);
-  return {piece.before.stage + sum_at(piece.stage, t), piece.before.friction + sum_at(piece.friction, t)};
+  return {piece.before.stage + series_at(piece.stage, t), piece.before.friction + series_at(piece.friction, t)};
 }
 
 SlidingWork SlidingTable::work(double S_from, double S_to) {
@@ -188,23 +131,19 @@ double SlidingTable::length_at_stage(double stage, double S_from, double S_to) {
   const auto lies_beyond = [&](double edge) {
     const double sigma = std::sqrt(edge - 1);
     const Piece& piece = piece_at(cell(i), sigma);
-    return (sum_at(piece.G, place_on(piece, sigma)) < stage) == onwards;
+    return (series_at(piece.G, place_on(piece, sigma)) < stage) == onwards;
   };
   while (i != last && lies_beyond(edges_[onwards ? i + 1 : i])) i = onwards ? i + 1 : i - 1;
   double low = std::sqrt(std::max(edges_[i], std::min(S_from, S_to)) - 1);
   double high = std::sqrt(std::min(edges_[i + 1], std::max(S_from, S_to)) - 1);
-  double sigma = 0.5 * (low + high);
   const Cell& here = cell(i);
-  for (int iteration = 0; iteration < 60; ++iteration) {
+  const auto miss = [&](double sigma) {
     const Piece& piece = piece_at(here, sigma);
-    const auto [G, slope] = sum_and_slope_at(piece.G, place_on(piece, sigma));
-    (G < stage ? low : high) = sigma;
-    double next = sigma - (G - stage) / slope * 0.5 * (piece.to - piece.from);
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - sigma);
-    sigma = next;
-    if (step <= 1e-7 * (piece.to - piece.from)) break;  // Newton's iteration doubles the digits
-  }
+    const auto [G, slope] = series_slope_at(piece.G, place_on(piece, sigma));
+    return ValueAndSlope{G - stage, 2 * slope / (piece.to - piece.from)};
+  };
+  const double close = 1e-11 * (high - low);
+  const double sigma = zero_between(miss, low, high, 0.5 * (low + high), true, close);
   return 1 + sigma * sigma;
 }
 

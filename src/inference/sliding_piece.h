@@ -31,7 +31,7 @@ class SlidingPiece {
   // ∫ F dw [EI/L]
   double work() const;
 
-  // The force at a stage position, between those at the ends; the stage must rise along the piece.
+  // The force at a stage position, between those at the ends, where it is exact; the stage must rise along the piece.
   double force_at(double stage) const;
 
   // Where the force turns from rising to falling or back, in the order of the way.
