@@ -15,7 +15,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t most_points = 10000;  // of an axis
+constexpr std::uint64_t most_points = 10000;  // of an axis
 
 std::vector<std::string> names_of(const DesignCase& input) {
   std::vector<std::string> names;
@@ -34,8 +34,8 @@ const DesignParameterName& parameter_named(const DesignCase& input, std::string_
                     .remedy = meant.empty() ? "" : fmt::format("did you mean {}?", in_quotes(meant))});
 }
 
-std::size_t points_from(std::string_view text) {
-  std::size_t points = 0;
+std::uint64_t points_from(std::string_view text) {
+  std::uint64_t points = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), points);
   if (error == std::errc() && end == text.data() + text.size() && points >= 2 && points <= most_points) return points;
   throw InputError({.expected = fmt::format("2 to {} points", most_points), .found = in_quotes(text)});
@@ -43,7 +43,7 @@ std::size_t points_from(std::string_view text) {
 
 }  // namespace
 
-MapAxis map_axis(const DesignCase& input, std::string_view text, std::size_t usual_points) {
+DesignAxis map_axis(const DesignCase& input, std::string_view text, std::uint64_t usual_points) {
   const auto cut = [&](std::string_view& rest, char at) {
     const std::size_t end = std::min(rest.find(at), rest.size());
     const std::string_view part = trimmed(rest.substr(0, end));
@@ -65,38 +65,24 @@ MapAxis map_axis(const DesignCase& input, std::string_view text, std::size_t usu
   const double to = parse_quantity(last, as);
   if (!(from != to && std::isfinite(from) && std::isfinite(to)))
     throw InputError({.expected = "a range with two ends", .found = in_quotes(text)});
-  const std::size_t points = rest.empty() ? usual_points : points_from(trimmed(rest));
+  const std::uint64_t points = rest.empty() ? usual_points : points_from(trimmed(rest));
   DesignCase trial = input;
   for (const double end : {from, to}) trial.set(parameter.parameter, end);
 
   constexpr double decade = 10;
-  const bool logarithmic = from > 0 && to > 0 && std::max(from / to, to / from) >= decade;
-  MapAxis axis{parameter.parameter, {}, logarithmic};
-  axis.values.reserve(points);
-  for (std::size_t i = 0; i < points; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(points - 1);
-    const double value = logarithmic ? from * std::pow(to / from, share) : from + share * (to - from);
-    axis.values.push_back(std::clamp(value, std::min(from, to), std::max(from, to)));
-  }
-  axis.values.back() = to;
-  return axis;
+  const bool is_logarithmic = from > 0 && to > 0 && std::max(from / to, to / from) >= decade;
+  return {parameter, AxisRange{from, to, is_logarithmic ? Spacing::logarithmic : Spacing::linear, points}};
 }
 
-std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<MapAxis>& axes, unsigned threads) {
-  std::size_t count = 1;
-  for (const MapAxis& axis : axes) count *= axis.values.size();
+std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<DesignAxis>& axes, unsigned threads) {
+  std::uint64_t count = 1;
+  for (const DesignAxis& axis : axes) count *= points_of(axis);
   std::vector<MapPoint> points(count);
   for_each_index(count, threads, [&](std::size_t i) {
     MapPoint& point = points[i];
     DesignCase there = input;
-    std::size_t rest = i;
-    std::size_t block = count;
-    for (const MapAxis& axis : axes) {
-      block /= axis.values.size();
-      point.values.push_back(axis.values[rest / block]);
-      there.set(axis.parameter, point.values.back());
-      rest %= block;
-    }
+    point.values = grid_inputs(axes, i);
+    for (std::size_t k = 0; k < axes.size(); ++k) there.set(axes[k].parameter.parameter, point.values[k]);
     point.result = result_of(there);
     point.margin = point.result.planned ? stiffness_margin(point.result.planned->design, *point.result.outcome)
                                         : std::numeric_limits<double>::quiet_NaN();

@@ -27,7 +27,7 @@ std::string text_of_case(Case input) {
   return to_toml(input);
 }
 
-std::string text_of(const SweepAxis& axis) {
+std::string text_of(const DesignAxis& axis) {
   if (const auto* values = std::get_if<AxisValues>(&axis.values))
     return fmt::format("{} {}", axis.parameter.name, *values);
   const auto& range = std::get<AxisRange>(axis.values);
@@ -44,7 +44,7 @@ std::string digest_of_sweep(const SweepPlan& plan, const RowFunction& outcomes_o
   std::string text = fmt::format("sweep of FlexSlip {}\n{}", FLEXSLIP_VERSION, text_of_case(plan.input));
   if (const auto* hypercube = std::get_if<LatinHypercube>(&plan.method))
     text += fmt::format("latin hypercube {} {}\n", hypercube->samples, hypercube->seed);
-  for (const SweepAxis& axis : plan.axes) text += text_of(axis) + "\n";
+  for (const DesignAxis& axis : plan.axes) text += text_of(axis) + "\n";
   for (const SweepColumn& column : columns_of(plan)) text += column.path + "\n";
   for (std::uint64_t i = 0; i < answers; ++i)  // to the last bit
     text += fmt::format("{}\n", outcomes_of(inputs_of(plan, row_from_all_over(plan, i))));

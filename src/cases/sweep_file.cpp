@@ -16,7 +16,7 @@ namespace {
 constexpr const char* digest_name = "plan";
 
 void describe_axis(Hdf5File& file, const SweepPlan& plan, std::size_t i, const SweepColumn& column) {
-  const SweepAxis& axis = plan.axes[i];
+  const DesignAxis& axis = plan.axes[i];
   if (const auto* range = std::get_if<AxisRange>(&axis.values)) {
     file.describe(column.path, "from", range->from);
     file.describe(column.path, "to", range->to);
@@ -33,7 +33,7 @@ void describe_axis(Hdf5File& file, const SweepPlan& plan, std::size_t i, const S
 
 void describe_method(Hdf5File& file, const SweepPlan& plan) {
   std::vector<std::string> names;
-  for (const SweepAxis& axis : plan.axes) names.emplace_back(axis.parameter.name);
+  for (const DesignAxis& axis : plan.axes) names.emplace_back(axis.parameter.name);
   file.describe("/", "axes", names);
   if (const auto* hypercube = std::get_if<LatinHypercube>(&plan.method)) {
     file.describe("/", "method", "latin hypercube");

@@ -31,7 +31,7 @@ constexpr Words<Method, 2> method_names{{{"grid", Method::grid}, {"latin hypercu
 constexpr std::string_view example_axis =
     R"(stiffness = { from = "10 N/m", to = "1 kN/m", points = 50, spacing = "log" })";
 
-std::string axis_key(const SweepAxis& axis) { return fmt::format("sweep.axes.{}", axis.parameter.name); }
+std::string axis_key(const DesignAxis& axis) { return fmt::format("sweep.axes.{}", axis.parameter.name); }
 
 // A stiffness may be infinite, and a step continuous, in a list.
 double listed_value(const Keys& keys, const toml::node& node, const std::string& key,
@@ -67,8 +67,8 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameterName&
   return range;
 }
 
-SweepAxis read_axis(const Keys& axes, const toml::node& node, Method method, const DesignParameterName& parameter,
-                    const Case& input) {
+DesignAxis read_axis(const Keys& axes, const toml::node& node, Method method, const DesignParameterName& parameter,
+                     const Case& input) {
   if (const toml::table* range = node.as_table())
     return {parameter, read_range({*range, axes.key(parameter.name), input}, method, parameter)};
   const toml::array* values = node.as_array();
@@ -80,36 +80,31 @@ SweepAxis read_axis(const Keys& axes, const toml::node& node, Method method, con
   return {parameter, read_values(axes, *values, parameter)};
 }
 
-std::vector<SweepAxis> read_axes(const Keys& axes, Method method, const Case& input) {
+std::vector<DesignAxis> read_axes(const Keys& axes, Method method, const Case& input) {
   std::vector<std::string> known;
   known.reserve(design_parameters().size());
   for (const auto& parameter : design_parameters()) known.emplace_back(parameter.name);
   axes.only(known);
   if (axes.size() == 0)
     throw wrong_value(input, "sweep.axes", "at least one axis", "none", fmt::format("add {}", example_axis));
-  std::vector<std::pair<toml::source_position, SweepAxis>> placed;
+  std::vector<std::pair<toml::source_position, DesignAxis>> placed;
   for (const auto& parameter : design_parameters())
     if (const toml::node* node = axes.find(parameter.name))
       placed.emplace_back(node->source().begin, read_axis(axes, *node, method, parameter, input));
   std::sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<SweepAxis> in_order;
+  std::vector<DesignAxis> in_order;
   in_order.reserve(placed.size());
   for (auto& [position, axis] : placed) in_order.push_back(std::move(axis));
   return in_order;
 }
 
-std::uint64_t points_of(const SweepAxis& axis) {
-  const auto* range = std::get_if<AxisRange>(&axis.values);
-  return range ? range->points : std::get<AxisValues>(axis.values).size();
-}
-
-std::uint64_t rows_of(const Keys& sweep, const std::vector<SweepAxis>& axes,
+std::uint64_t rows_of(const Keys& sweep, const std::vector<DesignAxis>& axes,
                       const std::variant<Grid, LatinHypercube>& method) {
   const auto* hypercube = std::get_if<LatinHypercube>(&method);
   std::uint64_t rows = hypercube ? hypercube->samples : 1;
   auto product = static_cast<double>(rows);  // which does not overflow
   if (!hypercube)
-    for (const SweepAxis& axis : axes) {
+    for (const DesignAxis& axis : axes) {
       rows *= points_of(axis);
       product *= static_cast<double>(points_of(axis));
     }
@@ -145,26 +140,10 @@ std::uint64_t permuted(std::uint64_t i, std::uint64_t count, std::uint64_t key) 
 // Uniform in [0, 1), a multiple of 2^-53.
 double fraction(std::uint64_t bits) { return std::ldexp(static_cast<double>(bits >> 11), -53); }
 
-double grid_value(const SweepAxis& axis, std::uint64_t point) {
-  if (const auto* values = std::get_if<AxisValues>(&axis.values)) return (*values)[point];
-  const auto& range = std::get<AxisRange>(axis.values);
-  return value_at(range, static_cast<double>(point) / static_cast<double>(range.points - 1));
-}
-
-std::vector<double> inputs_of_grid(const SweepPlan& plan, std::uint64_t row) {
-  std::vector<double> inputs(plan.axes.size());
-  for (std::size_t i = inputs.size(); i-- > 0;) {
-    const std::uint64_t points = points_of(plan.axes[i]);
-    inputs[i] = grid_value(plan.axes[i], row % points);
-    row /= points;
-  }
-  return inputs;
-}
-
 std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube& hypercube, std::uint64_t row) {
   std::vector<double> inputs;
   inputs.reserve(plan.axes.size());
-  for (const SweepAxis& axis : plan.axes) {
+  for (const DesignAxis& axis : plan.axes) {
     // By the parameter, not by its place: an axis that is added leaves the others as they were.
     const std::uint64_t key = mixed(hypercube.seed ^ mixed(static_cast<std::uint64_t>(axis.parameter.parameter)));
     const std::uint64_t stratum = permuted(row, hypercube.samples, key);
@@ -176,7 +155,7 @@ std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube
 }
 
 // A refusal of a number, told as one of the axis that it stands in.
-void set_from_axis(DesignCase& design, const SweepPlan& plan, const SweepAxis& axis, const std::string& key,
+void set_from_axis(DesignCase& design, const SweepPlan& plan, const DesignAxis& axis, const std::string& key,
                    double value) {
   try {
     design.set(axis.parameter.parameter, value);
@@ -187,7 +166,7 @@ void set_from_axis(DesignCase& design, const SweepPlan& plan, const SweepAxis& a
 
 void check(const SweepPlan& plan) {
   DesignCase design(plan.input);
-  for (const SweepAxis& axis : plan.axes) {
+  for (const DesignAxis& axis : plan.axes) {
     const std::string key = axis_key(axis);
     if (!design.has(axis.parameter.parameter))
       throw wrong_value(plan.input, key, "a parameter that the case has", in_quotes(axis.parameter.name),
@@ -238,35 +217,14 @@ std::vector<std::uint64_t> shape_of(const SweepPlan& plan) {
   std::vector<std::uint64_t> shape;
   if (std::holds_alternative<LatinHypercube>(plan.method)) return shape;
   shape.reserve(plan.axes.size());
-  for (const SweepAxis& axis : plan.axes) shape.push_back(points_of(axis));
+  for (const DesignAxis& axis : plan.axes) shape.push_back(points_of(axis));
   return shape;
-}
-
-std::vector<double> values_of(const SweepAxis& axis) {
-  std::vector<double> values(points_of(axis));
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = grid_value(axis, i);
-  return values;
-}
-
-double value_at(const AxisRange& range, double t) {
-  constexpr int halvings = 26;  // of the logarithm of the ratio, to 1e-8 of it: what is left is linear to rounding
-  double from = range.from;
-  double to = range.to;
-  if (range.spacing == Spacing::logarithmic && t > 0 && t < 1)
-    for (int i = 0; i < halvings; ++i) {
-      const double middle = std::sqrt(from) * std::sqrt(to);
-      t *= 2;
-      (t < 1 ? to : from) = middle;
-      if (t >= 1) t -= 1;
-    }
-  const auto [least, most] = std::minmax(range.from, range.to);
-  return std::clamp((1 - t) * from + t * to, least, most);  // rounding must not carry it beyond its end
 }
 
 std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row) {
   if (row >= plan.rows) throw std::invalid_argument(fmt::format("inputs_of: no row {} of {}", row, plan.rows));
   const auto* hypercube = std::get_if<LatinHypercube>(&plan.method);
-  return hypercube ? inputs_of_sample(plan, *hypercube, row) : inputs_of_grid(plan, row);
+  return hypercube ? inputs_of_sample(plan, *hypercube, row) : grid_inputs(plan.axes, row);
 }
 
 std::uint64_t row_from_all_over(const SweepPlan& plan, std::uint64_t i) {

@@ -13,25 +13,9 @@
 #include <vector>
 
 #include "cases/case_file.h"
-#include "cases/design_case.h"
+#include "cases/design_axis.h"
 
 namespace flexslip {
-
-enum class Spacing { linear, logarithmic };
-
-// From one end to the other, both finite and included; logarithmic ones are positive.
-struct AxisRange {
-  double from, to;  // SI or reduced, as the case
-  Spacing spacing;
-  std::uint64_t points;  // of a grid, at least 2; 0 in a Latin hypercube
-};
-
-using AxisValues = std::vector<double>;  // at least one; only in a grid
-
-struct SweepAxis {
-  DesignParameterName parameter;
-  std::variant<AxisRange, AxisValues> values;
-};
 
 // Every value of an axis with every value of the others; the last axis changes fastest.
 struct Grid {};
@@ -44,8 +28,8 @@ struct LatinHypercube {
 
 struct SweepPlan {
   Case input;
-  std::string text;             // the whole file
-  std::vector<SweepAxis> axes;  // at least one, as the file orders them
+  std::string text;              // the whole file
+  std::vector<DesignAxis> axes;  // at least one, as the file orders them
   std::variant<Grid, LatinHypercube> method;
   std::uint64_t rows;  // at least 1
 };
@@ -59,14 +43,6 @@ SweepPlan read_sweep(const std::string& path);
 
 // [1] points of each axis of a grid; empty for a Latin hypercube.
 std::vector<std::uint64_t> shape_of(const SweepPlan& plan);
-
-// All values of an axis of a grid, in their order.
-std::vector<double> values_of(const SweepAxis& axis);
-
-// The value of a range at t in [0, 1]; at 0 and 1 its ends, exactly.
-// Max error:  4 ulp if linear, 30 ulp if logarithmic.
-// Method:     linear; or halving the ratio of the ends by square roots until it is linear to rounding.
-double value_at(const AxisRange& range, double t);
 
 // The numbers of a row, one for each axis: SI or reduced, as the case.
 // Domain:     row < plan.rows; std::invalid_argument otherwise.

@@ -36,7 +36,7 @@ std::size_t status_column(const SweepPlan& plan) { return plan.axes.size(); }
 
 RowComputer::RowComputer(const SweepPlan& plan) : case_(plan.input) {
   parameters_.reserve(plan.axes.size());
-  for (const SweepAxis& axis : plan.axes) parameters_.push_back(axis.parameter.parameter);
+  for (const DesignAxis& axis : plan.axes) parameters_.push_back(axis.parameter.parameter);
 }
 
 std::vector<double> RowComputer::operator()(std::span<const double> inputs) {

@@ -30,25 +30,25 @@ struct DesignRequest {
   Output output;
 };
 
-std::vector<MapAxis> axes_of(const DesignRequest& request, const DesignCase& input) {
-  constexpr std::size_t points_of_curve = 101;
-  constexpr std::size_t points_of_map = 41;
-  constexpr std::size_t most_designs = 1'000'000;  // all are held in memory
+std::vector<DesignAxis> axes_of(const DesignRequest& request, const DesignCase& input) {
+  constexpr std::uint64_t points_of_curve = 101;
+  constexpr std::uint64_t points_of_map = 41;
+  constexpr std::uint64_t most_designs = 1'000'000;  // all are held in memory
   if (request.over.size() > 2)
     throw InputError({.field = "--over",
                       .expected = "one parameter or two",
                       .found = std::to_string(request.over.size()),
                       .remedy = "flexslip sweep takes as many as you like"});
-  std::vector<MapAxis> axes;
+  std::vector<DesignAxis> axes;
   for (const std::string& text : request.over) try {
       axes.push_back(map_axis(input, text, request.over.size() == 1 ? points_of_curve : points_of_map));
     } catch (const InputError& error) {
       throw located(error, "", 0, "--over");
     }
-  if (axes.size() == 2 && axes[0].parameter == axes[1].parameter)
+  if (axes.size() == 2 && axes[0].parameter.parameter == axes[1].parameter.parameter)
     throw InputError({.field = "--over", .expected = "two parameters", .found = "the same twice"});
-  std::size_t designs = 1;
-  for (const MapAxis& axis : axes) designs *= axis.values.size();
+  std::uint64_t designs = 1;
+  for (const DesignAxis& axis : axes) designs *= points_of(axis);
   if (designs > most_designs)
     throw InputError({.field = "--over",
                       .expected = fmt::format("at most {} designs", most_designs),
@@ -67,7 +67,7 @@ double value_in(const OutcomeColumn& column, const DesignResult& result) {
                         : std::numeric_limits<double>::quiet_NaN();
 }
 
-void write_map(const DesignRequest& request, const DesignCase& input, const std::vector<MapAxis>& axes,
+void write_map(const DesignRequest& request, const DesignCase& input, const std::vector<DesignAxis>& axes,
                const std::vector<MapPoint>& points) {
   if (request.output.json) return write_json(request.output.path, design_map_json(input, axes, points));
   std::vector<std::string> titles;
@@ -79,7 +79,7 @@ void write_map(const DesignRequest& request, const DesignCase& input, const std:
     for (const MapPoint& point : points) cells.push_back(value(point));
   };
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const DesignParameterName& parameter = described(axes[i].parameter);
+    const DesignParameterName& parameter = axes[i].parameter;
     add(title_of(parameter.name, parameter.kind, input.reduced()), [&](const MapPoint& at) { return at.values[i]; });
   }
   for (const OutcomeColumn& column : outcome_columns())

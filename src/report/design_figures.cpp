@@ -44,10 +44,12 @@ std::string capitalised(std::string_view words) {
 // An axis of a map: what is drawn of its values, logarithms if it is logarithmic, because gnuplot's pixels are all of one size.
 class Drawn {
  public:
-  Drawn(const DesignCase& input, const MapAxis& axis) : logarithmic_(axis.logarithmic) {
-    const DesignParameterName& parameter = described(axis.parameter);
+  Drawn(const DesignCase& input, const DesignAxis& axis) {
+    const auto& range = std::get<AxisRange>(axis.values);
+    logarithmic_ = range.spacing == Spacing::logarithmic;
+    const DesignParameterName& parameter = axis.parameter;
     const Kind& kind = parameter.kind;
-    const auto [least, most] = std::minmax(axis.values.front(), axis.values.back());
+    const auto [least, most] = std::minmax(range.from, range.to);
     unit_ = kind.units.empty()
                 ? PlotUnit{"", 1}
                 : plot_unit(logarithmic_ ? std::sqrt(least * most) : std::max(std::abs(least), std::abs(most)), kind,
@@ -92,7 +94,7 @@ std::optional<double> first_deflection(const DesignResult& result) {
   return snap ? std::optional(result.planned->scales.physical_length(snap->w)) : std::nullopt;
 }
 
-Figure curve_figure(const DesignCase& input, const MapAxis& axis, const std::vector<MapPoint>& points) {
+Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::vector<MapPoint>& points) {
   const Drawn drawn(input, axis);
   double deepest = 0;
   double most = 1;
@@ -140,7 +142,7 @@ Figure curve_figure(const DesignCase& input, const MapAxis& axis, const std::vec
           .description = fmt::format("Two panels over the {}: the largest and the mean drop of the force, as shares of "
                                      "the greatest force, and the share of friction in "
                                      "the work; and the deflection of the first snap.",
-                                     described(axis.parameter).name),
+                                     axis.parameter.name),
           .width = two_columns,
           .height = 66,
           .data = {std::move(data)},
@@ -177,14 +179,15 @@ FigureData border_of(const std::vector<MapPoint>& points, std::size_t rows, std:
   return border;
 }
 
-Figure plane_figure(const DesignCase& input, const std::vector<MapAxis>& axes, const std::vector<MapPoint>& points) {
+Figure plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points) {
   const Drawn x(input, axes[0]);
   const Drawn y(input, axes[1]);
   FigureData data{"designs", {"x", "y", "largest drop [%]"}, {}};
   for (const MapPoint& point : points)
     data.rows.push_back(
         {x(point.values[0]), y(point.values[1]), point.result.outcome ? drop_share(*point.result.outcome) : nan});
-  FigureData own{"own", {"x", "y"}, {{x(input.value(axes[0].parameter)), y(input.value(axes[1].parameter))}}};
+  FigureData own{
+      "own", {"x", "y"}, {{x(input.value(axes[0].parameter.parameter)), y(input.value(axes[1].parameter.parameter))}}};
   const std::string script = fmt::format(
       R"(  set lmargin at screen 0.13; set rmargin at screen 0.80; set tmargin at screen 0.89; set bmargin at screen 0.145
   set key at screen 0.465,0.985 center top vertical Left reverse maxrows 1 samplen 2.2
@@ -198,18 +201,17 @@ Figure plane_figure(const DesignCase& input, const std::vector<MapAxis>& axes, c
        border using 1:2 with lines lw 2 lc rgb vermillion title 'Border of snapping', \
        own using 1:2 with points pt 7 ps 0.7 lc rgb 'black' title 'This test'
 )",
-      x.label(), y.label(), x.set('x', 0.5 / static_cast<double>(axes[0].values.size() - 1)),
-      y.set('y', 0.5 / static_cast<double>(axes[1].values.size() - 1)));
-  return {
-      .name = "designs",
-      .title = "Where a test shows a sawtooth",
-      .description = fmt::format(
-          "The largest drop of the force over {} and {}, with the border beyond which the specimen does not snap.",
-          described(axes[0].parameter).name, described(axes[1].parameter).name),
-      .width = 110,
-      .height = 85,
-      .data = {std::move(data), border_of(points, axes[0].values.size(), axes[1].values.size(), x, y), std::move(own)},
-      .script = script};
+      x.label(), y.label(), x.set('x', 0.5 / static_cast<double>(points_of(axes[0]) - 1)),
+      y.set('y', 0.5 / static_cast<double>(points_of(axes[1]) - 1)));
+  return {.name = "designs",
+          .title = "Where a test shows a sawtooth",
+          .description = fmt::format(
+              "The largest drop of the force over {} and {}, with the border beyond which the specimen does not snap.",
+              axes[0].parameter.name, axes[1].parameter.name),
+          .width = 110,
+          .height = 85,
+          .data = {std::move(data), border_of(points, points_of(axes[0]), points_of(axes[1]), x, y), std::move(own)},
+          .script = script};
 }
 
 }  // namespace
@@ -292,7 +294,7 @@ Figure design_figure(const DesignAnswer& answer) {
           .script = script};
 }
 
-Figure design_map_figure(const DesignCase& input, const std::vector<MapAxis>& axes,
+Figure design_map_figure(const DesignCase& input, const std::vector<DesignAxis>& axes,
                          const std::vector<MapPoint>& points) {
   if (axes.size() == 1) return curve_figure(input, axes.front(), points);
   if (axes.size() == 2) return plane_figure(input, axes, points);

@@ -15,7 +15,7 @@ Figure design_figure(const DesignAnswer& answer);
 
 // Drops and the first snap over one parameter; or the largest drop over two, with the border of those that do not snap.
 // Domain:     one or two axes, and their points; std::invalid_argument otherwise.
-Figure design_map_figure(const DesignCase& input, const std::vector<MapAxis>& axes,
+Figure design_map_figure(const DesignCase& input, const std::vector<DesignAxis>& axes,
                          const std::vector<MapPoint>& points);
 
 }  // namespace flexslip

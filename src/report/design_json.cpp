@@ -52,7 +52,8 @@ Json design_json(const DesignAnswer& answer) {
   return json;
 }
 
-Json design_map_json(const DesignCase& input, const std::vector<MapAxis>& axes, const std::vector<MapPoint>& points) {
+Json design_map_json(const DesignCase& input, const std::vector<DesignAxis>& axes,
+                     const std::vector<MapPoint>& points) {
   Json rows = Json::array();
   for (const MapPoint& point : points) {
     Json row{{"status", word_of(point.result.status)}};
@@ -60,7 +61,7 @@ Json design_map_json(const DesignCase& input, const std::vector<MapAxis>& axes, 
       add_outcome(row, *point.result.outcome, point.result.planned->scales);
       row["stiffness_margin"] = point.margin;
     }
-    for (std::size_t i = 0; i < axes.size(); ++i) row[std::string(described(axes[i].parameter).name)] = point.values[i];
+    for (std::size_t i = 0; i < axes.size(); ++i) row[std::string(axes[i].parameter.name)] = point.values[i];
     rows.push_back(std::move(row));
   }
   return {{"units", units_json(input.reduced())}, {"designs", std::move(rows)}};

@@ -11,6 +11,6 @@ namespace flexslip {
 
 // In SI, or reduced if the case is. What is infinite or does not exist is null.
 Json design_json(const DesignAnswer& answer);
-Json design_map_json(const DesignCase& input, const std::vector<MapAxis>& axes, const std::vector<MapPoint>& points);
+Json design_map_json(const DesignCase& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points);
 
 }  // namespace flexslip

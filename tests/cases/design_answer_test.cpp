@@ -1,0 +1,100 @@
+#include "cases/design_answer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+#include "tests/approximately.h"
+#include "tests/cases/some_design.h"
+
+namespace flexslip {
+
+TEST_CASE("design answer, limit: from displacement control a softer load train down to the critical one is offered") {
+  DesignCase input = design_of(spicule);
+  const auto soft = answer_of(input);
+  input.set(DesignParameter::stiffness, std::numeric_limits<double>::infinity());
+  const auto stiff = answer_of(input);
+  CHECK(stiff.critical == soft.critical);  // the stiffness of the design itself does not count
+  REQUIRE(stiff.outcome.snaps == 0);
+  REQUIRE(stiff.changes.front().parameter == DesignParameter::stiffness);
+  CHECK(stiff.changes.front().to == to(2e-4, stiff.scales.physical_stiffness(stiff.critical)));  // a hair softer
+  CHECK(soft.changes.front().to == soft.scales.physical_stiffness(soft.critical));
+  for (const double stiffness : {1e3, 1e5, 1e7}) {
+    input.set(DesignParameter::stiffness, stiffness);
+    CHECK(answer_of(input).changes.front().to == stiff.changes.front().to);
+  }
+}
+
+TEST_CASE("design answer, limit: what is 0 can be raised to where the specimen snaps, and a hair before it does not") {
+  for (const auto parameter : {DesignParameter::mu0, DesignParameter::amplitude}) {
+    CAPTURE(described(parameter).name);
+    DesignCase input = design_of(spicule);
+    input.set(parameter, 0);
+    const auto answer = answer_of(input);
+    REQUIRE(answer.outcome.snaps == 0);
+    const auto change = std::find_if(answer.changes.begin(), answer.changes.end(),
+                                     [&](const DesignChange& found) { return found.parameter == parameter; });
+    REQUIRE(change != answer.changes.end());
+    input.set(parameter, change->to * (1 - 2e-4));  // twice what the search leaves
+    CHECK(result_of(input).outcome->snaps == 0);
+    input.set(parameter, change->to);
+    CHECK(result_of(input).outcome->snaps > 0);
+  }
+}
+
+TEST_CASE("design answer, identity: each change makes it otherwise, and a hair before it nothing has changed") {
+  const DesignCase input = design_of(spicule);
+  const auto answer = answer_of(input);
+  REQUIRE(answer.outcome.snaps > 0);
+  REQUIRE(answer.changes.size() == 8);
+  for (const auto& change : answer.changes) {
+    CAPTURE(described(change.parameter).name);
+    CHECK(change.outcome.snaps == 0);
+    DesignCase before = input;
+    before.set(change.parameter,
+               change.to * (change.from > change.to ? 1 + 2e-4 : 1 - 2e-4));  // twice what the search leaves
+    CHECK(outcome_of(before.planned().design).snaps > 0);
+  }
+}
+
+TEST_CASE("design answer, limit: stiffness, diameter and modulus change the same number") {
+  const auto answer = answer_of(design_of(spicule));
+  double stiffness = 0, diameter = 0, modulus = 0;
+  for (const auto& [parameter, from, to, outcome] : answer.changes) {
+    if (parameter == DesignParameter::stiffness) stiffness = to / from;
+    if (parameter == DesignParameter::diameter) diameter = to / from;
+    if (parameter == DesignParameter::modulus) modulus = to / from;
+  }
+  CHECK(modulus == to(1e-12, 1 / stiffness));  // k L^3/EI, I as the fourth power of the diameter
+  CHECK(std::pow(diameter, 4) == to(1e-12, 1 / stiffness));
+}
+
+TEST_CASE("design answer, identity: the study of phases is the same from the next of them") {
+  DesignCase input = design_of(spicule);
+  const auto usual = answer_of(input);
+  const double own = usual.scales.physical_stiffness(usual.critical);
+  const double worst = usual.scales.physical_stiffness(usual.phases.value().critical);
+  REQUIRE(own < worst);
+  for (const double stiffness : {0.5 * own, 0.5 * (own + worst), 1.001 * worst}) {  // all of them snap, some, none
+    CAPTURE(stiffness);
+    input.set(DesignParameter::stiffness, stiffness);
+    const auto here = answer_of(input).phases.value();
+    DesignCase turned = input;
+    turned.set(DesignParameter::phase, input.value(DesignParameter::phase) + 2 * std::numbers::pi / 24);
+    const auto next = answer_of(turned).phases.value();
+    CHECK(here.phases == 24);
+    CHECK(here.snapping == next.snapping);
+    CHECK((here.snapping == 24) == (stiffness < own));
+    CHECK((here.snapping == 0) == (stiffness > worst));
+    CHECK(here.least_drop == to(1e-6, next.least_drop));
+    CHECK(here.largest_drop == to(1e-6, next.largest_drop));
+    CHECK(here.critical == to(1e-6, next.critical));
+  }
+  input.set(DesignParameter::amplitude, 0);
+  CHECK_FALSE(answer_of(input).phases);  // no waves, no phase
+}
+
+}  // namespace flexslip
