@@ -58,7 +58,7 @@ class Design(InFolder):
 
     def test_limit_hidden_between_readings(self):
         fine = CASE.replace("40 um", "10.9 um").replace("700 um", "450 um")
-        self.assertIn("you will see a sawtooth", self.succeeds("design", self.file("fine.toml", fine)))
+        self.assertIn("Yes: the specimen will snap once", self.succeeds("design", self.file("fine.toml", fine)))
         coarse = self.file("coarse.toml", fine.replace('"2 um"', '"225 um"'))
         self.assertIn("will not show it", self.succeeds("design", coarse))
 

@@ -112,11 +112,11 @@ class Sweep(InFolder):
     def test_the_page_on_sweeps_is_true(self):
         page = (SOURCE / "docs/sweeps.md").read_text(encoding="utf-8")
         grid_case, sample = re.findall(r"^```toml\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
-        snippet, = re.findall(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        of_grid, of_sample = re.findall(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         smaller = grid_case.replace("points = 50", "points = 5").replace("points = 40", "points = 4")
         self.sweep(self.file("map.toml", smaller), "map.h5")
         found = {}
-        exec(snippet.replace('"map.h5"', repr(str(self.folder / "map.h5"))), found)
+        exec(of_grid.replace('"map.h5"', repr(str(self.folder / "map.h5"))), found)
         self.assertEqual((found["drops"].shape, found["stiffness"].shape, found["wavelength"].shape), ((5, 4, 3), (5,), (4,)))
         sampled = grid_case.split("[sweep]")[0] + sample.replace("100000", "100")
         self.sweep(self.file("sample.toml", sampled), "sample.h5")
@@ -125,6 +125,10 @@ class Sweep(InFolder):
             phase = numpy.sort(file["inputs/phase"][:]) / (2 * numpy.pi) * 100
             self.assertEqual(list(numpy.floor(phase)), list(range(100)))  # one in each stratum
             names = {f"/{group}/{name}" for group in file for name in file[group]}
+            soft = file["inputs/stiffness"][:] < 100
+            expected = (file["outcomes/snaps"][:][soft] > 0).mean()
+        exec(of_sample.replace('"sample.h5"', repr(str(self.folder / "sample.h5"))), found)
+        self.assertEqual(found["share"], expected)
         told = set(re.findall(r"`/?(?:outcomes/)?([a-z_]+)`", page.split("## What it writes")[1].split("```")[0]))
         self.assertLessEqual({name.split("/")[-1] for name in names if "outcomes" in name}, told)
 
