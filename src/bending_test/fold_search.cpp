@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bending_test/curve_samples.h"
@@ -75,7 +76,16 @@ class FoldSearch {
       if (end > x) ended = isolate_in({x, end}, exact, 0);
       if (!ended) x = end;
     }
-    return {friction_, rig_, sliding_, first.point, polished_folds(), sample(x).point, reason};
+    std::vector<Fold> folds = polished_folds();
+    // Between the nodes of a cell there may be a stretch without states, at one end of which the branch then ends.
+    const auto lost =
+        std::find_if(folds.begin(), folds.end(), [](const Fold& fold) { return std::isnan(fold.point.stage); });
+    if (lost != folds.end()) {
+      x = last_existing(brackets_[static_cast<std::size_t>(lost - folds.begin())].low, way_at(sliding_, lost->point.S));
+      reason = CurveEnd::branch_ended;
+      folds.erase(lost, folds.end());
+    }
+    return {friction_, rig_, sliding_, first.point, std::move(folds), sample(x).point, reason};
   }
 
  private:

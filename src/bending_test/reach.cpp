@@ -11,10 +11,10 @@ namespace flexslip {
 double longest_in_loading(const Friction& friction, const Rig& rig, double stage) {
   if (!(rig.stiffness > 0))
     throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(rig.stiffness));
-  constexpr int halvings = 8;  // the trace is then too long by 1 %: more halvings would cost what they save
+  constexpr double close = 0.99;  // more halvings would cost what the shorter trace saves
   double low = 0;
   double high = std::sqrt(longest_at_stage(stage) - 1);
-  for (int i = 0; i < halvings; ++i) {
+  while (low < close * high) {
     const double middle = 0.5 * (low + high);
     const double S = 1 + middle * middle;
     const double mu = friction.at(S).mu;

@@ -125,7 +125,8 @@ double longest_at_stage(double stage) {
   constexpr double least = 1e-6;  // below it S - 1 has lost its digits
   if (!(stage >= least && stage < infinity))
     throw std::invalid_argument("stage position must be at least 1e-6 spans, not " + std::to_string(stage));
-  return 1 + 2.4 * stage * stage;
+  constexpr double rounding = 0x1p-51;  // of the lengths near 1 that belong to small stage positions
+  return 1 + 2.4 * stage * stage + rounding;
 }
 
 RigPoint point_at_length(const SlidingCurve& curve, double S) {

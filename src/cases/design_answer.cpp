@@ -6,11 +6,22 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <string>
+
+#include <fmt/format.h>
 
 namespace flexslip {
 namespace {
 
 constexpr double close = 1e-4;  // to where a change is reached
+
+struct PowerInBendingStiffness {
+  DesignParameter parameter;
+  int power;
+};
+constexpr std::array powers_in_bending_stiffness{
+    PowerInBendingStiffness{DesignParameter::diameter, 4}, PowerInBendingStiffness{DesignParameter::height, 3},
+    PowerInBendingStiffness{DesignParameter::width, 1}, PowerInBendingStiffness{DesignParameter::modulus, 1}};
 
 // None if there is no such design.
 std::optional<DesignOutcome> outcome_with(DesignCase input, DesignParameter parameter, double value) {
@@ -39,41 +50,64 @@ struct Way {
   bool goes_on;
 };
 
-std::optional<double> nearest_change(const DesignCase& input, DesignParameter parameter, bool now) {
+// The nearest values with which it is otherwise, one more and one less, the nearer first; no more than are wanted.
+std::vector<double> nearest_changes(const DesignCase& input, DesignParameter parameter, bool now, std::size_t wanted) {
   constexpr double step = 1.1;
   constexpr int steps = 36;  // to 30 times as much
   const double from = input.value(parameter);
   const bool is_nothing = from == 0;
   const double start = is_nothing ? described(parameter).most * std::pow(step, -2 * steps) : from;
-  if (!std::isfinite(start)) return std::nullopt;
+  std::vector<double> found;
+  if (!std::isfinite(start)) return found;
   std::array<Way, 2> ways{{{step, from, true}, {1 / step, from, !is_nothing}}};
   for (int n = 1; n <= (is_nothing ? 2 * steps : steps); ++n)
     for (Way& way : ways) {
-      if (!way.goes_on) continue;
+      if (!way.goes_on || found.size() == wanted) continue;
       const double value = start * std::pow(way.factor, n);
       const auto there = snaps_with(input, parameter, value);
-      if (there == !now) return nearest_between(input, parameter, way.last, value, now);
-      way.goes_on = there.has_value();
+      if (there == !now) found.push_back(nearest_between(input, parameter, way.last, value, now));
+      way.goes_on = there == now;
       way.last = value;
     }
-  return std::nullopt;
+  return found;
 }
 
-// The critical stiffness in the units of the case.
-std::optional<double> stiffness_change(const DesignCase& input, bool now, double critical) {
-  if (now && std::isfinite(critical)) return critical;
-  if (!now && critical < input.value(DesignParameter::stiffness))
-    return critical > 0 ? std::optional(critical * (1 - close)) : std::nullopt;
-  return nearest_change(input, DesignParameter::stiffness, now);
+// In the units of the case.
+std::vector<double> stiffness_changes(const DesignCase& input, bool now, double critical) {
+  const double own = input.value(DesignParameter::stiffness);
+  const double just_below = critical * (1 - close);
+  if (!now && critical <= own) return critical > 0 ? std::vector{just_below} : std::vector<double>{};
+  auto values = nearest_changes(input, DesignParameter::stiffness, now, 2);
+  if (!std::isfinite(critical)) return values;
+  const auto stiffer = std::find_if(values.begin(), values.end(), [&](double value) { return value > own; });
+  if (now && stiffer != values.end()) values.erase(stiffer);
+  if (now) values.insert(values.begin(), critical);
+  if (!now && stiffer == values.end()) values.push_back(just_below);
+  return values;
+}
+
+// Rounded away from what it is now, to as few digits, three or more, as leave it otherwise.
+double printed(const DesignCase& input, DesignParameter parameter, double to, bool now) {
+  constexpr int least_digits = 3;
+  constexpr int most_digits = 9;
+  const bool more = to > input.value(parameter);
+  for (int digits = least_digits; digits <= most_digits; ++digits) {
+    const double step = std::pow(10, std::floor(std::log10(to)) - (digits - 1));
+    const double rounded = step * (more ? std::ceil(to / step) : std::floor(to / step));
+    const double decimal = std::stod(fmt::format("{:.{}e}", rounded, digits - 1));
+    if (snaps_with(input, parameter, decimal) == !now) return decimal;
+  }
+  return to;
 }
 
 std::optional<double> travel_change(const DesignCase& input, const DesignAnswer& answer) {
   constexpr double much_farther = 30;
-  if (answer.outcome.first_snap) return answer.scales.physical_length(answer.outcome.first_snap->stage);
+  constexpr double hair = 1e-6;  // beyond which units are not rounded
+  if (answer.outcome.first_snap) return answer.scales.physical_length(answer.outcome.first_snap->stage) * (1 - hair);
   const auto farther =
       outcome_with(input, DesignParameter::travel, much_farther * input.value(DesignParameter::travel));
   if (!farther || !farther->first_snap) return std::nullopt;
-  return answer.scales.physical_length(farther->first_snap->stage) * (1 + 1e-6);  // beyond it, to have snapped
+  return answer.scales.physical_length(farther->first_snap->stage) * (1 + hair);
 }
 
 std::optional<PhaseStudy> phases_of(DesignCase input) {
@@ -83,13 +117,13 @@ std::optional<PhaseStudy> phases_of(DesignCase input) {
   const double first = input.value(DesignParameter::phase);
   for (int i = 0; i < phases; ++i) {
     input.set(DesignParameter::phase, first + 2 * std::numbers::pi * i / phases);
-    const auto [status, planned, outcome] = result_of(input);
+    const auto outcome = result_of(input).outcome;
     if (!outcome) continue;
     ++study.phases;
     if (outcome->snaps > 0) ++study.snapping;
     study.least_drop = std::min(study.least_drop, outcome->largest_drop);
     study.largest_drop = std::max(study.largest_drop, outcome->largest_drop);
-    study.critical = std::max(study.critical, critical_stiffness(planned->design));
+    study.critical = std::max(study.critical, critical_stiffness(input.planned().design));
   }
   return study;
 }
@@ -100,26 +134,28 @@ DesignAnswer answer_of(const DesignCase& input) {
   const auto [design, scales] = input.planned();
   DesignAnswer answer{input, design, scales, outcome_of(design), critical_stiffness(design), {}, phases_of(input)};
   const bool now = answer.outcome.snaps > 0;
-  const auto add = [&](DesignParameter parameter, std::optional<double> to) {
-    const auto outcome = to ? outcome_with(input, parameter, *to) : std::nullopt;
+  const auto add = [&](DesignParameter parameter, double to, bool and_beyond) {
+    const auto outcome = outcome_with(input, parameter, to);
     if (outcome && (outcome->snaps > 0) != now)
-      answer.changes.push_back({parameter, input.value(parameter), *to, *outcome});
+      answer.changes.push_back(
+          {parameter, input.value(parameter), to, printed(input, parameter, to, now), and_beyond, *outcome});
   };
-  const auto stiffness = stiffness_change(input, now, scales.physical_stiffness(answer.critical));
-  add(DesignParameter::stiffness, stiffness);
   const double own = input.value(DesignParameter::stiffness);
-  if (stiffness && std::isfinite(own)) {
+  const double critical = scales.physical_stiffness(answer.critical);
+  for (const double stiffness : stiffness_changes(input, now, critical)) {
+    const bool and_beyond = now && stiffness == critical;
+    add(DesignParameter::stiffness, stiffness, and_beyond);
+    if (!std::isfinite(own)) continue;
     // k L^3/EI decides: what the stiffness must gain, the specimen may lose.
-    const double softer = own / *stiffness;
-    if (input.has(DesignParameter::diameter))
-      add(DesignParameter::diameter, input.value(DesignParameter::diameter) * std::pow(softer, 0.25));
-    if (input.has(DesignParameter::modulus))
-      add(DesignParameter::modulus, input.value(DesignParameter::modulus) * softer);
+    for (const auto& [parameter, power] : powers_in_bending_stiffness)
+      if (input.has(parameter))
+        add(parameter, input.value(parameter) * std::pow(own / stiffness, 1.0 / power), and_beyond);
   }
   for (const auto parameter :
        {DesignParameter::span, DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength})
-    if (input.has(parameter)) add(parameter, nearest_change(input, parameter, now));
-  add(DesignParameter::travel, travel_change(input, answer));
+    if (input.has(parameter))
+      for (const double to : nearest_changes(input, parameter, now, 1)) add(parameter, to, false);
+  if (const auto travel = travel_change(input, answer)) add(DesignParameter::travel, *travel, true);
   return answer;
 }
 

@@ -9,11 +9,13 @@
 
 namespace flexslip {
 
-// The nearest value of one parameter, the others as they are, with which the specimen snaps if it does not, or does not if it does.
+// A value of one parameter, the others as they are, with which the specimen snaps if it does not, or does not if it does.
 struct DesignChange {
   DesignParameter parameter;
   double from, to;        // [units of the case]
-  DesignOutcome outcome;  // with it
+  double printed;         // [units of the case] `to` rounded away from `from`, to as few digits as leave it so
+  bool and_beyond;        // it stays so however far beyond `to`
+  DesignOutcome outcome;  // with `to`
 };
 
 // What the phase of the friction decides, which is seldom known before a test: with phases evenly spaced over a turn, all else as it is.
@@ -36,13 +38,13 @@ struct DesignAnswer {
 };
 
 // Fails:      InputError as DesignCase::planned().
-// Method:     a specimen that snaps needs the critical stiffness; one that does not, on a rig stiffer than that, one a hair softer
-//             (1e-4). From the stiffness diameter and modulus follow in closed form, unless it is infinite: nothing else depends on
-//             them. The travel is that of the first snap. Of the others, and of the stiffness where the critical one tells nothing (it is
-//             infinite, or the rig is softer and yet does not snap), the nearest value is sought in steps of 10 %, up to 30 times as much or
-//             as little, and its neighbourhood halved to 1e-4: a window narrower than a step may be missed. From 0, where there are no
-//             such steps, they begin at 1/900 of the greatest value; from infinity none are made.
-// Cost:       some 500 outcomes.
+// Method:     a specimen that snaps needs the critical stiffness, or the nearest softer rig with which it does not; one that does not
+//             snap, on a rig stiffer than the critical one, one a hair softer (1e-4), on others the nearest on either side. From the
+//             stiffness modulus and section follow in closed form, unless it is infinite: nothing else depends on them. The travel is
+//             that of the first snap. What is nearest is sought in steps of 10 %, up to 30 times as much or as little, and its
+//             neighbourhood halved to 1e-4: a window narrower than a step may be missed. From 0, where there are no such steps, they
+//             begin at 1/900 of the greatest value; from infinity none are made.
+// Cost:       some 700 outcomes.
 DesignAnswer answer_of(const DesignCase& input);
 
 }  // namespace flexslip

@@ -47,6 +47,10 @@ constexpr std::array parameters{
                         Range::positive, infinity},
     DesignParameterName{DesignParameter::step, "step", kind::length, "step of the stage", "{/:Italic w}_s",
                         Range::non_negative, infinity},
+    DesignParameterName{DesignParameter::height, "height", kind::length, "height of the specimen", "{/:Italic h}",
+                        Range::positive, infinity},
+    DesignParameterName{DesignParameter::width, "width", kind::length, "width of the specimen", "{/:Italic b}",
+                        Range::positive, infinity},
 };
 
 std::string words_of_range(const DesignParameterName& parameter) {
@@ -138,6 +142,10 @@ DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(
       add(DesignParameter::modulus, std::get<Known>(modulus->estimate).value);
       if (const auto* round = std::get_if<RoundSection>(&*input.specimen->section))
         add(DesignParameter::diameter, round->diameter);
+      if (const auto* flat = std::get_if<RectangularSection>(&*input.specimen->section)) {
+        add(DesignParameter::height, flat->height);
+        add(DesignParameter::width, flat->width);
+      }
     }
   }
   if (const auto* wavy = std::get_if<WavyFriction>(&*input.friction->profile)) {
@@ -176,11 +184,16 @@ void DesignCase::set(DesignParameter parameter, double value) {
   at(parameter).number = value;
 }
 
+// None if the case has none.
+std::optional<Section> DesignCase::section() const {
+  if (has(DesignParameter::diameter)) return RoundSection{at(DesignParameter::diameter).number};
+  if (has(DesignParameter::height))
+    return RectangularSection{at(DesignParameter::width).number, at(DesignParameter::height).number};
+  return reduced() ? std::nullopt : input_->specimen->section;
+}
+
 double DesignCase::bending_stiffness() const {
-  if (has(DesignParameter::diameter))
-    return at(DesignParameter::modulus).number * round_section_moment(at(DesignParameter::diameter).number);
-  if (has(DesignParameter::modulus))
-    return at(DesignParameter::modulus).number * second_moment(*input_->specimen->section);
+  if (has(DesignParameter::modulus)) return at(DesignParameter::modulus).number * second_moment(*section());
   return bending_stiffness_;
 }
 
@@ -203,17 +216,18 @@ DesignRefusal DesignCase::refusal(DesignFault fault, DesignParameter parameter, 
 }
 
 std::optional<DesignRefusal> DesignCase::fault_of_specimen() const {
-  if (reduced() || !input_->specimen->section) return std::nullopt;
-  const bool varies = has(DesignParameter::diameter);
-  const double thickness = varies ? at(DesignParameter::diameter).number : depth(*input_->specimen->section);
+  const auto section = this->section();
+  if (!section) return std::nullopt;
+  const double thickness = depth(*section);
   const double span = at(DesignParameter::span).number;
   if (thickness < thickest * span) return std::nullopt;
-  return varies
-             ? refusal(DesignFault::impossible, DesignParameter::diameter,
-                       fmt::format("less than a fifth of the span, {}, for beam theory", readable(span, kind::length)))
-             : refusal(DesignFault::impossible, DesignParameter::span,
-                       fmt::format("more than five times the thickness, {}, for beam theory",
-                                   readable(thickness, kind::length)));
+  for (const auto parameter : {DesignParameter::diameter, DesignParameter::height})
+    if (has(parameter))
+      return refusal(DesignFault::impossible, parameter,
+                     fmt::format("less than a fifth of the span, {}, for beam theory", readable(span, kind::length)));
+  return refusal(
+      DesignFault::impossible, DesignParameter::span,
+      fmt::format("more than five times the thickness, {}, for beam theory", readable(thickness, kind::length)));
 }
 
 std::optional<DesignRefusal> DesignCase::fault_of_loading(const Scales& scales) const {

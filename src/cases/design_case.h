@@ -17,7 +17,21 @@
 
 namespace flexslip {
 
-enum class DesignParameter { mu0, amplitude, wavelength, phase, span, diameter, modulus, stiffness, travel, step };
+// In this order for good: the samples of a sweep are drawn by it.
+enum class DesignParameter {
+  mu0,
+  amplitude,
+  wavelength,
+  phase,
+  span,
+  diameter,
+  modulus,
+  stiffness,
+  travel,
+  step,
+  height,
+  width
+};
 
 struct DesignParameterName {
   DesignParameter parameter;
@@ -63,9 +77,10 @@ class DesignCase {
 
   bool reduced() const { return input_->reduced; }
 
-  // Does the case have this parameter? A table of friction has no wavelength, a rectangular section no diameter, a reduced case
-  // neither span nor modulus. Of friction, mu0 is one with any waves, and amplitude, wavelength and phase are those of a single
-  // one; tables and rough profiles are used as they are. A diameter is one only if the bending stiffness follows from it.
+  // Does the case have this parameter? A table of friction has no wavelength, a rectangular section height and width and no
+  // diameter, a reduced case neither span nor modulus. Of friction, mu0 is one with any waves, and amplitude, wavelength and phase are those of a single
+  // one; tables and rough profiles are used as they are. Those of a section count only if the
+  // bending stiffness follows from them.
   bool has(DesignParameter parameter) const;
   double value(DesignParameter parameter) const;
   // Fails:      InputError if the case does not have it, or the value is out of its range.
@@ -79,7 +94,7 @@ class DesignCase {
   PlannedDesign planned() const;
 
  private:
-  static constexpr std::size_t count = static_cast<std::size_t>(DesignParameter::step) + 1;
+  static constexpr std::size_t count = static_cast<std::size_t>(DesignParameter::width) + 1;
   struct Value {
     bool exists = false;
     double number = 0;
@@ -90,6 +105,7 @@ class DesignCase {
   Value& at(DesignParameter parameter) { return values_[static_cast<std::size_t>(parameter)]; }
   const Value& at(DesignParameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
   void add(DesignParameter parameter, double number) { at(parameter) = {true, number}; }
+  std::optional<Section> section() const;
   double bending_stiffness() const;
   std::optional<Scales> scales() const;
   std::optional<DesignRefusal> fault_of_specimen() const;

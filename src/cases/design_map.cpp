@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "cases/design_answer.h"
 #include "cases/parallel.h"
 #include "io/input_error.h"
 
@@ -84,7 +83,7 @@ std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<Desi
     point.values = grid_inputs(axes, i);
     for (std::size_t k = 0; k < axes.size(); ++k) there.set(axes[k].parameter.parameter, point.values[k]);
     point.result = result_of(there);
-    point.margin = point.result.planned ? stiffness_margin(point.result.planned->design, *point.result.outcome)
+    point.margin = point.result.outcome ? stiffness_margin(there.planned().design, *point.result.outcome)
                                         : std::numeric_limits<double>::quiet_NaN();
   });
   return points;

@@ -76,12 +76,14 @@ ResultStatus status_of(const DesignOutcome& outcome) {
   return outcome.status == DesignStatus::ok ? ResultStatus::ok : ResultStatus::slipped_through;
 }
 
-DesignResult result_of(const DesignCase& input) {
+DesignResult result_of(const DesignCase& input) try {
   const auto plan = input.plan();
   if (const auto* refused = std::get_if<DesignRefusal>(&plan)) return {status_of(refused->fault), {}, {}};
-  const auto& planned = std::get<PlannedDesign>(plan);
-  const DesignOutcome outcome = outcome_of(planned.design);
-  return {status_of(outcome), planned, outcome};
+  const auto& [design, scales] = std::get<PlannedDesign>(plan);
+  const DesignOutcome outcome = outcome_of(design);
+  return {status_of(outcome), scales, outcome};
+} catch (const std::invalid_argument&) {
+  return {ResultStatus::not_computable, {}, {}};
 }
 
 std::span<const OutcomeColumn> outcome_columns() { return columns; }

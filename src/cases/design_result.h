@@ -24,10 +24,11 @@ ResultStatus status_of(const DesignOutcome& outcome);
 
 struct DesignResult {
   ResultStatus status;
-  std::optional<PlannedDesign> planned;  // both, or none
+  std::optional<Scales> scales;  // both, or none
   std::optional<DesignOutcome> outcome;
 };
 
+// What a number is too extreme for is not computable, whatever part of the computation finds out.
 DesignResult result_of(const DesignCase& input);
 
 // One number of an outcome.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/design_result.h"
 #include "cases/sweep_row.h"
 #include "io/durable_file.h"
 #include "io/hdf5.h"
@@ -63,7 +64,7 @@ void describe(Hdf5File& file, const SweepParts& parts, const std::vector<SweepCo
     file.describe(columns[i].path, "description", columns[i].description);
     if (i < plan.axes.size()) describe_axis(file, plan, i, columns[i]);
   }
-  const std::vector<std::string> words = row_status_words();
+  const std::vector<std::string> words{result_status_words.begin(), result_status_words.end()};
   file.describe(columns[status_column(plan)].path, "meanings", words);
 }
 
@@ -96,7 +97,7 @@ SweepMerge merge_sweep(std::span<const SweepParts> folders, const std::string& p
   UnfinishedFile unfinished(path);
   Hdf5File file(unfinished.name().string());
   describe(file, folders.front(), columns);
-  SweepMerge merge{MergeStatus::done, {}, std::vector<std::uint64_t>(row_status_words().size())};
+  SweepMerge merge{MergeStatus::done, {}, std::vector<std::uint64_t>(result_status_words.size())};
   for (std::uint64_t chunk = 0; chunk < chunks_of(plan); ++chunk) {
     if (options.stop && *options.stop) return {MergeStatus::stopped, {}, {}};
     const FoundPart found = find_part(folders, chunk);

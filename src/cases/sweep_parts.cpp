@@ -77,10 +77,17 @@ Label label_of(const fs::path& folder) {
 
 SweepPlan plan_of(const Label& label) { return read_sweep(label.text, label.source); }
 
-// Is all that a folder holds a label that was being written, by a run that was stopped or by one beside this?
-bool begun(const fs::path& folder) {
+// "part-000001", also while it is being written.
+bool is_part(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789", part_prefix.size()), name.size());
+  return name.starts_with(part_prefix) && digits > part_prefix.size() && (digits == name.size() || is_unfinished(file));
+}
+
+// Is all that a folder holds a sweep's? Parts say themselves of which sweep they are.
+bool holds_nothing_else(const fs::path& folder) {
   return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
-    return entry.path().filename().string().starts_with(plan_name);
+    return is_part(entry.path()) || entry.path().filename().string().starts_with(plan_name);
   });
 }
 
@@ -94,8 +101,10 @@ SweepParts::SweepParts(fs::path folder, const SweepPlan& plan)
   if (error)
     throw InputError(
         {.file = folder_.string(), .expected = "a folder that can be written to", .found = error.message()});
+  const bool is_foreign =
+      !holds_nothing_else(folder_);  // asked before the label is read, which a run beside this writes before its parts
   const auto label = read_label(folder_);
-  if (!label && !fs::is_empty(folder_) && !begun(folder_))
+  if (!label && is_foreign)
     throw InputError({.file = folder_.string(),
                       .expected = "a folder of parts, or none",
                       .found = fmt::format("one with other files in it and without {}", plan_name),
@@ -113,7 +122,19 @@ SweepParts::SweepParts(fs::path folder)
     : folder_(std::move(folder)),
       plan_(plan_of(label_of(folder_))),
       digest_(label_of(folder_).digest),
-      columns_(columns_of(plan_).size()) {}
+      columns_(columns_of(plan_).size()) {
+  if (digest_of_sweep(plan_) != digest_)
+    refuse(folder_, fmt::format("a damaged {}, or parts of a program that computes other numbers", plan_name),
+           "run flexslip sweep with the case and this --output");
+}
+
+bool SweepParts::are_in(const fs::path& folder) { return fs::exists(folder / plan_name); }
+
+bool SweepParts::are_all_there() const {
+  for (std::uint64_t chunk = 0; chunk < chunks_of(plan_); ++chunk)
+    if (!fs::exists(file_of(chunk))) return false;
+  return true;
+}
 
 fs::path SweepParts::file_of(std::uint64_t chunk) const {
   return folder_ / fmt::format("{}{:06}", part_prefix, chunk + 1);
@@ -163,8 +184,7 @@ void SweepParts::remove_all() const {
   std::error_code error;
   for (auto file = fs::directory_iterator(folder_, error); !error && file != fs::directory_iterator();
        file.increment(error))
-    if (file->path().filename().string().starts_with(part_prefix) || is_unfinished(file->path()))
-      ours.push_back(file->path());
+    if (is_part(file->path()) || is_unfinished(file->path())) ours.push_back(file->path());
   for (const fs::path& file : ours) fs::remove(file, error);
   fs::remove(folder_ / plan_name, error);  // last: without it, nobody would know what the others are
   fs::remove(folder_, error);

@@ -30,6 +30,12 @@ class SweepParts {
   // Fails:      InputError if it is none of a sweep, or of another version.
   explicit SweepParts(std::filesystem::path folder);
 
+  // Does a folder say that it is one of parts?
+  static bool are_in(const std::filesystem::path& folder);
+
+  // Is there a file for each chunk, whole or not?
+  bool are_all_there() const;
+
   const SweepPlan& plan() const { return plan_; }
   const std::string& digest() const { return digest_; }  // of the plan
   const std::filesystem::path& folder() const { return folder_; }

@@ -30,8 +30,6 @@ std::vector<SweepColumn> columns_of(const SweepPlan& plan) {
   return columns;
 }
 
-std::vector<std::string> row_status_words() { return {result_status_words.begin(), result_status_words.end()}; }
-
 std::size_t status_column(const SweepPlan& plan) { return plan.axes.size(); }
 
 RowComputer::RowComputer(const SweepPlan& plan) : case_(plan.input) {
@@ -45,7 +43,7 @@ std::vector<double> RowComputer::operator()(std::span<const double> inputs) {
   std::vector<double> values{static_cast<double>(result.status)};
   values.reserve(1 + outcome_columns().size());
   for (const OutcomeColumn& column : outcome_columns())
-    values.push_back(result.outcome ? column.value(*result.outcome, result.planned->scales) : missing_in(column));
+    values.push_back(result.outcome ? column.value(*result.outcome, *result.scales) : missing_in(column));
   return values;
 }
 

@@ -21,9 +21,6 @@ struct SweepColumn {
 // The inputs, in the order of the axes, and after them the outcomes.
 std::vector<SweepColumn> columns_of(const SweepPlan& plan);
 
-// What the values of the status mean: ResultStatus (design_result.h).
-std::vector<std::string> row_status_words();
-
 // The column whose values are ResultStatus.
 std::size_t status_column(const SweepPlan& plan);
 

@@ -36,14 +36,17 @@ struct ChunkState {
   PartState state;
 };
 
-// Of the chunks of a shard.
+bool is_stopped(const SweepOptions& options) { return options.stop && *options.stop; }
+
+// Of the chunks of a shard; if it is stopped, those not yet read are missing.
 std::vector<ChunkState> states_of(const SweepParts& parts, const SweepOptions& options) {
   const auto chunks = chunks_of(parts.plan(), options.shard);
   std::vector<ChunkState> states;
   states.reserve(chunks.size());
   for (const std::uint64_t chunk : chunks) states.push_back({chunk, PartState::missing});
-  for_each_index(states.size(), options.threads,
-                 [&](std::size_t i) { states[i].state = parts.read(states[i].chunk).state; });
+  for_each_index(states.size(), options.threads, [&](std::size_t i) {
+    if (!is_stopped(options)) states[i].state = parts.read(states[i].chunk).state;
+  });
   return states;
 }
 
@@ -52,7 +55,7 @@ class Watch {
  public:
   Watch(const SweepOptions& options, std::uint64_t rows_to_do) : options_(options), rows_to_do_(rows_to_do) {}
 
-  bool is_stopped() const { return options_.stop && *options_.stop; }
+  bool is_stopped() const { return flexslip::is_stopped(options_); }
   void count_row() {
     const std::uint64_t done = ++done_;
     if (options_.progress) options_.progress(done, rows_to_do_);
@@ -145,9 +148,10 @@ SweepRun run_sweep(const SweepParts& parts, const RowFunction& outcomes_of, cons
 
 std::string parts_folder_of(const std::string& output) { return output + ".parts"; }
 
-void require_space(const SweepPlan& plan, const std::string& output) {
-  const double of_parts = std::max(0.0, bytes_of_parts(plan) - size_of_files(parts_folder_of(output)));
-  const double of_file = bytes_of_sweep_file(plan);
+void require_space(const SweepPlan& plan, const std::string& output, const Shard& shard) {
+  const double all_parts = bytes_of_parts(plan) / static_cast<double>(std::min(shard.count, chunks_of(plan)));
+  const double of_parts = std::max(0.0, all_parts - size_of_files(parts_folder_of(output)));
+  const double of_file = shard.count == 1 ? bytes_of_sweep_file(plan) : 0;  // shards are joined elsewhere, or later
   const fs::path folder = nearest_folder(output);
   const auto free = static_cast<double>(fs::space(folder).available);
   if (of_parts + of_file <= free) return;

@@ -41,8 +41,9 @@ SweepRun run_sweep(const SweepParts& parts, const RowFunction& outcomes_of, cons
 // Where the parts of an output lie: beside it.
 std::string parts_folder_of(const std::string& output);
 
-// Fails:      InputError with both sizes, if the disk of the output has no room for the parts that are missing and the file.
-void require_space(const SweepPlan& plan, const std::string& output);
+// Fails:      InputError with both sizes, if the disk of the output has no room for the parts of the shard that are missing and, if it is not
+//             one of several, the file.
+void require_space(const SweepPlan& plan, const std::string& output, const Shard& shard);
 
 // [s] that a design takes on one thread: the mean of rows from all over the sweep, as many as two seconds take.
 double seconds_of_design(const SweepPlan& plan, const RowFunction& outcomes_of);

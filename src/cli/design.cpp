@@ -63,8 +63,7 @@ std::string title_of(std::string_view name, const Kind& kind, bool reduced) {
 }
 
 double value_in(const OutcomeColumn& column, const DesignResult& result) {
-  return result.outcome ? column.value(*result.outcome, result.planned->scales)
-                        : std::numeric_limits<double>::quiet_NaN();
+  return result.outcome ? column.value(*result.outcome, *result.scales) : std::numeric_limits<double>::quiet_NaN();
 }
 
 void write_map(const DesignRequest& request, const DesignCase& input, const std::vector<DesignAxis>& axes,
@@ -141,9 +140,8 @@ void add_design_command(CLI::App& app) {
       "would have to be, and which single change would make it otherwise. The case is one for flexslip simulate: its "
       "farthest\n"
       "stage position is the travel of one loading, its step the distance between readings.\n"
-      "With --over, a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, modulus, "
-      "stiffness,\n"
-      "travel or step.\n\n"
+      "With --over, a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, height, width,\n"
+      "modulus, stiffness, travel or step.\n\n"
       "Examples:\n"
       "  flexslip design case.toml --figure design.svg\n"
       "  flexslip design case.toml --over \"stiffness=10 N/m:1000 N/m\" --over mu0=0:1 --figure map.svg --output "

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,8 +24,8 @@ struct MergeRequest {
   Output output;
 };
 
-std::string output_of(const MergeRequest& request) {
-  if (request.path) return *request.path;
+std::string file_of(const MergeRequest& request) {
+  if (request.path) return file_to_write(*request.path);
   std::filesystem::path folder = std::filesystem::path(request.folders.front()).lexically_normal();
   if (std::filesystem::is_regular_file(folder))
     throw InputError({.file = folder.string(),
@@ -41,13 +42,24 @@ std::string output_of(const MergeRequest& request) {
 }
 
 void run_merge(const MergeRequest& request) {
-  const std::string path = output_of(request);
+  const std::string path = file_of(request);
   // A job that is run again after its work was done. Which sweep the folder held is not known any more.
   const auto is_there = [](const std::string& folder) { return std::filesystem::exists(folder); };
   const bool is_gone = std::none_of(request.folders.begin(), request.folders.end(), is_there);
-  if (is_gone && digest_of_sweep_file(path))
-    return note(request.output,
-                fmt::format("no {}, but {} is there, the file of a sweep", request.folders.front(), path));
+  if (is_gone && digest_of_sweep_file(path)) {
+    note(request.output, fmt::format("no {}, but {} is there, the file of a sweep", request.folders.front(), path));
+    if (request.output.json) write_json("-", {{"status", "done"}, {"file", path}});
+    return;
+  }
+  for (const std::string& folder : request.folders) {
+    std::error_code absent;
+    const auto there = std::filesystem::absolute(path).parent_path();
+    if (is_there(folder) && std::filesystem::equivalent(there, folder, absent))
+      throw InputError({.field = "--output",
+                        .expected = "a file beside the parts",
+                        .found = in_quotes(path) + " among them",
+                        .remedy = "pass another --output: the parts are removed once they are joined"});
+  }
 
   std::vector<SweepParts> folders;
   folders.reserve(request.folders.size());

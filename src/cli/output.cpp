@@ -1,12 +1,30 @@
 #include "cli/output.h"
 
+#include <filesystem>
 #include <iostream>
 #include <span>
+#include <system_error>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "io/input_error.h"
+
 namespace flexslip {
+
+void require_other_file(const CLI::App& command, const std::string& output, std::string_view option) {
+  for (const CLI::Option* input : command.get_options()) {
+    if (!input->get_positional()) continue;
+    for (const std::string& file : input->results()) {
+      std::error_code absent;
+      if (std::filesystem::is_regular_file(output, absent) && std::filesystem::equivalent(file, output, absent))
+        throw InputError({.field = std::string(option),
+                          .expected = "another file than is read",
+                          .found = in_quotes(output),
+                          .remedy = "pass another name: nothing has been written"});
+    }
+  }
+}
 
 void add_output_options(CLI::App& command, Output& output) {
   command.add_flag("--json", output.json, "Write JSON instead of CSV");
@@ -14,6 +32,7 @@ void add_output_options(CLI::App& command, Output& output) {
       ->type_name("FILE")
       ->capture_default_str();
   command.add_flag("--quiet", output.quiet, "No remarks on standard error, only errors");
+  command.parse_complete_callback([&command, &output] { require_other_file(command, output.path, "--output"); });
 }
 
 void add_figure_option(CLI::App& command, std::string& path) {

@@ -18,7 +18,10 @@ struct Output {
   bool quiet = false;
 };
 
-// Gives a command the options --json, --output and --quiet.
+// Fails:      InputError naming the option, if its file is one that the command reads (a positional argument of it).
+void require_other_file(const CLI::App& command, const std::string& output, std::string_view option);
+
+// Gives a command the options --json, --output and --quiet; --output may not be what it reads.
 void add_output_options(CLI::App& command, Output& output);
 
 // Gives a command the option --figure.

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,6 +23,11 @@ std::string in_words(double seconds) {
 class Display {
  public:
   explicit Display(std::string what) : what_(std::move(what)) {}
+  ~Display() {
+    if (is_line_open_) std::cerr << "\n";
+  }
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
 
   void show(std::uint64_t done, std::uint64_t all) {
     constexpr std::chrono::milliseconds often(200);
@@ -32,20 +38,23 @@ class Display {
     if (done < shown_) return;  // another thread was faster
     shown_ = done;
     next_ = now + often;
-    const double seconds = std::chrono::duration<double>(now - start_).count();
+    if (!start_) start_ = now;
+    const double seconds = std::chrono::duration<double>(now - *start_).count();
     const double left = seconds * static_cast<double>(all - done) / static_cast<double>(done);
     std::cerr << fmt::format("\r{} of {} {}, {} left   {}", done, all, what_, in_words(left), is_last ? "\n" : "")
               << std::flush;
+    is_line_open_ = !is_last;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::string what_;
-  Clock::time_point start_ = Clock::now();
-  std::atomic<Clock::time_point> next_ = start_;
+  std::optional<Clock::time_point> start_;  // when the first was done
+  std::atomic<Clock::time_point> next_ = Clock::now();
   std::mutex mutex_;
   std::uint64_t shown_ = 0;
+  bool is_line_open_ = false;
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ std::string sbatch_name(const std::string& path) {
   return name;
 }
 
-std::string words_of(double minutes) {
+std::string time_in_words(double minutes) {
   return minutes < 1 ? "less than a minute" : fmt::format("about {:.0f} minutes", minutes);
 }
 
@@ -40,7 +40,7 @@ constexpr std::string_view script = R"script(#!/bin/bash
 #SBATCH --job-name={job}
 #SBATCH --array=1-{shards}
 #SBATCH --cpus-per-task={threads}
-#SBATCH --time={time:.0f}
+#SBATCH --time={time:.0f}   # minutes
 #SBATCH --output="{log}"
 #SBATCH --open-mode=append
 # As your cluster wants it; "##" leaves a line out. A job needs little memory, however large the sweep.
@@ -75,7 +75,7 @@ std::string slurm_script(const SlurmJobs& jobs) {
   constexpr double safety = 3;         // nodes differ, and so do the designs of a sweep
   constexpr double least_minutes = 5;  // for starting up
   const std::string log = sbatch_name(jobs.output + ".log");
-  return fmt::format(script, fmt::arg("minutes", words_of(jobs.minutes)), fmt::arg("threads", jobs.threads),
+  return fmt::format(script, fmt::arg("minutes", time_in_words(jobs.minutes)), fmt::arg("threads", jobs.threads),
                      fmt::arg("job", shell_word(std::filesystem::path(jobs.output).filename().string())),
                      fmt::arg("shards", jobs.shards),
                      fmt::arg("time", std::ceil(safety * jobs.minutes + least_minutes)), fmt::arg("log", log),

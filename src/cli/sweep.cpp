@@ -39,8 +39,8 @@ struct SweepRequest {
   Output output;
 };
 
-std::string output_of(const SweepRequest& request) {
-  if (request.path) return *request.path;
+std::string file_of(const SweepRequest& request) {
+  if (request.path) return file_to_write(*request.path);
   if (request.file == "-")
     throw InputError({.field = "--output",
                       .expected = "the file to write, as the case has no name",
@@ -82,6 +82,9 @@ void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, cons
   note(request.output,
        fmt::format("jobs: {}, for {:.2g} core hours of designs. To submit them, and the merge: bash {}", shards,
                    minutes * static_cast<double>(request.threads) / 60, shell_word(request.slurm)));
+  if (minutes < 1)
+    note(request.output, fmt::format("without a cluster it takes some {:.0f} s on {} threads of a machine like this",
+                                     std::ceil(60 * minutes), request.threads));
 }
 
 SweepRun compute(const SweepRequest& request, const SweepParts& parts, const Shard& shard) {
@@ -106,20 +109,28 @@ void report_shard(const SweepRequest& request, const SweepParts& parts, const Sh
                                 shard.count, run.rows_found + run.rows_computed, folder));
 }
 
+// A merge may have been stopped before it had removed all parts; but a whole set of them is nobody's remainder.
+void report_done(const SweepRequest& request, const SweepPlan& plan, const std::string& path) {
+  const std::string folder = parts_folder_of(path);
+  note(request.output, fmt::format("{} is complete already", path));
+  if (request.output.json) write_json("-", {{"status", "done"}, {"file", path}, {"rows", plan.rows}});
+  if (!SweepParts::are_in(folder)) return;
+  const SweepParts parts(folder, plan);
+  if (!parts.are_all_there())
+    parts.remove_all();
+  else if (!request.keep_parts)
+    note(request.output, fmt::format("its parts are still in {}: remove them if they are not needed", folder));
+}
+
 void run_sweep_command(const SweepRequest& request) {
   const Shard shard = shard_of(request);
-  const std::string path = output_of(request);
+  const std::string path = file_of(request);
   const SweepPlan plan = read_sweep(request.file);
-  const bool is_done = finds_sweep(path, digest_of_sweep(plan));
-  if (!is_done) require_space(plan, path);
+  const std::string digest = digest_of_sweep(plan);
+  const bool is_done = finds_sweep(path, digest);
+  if (!is_done) require_space(plan, path, shard);
   if (!request.slurm.empty()) return write_slurm_script(request, plan, path);
-  if (is_done) {
-    note(request.output, fmt::format("{} is complete already", path));
-    // A merge may have been stopped before it had removed all parts.
-    if (std::filesystem::exists(parts_folder_of(path)) && !request.keep_parts)
-      SweepParts(parts_folder_of(path), plan).remove_all();
-    return;
-  }
+  if (is_done) return report_done(request, plan, path);
   const SweepParts parts(parts_folder_of(path), plan);
   const SweepRun run = compute(request, parts, shard);
   for (const std::uint64_t chunk : run.damaged)
@@ -130,6 +141,7 @@ void run_sweep_command(const SweepRequest& request) {
     throw Interrupted(fmt::format("interrupted; {} designs are kept in {}, and the same command goes on from there",
                                   run.rows_found + run.rows_computed, parts.folder().string()));
   if (!request.shard.empty()) return report_shard(request, parts, shard, run);
+  if (finds_sweep(path, digest)) return report_done(request, plan, path);  // another run beside this was faster
   join_parts({&parts, 1}, path, request.output);
   if (!request.keep_parts) parts.remove_all();
 }
@@ -160,6 +172,7 @@ void add_sweep_command(CLI::App& app) {
                                         "Write a script for an array of jobs of Slurm, and compute nothing yet")
                            ->type_name("FILE");
   slurm->excludes(shard);
+  command->parse_complete_callback([request, command] { require_other_file(*command, request->slurm, "--slurm"); });
   command->add_option("--minutes", request->minutes, "With --slurm: how long a job is to take, about")
       ->type_name("NUMBER")
       ->check(CLI::Range(0.1, 1e5).description(""))
@@ -178,7 +191,7 @@ void add_sweep_command(CLI::App& app) {
       "  [sweep.axes]\n"
       "  stiffness = { from = \"10 N/m\", to = \"1 kN/m\", points = 50, spacing = \"log\" }\n"
       "  mu0 = [0.3, 0.4, 0.5]\n"
-      "Axes: mu0, amplitude, wavelength, phase, span, diameter, modulus, stiffness, travel, step.\n\n"
+      "Axes: mu0, amplitude, wavelength, phase, span, diameter, height, width, modulus, stiffness, travel, step.\n\n"
       "What is computed lies in FILE.parts until all is joined in FILE: stopped at any moment, the same command goes "
       "on\n"
       "where it was. The file is the same, byte for byte, for any number of threads and shards.\n\n"

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/design_result.h"
 #include "cases/sweep_file.h"
 #include "cases/sweep_row.h"
 #include "cli/commands.h"
@@ -38,9 +39,11 @@ Json faults_json(const std::vector<PartFault>& faults, const SweepPlan& plan) {
 
 // The call that computes what is missing from a folder.
 std::string remedy(const SweepParts& parts) {
-  std::filesystem::path output = parts.folder();
-  output.replace_extension();  // .parts
-  return fmt::format("flexslip sweep {} --output {}", shell_word(parts.plan().input.source),
+  const std::string& source = parts.plan().input.source;
+  std::filesystem::path output = parts.folder().lexically_normal();
+  if (!output.has_filename()) output = output.parent_path();  // "map.h5.parts/"
+  if (output.extension() == ".parts") output.replace_extension();
+  return fmt::format("flexslip sweep {} --output {}", std::filesystem::exists(source) ? shell_word(source) : "CASE",
                      shell_word(output.string()));
 }
 
@@ -61,20 +64,28 @@ std::string words_of(const std::vector<PartFault>& faults, const SweepParts& par
 
 Json counts_json(const std::vector<std::uint64_t>& counts) {
   Json json = Json::object();
-  const std::vector<std::string> words = row_status_words();
-  for (std::size_t i = 0; i < words.size(); ++i) json[words[i]] = counts[i];
+  const auto& words = result_status_words;
+  for (std::size_t i = 0; i < words.size(); ++i) json[std::string(words[i])] = counts[i];
   return json;
 }
 
 std::string words_of(const std::vector<std::uint64_t>& counts) {
   std::string text;
-  const std::vector<std::string> words = row_status_words();
+  const auto& words = result_status_words;
   for (std::size_t i = 0; i < words.size(); ++i)
     if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], words[i]);
   return text;
 }
 
 }  // namespace
+
+std::string file_to_write(const std::string& path) {
+  if (!path.empty() && path != "-") return path;
+  throw InputError({.field = "--output",
+                    .expected = "a file: HDF5 cannot be written to standard output",
+                    .found = in_quotes(path),
+                    .remedy = "pass --output FILE"});
+}
 
 bool finds_sweep(const std::string& path, const std::string& digest) {
   if (!std::filesystem::exists(path)) return false;

@@ -37,7 +37,7 @@ class Loading {
  public:
   explicit Loading(const Design& design)
       : design_(design),
-        readings_(design.travel, design.step),
+        readings_(design.step > 0 ? std::optional<Readings>({design.travel, design.step}) : std::nullopt),
         curve_(trace_loading_curve(design.friction, design.rig,
                                    longest_in_loading(design.friction, design.rig, design.travel))) {}
 
@@ -60,11 +60,10 @@ class Loading {
       if (arrives) to = point_at_stage(curve_, {here, to}, design_.travel);
       const Rest end = rest_at(design_.rig, to.S, to.q);
       if (!slide(here, rest, to, end)) return DesignStatus::slipped_through;
-      outcome_.stage_reached = arrives ? design_.travel : to.stage;
-      outcome_.w_reached = end.state.w;
+      if (arrives) outcome_.stage_reached = design_.travel;
       if (arrives) {
         // The last reading, which may stand beyond the rounded end of its piece.
-        if (design_.step > 0 && readings_.first_beyond(design_.travel) > next_) drops_.read(end.state.F);
+        if (readings_ && readings_->first_beyond(design_.travel) > next_) drops_.read(end.state.F);
         return DesignStatus::ok;
       }
       // The next rising part that comes up to this stage position.
@@ -89,44 +88,46 @@ class Loading {
     return point_at_stage(curve_, {low, high}, stage, low.S + t * (high.S - low.S));
   }
 
-  // Is there a force all the way? The tracer may have stepped over a stretch without.
+  // Is there a force all the way? The tracer may have stepped over a stretch without; the outcome is then that up to there.
   bool slide(const RigPoint& from, const Rest& rest_from, const RigPoint& to, const Rest& rest_to) {
     constexpr double scales = 3;  // three quarters of the shortest period
-    double work = 0;
-    for (double S = from.S; S < to.S;) {
+    const double work_before = outcome_.work;
+    slid_to_ = from.S;
+    bool is_held = true;
+    for (double S = from.S; is_held && S < to.S;) {
       const double end = end_of_stretch(design_.friction, S, to.S, scales);
-      const auto work_there = read_along(S, end, 0);
-      if (!work_there) return false;
-      work += *work_there;
+      is_held = read_along(S, end, 0);
       S = end;
     }
-    outcome_.work += work;
-    outcome_.friction_heat += work - (rest_to.state.U - rest_from.state.U);
-    see(rest_to.state.F);
-    return true;
+    const FibreState reached = is_held ? rest_to.state : fibre_state(slid_to_, design_.friction.at(slid_to_).mu);
+    outcome_.friction_heat += outcome_.work - work_before - (reached.U - rest_from.state.U);
+    outcome_.stage_reached = is_held ? to.stage : reached.w + reached.F / design_.rig.stiffness;
+    outcome_.w_reached = reached.w;
+    see(reached.F);
+    return is_held;
   }
 
-  // Reads the forces along a stretch, and returns the work done on the fibre there; none if there are not states all the way.
-  std::optional<double> read_along(double S_from, double S_to, int halvings) {
+  // Reads the forces along a stretch. Are there states all the way?
+  bool read_along(double S_from, double S_to, int halvings) {
     constexpr double accuracy = 1e-6;  // of the last coefficients: of the polynomial, a hundredth
     constexpr int most_halvings = 12;  // only a friction that begins or ends to be held at zero needs them
     const SlidingPiece piece(design_.friction, design_.rig, S_from, S_to);
-    if (!piece.exists()) return std::nullopt;
-    if (piece.error() > accuracy && halvings < most_halvings) {
-      const double middle = 0.5 * (S_from + S_to);
-      const auto before = read_along(S_from, middle, halvings + 1);
-      const auto after = before ? read_along(middle, S_to, halvings + 1) : before;
-      return after ? std::optional(*before + *after) : std::nullopt;
-    }
+    const double middle = 0.5 * (S_from + S_to);
+    const bool can_halve = halvings < most_halvings && S_from < middle && middle < S_to;
+    if (can_halve && (!piece.exists() || piece.error() > accuracy))
+      return read_along(S_from, middle, halvings + 1) && read_along(middle, S_to, halvings + 1);
+    if (!piece.exists()) return false;
     const auto turns = piece.turns();
     see(piece.force_from());  // friction may have a corner there
     see(piece.force_to());
     for (const auto& turn : turns) see(turn.F);
-    if (design_.step > 0)
+    if (readings_)
       read_in_steps(piece, turns);
     else
       read_all(piece, turns);
-    return piece.work();
+    outcome_.work += piece.work();
+    slid_to_ = S_to;
+    return true;
   }
 
   void read_all(const SlidingPiece& piece, const std::vector<SlidingPiece::Turn>& turns) {
@@ -137,15 +138,15 @@ class Loading {
 
   // Between two turns the forces rise or fall: only the readings beside them tell the falls.
   void read_in_steps(const SlidingPiece& piece, const std::vector<SlidingPiece::Turn>& turns) {
-    const double last = readings_.first_beyond(piece.stage_to()) - 1;
+    const double last = readings_->first_beyond(piece.stage_to()) - 1;
     const auto read = [&](double i) {
       if (i < next_ || i > last) return;
-      drops_.read(piece.force_at(readings_.position(i)));
+      drops_.read(piece.force_at(readings_->position(i)));
       next_ = i + 1;
     };
     read(next_);
     for (const auto& turn : turns) {
-      const double beyond = readings_.first_beyond(turn.stage);
+      const double beyond = readings_->first_beyond(turn.stage);
       read(beyond - 1);
       read(beyond);
     }
@@ -206,11 +207,12 @@ class Loading {
   }
 
   const Design& design_;
-  Readings readings_;
+  std::optional<Readings> readings_;  // none if all is recorded
   SlidingCurve curve_;
   DesignOutcome outcome_{};
   Drops drops_;
-  double next_ = 0;  // reading
+  double next_ = 0;     // reading
+  double slid_to_ = 1;  // [L]
 };
 
 void require_loading(const Design& design) {
@@ -259,7 +261,6 @@ double critical_stiffness(const Design& design) {
 double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
   constexpr double most = 3;
   constexpr double least_deflection = 1e-6;
-  // What slips through is at a fold, beyond which there is only the rest of the curve.
   const double w = outcome.status == DesignStatus::ok ? outcome.w_reached : design.travel;
   const double critical = critical_stiffness(design.friction, std::max(w, least_deflection));
   if (std::isinf(critical)) return -most;

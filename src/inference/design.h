@@ -72,7 +72,7 @@ DesignOutcome outcome_of(const Design& design);
 double critical_stiffness(const Design& design);
 
 // How far a rig is from where the fibre begins to snap: ln k/k_critical up to the deflection that the loading got to, within [-3, 3].
-// 0 or more where it did not snap, at most 0 where it did or slipped through: to 1e-8, as critical_stiffness.
+// 0 or more where it did not snap, at most 0 where it did: to 1e-8, as critical_stiffness. Of what slips through, up to the travel.
 double stiffness_margin(const Design& design, const DesignOutcome& outcome);
 
 // A point of the curve with the stiffness of the rig on which it is a fold.

@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 #include "io/input_error.h"
-#include "io/text_file.h"
 
 namespace flexslip {
 namespace {
@@ -37,9 +36,24 @@ void sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
-// Gives a file that is written its name.
-void finish_file(const fs::path& unfinished, const fs::path& file) {
-  sync(unfinished);
+// Has the system write a new file to the disk. What a write or a close could not do, a later sync need not tell.
+void write_synced(const fs::path& path, std::string_view bytes) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) refuse(path, {errno, std::generic_category()});
+  bool is_written = true;
+  while (is_written && !bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    is_written = count >= 0 || errno == EINTR;
+    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  is_written = is_written && fsync(descriptor) == 0;
+  const int reason = errno;
+  const bool is_closed = close(descriptor) == 0;
+  if (!is_written || !is_closed) refuse(path, {is_written ? errno : reason, std::generic_category()});
+}
+
+// Gives a file that is on the disk its name.
+void rename_synced(const fs::path& unfinished, const fs::path& file) {
   std::error_code error;
   fs::rename(unfinished, file, error);  // at once: a reader sees the old file or the new one
   if (error) refuse(file, error);
@@ -69,9 +83,9 @@ bool is_unfinished(const fs::path& file) { return file.extension() == suffix; }
 void write_durably(const fs::path& file, std::string_view bytes) {
   const fs::path unfinished = own_name(file);
   try {
-    write_text(unfinished.string(), bytes);
-    finish_file(unfinished, file);
-  } catch (const InputError&) {
+    write_synced(unfinished, bytes);
+    rename_synced(unfinished, file);
+  } catch (...) {
     std::error_code gone;
     fs::remove(unfinished, gone);
     throw;
@@ -100,7 +114,8 @@ UnfinishedFile::~UnfinishedFile() {
 }
 
 void UnfinishedFile::finish() {
-  finish_file(name_, file_);
+  sync(name_);
+  rename_synced(name_, file_);
   is_finished_ = true;
 }
 

@@ -1,7 +1,10 @@
 #include "io/hdf5.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <fstream>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -37,8 +40,13 @@ class Handle {
   Close close_;
 };
 
-// Errors are thrown, and not printed. HDF5 may do that before main.
-void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+// Before any file is opened, as HDF5 looks only once whether to lock. It empties a file before it locks it, too late for the
+// program that has the lock: so who writes it has to lock it, whatever the environment says. Errors are thrown, and not printed;
+// HDF5 may do that before main.
+void prepare() {
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 // What HDF5 says of the first thing that went wrong, the one that the others follow from.
 std::string reason_of_failure() {
@@ -81,9 +89,7 @@ class TextType : public Handle {
 }  // namespace
 
 Hdf5File::Hdf5File(std::string path) : path_(std::move(path)) {
-  be_silent();
-  // HDF5 empties a file before it locks it, too late for the program that has the lock. So who writes it has to lock it.
-  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
+  prepare();
   file_ = H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (file_ < 0) refuse();
 }
@@ -183,7 +189,11 @@ void Hdf5File::refuse() const {
 }
 
 std::optional<std::string> hdf5_text(const std::string& path, const std::string& name) {
-  be_silent();
+  prepare();
+  errno = 0;
+  if (!std::ifstream(path) && errno != ENOENT)
+    throw InputError(
+        {.file = path, .expected = "a file that can be read", .found = std::generic_category().message(errno)});
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.is_open()) return std::nullopt;
   const Handle attribute(H5Aopen(file.id(), name.c_str(), H5P_DEFAULT), H5Aclose);

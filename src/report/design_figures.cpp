@@ -72,8 +72,11 @@ class Drawn {
         fmt::format("  set {}range [{:.8g}:{:.8g}]\n", name, from - margin * (to - from), to + margin * (to - from));
     if (!logarithmic_) return script;
     std::string tics;
+    const auto digits = to - from < 2.2   ? std::vector{1.0, 2.0, 5.0}
+                        : to - from < 3.2 ? std::vector{1.0, 3.0}
+                                          : std::vector{1.0};
     for (int decade = static_cast<int>(std::floor(from)); decade <= to; ++decade)
-      for (const double digit : {1.0, 2.0, 5.0})
+      for (const double digit : digits)
         if (const double tic = decade + std::log10(digit); tic >= from - 1e-9 && tic <= to + 1e-9)
           tics += fmt::format("{}'{:g}' {:.8g}", tics.empty() ? "" : ", ", digit * std::pow(10, decade), tic);
     return script + fmt::format("  set {}tics ({})\n", name, tics);
@@ -86,12 +89,14 @@ class Drawn {
   double low_, high_;
 };
 
+constexpr double stiffness_of_straight_fibre = 48;  // [EI/L^3]
+
 double drop_share(const DesignOutcome& outcome) { return 100 * outcome.largest_drop / outcome.greatest_force; }
 
 // [units of the case] of the first snap.
 std::optional<double> first_deflection(const DesignResult& result) {
   const auto& snap = result.outcome->first_snap;
-  return snap ? std::optional(result.planned->scales.physical_length(snap->w)) : std::nullopt;
+  return snap ? std::optional(result.scales->physical_length(snap->w)) : std::nullopt;
 }
 
 Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::vector<MapPoint>& points) {
@@ -100,7 +105,7 @@ Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::
   double most = 1;
   for (const auto& point : points)
     if (const auto& outcome = point.result.outcome) {
-      most = std::max(most, drop_share(*outcome));
+      most = std::max({most, drop_share(*outcome), 100 * outcome->friction_heat / outcome->work});
       deepest = std::max(deepest, first_deflection(point.result).value_or(0));
     }
   const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, kind::length, input.reduced(), "L");
@@ -132,11 +137,12 @@ Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::
   set yrange [0:{3:.6g}]
   set ylabel '{4}' offset 0.6
   set label 1 '(B)'
+  set label 2 '{5}' at graph 0.5, 0.5 center
   plot designs using 1:5 with points pt 7 ps 0.3 lc rgb blue
-  unset multiplot; unset label 1
+  unset multiplot; unset label 1; unset label 2
 )",
-      drawn.label(), drawn.set('x', 0), 1.15 * std::max(most, 40.0), deepest > 0 ? 1.15 * length.factor * deepest : 1,
-      axis_label("First snap at deflection", "{/:Italic w}_0", length));
+      drawn.label(), drawn.set('x', 0), 1.15 * most, deepest > 0 ? 1.15 * length.factor * deepest : 1,
+      axis_label("First snap at deflection", "{/:Italic w}_0", length), deepest > 0 ? "" : "None snaps");
   return {.name = "designs",
           .title = "What a test shows over a range",
           .description = fmt::format("Two panels over the {}: the largest and the mean drop of the force, as shares of "
@@ -186,6 +192,19 @@ Figure plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes
   for (const MapPoint& point : points)
     data.rows.push_back(
         {x(point.values[0]), y(point.values[1]), point.result.outcome ? drop_share(*point.result.outcome) : nan});
+  // Which side is which, told where it is clearest.
+  const auto [snapping, sliding] = std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return (std::isnan(a.margin) ? 0 : a.margin) < (std::isnan(b.margin) ? 0 : b.margin);
+  });
+  const auto side = [&](int tag, const MapPoint& at, std::string_view words, bool holds) {
+    return holds ? fmt::format("  set label {} '{}' at {:.8g}, {:.8g} center front boxed\n", tag, words,
+                               x(at.values[0]), y(at.values[1]))
+                 : "";
+  };
+  const std::string sides =
+      side(2, *snapping, "snaps", snapping->margin < 0) + side(3, *sliding, "no snap", sliding->margin > 0);
+  FigureData border = border_of(points, points_of(axes[0]), points_of(axes[1]), x, y);
+  const bool has_border = border.rows.size() > 1;
   FigureData own{
       "own", {"x", "y"}, {{x(input.value(axes[0].parameter.parameter)), y(input.value(axes[1].parameter.parameter))}}};
   const std::string script = fmt::format(
@@ -197,12 +216,13 @@ Figure plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes
   set palette defined (0 '#FFFFFF', 0.005 '#EAF2F8', 0.3 '#9CC9E6', 0.65 '#2F83BE', 1 '#08306B')
   set colorbox user origin screen 0.83, 0.145 size screen 0.03, 0.745
   set tics front
-  plot designs using 1:2:3 with image pixels notitle, \
-       border using 1:2 with lines lw 2 lc rgb vermillion title 'Border of snapping', \
-       own using 1:2 with points pt 7 ps 0.7 lc rgb 'black' title 'This test'
+  set style textbox opaque noborder margins 0.6, 0.6
+{4}  plot designs using 1:2:3 with image pixels notitle, \
+       {5}own using 1:2 with points pt 7 ps 0.7 lc rgb 'black' title 'This test'
 )",
       x.label(), y.label(), x.set('x', 0.5 / static_cast<double>(points_of(axes[0]) - 1)),
-      y.set('y', 0.5 / static_cast<double>(points_of(axes[1]) - 1)));
+      y.set('y', 0.5 / static_cast<double>(points_of(axes[1]) - 1)), sides,
+      has_border ? "border using 1:2 with lines lw 2 lc rgb vermillion title 'Border of snapping', \\\n       " : "");
   return {.name = "designs",
           .title = "Where a test shows a sawtooth",
           .description = fmt::format(
@@ -210,7 +230,7 @@ Figure plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes
               axes[0].parameter.name, axes[1].parameter.name),
           .width = 110,
           .height = 85,
-          .data = {std::move(data), border_of(points, points_of(axes[0]), points_of(axes[1]), x, y), std::move(own)},
+          .data = {std::move(data), std::move(border), std::move(own)},
           .script = script};
 }
 
@@ -231,6 +251,12 @@ Figure design_figure(const DesignAnswer& answer) {
   double top = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : 0;
   for (const auto& fold : folds) top = std::max(top, std::min(fold.stiffness, 1e6));
   if (std::isfinite(answer.critical)) top = std::max(top, answer.critical);
+  if (top == 0) top = stiffness_of_straight_fibre;  // displacement control, and no rig snaps
+  // The rig may be far from where it matters.
+  constexpr double wide = 20;
+  const double own = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : top;
+  const double least = answer.critical > 0 ? std::min(own, answer.critical) : own;
+  const bool is_wide = top > wide * least;
   const PlotUnit stiffness = plot_unit(scales.physical_stiffness(top), kind::stiffness, reduced, "EI/L³");
   const double z = scales.physical_stiffness(stiffness.factor);
 
@@ -263,23 +289,25 @@ Figure design_figure(const DesignAnswer& answer) {
   set xlabel '{2}' offset 0,0.3; set ylabel '{3}' offset 0.9
   set label 1 '(A)' at graph 0.03, 0.94 font ',9'
   plot record using 1:2 with lines lw 1.1 lc rgb 'black' title 'Record', \
-       drops using 1:2 with lines lw 1.5 lc rgb vermillion title 'Drops', \
-       first using 3:4 with points pt 6 ps 0.7 lw 1 lc rgb vermillion title 'First snap'
+       drops using 1:2 with lines lw 1.5 lc rgb vermillion {9}, \
+       first using 3:4 with points pt 6 ps 0.7 lw 1 lc rgb vermillion {10}
   set lmargin at screen 0.58; set rmargin at screen 0.985
   set key at screen 0.79,0.985 center top vertical Left reverse maxrows 2 width 0 samplen 1.6
-  set xrange [0:{4:.6g}]; set yrange [0:{5:.6g}]
+  set xrange [0:{4:.6g}]; set yrange [{11}:{5:.6g}]{12}
   set xlabel '{6}'; set ylabel '{7}' offset 0.6
   set label 1 '(B)'
-  plot folds using 1:($2 > 0 ? $2 : 0) with filledcurves above y1=0 fs solid 0.35 noborder lc rgb sky title 'Unstable', \
+  plot folds using 1:($2 > {11} ? $2 : {11}) with filledcurves above y1={11} fs solid 0.35 noborder lc rgb sky title 'Unstable', \
        folds using 1:2 with lines lw 0.8 lc rgb blue notitle, \
        folds using 1:3 with lines lw 1.2 dt (2,3) lc rgb 'black' title 'End of travel', \
        {8}first using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion notitle
-  unset multiplot; unset label 1
+  unset multiplot; unset label 1; unset logscale
 )",
       1.02 * x * design.travel, 1.15 * y * outcome.greatest_force,
       axis_label("Stage displacement", "{/:Italic w}_s", length), axis_label("Force", "{/:Italic F}", force), right,
-      1.12 * z * top, axis_label("Deflection", "{/:Italic w}_0", length),
-      axis_label("Load-train stiffness", "{/:Italic k}", stiffness), lines);
+      (is_wide ? 2 : 1.12) * z * top, axis_label("Deflection", "{/:Italic w}_0", length),
+      axis_label("Load-train stiffness", "{/:Italic k}", stiffness), lines,
+      outcome.drops > 0 ? "title 'Drops'" : "notitle", outcome.first_snap ? "title 'First snap'" : "notitle",
+      fmt::format("{:.6g}", is_wide ? z * least / 3 : 0), is_wide ? "; set logscale y" : "");
   return {.name = "design",
           .title = "What a planned test will show",
           .description = fmt::format("Two panels: the record of force against stage displacement, with {} drops "

@@ -30,6 +30,7 @@ Json design_json(const DesignAnswer& answer) {
         {{"parameter", described(answer.changes[i].parameter).name},
          {"from", answer.changes[i].from},
          {"to", answer.changes[i].to},
+         {"and_beyond", answer.changes[i].and_beyond},
          {"largest_drop_share", answer.changes[i].outcome.largest_drop / answer.changes[i].outcome.greatest_force},
          {"words", words[i]}});
   Json json{{"status", word_of(status_of(answer.outcome))}};
@@ -58,7 +59,7 @@ Json design_map_json(const DesignCase& input, const std::vector<DesignAxis>& axe
   for (const MapPoint& point : points) {
     Json row{{"status", word_of(point.result.status)}};
     if (point.result.outcome) {
-      add_outcome(row, *point.result.outcome, point.result.planned->scales);
+      add_outcome(row, *point.result.outcome, *point.result.scales);
       row["stiffness_margin"] = point.margin;
     }
     for (std::size_t i = 0; i < axes.size(); ++i) row[std::string(axes[i].parameter.name)] = point.values[i];

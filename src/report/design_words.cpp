@@ -24,18 +24,19 @@ class Shown {
   std::string stiffness(double value) const {
     return std::isfinite(value) ? own(value, kind::stiffness) : "no give at all";
   }
-  std::string own(double value, const Kind& kind) const { return readable(value, reduced_ ? kind::number : kind); }
+  std::string own(double value, const Kind& kind) const { return readable(value, kind_of(kind)); }
+  const Kind& kind_of(const Kind& kind) const { return reduced_ ? kind::number : kind; }
 
  private:
   const Scales& scales_;
   bool reduced_;
 };
 
-// To three digits, on the far side of where the change is reached.
-double on_far_side(double from, double to) {
-  if (to == 0) return to;
-  const double step = std::pow(10, std::floor(std::log10(std::abs(to))) - 2);
-  return step * (to > from ? std::ceil(to / step) : std::floor(to / step));
+// To three digits, no less than it is.
+double rounded_up(double value) {
+  if (value == 0) return value;
+  const double step = std::pow(10, std::floor(std::log10(value)) - 2);
+  return step * std::ceil(value / step);
 }
 
 std::string share(double part, double whole) {
@@ -53,11 +54,17 @@ std::string drops_in_words(const DesignAnswer& answer, const Shown& shown) {
                                  : "a continuous record";
   if (outcome.drops == 0)
     return fmt::format("In {} the force never falls; the greatest is {}.", record, shown.force(outcome.greatest_force));
-  return fmt::format("In {} the force falls {}: by {} at most, which is {} of the greatest force, {}{}.", record,
-                     outcome.drops == 1 ? "once" : fmt::format("{} times", outcome.drops),
-                     shown.force(outcome.largest_drop), share(outcome.largest_drop, outcome.greatest_force),
-                     shown.force(outcome.greatest_force),
-                     outcome.drops == 1 ? "" : fmt::format(", and by {} on average", shown.force(outcome.mean_drop)));
+  const std::string why =
+      outcome.snaps > outcome.drops ? " Some of the snaps come between the same two readings, and show as one fall."
+      : outcome.snaps == 0 && outcome.drops > 1
+          ? " These are no snaps: the force follows the friction, which varies along the specimen, and does so on "
+            "any load train."
+          : "";
+  return fmt::format(
+      "In {} the force falls {}: by {} at most, which is {} of the greatest force, {}{}.{}", record,
+      outcome.drops == 1 ? "once" : fmt::format("{} times", outcome.drops), shown.force(outcome.largest_drop),
+      share(outcome.largest_drop, outcome.greatest_force), shown.force(outcome.greatest_force),
+      outcome.drops == 1 ? "" : fmt::format(", and by {} on average", shown.force(outcome.mean_drop)), why);
 }
 
 std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
@@ -84,9 +91,14 @@ std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
         "There is no critical load-train stiffness: in this test the specimen snaps even where the deflection itself "
         "is controlled. {}",
         yours);
-  const double critical = on_far_side(0, answer.scales.physical_stiffness(answer.critical));
-  return fmt::format("The critical load-train stiffness of this test is {}: from that on it does not snap. {}",
-                     shown.stiffness(critical), yours);
+  const double critical = rounded_up(answer.scales.physical_stiffness(answer.critical));
+  const bool is_too_soft = answer.outcome.snaps == 0 && answer.design.rig.stiffness < answer.critical;
+  const std::string why =
+      is_too_soft ? fmt::format(" It is softer, and yet there is no snap: it bends the specimen by no more than {}.",
+                                shown.length(answer.outcome.w_reached))
+                  : "";
+  return fmt::format("The critical load-train stiffness of this test is {}: from that on it does not snap. {}{}",
+                     shown.stiffness(critical), yours, why);
 }
 
 std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
@@ -113,7 +125,7 @@ std::string phases_in_words(const DesignAnswer& answer, const Shown& shown) {
   const std::string remedy =
       std::isfinite(study.critical)
           ? fmt::format("On a load train of at least {} it snaps with none of them",
-                        shown.stiffness(on_far_side(0, answer.scales.physical_stiffness(study.critical))))
+                        shown.stiffness(rounded_up(answer.scales.physical_stiffness(study.critical))))
           : "With some of them it snaps however stiff the load train";
   return fmt::format("{} {} it snaps{}. {}.", known, count, drops, remedy);
 }
@@ -122,32 +134,34 @@ std::string change_in_words(const DesignChange& change, const Shown& shown) {
   const DesignParameter parameter = change.parameter;
   const Kind& kind = described(parameter).kind;
   const bool more = change.to > change.from;
-  const std::string to = shown.own(on_far_side(change.from, change.to), kind);
+  const std::string value = typeset(exact_text(change.printed, shown.kind_of(kind)));
+  const std::string to = change.and_beyond ? fmt::format("{} or {}", value, more ? "more" : "less") : value;
   const std::string from = shown.own(change.from, kind);
-  const std::string_view limit = more ? "at least" : "at most";
   switch (parameter) {
     case DesignParameter::stiffness:
-      return fmt::format("a {} load train: {} {} instead of {}", more ? "stiffer" : "softer", limit, to,
+      return fmt::format("a {} load train: {} instead of {}", more ? "stiffer" : "softer", to,
                          shown.stiffness(change.from));
     case DesignParameter::span:
-      return fmt::format("a {} support span: {} {} instead of {}", more ? "longer" : "shorter", limit, to, from);
+      return fmt::format("a {} support span: {} instead of {}", more ? "longer" : "shorter", to, from);
     case DesignParameter::diameter:
-      return fmt::format("a {} specimen: a diameter of {} {} instead of {}", more ? "thicker" : "thinner", limit, to,
-                         from);
+      return fmt::format("a {} specimen: a diameter of {} instead of {}", more ? "thicker" : "thinner", to, from);
+    case DesignParameter::height:
+      return fmt::format("a {} specimen: a height of {} instead of {}", more ? "thicker" : "thinner", to, from);
+    case DesignParameter::width:
+      return fmt::format("a {} specimen: a width of {} instead of {}", more ? "wider" : "narrower", to, from);
     case DesignParameter::modulus:
-      return fmt::format("a {} specimen: a modulus of {} {} instead of {}", more ? "stiffer" : "softer", limit, to,
-                         from);
+      return fmt::format("a {} specimen: a modulus of {} instead of {}", more ? "stiffer" : "softer", to, from);
     case DesignParameter::mu0:
-      return fmt::format("{}: mu0 {} {} instead of {}", more ? "supports with more friction" : "lubricated supports",
-                         limit, to, from);
+      return fmt::format("{}: mu0 {} instead of {}", more ? "supports with more friction" : "lubricated supports", to,
+                         from);
     case DesignParameter::amplitude:
-      return fmt::format("{}: an amplitude of {} {} instead of {}",
-                         more ? "rougher supports or specimens" : "polished supports", limit, to, from);
+      return fmt::format("{}: an amplitude of {} instead of {}",
+                         more ? "rougher supports or specimens" : "polished supports", to, from);
     case DesignParameter::wavelength:
-      return fmt::format("another specimen, with roughness of a {} wavelength: {} {} instead of {}",
-                         more ? "longer" : "shorter", limit, to, from);
+      return fmt::format("another specimen, with roughness of a {} wavelength: {} instead of {}",
+                         more ? "longer" : "shorter", to, from);
     case DesignParameter::travel:
-      return more ? fmt::format("loading farther: beyond the stage position {} instead of up to {}", to, from)
+      return more ? fmt::format("loading farther: up to the stage position {} instead of {}", to, from)
                   : fmt::format("stopping before the first snap: at the stage position {} instead of {}", to, from);
     case DesignParameter::phase:
     case DesignParameter::step:
@@ -160,20 +174,24 @@ std::string change_in_words(const DesignChange& change, const Shown& shown) {
 std::string what_remains(const DesignAnswer& answer, const DesignChange& change) {
   const DesignOutcome& then = change.outcome;
   if (answer.outcome.snaps == 0 || then.drops == 0) return "";
-  return fmt::format(" (smooth falls of up to {})", share(then.largest_drop, then.greatest_force));
+  const double part = then.largest_drop / then.greatest_force;
+  return fmt::format(" (smooth falls of {}{})", part < 0.001 ? "" : "up to ",
+                     share(then.largest_drop, then.greatest_force));
 }
 
-}  // namespace
-
-std::string design_in_short(const DesignAnswer& answer) {
+std::string answer_in_short(const DesignAnswer& answer) {
   const Shown shown(answer);
   const DesignOutcome& outcome = answer.outcome;
   if (hidden(outcome))
     return fmt::format("The specimen will snap {}, but readings {} apart will not show it.",
                        outcome.snaps == 1 ? "once" : fmt::format("{} times", outcome.snaps),
                        shown.length(answer.design.step));
-  if (outcome.snaps == 1) return "Yes: the specimen will snap once, and the force drop.";
-  if (outcome.snaps > 0) return "Yes, you will see a sawtooth.";
+  if (outcome.snaps > 0) {
+    const std::string most = fmt::format("{}, {} of the greatest force", shown.force(outcome.largest_drop),
+                                         share(outcome.largest_drop, outcome.greatest_force));
+    return outcome.snaps == 1 ? fmt::format("Yes: the specimen will snap, once. The force drops by up to {}.", most)
+                              : fmt::format("Yes, you will see a sawtooth: the force drops by up to {}.", most);
+  }
   if (outcome.drops == 1) return "No sawtooth: the specimen slides without a snap, past a smooth peak of the force.";
   if (outcome.drops > 1)
     return "No sawtooth, but a wavy force: the specimen slides without a snap, and where the force falls it falls "
@@ -181,15 +199,20 @@ std::string design_in_short(const DesignAnswer& answer) {
   return "No sawtooth: the specimen slides without a snap, and the force never falls.";
 }
 
+}  // namespace
+
+std::string design_in_short(const DesignAnswer& answer) {
+  const std::string words = answer_in_short(answer);
+  if (answer.outcome.status == DesignStatus::ok) return words;
+  return fmt::format("The specimen will slip through its supports, at the stage position {}. Up to there: {}",
+                     Shown(answer).length(answer.outcome.stage_reached), words);
+}
+
 std::vector<std::string> design_in_words(const DesignAnswer& answer) {
   const Shown shown(answer);
   std::vector<std::string> paragraphs{snaps_in_words(answer, shown), drops_in_words(answer, shown),
                                       critical_in_words(answer, shown), work_in_words(answer, shown)};
   if (answer.phases) paragraphs.push_back(phases_in_words(answer, shown));
-  if (answer.outcome.status == DesignStatus::slipped_through)
-    paragraphs.push_back(
-        fmt::format("Beyond the stage position {} the specimen slips through the supports: all this is up to there.",
-                    shown.length(answer.outcome.stage_reached)));
   return paragraphs;
 }
 
@@ -209,8 +232,12 @@ std::string design_text(const DesignAnswer& answer) {
   const auto changes = changes_in_words(answer);
   if (changes.empty())
     return text + fmt::format("\nNo single change was found that would {} it snap.\n", snaps ? "not let" : "make");
-  text += snaps ? "\nAny one of these would keep it from snapping, all else as it is:\n"
-                : "\nAny one of these would make it snap, all else as it is:\n";
+  const std::string intention = snaps ? "keep it from snapping" : "make it snap";
+  text += '\n';
+  text += wrapped(fmt::format("Any one of these would {}, all else as it is; where neither \"or more\" nor \"or less\" "
+                              "stands, it is so at just this value, and need not be beyond it:",
+                              intention),
+                  "");
   for (const std::string& change : changes) text += "  - " + wrapped(change, "    ");
   return text;
 }

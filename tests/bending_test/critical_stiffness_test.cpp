@@ -10,6 +10,7 @@
 #include "bending_test/rig.h"
 #include "fibre/elastica.h"
 #include "tests/approximately.h"
+#include "tests/fig_8.h"
 #include "tests/generators.h"
 #include "tests/refusal.h"
 
@@ -17,8 +18,6 @@ namespace flexslip {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Friction friction_of_fig_8() { return Friction::sinusoid(0.6, 0.4, 0.02 * std::numbers::pi, 0); }
 
 FibreState state_on(const Friction& friction, double S) { return fibre_state(S, friction.at(S).mu); }
 

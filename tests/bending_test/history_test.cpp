@@ -15,6 +15,7 @@
 #include "fibre/elastica.h"
 #include "tests/approximately.h"
 #include "tests/bending_test/some_programme.h"
+#include "tests/fig_8.h"
 #include "tests/generators.h"
 #include "tests/refusal.h"
 
@@ -23,10 +24,6 @@ namespace {
 
 constexpr double unit = 0x1p-52;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Fig. 8: μ = 0.6 (1 + 0.4 cos(S/0.02)), k = 30.
-Friction friction_of_fig_8() { return Friction::sinusoid(0.6, 0.4, 0.02 * std::numbers::pi, 0); }
-constexpr Rig rig_of_fig_8{30};
 
 // Loaded from the straight fibre, the whole curve.
 History load_continuously(const Friction& friction, const Rig& rig, double stage, int n) {

@@ -14,6 +14,8 @@
 #include <doctest/doctest.h>
 
 #include "fibre/elastica.h"
+#include "tests/approximately.h"
+#include "tests/fig_8.h"
 #include "tests/generators.h"
 #include "tests/refusal.h"
 
@@ -23,12 +25,6 @@ namespace {
 constexpr double unit = 0x1p-52;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double first_fold_of_second_tooth = 0.698273165117728631;  // folds.csv
-
-// Fig. 8B: μ = 0.6 (1 + 0.4 cos(S/0.02)), k = 30.
-Friction friction_of_fig_8() { return Friction::sinusoid(0.6, 0.4, 0.02 * std::numbers::pi, 0); }
-constexpr Rig rig_of_fig_8{30};
-
-doctest::Approx to(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
 
 struct FoldRow {
   bool is_maximum;

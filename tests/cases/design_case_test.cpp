@@ -46,10 +46,23 @@ TEST_CASE("design case, identity: a number set is the same as one read") {
   for (const double S : {1.0, 1.1, 1.37}) CHECK(a.friction.at(S).mu == b.friction.at(S).mu);
 }
 
+TEST_CASE("design case, identity: a flat specimen set to another section is the same as one read with it") {
+  const auto flat = [](const std::string& section) { return design_of(with("diameter = \"34.8 um\"", section)); };
+  DesignCase varied = flat("width = \"40 um\"\nheight = \"30 um\"");
+  varied.set(DesignParameter::width, 50e-6);
+  varied.set(DesignParameter::height, 25e-6);
+  const auto read = flat("width = \"50 um\"\nheight = \"25 um\"").planned();
+  CHECK(varied.planned().scales.bending_stiffness() == read.scales.bending_stiffness());
+  varied.set(DesignParameter::height, 300e-6);
+  CHECK(message_of([&] { varied.planned(); }).find("height: expected less than a fifth of the span") == 0);
+}
+
 TEST_CASE("design case, limit: it has the parameters that its kind of case can vary") {
   CHECK(design_of(spicule).has(DesignParameter::diameter));
   const DesignCase flat = design_of(with("diameter = \"34.8 um\"", "width = \"40 um\"\nheight = \"30 um\""));
   CHECK_FALSE(flat.has(DesignParameter::diameter));
+  CHECK(flat.value(DesignParameter::height) == 30e-6);
+  CHECK(flat.value(DesignParameter::width) == 40e-6);
   CHECK(flat.has(DesignParameter::modulus));
   const DesignCase reduced = design_of(
       "reduced = true\n[rig]\nstiffness = 30\n[friction]\nmodel = \"constant\"\nmu0 = 0.5\n[stage]\nprogram = [0, "

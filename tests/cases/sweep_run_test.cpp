@@ -149,8 +149,8 @@ TEST_CASE("identity: a merge does not touch what another one is writing, and rep
 TEST_CASE("table: a sweep that the disk has no room for is refused with both sizes") {
   const TemporaryFolder folder;
   const std::string output = (folder.path() / "map.h5").string();
-  CHECK(message_of([&] { require_space(some_sweep(1000), output); }) == "");
-  const std::string message = message_of([&] { require_space(some_sweep(1'000'000'000'000), output); });
+  CHECK(message_of([&] { require_space(some_sweep(1000), output, {}); }) == "");
+  const std::string message = message_of([&] { require_space(some_sweep(1'000'000'000'000), output, {}); });
   CHECK(message.find("1000000000000 designs") != std::string::npos);
   CHECK(message.find("272 TB") != std::string::npos);  // 17 columns of 8 bytes, twice
   CHECK(message.find("free in") != std::string::npos);

@@ -11,6 +11,7 @@
 #include "bending_test/history.h"
 #include "fibre/elastica.h"
 #include "tests/approximately.h"
+#include "tests/fig_8.h"
 #include "tests/generators.h"
 #include "tests/refusal.h"
 
@@ -18,8 +19,6 @@ namespace flexslip {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Friction friction_of_fig_8() { return Friction::sinusoid(0.6, 0.4, 0.02 * std::numbers::pi, 0); }
 
 // The oracle: the slow follower of any history, with its own account of energy, and every reading computed.
 History followed(const Design& design) {
@@ -104,6 +103,50 @@ TEST_CASE("design, oracle: the drops are those of a record in which every readin
     RC_ASSERT(std::abs(outcome.mean_drop - drops.sum / static_cast<double>(drops.count)) <=
               1e-6 * outcome.greatest_force);
   }));
+}
+
+TEST_CASE("design, oracle: a branch that ends between two teeth, found by random trials, is one that slips through") {
+  // Friction that falls to nothing in each trough, where a fibre of more than S = 2.188 is not held.
+  for (int i = 0; i < 24; ++i) {
+    CAPTURE(i);
+    const double phase = -8442.871758357654 + 2 * std::numbers::pi * i / 24;
+    const Design design{Friction::sinusoid(0.24736754864318486, 1, 0.003642734684939927, phase),
+                        {12.812041987299866},
+                        1.7020176478768336,
+                        0};
+    const auto outcome = outcome_of(design);
+    const auto history = followed(design);
+    CHECK(outcome.status == DesignStatus::slipped_through);
+    CHECK(outcome.snaps == history.snaps.size());
+    CHECK(outcome.stage_reached == to(1e-6, history.path.back().stage));
+  }
+}
+
+TEST_CASE("design, oracle: what slips through within a smooth stretch is told up to there") {
+  // Found by an examiner: a fibre held by displacement slips where the tracer's points straddle the loss of force.
+  const Design design{Friction::sinusoid(0.5, 0.002, 0.0020704635518614778, 1), {infinity}, 3, 0};
+  const auto outcome = outcome_of(design);
+  const auto history = followed(design);
+  REQUIRE(outcome.status == DesignStatus::slipped_through);
+  CHECK(outcome.drops > 1000);
+  CHECK(outcome.stage_reached == to(1e-3, history.path.back().stage));
+  CHECK(outcome.work == to(1e-3, work_of_fracture(history.energy)));
+  CHECK(outcome.friction_heat > 0);
+}
+
+TEST_CASE("design, limit: the smallest loadings arrive") {
+  for (double travel = 1.1e-6; travel < 1e-5; travel *= 1.03) {
+    CAPTURE(travel);
+    CHECK(outcome_of({Friction::constant(0.5), {infinity}, travel, 0}).status == DesignStatus::ok);
+  }
+}
+
+TEST_CASE("design, limit: two knots of a table a few roundings apart are a step of friction") {
+  for (int n = 1; n <= 40; ++n) {
+    const double S = 1.3;
+    const auto friction = Friction::table({{1, S, S + n * 0x1p-52, 3}, {0.3, 0.3, 0.5, 0.5}});
+    CHECK(outcome_of({friction, {30}, 0.6, 1e-3}).status == DesignStatus::ok);
+  }
 }
 
 TEST_CASE("design, identity: the margin of the stiffness is negative just where the specimen snaps") {

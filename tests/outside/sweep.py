@@ -302,6 +302,59 @@ class Sweep(InFolder):
         self.assertEqual(output.read_bytes(), whole)
         self.assertFalse(unfinished.exists())
 
+    def test_a_merge_replaces_the_file_of_its_sweep(self):
+        case = self.file("map.toml", grid(20, 20))
+        output = self.folder / "map.h5"
+        self.succeeds("sweep", case, "--output", output, "--keep-parts")
+        whole = output.read_bytes()
+        run("merge", f"{output}.parts", "--keep-parts")
+        self.assertEqual(output.read_bytes(), whole)
+        # A whole set of parts is left where it is, whatever the file says: it may be the only good copy.
+        result = run("sweep", case, "--output", output, "--json")
+        self.assertEqual(json.loads(result.stdout), {"status": "done", "file": str(output), "rows": 400})
+        self.assertIn("its parts are still in", result.stderr)
+        output.unlink()
+        run("merge", f"{output}.parts/")
+        self.assertEqual(output.read_bytes(), whole)
+        self.assertEqual(json.loads(run("merge", f"{output}.parts", "--json").stdout), {"status": "done", "file": str(output)})
+
+    def test_nothing_that_is_read_is_written_over(self):
+        case = self.file("map.toml", grid(5, 4))
+        for option in ("--output", "--slurm"):
+            self.refused("sweep", case, option, case, says=[option if option == "--slurm" else "map.toml"])
+        self.refused("design", case, "--output", case, says=["--output", "another file than is read"])
+        self.assertEqual(case.read_text(encoding="utf-8"), grid(5, 4))
+        self.succeeds("sweep", case, "--output", self.folder / "map.h5", "--shard", "1/1")
+        self.refused("merge", self.folder / "map.h5.parts", "--output", self.folder / "map.h5.parts" / "part-result.h5",
+                     says=["--output", "a file beside the parts"])
+        self.refused("sweep", case, "--output", "", says=["--output", "a file"])
+        self.refused("sweep", case, "--output", "-", says=["--output", "a file"])
+
+    def test_only_parts_are_removed(self):
+        case = self.file("map.toml", grid(5, 4))
+        self.succeeds("sweep", case, "--output", self.folder / "map.h5", "--shard", "1/1")
+        notes = self.file("map.h5.parts/part-of-my-notes.txt", "kept")
+        self.assertEqual(run("sweep", case, "--output", self.folder / "map.h5").returncode, 0)
+        self.assertEqual([file.name for file in notes.parent.iterdir()], [notes.name])
+        self.assertEqual(run("sweep", case, "--output", self.folder / "map.h5").returncode, 0)  # and once more
+
+    def test_two_sweeps_at_once_end_with_the_file(self):
+        case = self.file("map.toml", grid(100, 60))
+        whole = self.sweep(case, "whole.h5")
+        both = [subprocess.Popen([PROGRAM, "sweep", str(case), "--output", str(self.folder / "map.h5"), "--threads", "1"],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(2)]
+        codes = [process.wait(timeout=60) for process in both]
+        self.assertIn(0, codes)
+        self.assertEqual(run("sweep", case, "--output", self.folder / "map.h5").returncode, 0)  # whatever the slower one left
+        self.assertEqual((self.folder / "map.h5").read_bytes(), whole)
+
+    def test_a_damaged_label_is_told(self):
+        case = self.file("map.toml", grid(5, 4))
+        self.succeeds("sweep", case, "--output", self.folder / "map.h5", "--shard", "1/1")
+        label = self.folder / "map.h5.parts" / "sweep.json"
+        label.write_text(label.read_text(encoding="utf-8").replace("100 N/m", "200 N/m"), encoding="utf-8")
+        self.refused("merge", self.folder / "map.h5.parts", says=["map.h5.parts", "a damaged sweep.json"])
+
     def test_a_foreign_file_is_no_sweep_whatever_it_says(self):
         case = self.file("map.toml", grid(5, 4))
         with h5py.File(self.folder / "map.h5", "w") as file:

@@ -29,8 +29,8 @@ TEST_CASE("table: the answer in a sentence, for every kind of test") {
     input.set(parameter, value);
     return design_in_short(answer_of(input));
   };
-  CHECK(design_in_short(answer_of(fine())) == "Yes, you will see a sawtooth.");
-  CHECK(with_value(DesignParameter::travel, 428e-6) == "Yes: the specimen will snap once, and the force drop.");
+  CHECK(design_in_short(answer_of(fine())).starts_with("Yes, you will see a sawtooth: the force drops by up to "));
+  CHECK(with_value(DesignParameter::travel, 428e-6).starts_with("Yes: the specimen will snap, once."));
   CHECK(with_value(DesignParameter::stiffness, 600).starts_with("No sawtooth, but a wavy force"));
   CHECK(with_value(DesignParameter::mu0, 0).ends_with("past a smooth peak of the force."));
   CHECK(with_value(DesignParameter::travel, 300e-6).ends_with("and the force never falls."));
