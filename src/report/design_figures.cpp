@@ -185,6 +185,26 @@ FigureData border_of(const std::vector<MapPoint>& points, std::size_t rows, std:
   return border;
 }
 
+// The command for a label where the points of a side are farthest from others and from the frame; none if there is no room.
+template <class Belongs>
+std::string side_label(int tag, std::string_view words, const std::vector<MapPoint>& points, std::size_t columns,
+                       const Drawn& x, const Drawn& y, Belongs belongs) {
+  constexpr int room = 3;  // [cells]
+  const std::size_t rows = points.size() / columns;
+  std::vector<int> depth(points.size(), 0);  // [cells] to the nearest that does not belong
+  const auto at = [&](std::size_t i, std::size_t j) { return i < rows && j < columns ? depth[i * columns + j] : 0; };
+  for (std::size_t n = 0; n < points.size(); ++n)  // indices below 0 are large
+    if (belongs(points[n].margin))
+      depth[n] = 1 + std::min(at(n / columns - 1, n % columns), at(n / columns, n % columns - 1));
+  for (std::size_t n = points.size(); n-- > 0;)
+    depth[n] = std::min(depth[n], 1 + std::min(at(n / columns + 1, n % columns), at(n / columns, n % columns + 1)));
+  const auto deepest = std::max_element(depth.begin(), depth.end());
+  if (*deepest < room) return "";
+  const MapPoint& there = points[static_cast<std::size_t>(deepest - depth.begin())];
+  return fmt::format("  set label {} '{}' at {:.8g}, {:.8g} center front boxed\n", tag, words, x(there.values[0]),
+                     y(there.values[1]));
+}
+
 Figure plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points) {
   const Drawn x(input, axes[0]);
   const Drawn y(input, axes[1]);
@@ -192,17 +212,9 @@ Figure plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes
   for (const MapPoint& point : points)
     data.rows.push_back(
         {x(point.values[0]), y(point.values[1]), point.result.outcome ? drop_share(*point.result.outcome) : nan});
-  // Which side is which, told where it is clearest.
-  const auto [snapping, sliding] = std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return (std::isnan(a.margin) ? 0 : a.margin) < (std::isnan(b.margin) ? 0 : b.margin);
-  });
-  const auto side = [&](int tag, const MapPoint& at, std::string_view words, bool holds) {
-    return holds ? fmt::format("  set label {} '{}' at {:.8g}, {:.8g} center front boxed\n", tag, words,
-                               x(at.values[0]), y(at.values[1]))
-                 : "";
-  };
   const std::string sides =
-      side(2, *snapping, "snaps", snapping->margin < 0) + side(3, *sliding, "no snap", sliding->margin > 0);
+      side_label(2, "snaps", points, points_of(axes[1]), x, y, [](double margin) { return margin < 0; }) +
+      side_label(3, "no snap", points, points_of(axes[1]), x, y, [](double margin) { return margin > 0; });
   FigureData border = border_of(points, points_of(axes[0]), points_of(axes[1]), x, y);
   const bool has_border = border.rows.size() > 1;
   FigureData own{

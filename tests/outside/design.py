@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """outside: flexslip design against flexslip simulate, the paper's Fig. 8 and what a user may get wrong."""
+import re
 import unittest
 
 from program import SOURCE, InFolder
@@ -61,6 +62,21 @@ class Design(InFolder):
         self.assertIn("Yes: the specimen will snap, once", self.succeeds("design", self.file("fine.toml", fine)))
         coarse = self.file("coarse.toml", fine.replace('"2 um"', '"225 um"'))
         self.assertIn("will not show it", self.succeeds("design", coarse))
+
+    def test_the_page_on_planning_is_true(self):
+        page = (SOURCE / "docs/rig-design.md").read_text(encoding="utf-8")
+        snippet, = re.findall(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        output = self.folder / "map.csv"
+        self.succeeds("design", self.file("case.toml", CASE), "--over", "stiffness=10 N/m:1000 N/m:9", "--over=mu0=0.1:0.9:5",
+                      "--output", output)
+        found = {}
+        exec(snippet.replace('"map.csv"', repr(str(output))), found)
+        self.assertEqual((len(found["rows"]), len(found["soft"])), (45, 20))
+        self.assertTrue(0 < found["share"] < 1)
+        told = set(re.findall(r"`([a-z_]+)`", page))
+        self.assertLessEqual({title.split(" ")[0] for title in found["rows"][0]}, told)
+        keys = set(re.findall(r"[a-z_]+", page.split("## JSON")[1].split("## How good")[0]))
+        self.assertLessEqual(set(self.json("design", self.folder / "case.toml")), keys)
 
     def test_identity_map_is_designs(self):
         case = self.file("case.toml", CASE)
