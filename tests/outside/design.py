@@ -73,7 +73,7 @@ class Design(InFolder):
         exec(snippet.replace('"map.csv"', repr(str(output))), found)
         self.assertEqual((len(found["rows"]), len(found["soft"])), (45, 20))
         self.assertTrue(0 < found["share"] < 1)
-        told = set(re.findall(r"`([a-z_]+)`", page))
+        told = set(re.findall(r"`([a-z_0-9]+)`", page))
         self.assertLessEqual({title.split(" ")[0] for title in found["rows"][0]}, told)
         keys = set(re.findall(r"[a-z_]+", page.split("## JSON")[1].split("## How good")[0]))
         self.assertLessEqual(set(self.json("design", self.folder / "case.toml")), keys)
