@@ -5,7 +5,6 @@
 #include <iostream>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,7 +21,9 @@ std::string in_words(double seconds) {
 
 class Display {
  public:
-  explicit Display(std::string what) : what_(std::move(what)) {}
+  // On a terminal one line is written over and over; a log gets a line a minute.
+  Display(std::string what, bool is_terminal)
+      : what_(std::move(what)), is_terminal_(is_terminal), often_(is_terminal ? 200 : 60'000) {}
   ~Display() {
     if (is_line_open_) std::cerr << "\n";
   }
@@ -30,28 +31,33 @@ class Display {
   Display& operator=(const Display&) = delete;
 
   void show(std::uint64_t done, std::uint64_t all) {
-    constexpr std::chrono::milliseconds often(200);
-    const bool is_last = done == all;
     const auto now = Clock::now();
+    std::call_once(begun_, [&] { start_ = now; });
+    const bool is_last = is_terminal_ && done == all;
     if (now < next_.load(std::memory_order_relaxed) && !is_last) return;
     const std::lock_guard lock(mutex_);
     if (done < shown_) return;  // another thread was faster
     shown_ = done;
-    next_ = now + often;
-    if (!start_) start_ = now;
-    const double seconds = std::chrono::duration<double>(now - *start_).count();
+    next_ = now + often_;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
     const double left = seconds * static_cast<double>(all - done) / static_cast<double>(done);
-    std::cerr << fmt::format("\r{} of {} {}, {} left   {}", done, all, what_, in_words(left), is_last ? "\n" : "")
-              << std::flush;
-    is_line_open_ = !is_last;
+    const std::string words = fmt::format("{} of {} {}, {} left", done, all, what_, in_words(left));
+    if (is_terminal_)
+      std::cerr << fmt::format("\r{}   {}", words, is_last ? "\n" : "") << std::flush;
+    else
+      std::cerr << words << std::endl;
+    is_line_open_ = is_terminal_ && !is_last;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::string what_;
-  std::optional<Clock::time_point> start_;  // when the first was done
-  std::atomic<Clock::time_point> next_ = Clock::now();
+  bool is_terminal_;
+  std::chrono::milliseconds often_;
+  std::once_flag begun_;
+  Clock::time_point start_;  // when the first was done
+  std::atomic<Clock::time_point> next_ = Clock::now() + often_;
   std::mutex mutex_;
   std::uint64_t shown_ = 0;
   bool is_line_open_ = false;
@@ -60,9 +66,9 @@ class Display {
 }  // namespace
 
 ProgressFunction progress_of(const std::string& what, const Output& output) {
-  if (output.quiet || isatty(STDERR_FILENO) != 1) return {};
-  return
-      [display = std::make_shared<Display>(what)](std::uint64_t done, std::uint64_t all) { display->show(done, all); };
+  if (output.quiet) return {};
+  return [display = std::make_shared<Display>(what, isatty(STDERR_FILENO) == 1)](
+             std::uint64_t done, std::uint64_t all) { display->show(done, all); };
 }
 
 }  // namespace flexslip

@@ -12,7 +12,7 @@ namespace flexslip {
 // How much of a work is done. May be called on any thread, as often as one likes.
 using ProgressFunction = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
-// Shows it a few times a second: "1200 of 5000 designs, 12 s left". Empty if the output is quiet or nobody watches.
+// Shows it a few times a second, or in a log once a minute: "1200 of 5000 designs, 12 s left". Empty if the output is quiet.
 ProgressFunction progress_of(const std::string& what, const Output& output);
 
 }  // namespace flexslip

@@ -202,7 +202,7 @@ std::string answer_in_short(const DesignAnswer& answer) {
 }  // namespace
 
 std::string design_in_short(const DesignAnswer& answer) {
-  const std::string words = answer_in_short(answer);
+  std::string words = answer_in_short(answer);
   if (answer.outcome.status == DesignStatus::ok) return words;
   return fmt::format("The specimen will slip through its supports, at the stage position {}. Up to there: {}",
                      Shown(answer).length(answer.outcome.stage_reached), words);
