@@ -3,7 +3,6 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
-#include <sstream>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -18,11 +17,6 @@
 namespace flexslip {
 namespace {
 
-std::string digest_of_text(const std::string& text) {
-  std::istringstream in(text);
-  return digest_of(in).sha256;
-}
-
 // All that the answer depends on.
 std::string key_of(const PlannedTest& planned, const Case& input, const AnalysisOptions& options,
                    const std::string& presented) {
@@ -32,7 +26,7 @@ std::string key_of(const PlannedTest& planned, const Case& input, const Analysis
   for (const auto& value : {options.fit.held.amplitude, options.fit.held.wavelength})
     held += value ? fmt::format(" {}", *value) : " free";
   const std::string source = input.source.empty() ? "" : digest_of(*open_to_read(input.source)).sha256;
-  return digest_of_text(fmt::format(
+  return sha256_of(fmt::format(
       "{}\n{}\n{}\n{}\nmodels{}\nheld{}\nfalse alarms {}\nsuspect limit {}\nbootstrap {}\npresented {}\n{}\n{}\n",
       FLEXSLIP_VERSION, source, planned.name, planned.file, models, held, options.drops.false_alarms_per_test,
       options.suspect_limit, options.bootstrap.count, presented, to_toml(input),

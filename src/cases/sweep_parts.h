@@ -55,7 +55,6 @@ class SweepParts {
   void remove_all() const;
 
  private:
-  std::uint64_t bytes_of(std::uint64_t chunk) const;
   std::string head_of(std::uint64_t chunk) const;
 
   std::filesystem::path folder_;
