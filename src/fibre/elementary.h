@@ -1,0 +1,36 @@
+// Elementary functions that give the same bits on every processor.
+//
+// The C library chooses variants of its functions when the program runs, and those with fused products round differently. These are
+// compiled once, for the least processor, and fuse nothing.
+#pragma once
+
+namespace flexslip::elementary {
+
+// Max error:  2 ulp. Below -708 the result is 0.
+double exp(double x);
+
+// Domain:     x > 0, normal.
+// Max error:  4 ulp.
+double log(double x);
+
+struct SineAndCosine {
+  double sine, cosine;
+};
+
+// Domain:     |x| < 39000 rad.
+// Max error:  4 ulp of 1.
+SineAndCosine sine_and_cosine(double x);
+
+// sqrt(a^2 + b^2). Domain: no overflow of the squares.
+double length(double a, double b);
+
+// The standard Gaussian where a bound cuts it: ln P(z' < z), and the density at z over that probability.
+struct GaussianBelow {
+  double log_probability;
+  double hazard;  // phi(z)/Phi(z)
+};
+
+// Max error:  relative 1e-13 of the hazard and, absolute, of the logarithm, for z > -1e5.
+GaussianBelow gaussian_below(double z);
+
+}  // namespace flexslip::elementary

@@ -1,0 +1,613 @@
+#include "inference/chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "fibre/elementary.h"
+
+namespace flexslip {
+namespace {
+
+using Eigen::Index;
+constexpr double log_two_pi = 1.8378770664093454836;
+
+// A number with its derivatives to ln σ, ρ, ln σ_g and ln ℓ.
+struct Dual {
+  double value = 0;
+  std::array<double, 4> d{};
+
+  Dual() = default;
+  Dual(double number) : value(number) {}  // NOLINT(google-explicit-constructor): a number is one with no derivative
+  Dual(double number, std::size_t of) : value(number) { d[of] = 1; }
+
+  template <class Outer>
+  static Dual chained(double value, const Dual& a, Outer outer) {
+    Dual result(value);
+    for (std::size_t i = 0; i < 4; ++i) result.d[i] = outer(a.d[i]);
+    return result;
+  }
+  friend Dual operator+(const Dual& a, const Dual& b) {
+    Dual result(a.value + b.value);
+    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] + b.d[i];
+    return result;
+  }
+  friend Dual operator-(const Dual& a, const Dual& b) {
+    Dual result(a.value - b.value);
+    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] - b.d[i];
+    return result;
+  }
+  friend Dual operator*(const Dual& a, const Dual& b) {
+    Dual result(a.value * b.value);
+    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] * b.value + a.value * b.d[i];
+    return result;
+  }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const double inverse = 1 / b.value;
+    Dual result(a.value * inverse);
+    for (std::size_t i = 0; i < 4; ++i) result.d[i] = (a.d[i] - result.value * b.d[i]) * inverse;
+    return result;
+  }
+};
+
+Dual exp(const Dual& a) {
+  const double value = elementary::exp(a.value);
+  return Dual::chained(value, a, [&](double d) { return value * d; });
+}
+Dual log(const Dual& a) {
+  return Dual::chained(elementary::log(a.value), a, [&](double d) { return d / a.value; });
+}
+Dual sqrt(const Dual& a) {
+  const double root = std::sqrt(a.value);
+  return Dual::chained(root, a, [&](double d) { return d / (2 * root); });
+}
+double exp(double a) { return elementary::exp(a); }
+double log(double a) { return elementary::log(a); }
+double value_of(double a) { return a; }
+double value_of(const Dual& a) { return a.value; }
+
+template <class T>
+struct Parameters {
+  T noise, correlation, roughness, rate;
+};
+
+constexpr double rate_factor(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::none:
+      return 0;
+    case Kernel::exponential:
+      return 1;
+    case Kernel::matern_3_2:
+      return std::numbers::sqrt3;
+    case Kernel::matern_5_2:
+      break;
+  }
+  return 2.2360679774997896964;  // √5
+}
+
+Parameters<double> numbers_of(Kernel kernel, const Hyperparameters& at) {
+  return {at.noise, at.correlation, kernel == Kernel::none ? 0 : at.roughness,
+          kernel == Kernel::none ? 0 : rate_factor(kernel) / at.length};
+}
+
+Parameters<Dual> duals_of(Kernel kernel, const Hyperparameters& at) {
+  const auto p = numbers_of(kernel, at);
+  Parameters<Dual> duals{p.noise, Dual(p.correlation, 1), p.roughness, p.rate};
+  duals.noise.d[0] = p.noise;
+  duals.roughness.d[2] = p.roughness;
+  duals.rate.d[3] = -p.rate;
+  return duals;
+}
+
+// A square matrix of a few numbers or duals.
+template <int M, class T>
+struct Square {
+  std::array<T, static_cast<std::size_t>(M) * M> at_{};
+  T& operator()(int i, int j) { return at_[static_cast<std::size_t>(i * M + j)]; }
+  const T& operator()(int i, int j) const { return at_[static_cast<std::size_t>(i * M + j)]; }
+};
+
+// The transition of g and its derivatives in units of the rate, over the distance a in units of 1/rate: exp(F a), F being the companion
+// matrix of (1 + d/da)^G.
+template <int G, class T>
+Square<G, T> transition_of(const T& a) {
+  const T decay = exp(T(0) - a);
+  Square<G, T> A;
+  if constexpr (G == 1) {
+    A(0, 0) = decay;
+  } else if constexpr (G == 2) {
+    A(0, 0) = decay * (1 + a);
+    A(0, 1) = decay * a;
+    A(1, 0) = T(0) - decay * a;
+    A(1, 1) = decay * (1 - a);
+  } else {
+    const T half = T(0.5) * a * a;
+    A(0, 0) = decay * (1 + a + half);
+    A(0, 1) = decay * (a + 2 * half);
+    A(0, 2) = decay * half;
+    A(1, 0) = T(0) - decay * half;
+    A(1, 1) = decay * (1 + a - 2 * half);
+    A(1, 2) = decay * (a - half);
+    A(2, 0) = decay * (half - a);
+    A(2, 1) = decay * (2 * half - 3 * a);
+    A(2, 2) = decay * (1 - 2 * a + half);
+  }
+  return A;
+}
+
+// The covariance of a stationary process of variance 1 and its derivatives, in units of the rate.
+template <int G>
+Square<G, double> stationary() {
+  Square<G, double> P;
+  P(0, 0) = 1;
+  if constexpr (G == 2) P(1, 1) = 1;
+  if constexpr (G == 3) {
+    P(1, 1) = 1.0 / 3;
+    P(2, 2) = 1;
+    P(0, 2) = P(2, 0) = -1.0 / 3;
+  }
+  return P;
+}
+
+// The filter's covariances: what it knows of the state before each look. G numbers of g, then e.
+template <int M, class T>
+class Covariances {
+ public:
+  static constexpr int G = M - 1;
+
+  explicit Covariances(const Parameters<T>& p) : p_(p) {
+    const T variance = p.roughness * p.roughness;
+    if constexpr (G > 0) {
+      constexpr auto unit = stationary<G>;
+      const auto P = unit();
+      for (int i = 0; i < G; ++i)
+        for (int j = 0; j < G; ++j) limit_(i, j) = variance * P(i, j);
+    }
+    limit_(G, G) = p.noise * p.noise;
+    P_ = limit_;
+  }
+
+  // To a look from the one before.
+  void advance(double distance, double rows) {
+    A_ = {};
+    if constexpr (G > 0) {
+      const auto A = transition_of<(G > 0 ? G : 1), T>(p_.rate * distance);
+      for (int i = 0; i < G; ++i)
+        for (int j = 0; j < G; ++j) A_(i, j) = A(i, j);
+    }
+    A_(G, G) = rows == 0 ? T(1) : rows == 1 ? p_.correlation : power(rows);
+    Square<M, T> half;  // A (P - P of the limit), which ends where nothing is known
+    for (int i = 0; i < M; ++i)
+      for (int j = 0; j < M; ++j) {
+        T sum(0);
+        if (i < G) {
+          for (int k = 0; k < G; ++k) sum = sum + A_(i, k) * (P_(k, j) - limit_(k, j));
+        } else {
+          sum = A_(G, G) * (P_(G, j) - limit_(G, j));
+        }
+        half(i, j) = sum;
+      }
+    for (int i = 0; i < M; ++i)
+      for (int j = i; j < M; ++j) {
+        T sum = limit_(i, j);
+        if (j < G) {
+          for (int k = 0; k < G; ++k) sum = sum + half(i, k) * A_(j, k);
+        } else {
+          sum = sum + half(i, G) * A_(G, G);
+        }
+        P_(i, j) = P_(j, i) = sum;
+      }
+  }
+
+  // The variance of what a look adds, and what it tells of the state.
+  T look(double D, double variance, std::array<T, M>& gain) {
+    std::array<T, M> PH;
+    for (int i = 0; i < M; ++i) PH[at(i)] = G > 0 ? P_(i, 0) + D * P_(i, G) : D * P_(i, G);
+    const T innovation = (G > 0 ? PH[0] + D * PH[at(G)] : D * PH[at(G)]) + variance;
+    for (int i = 0; i < M; ++i) gain[at(i)] = PH[at(i)] / innovation;
+    for (int i = 0; i < M; ++i)
+      for (int j = i; j < M; ++j) P_(i, j) = P_(j, i) = P_(i, j) - gain[at(i)] * PH[at(j)];
+    return innovation;
+  }
+
+  const Square<M, T>& covariance() const { return P_; }
+  const Square<M, T>& transition() const { return A_; }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  T power(double rows) const { return value_of(p_.correlation) > 0 ? exp(T(rows) * log(p_.correlation)) : T(0); }
+
+  Parameters<T> p_;
+  Square<M, T> limit_, P_, A_;
+};
+
+// The states of many series at once, a row for each number of the state.
+template <int M, class T>
+class States {
+ public:
+  static constexpr int G = M - 1;
+
+  explicit States(std::size_t series) : n_(series), m_(static_cast<std::size_t>(M) * series), next_(m_.size()) {}
+
+  void advance(const Square<M, T>& A) {
+    for (int i = 0; i < G; ++i)
+      for (std::size_t c = 0; c < n_; ++c) {
+        T sum = A(i, 0) * row(0)[c];
+        for (int k = 1; k < G; ++k) sum = sum + A(i, k) * row(k)[c];
+        next_[static_cast<std::size_t>(i) * n_ + c] = sum;
+      }
+    for (std::size_t c = 0; c < n_; ++c) next_[static_cast<std::size_t>(G) * n_ + c] = A(G, G) * row(G)[c];
+    m_.swap(next_);
+  }
+
+  // What a look differs from what was expected, for one series.
+  T innovation(double value, double D, std::size_t c) const {
+    if constexpr (G > 0) return value - row(0)[c] - D * row(G)[c];
+    return value - D * row(G)[c];
+  }
+  void learn(const std::array<T, M>& gain, const T& v, std::size_t c) {
+    for (int i = 0; i < M; ++i) row(i)[c] = row(i)[c] + gain[static_cast<std::size_t>(i)] * v;
+  }
+  const std::vector<T>& all() const { return m_; }
+
+ private:
+  T* row(int i) { return m_.data() + static_cast<std::size_t>(i) * n_; }
+  const T* row(int i) const { return m_.data() + static_cast<std::size_t>(i) * n_; }
+
+  std::size_t n_;
+  std::vector<T> m_, next_;
+};
+
+void require(bool ok, const char* name, double value) {
+  if (!ok) throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + " is out of range");
+}
+
+void require_domain(const Looks& looks, Kernel kernel, const Hyperparameters& at) {
+  require(at.noise >= 0, "noise", at.noise);
+  require(at.correlation >= 0 && at.correlation < 1, "correlation", at.correlation);
+  if (kernel != Kernel::none) {
+    require(at.roughness > 0, "roughness", at.roughness);
+    require(at.length > 0, "correlation length", at.length);
+  }
+  require(looks.prior.size() <= most_columns, "columns", static_cast<double>(looks.prior.size()));
+  if (looks.values.size() != looks.looks.size() || looks.columns.size() != looks.looks.size())
+    throw std::invalid_argument("the columns of the looks differ in length");
+}
+
+bool is_seen(const Look& look) { return look.variance < std::numeric_limits<double>::infinity(); }
+
+// The regression on the whitened columns: what is left of y, and of β.
+struct Regression {
+  CoefficientMatrix information;  // B'B + 1/prior
+  Eigen::LLT<CoefficientMatrix> factor;
+  Coefficients beta;
+  double log_likelihood;
+};
+
+Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared, double log_variances,
+                         double seen, const std::vector<double>& prior) {
+  Regression r;
+  r.information = products;
+  double log_prior = 0;
+  for (std::size_t j = 0; j < prior.size(); ++j) {
+    r.information(static_cast<Index>(j), static_cast<Index>(j)) += 1 / prior[j];
+    log_prior += elementary::log(prior[j]);
+  }
+  r.factor.compute(r.information);
+  r.beta = r.factor.solve(with_y);
+  double log_determinant = 0;
+  for (Index j = 0; j < r.information.rows(); ++j) log_determinant += 2 * elementary::log(r.factor.matrixLLT()(j, j));
+  r.log_likelihood =
+      -0.5 * (seen * log_two_pi + log_variances + y_squared - r.beta.dot(with_y) + log_determinant + log_prior);
+  return r;
+}
+
+template <int M>
+LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+                                 std::span<const double> wavelengths) {
+  const std::size_t columns = looks.prior.size();
+  const std::size_t waves = wavelengths.size();
+  // y, the columns, and the derivatives of those of waves.
+  const std::size_t series = 1 + columns + 2 * waves;
+  Covariances<M, Dual> covariances(duals_of(kernel, at));
+  States<M, Dual> states(series);
+  std::array<Dual, M> gain;
+  std::vector<Dual> v(series);
+  std::vector<Dual> products(series * series);  // upper triangle
+  Dual log_variances;
+  double seen = 0;
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    const Look& look = looks.looks[k];
+    if (k > 0) {
+      covariances.advance(look.place - looks.looks[k - 1].place, look.rows);
+      states.advance(covariances.transition());
+    }
+    if (!is_seen(look)) continue;
+    const Dual s = covariances.look(look.noise_gain, look.variance, gain);
+    log_variances = log_variances + log(s);
+    seen += 1;
+    const Coefficients& h = looks.columns[k];
+    const Dual scale = Dual(1) / sqrt(s);
+    for (std::size_t c = 0; c < series; ++c) {
+      double value = c == 0 ? looks.values[k] : c <= columns ? h[static_cast<Index>(c - 1)] : 0;
+      if (c > columns) {  // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
+        const std::size_t wave = (c - columns - 1) / 2;
+        const bool of_cosine = (c - columns - 1) % 2 == 0;
+        const auto first = static_cast<Index>(columns - 2 * waves + 2 * wave);
+        const double phase = 2 * std::numbers::pi * look.place / wavelengths[wave];
+        value = of_cosine ? phase * h[first + 1] : -phase * h[first];
+      }
+      v[c] = states.innovation(value, look.noise_gain, c);
+      states.learn(gain, v[c], c);
+      v[c] = v[c] * scale;
+    }
+    for (std::size_t a = 0; a < 1 + columns; ++a)
+      for (std::size_t b = a; b < series; ++b) products[a * series + b] = products[a * series + b] + v[a] * v[b];
+  }
+  const auto product = [&](std::size_t a, std::size_t b) -> const Dual& {
+    return products[std::min(a, b) * series + std::max(a, b)];
+  };
+  const auto p = static_cast<Index>(columns);
+  CoefficientMatrix BB(p, p);
+  Coefficients By(p);
+  for (std::size_t i = 0; i < columns; ++i) {
+    By[static_cast<Index>(i)] = product(0, i + 1).value;
+    for (std::size_t j = 0; j < columns; ++j)
+      BB(static_cast<Index>(i), static_cast<Index>(j)) = product(i + 1, j + 1).value;
+  }
+  const auto r = regression_of(BB, By, product(0, 0).value, log_variances.value, seen, looks.prior);
+  const CoefficientMatrix covariance = r.factor.solve(CoefficientMatrix::Identity(p, p));
+  LikelihoodGradient result{.value = r.log_likelihood, .hyperparameters = {}, .log_wavelengths = {}};
+  for (std::size_t t = 0; t < 4; ++t) {
+    double d = -0.5 * (log_variances.d[t] + product(0, 0).d[t]);
+    for (std::size_t i = 0; i < columns; ++i) {
+      const auto row = static_cast<Index>(i);
+      d += r.beta[row] * product(0, i + 1).d[t];
+      for (std::size_t j = 0; j < columns; ++j) {
+        const auto column = static_cast<Index>(j);
+        d -= 0.5 * (r.beta[row] * r.beta[column] + covariance(row, column)) * product(i + 1, j + 1).d[t];
+      }
+    }
+    result.hyperparameters[t] = d;
+  }
+  for (std::size_t wave = 0; wave < waves; ++wave) {
+    double d = 0;
+    for (std::size_t part = 0; part < 2; ++part) {
+      const auto column = static_cast<Index>(columns - 2 * waves + 2 * wave + part);
+      const std::size_t derivative = 1 + columns + 2 * wave + part;
+      d += r.beta[column] * product(0, derivative).value;
+      for (std::size_t j = 0; j < columns; ++j) {
+        const auto other = static_cast<Index>(j);
+        d -= (r.beta[column] * r.beta[other] + covariance(column, other)) * product(j + 1, derivative).value;
+      }
+    }
+    result.log_wavelengths[wave] = d;
+  }
+  return result;
+}
+
+template <class Result, class Function>
+Result with_state_of(Kernel kernel, Function function) {
+  switch (kernel) {
+    case Kernel::none:
+      return function(std::integral_constant<int, 1>());
+    case Kernel::exponential:
+      return function(std::integral_constant<int, 2>());
+    case Kernel::matern_3_2:
+      return function(std::integral_constant<int, 3>());
+    case Kernel::matern_5_2:
+      break;
+  }
+  return function(std::integral_constant<int, 4>());
+}
+
+}  // namespace
+
+std::string_view name_of(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::none:
+      return "none";
+    case Kernel::exponential:
+      return "exponential";
+    case Kernel::matern_3_2:
+      return "matern_3_2";
+    case Kernel::matern_5_2:
+      break;
+  }
+  return "matern_5_2";
+}
+
+LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+                                       std::span<const double> wavelengths) {
+  require_domain(looks, kernel, at);
+  return with_state_of<LikelihoodGradient>(
+      kernel, [&](auto M) { return gradient_with<decltype(M)::value>(looks, kernel, at, wavelengths); });
+}
+
+Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : looks_(looks), kernel_(kernel) {
+  require_domain(looks, kernel, at);
+  const std::size_t n = looks.looks.size();
+  const std::size_t columns = looks.prior.size();
+  const std::size_t series = 1 + columns;
+  white_ = Eigen::MatrixXd::Zero(static_cast<Index>(series), static_cast<Index>(n));
+  double log_variances = 0;
+  double seen = 0;
+  with_state_of<void>(kernel, [&](auto size) {
+    constexpr int M = decltype(size)::value;
+    const auto p = numbers_of(kernel, at);
+    chain::Steps<M> steps{.steps = std::vector<chain::Step<M>>(n), .rate = p.rate};
+    Covariances<M, double> covariances(p);
+    States<M, double> states(series);
+    predicted_.resize(n * M * series);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Look& look = looks.looks[k];
+      auto& step = steps.steps[k];
+      if (k > 0) {
+        covariances.advance(look.place - looks.looks[k - 1].place, look.rows);
+        states.advance(covariances.transition());
+        step.transition = covariances.transition().at_;
+      }
+      step.predicted = covariances.covariance().at_;
+      std::copy(states.all().begin(), states.all().end(), predicted_.begin() + static_cast<std::ptrdiff_t>(k * M * series));
+      if (!is_seen(look)) {
+        step.innovation = std::numeric_limits<double>::infinity();
+        step.gain = {};
+        continue;
+      }
+      step.innovation = covariances.look(look.noise_gain, look.variance, step.gain);
+      const double scale = 1 / std::sqrt(step.innovation);
+      log_variances += elementary::log(step.innovation);
+      seen += 1;
+      for (std::size_t c = 0; c < series; ++c) {
+        const double value = c == 0 ? looks.values[k] : looks.columns[k][static_cast<Index>(c - 1)];
+        const double v = states.innovation(value, look.noise_gain, c);
+        states.learn(step.gain, v, c);
+        white_(static_cast<Index>(c), static_cast<Index>(k)) = v * scale;
+      }
+    }
+    steps_ = std::move(steps);
+  });
+  const auto p = static_cast<Index>(columns);
+  const Eigen::MatrixXd products = white_ * white_.transpose();
+  const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0), log_variances, seen,
+                               looks.prior);
+  log_likelihood_ = r.log_likelihood;
+  beta_ = r.beta;
+  covariance_ = r.factor.solve(CoefficientMatrix::Identity(p, p));
+}
+
+std::vector<double> Chain::whitened_residual() const {
+  std::vector<double> residual(looks_.looks.size());
+  const auto p = static_cast<Index>(looks_.prior.size());
+  for (std::size_t k = 0; k < residual.size(); ++k) {
+    const auto column = white_.col(static_cast<Index>(k));
+    residual[k] = column[0] - column.tail(p).dot(beta_);
+  }
+  return residual;
+}
+
+void Chain::whiten(std::span<const double> given, std::span<double> out) const {
+  std::visit(
+      [&]<int M>(const chain::Steps<M>& steps) {
+        constexpr int G = M - 1;
+        std::array<double, M> m{};
+        for (std::size_t k = 0; k < given.size(); ++k) {
+          const auto& step = steps.steps[k];
+          if (k > 0) {
+            std::array<double, M> next{};
+            for (int i = 0; i < G; ++i)
+              for (int j = 0; j < G; ++j)
+                next[static_cast<std::size_t>(i)] +=
+                    step.transition[static_cast<std::size_t>(i * M + j)] * m[static_cast<std::size_t>(j)];
+            next[G] = step.transition[static_cast<std::size_t>(G * M + G)] * m[G];
+            m = next;
+          }
+          if (!is_seen(looks_.looks[k])) {
+            out[k] = 0;
+            continue;
+          }
+          const double v = given[k] - (G > 0 ? m[0] : 0) - looks_.looks[k].noise_gain * m[G];
+          for (std::size_t i = 0; i < M; ++i) m[i] += step.gain[i] * v;
+          out[k] = v / std::sqrt(step.innovation);
+        }
+      },
+      steps_);
+}
+
+Chain::Functional Chain::functional(const Coefficients& a, std::span<const double> covariance, double variance) const {
+  std::vector<double> v(covariance.size());
+  whiten(covariance, v);
+  const Eigen::Map<const Eigen::VectorXd> whitened(v.data(), static_cast<Index>(v.size()));
+  const auto p = static_cast<Index>(looks_.prior.size());
+  const Eigen::VectorXd products = white_ * whitened;
+  const Coefficients left = a - products.tail(p);
+  const Coefficients with_beta = covariance_ * left;
+  return {.mean = a.dot(beta_) + products[0] - products.tail(p).dot(beta_),
+          .variance = variance - whitened.squaredNorm() + left.dot(with_beta),
+          .with_beta = with_beta};
+}
+
+std::vector<SmoothedLook> Chain::smoothed() const {
+  const std::size_t n = looks_.looks.size();
+  const std::size_t series = 1 + looks_.prior.size();
+  const auto p = static_cast<Index>(looks_.prior.size());
+  std::vector<SmoothedLook> result(n);
+  std::visit(
+      [&]<int M>(const chain::Steps<M>& steps) {
+        constexpr int G = M - 1;
+        using Vector = Eigen::Matrix<double, M, 1>;
+        using Matrix = Eigen::Matrix<double, M, M, Eigen::RowMajor>;
+        using Rows = Eigen::Matrix<double, M, Eigen::Dynamic, Eigen::RowMajor, M, most_columns + 1>;
+        const auto wide = static_cast<Index>(series);
+        Rows r = Rows::Zero(M, wide);  // what the looks from here on say, series by series
+        Matrix N = Matrix::Zero();
+        for (std::size_t k = n; k-- > 0;) {
+          const auto& step = steps.steps[k];
+          const Look& look = looks_.looks[k];
+          const Eigen::Map<const Matrix> P(step.predicted.data());
+          const Eigen::Map<const Vector> gain(step.gain.data());
+          Vector H = Vector::Zero();
+          if (G > 0) H[0] = 1;
+          H[G] = look.noise_gain;  // of e, which is all there is without a kernel
+          if (is_seen(look)) {
+            // r <- H v/s + (1 - K H)' r, and so for N
+            const double scale = 1 / std::sqrt(step.innovation);
+            const auto v = white_.col(static_cast<Index>(k)).transpose() * scale;
+            const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, most_columns + 1> u = v - gain.transpose() * r;
+            r.noalias() += H * u;
+            const Vector Ng = N * gain;
+            const double g = gain.dot(Ng);
+            N.noalias() += -H * Ng.transpose() - Ng * H.transpose() + (g + 1 / step.innovation) * H * H.transpose();
+          }
+          const Eigen::Map<const Rows> predicted(predicted_.data() + k * M * series, M, wide);
+          const Rows state = predicted + P * r;
+          // the series together: y less what the columns explain
+          const Vector mean = state.col(0) - state.rightCols(p) * beta_;
+          const Coefficients& h = looks_.columns[k];
+          result[k].e = mean[G];
+          if constexpr (G > 0) {
+            const Vector Pg = P.col(0);
+            const Coefficients left = h - state.row(0).tail(p).transpose();
+            result[k].f = mean[0] + h.dot(beta_);
+            result[k].variance = P(0, 0) - Pg.dot(N * Pg) + left.dot(covariance_ * left);
+            if constexpr (G > 1) result[k].slope = steps.rate * mean[1];
+          } else {
+            result[k].f = h.dot(beta_);
+            result[k].variance = h.dot(covariance_ * h);
+            result[k].slope = 0;
+          }
+          if (k > 0) {
+            const Eigen::Map<const Matrix> A(step.transition.data());
+            r = (A.transpose() * r).eval();
+            N = (A.transpose() * N * A).eval();
+          }
+        }
+      },
+      steps_);
+  if (const auto* steps = std::get_if<chain::Steps<2>>(&steps_)) {
+    // Between two looks the mean of an exponential kernel is a sum of exponentials, which bends at each of them.
+    const auto g = [&](std::size_t k) { return result[k].f - looks_.columns[k].dot(beta_); };
+    const auto slope_at = [&](std::size_t k, std::size_t beside) {
+      const double away = looks_.looks[beside].place - looks_.looks[k].place;
+      if (away == 0) return 0.0;
+      const double e = elementary::exp(-std::abs(away) * steps->rate);
+      return std::copysign(steps->rate, away) * (2 * e * g(beside) - (1 + e * e) * g(k)) / (1 - e * e);
+    };
+    for (std::size_t k = 0; k < n; ++k) {
+      std::size_t before = k, after = k;
+      while (before > 0 && looks_.looks[before].place == looks_.looks[k].place) --before;
+      while (after + 1 < n && looks_.looks[after].place == looks_.looks[k].place) ++after;
+      const double sides = (before < k) + (after > k);
+      result[k].slope = sides > 0 ? (slope_at(k, before) + slope_at(k, after)) / sides : 0;
+    }
+  }
+  return result;
+}
+
+}  // namespace flexslip

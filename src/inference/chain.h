@@ -1,0 +1,115 @@
+// A Gaussian process along the fibre, seen at many places through autocorrelated noise: its likelihood, with gradient, and what the
+// places say of it, in time proportional to their number.
+//
+// At place x_i the value y_i = h_i'β + g(x_i) + D_i e_i + ε_i is seen: h_i known, β ~ N(0, diag(prior)), g of a Matérn kernel, e an AR(1)
+// process over the rows of the record with variance σ², ε_i ~ N(0, variance_i).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "inference/friction_process.h"
+
+namespace flexslip {
+
+inline constexpr int most_columns = 16;
+
+using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_columns, 1>;
+using CoefficientMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_columns, most_columns>;
+
+// One place where the process is seen.
+struct Look {
+  double place;       // [L] x
+  double rows;        // rows of the record since the last look; 0 where this one is no reading
+  double noise_gain;  // [L^2/EI] D; 0 where it is no reading
+  double variance;    // [1] of ε; infinite where nothing is seen
+};
+
+struct Looks {
+  std::vector<Look> looks;                  // places not falling
+  std::vector<double> values;               // [1] y
+  std::vector<Coefficients> columns;        // h
+  std::vector<double> prior;                // [1] variances of β
+};
+
+struct LikelihoodGradient {
+  double value;                          // ln p(y)
+  std::array<double, 4> hyperparameters;  // its derivatives to ln σ, ρ, ln σ_g and ln ℓ
+  std::array<double, 2> log_wavelengths;  // and to ln λ of each wave: waves are the last pairs of columns, cos(2πx/λ) and sin(2πx/λ)
+};
+
+// Domain:     as Chain; wavelengths: at most two [L], > 0.
+// Method:     the filter on dual numbers; exact up to rounding.
+LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+                                       std::span<const double> wavelengths);
+
+// What all looks together say of one.
+struct SmoothedLook {
+  double f;         // [1] mean of h'β + g
+  double variance;  // [1] of it
+  double slope;     // [1/L] dg/dx of the mean of g; of an exponential kernel, which has none, the mean of both sides
+  double e;         // [EI/L^2] mean of e
+};
+
+namespace chain {
+// One step of the filter with a state of M numbers: g and its derivatives, each in units of the rate of the kernel, then e.
+template <int M>
+struct Step {
+  std::array<double, static_cast<std::size_t>(M) * M> predicted;  // covariance before the look
+  std::array<double, static_cast<std::size_t>(M) * M> transition;  // to it from the look before
+  std::array<double, M> gain;
+  double innovation;  // variance of what the look adds; infinite: nothing is seen
+};
+template <int M>
+struct Steps {
+  std::vector<Step<M>> steps;
+  double rate;  // [1/L] of the kernel
+};
+}  // namespace chain
+
+class Chain {
+ public:
+  // Domain:     noise >= 0, roughness > 0 and length > 0 where there is a kernel; variances > 0; at most most_columns columns;
+  //             std::invalid_argument otherwise. The looks outlive this.
+  // Method:     a Kalman filter whose state is g, its derivatives and e; the columns pass it as further series.
+  // Cost:       0.1 µs a look, and 4 ns a column.
+  Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at);
+
+  double log_likelihood() const { return log_likelihood_; }            // ln p(y)
+  const Coefficients& mean() const { return beta_; }                   // of β
+  const CoefficientMatrix& covariance() const { return covariance_; }  // of β
+
+  // Of each look, given all of them. Bryson and Frazier's backward pass.
+  std::vector<SmoothedLook> smoothed() const;
+
+  // What a further series becomes in the filter: C^(-1/2) of it, C being the covariance of y at given β. 0 where nothing is seen.
+  void whiten(std::span<const double> series, std::span<double> out) const;
+
+  // A linear functional a'β + b(g) given all looks, b being known by its covariance with g at each of them and its variance.
+  struct Functional {
+    double mean, variance;
+    Coefficients with_beta;  // covariance with β
+  };
+  Functional functional(const Coefficients& a, std::span<const double> covariance, double variance) const;
+
+  // The residual y - H E(β), and columns, whitened: for scans over more columns.
+  std::vector<double> whitened_residual() const;
+  const Eigen::MatrixXd& whitened_columns() const { return white_; }  // first y, then the columns
+
+ private:
+  const Looks& looks_;
+  Kernel kernel_;
+  std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>> steps_;
+  Eigen::MatrixXd white_;       // a column for y and each column, C^(-1/2) of it
+  std::vector<double> predicted_;  // of the state at each look, series by series
+  Coefficients beta_;
+  CoefficientMatrix covariance_;
+  double log_likelihood_ = 0;
+};
+
+}  // namespace flexslip
