@@ -287,7 +287,7 @@ struct Regression {
   CoefficientMatrix information;  // B'B + 1/prior
   Eigen::LLT<CoefficientMatrix> factor;
   Coefficients beta;
-  double log_likelihood;
+  double log_likelihood, log_determinant;
 };
 
 Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared, double log_variances,
@@ -301,10 +301,9 @@ Regression regression_of(const CoefficientMatrix& products, const Coefficients& 
   }
   r.factor.compute(r.information);
   r.beta = r.factor.solve(with_y);
-  double log_determinant = 0;
-  for (Index j = 0; j < r.information.rows(); ++j) log_determinant += 2 * elementary::log(r.factor.matrixLLT()(j, j));
-  r.log_likelihood =
-      -0.5 * (seen * log_two_pi + log_variances + y_squared - r.beta.dot(with_y) + log_determinant + log_prior);
+  r.log_determinant = log_variances + log_prior;
+  for (Index j = 0; j < r.information.rows(); ++j) r.log_determinant += 2 * elementary::log(r.factor.matrixLLT()(j, j));
+  r.log_likelihood = -0.5 * (seen * log_two_pi + y_squared - r.beta.dot(with_y) + r.log_determinant);
   return r;
 }
 
@@ -478,6 +477,7 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
   const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0), log_variances, seen,
                                looks.prior);
   log_likelihood_ = r.log_likelihood;
+  log_determinant_ = r.log_determinant;
   beta_ = r.beta;
   covariance_ = r.factor.solve(CoefficientMatrix::Identity(p, p));
 }

@@ -81,6 +81,7 @@ class Chain {
   Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at);
 
   double log_likelihood() const { return log_likelihood_; }            // ln p(y)
+  double log_determinant() const { return log_determinant_; }          // of the covariance of y
   const Coefficients& mean() const { return beta_; }                   // of β
   const CoefficientMatrix& covariance() const { return covariance_; }  // of β
 
@@ -110,6 +111,7 @@ class Chain {
   Coefficients beta_;
   CoefficientMatrix covariance_;
   double log_likelihood_ = 0;
+  double log_determinant_ = 0;
 };
 
 }  // namespace flexslip

@@ -1,0 +1,258 @@
+#include "inference/first_passages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "fibre/batch_inverse.h"
+#include "fibre/elementary.h"
+#include "fibre/state_table.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double least_S = 1.0005, greatest_S = 2.05;
+constexpr double least_mu = -1.0, greatest_mu = 2.0;
+constexpr double least_q = -1.5, greatest_q = 2.2;
+constexpr double greatest_w = 0.8;
+constexpr double usually_from = 0.08;  // below, 1 % in EI is 0.06 in μ
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Of one reading, from second differences: those of a smooth curve hold noise alone.
+double noise_of(std::span<const double> force) {
+  std::vector<double> seconds;
+  for (std::size_t i = 2; i < force.size(); ++i)
+    seconds.push_back(std::abs(force[i] - 2 * force[i - 1] + force[i - 2]));
+  constexpr double of_median = 1.4826;  // standard deviation over median absolute deviation
+  return of_median * median(seconds) / std::sqrt(6.0);
+}
+
+// Readings at the end of a run of falls show where the fibre came to rest; those before it, what the loop of a recorder caught.
+std::vector<char> within_drops(std::span<const double> force, double noise) {
+  std::vector<char> within(force.size(), 0);
+  for (std::size_t i = 1; i + 1 < force.size(); ++i)
+    within[i] = force[i] - force[i - 1] < -3 * noise && force[i + 1] - force[i] < -3 * noise;
+  return within;
+}
+
+// The slopes of the inverse of Ψ at states.
+struct InverseSlopes {
+  std::vector<double> F, S_w, S_F, q_w, q_F;
+};
+
+InverseSlopes inverse_slopes(std::span<const double> S, std::span<const double> q) {
+  const auto s = tabulated_states_slopes({S, q});
+  const std::size_t n = S.size();
+  InverseSlopes slopes{s.F, std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double jacobian = s.w_S[i] * s.F_q[i] - s.w_q[i] * s.F_S[i];
+    slopes.S_w[i] = s.F_q[i] / jacobian;
+    slopes.S_F[i] = -s.w_q[i] / jacobian;
+    slopes.q_w[i] = -s.F_S[i] / jacobian;
+    slopes.q_F[i] = s.w_S[i] / jacobian;
+  }
+  return slopes;
+}
+
+}  // namespace
+
+std::vector<double> non_falling(std::span<const double> values) {
+  struct Block {
+    double mean;
+    std::size_t size;
+  };
+  std::vector<Block> blocks;
+  for (const double value : values) {
+    blocks.push_back({value, 1});
+    while (blocks.size() > 1 && blocks[blocks.size() - 2].mean > blocks.back().mean) {
+      const Block last = blocks.back();
+      blocks.pop_back();
+      Block& before = blocks.back();
+      const auto a = static_cast<double>(before.size), b = static_cast<double>(last.size);
+      before = {(before.mean * a + last.mean * b) / (a + b), before.size + last.size};
+    }
+  }
+  std::vector<double> result;
+  result.reserve(values.size());
+  for (const auto& block : blocks) result.insert(result.end(), block.size, block.mean);
+  return result;
+}
+
+Passages passages_of(const FitProblem& problem) {
+  const auto& record = problem.record;
+  const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
+  const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_shows_from);
+  const auto within = within_drops(record.force, noise_of(record.force));
+  Passages p{.compliance = 1 / problem.rig.stiffness,
+             .stiffness_error = problem.errors.bending_stiffness,
+             .contact_error = problem.errors.contact};
+  std::vector<std::size_t> rows;
+  std::vector<double> w, F;
+  double stage = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < record.force.size(); ++i) {
+    constexpr double least_step = 1e-6;  // [L] a stage that stands or trembles passes no new place
+    if (!(record.deflection[i] > from && record.deflection[i] < greatest_w && record.force[i] > 0) || within[i] ||
+        !(record.stage[i] > stage + least_step))
+      continue;
+    stage = record.stage[i];
+    rows.push_back(i);
+    w.push_back(record.deflection[i]);
+    F.push_back(record.force[i]);
+  }
+  const auto states = tabulated_states_from_forces(w, F);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (!(states.q[k] > least_q && states.q[k] < greatest_q && states.S[k] > least_S && states.S[k] < greatest_S)) continue;
+    p.row.push_back(rows[k]);
+    p.stage.push_back(record.stage[rows[k]]);
+    p.force.push_back(F[k]);
+    p.deflection.push_back(w[k]);
+    p.S.push_back(states.S[k]);
+    p.q.push_back(states.q[k]);
+  }
+  if (p.size() == 0) return p;
+  const auto slopes = tabulated_states_slopes({p.S, p.q});
+  p.advance.assign(p.size(), 0);
+  for (std::size_t i = 1; i < p.size(); ++i)
+    p.advance[i] = (p.stage[i] - p.stage[i - 1]) / (slopes.w_S[i] + slopes.F_S[i] * p.compliance);
+  p.S_middle = 0.5 * (p.S.front() + p.S.back());
+  const auto [least, most] = std::minmax_element(p.S.begin(), p.S.end());
+  p.range = 0.5 * (*most - *least);
+  return p;
+}
+
+void invert_at(Linearisation& at, const Passages& passages) {
+  if (at.eta == 0) {
+    at.S_seen = passages.S;
+    at.q_seen = passages.q;
+    return;
+  }
+  const double softer = elementary::exp(-at.eta);
+  std::vector<double> F;
+  F.reserve(passages.size());
+  for (const double force : passages.force) F.push_back(force * softer);
+  auto states = tabulated_states_from_forces(passages.deflection, F);
+  for (std::size_t i = 0; i < F.size(); ++i)
+    if (!(states.q[i] > least_q && states.q[i] < greatest_q)) {  // beyond what is searched: as at the nominal EI
+      states.S[i] = passages.S[i];
+      states.q[i] = std::clamp(states.q[i], least_q, greatest_q);
+      if (std::isnan(states.q[i])) states.q[i] = passages.q[i];
+    }
+  at.S_seen = std::move(states.S);
+  at.q_seen = std::move(states.q);
+}
+
+void complete(Linearisation& at, const Passages& passages) {
+  const std::size_t n = passages.size();
+  for (double& S : at.S) S = std::clamp(S, least_S, greatest_S);
+  at.S = non_falling(at.S);
+  for (double& mu : at.mu) mu = std::clamp(mu, -0.5, 1.8);
+  const auto slopes = inverse_slopes(at.S, at.mu);
+  const double softer = elementary::exp(-at.eta);
+  for (auto* column : {&at.S_force, &at.S_eta, &at.q_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
+    column->resize(n);
+  at.log_jacobian = -at.stiffness_jacobian * at.eta +
+                    0.5 * passages.stiffness_error * passages.stiffness_error * at.stiffness_jacobian * at.stiffness_jacobian;
+  for (std::size_t i = 0; i < n; ++i) {
+    constexpr double least_q_force = 0.02, least_fold = 0.1, least_fold_in_volume = 0.02;
+    at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
+    const double q_force = std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, least_q_force);
+    at.S_eta[i] = -slopes.F[i] * slopes.S_F[i];
+    at.q_eta[i] = -slopes.F[i] * slopes.q_F[i];
+    at.fold[i] = 1 - at.slope[i] * at.S_force[i] / q_force;
+    at.noise_gain[i] = q_force * std::max(at.fold[i], least_fold);
+    at.y[i] = at.q_seen[i] + at.slope[i] * (at.S[i] - at.S_seen[i]);
+    at.h_stiffness[i] = -(at.q_eta[i] - at.slope[i] * at.S_eta[i]);
+    at.h_contact[i] = slopes.q_w[i] - at.slope[i] * slopes.S_w[i];
+    at.log_jacobian += elementary::log(q_force * std::max(at.fold[i], least_fold_in_volume));
+  }
+}
+
+std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, double compliance, double eta) {
+  const std::size_t n = S.size();
+  const double stiffer = compliance * elementary::exp(eta);
+  std::vector<double> q(n, 0.5);
+  std::vector<Level> levels(n);
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    const auto s = tabulated_states_slopes({S, q});
+    double moved = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double G_q = s.w_q[j] + s.F_q[j] * stiffer;
+      const double miss = s.w[j] + s.F[j] * stiffer - stage[j];
+      const double next = std::clamp(q[j] - miss / G_q, least_q, greatest_q);
+      moved = std::max(moved, std::abs(next - q[j]));
+      levels[j] = {.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q};
+      q[j] = next;
+    }
+    constexpr double negligible = 1e-9;  // of μ, beside bounds as soft as 0.003
+    if (moved < negligible) break;
+  }
+  return levels;
+}
+
+Linearisation rises_of(const Passages& passages) {
+  const std::size_t n = passages.size();
+  Linearisation at;
+  at.mu = passages.q;
+  at.S = non_falling(passages.S);
+  at.slope.assign(n, 0);
+  invert_at(at, passages);
+  complete(at, passages);
+
+  const double noise = std::max(noise_of(passages.force), 0.002);
+  std::vector<double> deviation(n);
+  for (std::size_t i = 0; i < n; ++i) deviation[i] = std::max(std::abs(at.S_force[i]) * noise, 3e-5);
+  const double cap = 4 * median(deviation);
+  // Sums from the beginning: of the weights, and of their moments with the stage x and the length y.
+  struct Sums {
+    double w = 0, x = 0, xx = 0, y = 0, xy = 0, yy = 0;
+  };
+  std::vector<Sums> sums(n + 1);
+  const double begin = passages.stage.front(), travel = passages.stage.back() - begin;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double s = std::min(deviation[i], cap);
+    const double w = 1 / (s * s), x = (passages.stage[i] - begin) / travel, y = passages.S[i] - passages.S_middle;
+    const Sums& b = sums[i];
+    sums[i + 1] = {b.w + w, b.x + w * x, b.xx + w * x * x, b.y + w * y, b.xy + w * x * y, b.yy + w * y * y};
+  }
+  struct Piece {
+    double w, x, y, slope, cost;
+  };
+  const auto piece = [&](std::size_t i, std::size_t j) {
+    const Sums &a = sums[i], &b = sums[j];
+    const double w = b.w - a.w, x = b.x - a.x, y = b.y - a.y;
+    const double xx = std::max(b.xx - a.xx - x * x / w, 0.0), xy = b.xy - a.xy - x * y / w;
+    const double yy = std::max(b.yy - a.yy - y * y / w, 0.0);
+    const double slope = xx > 1e-12 * (b.xx - a.xx) ? std::max(xy, 0.0) / xx : 0;
+    return Piece{w, x / w, y / w, slope, 0.5 * (yy - 2 * slope * xy + slope * slope * xx)};
+  };
+  const double penalty = 1.5 * elementary::log(static_cast<double>(n));
+  constexpr std::size_t longest = 200;
+  std::vector<double> best(n + 1, 0);
+  std::vector<std::size_t> from(n + 1, 0);
+  for (std::size_t j = 1; j <= n; ++j) {
+    best[j] = std::numeric_limits<double>::infinity();
+    for (std::size_t i = j > longest ? j - longest : 0; i < j; ++i)
+      if (const double cost = best[i] + piece(i, j).cost + penalty; cost < best[j]) {
+        best[j] = cost;
+        from[j] = i;
+      }
+  }
+  for (std::size_t j = n; j > 0; j = from[j]) {
+    const Piece fitted = piece(from[j], j);
+    for (std::size_t i = from[j]; i < j; ++i)
+      at.S[i] = passages.S_middle + fitted.y + fitted.slope * ((passages.stage[i] - begin) / travel - fitted.x);
+  }
+  at.S = non_falling(at.S);
+  const auto levels = levels_of(at.S, passages.stage, passages.compliance, 0);
+  for (std::size_t i = 0; i < n; ++i) at.mu[i] = levels[i].m;
+  complete(at, passages);
+  return at;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,74 @@
+// Readings of a loading as first passages: sliding in, the fibre passes a length S when the stage first reaches G(S; μ(S)).
+//
+// Each reading tells friction twice, and both are linear in μ: an equality where the fibre is, and a bound on the friction that it jumped
+// over. Noise of the force moves the inverted state along the level curve of the stage position, so that readings are linearised at the
+// state fitted, never at the noisy one (theory.md, "First passages"). Reduced variables of the nominal EI.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "inference/fit_problem.h"
+
+namespace flexslip {
+
+// The readings of a record that tell of friction, in its order.
+struct Passages {
+  std::vector<std::size_t> row;               // in the record
+  std::vector<double> stage, force, deflection;  // [L], [EI/L^2], [L]
+  std::vector<double> S, q;                   // [L], [1] inverted at the nominal EI
+  std::vector<double> advance;                // [L] of S since the reading before, were friction constant
+  double compliance;                          // [L^3/EI] of the load train
+  double stiffness_error;                     // [1] standard deviation of ln EI beforehand
+  double contact_error;                       // [L]
+  double S_middle;                            // [L]
+  double range;                               // [L] of places on the fibre: (greatest S - least S)/2
+
+  std::size_t size() const { return row.size(); }
+  double place(double S_at) const { return 0.5 * (S_at - S_middle); }  // [L] x of friction_process.h
+};
+
+// Method:     Deflections from friction_shows_from (or half the greatest, if that is less than 0.08) to 0.8 that some friction in [-1.5, 2.2]
+//             explains, where the stage advances; those within a drop of several readings are left out.
+Passages passages_of(const FitProblem& problem);
+
+// The readings linearised: y_i = μ(x_i) + h_E (η - η0) + h_contact ξ + D e_i, e_i being the error of the force, η = ln EI/nominal, ξ the error
+// of the contact.
+struct Linearisation {
+  double eta = 0;                      // [1] η0
+  double stiffness_jacobian = 0;       // [1] J: how the logarithm of the noise's volume changes with η
+  std::vector<double> S, mu, slope;    // the fitted states: [L] not falling, [1], [1/L] dμ/dS
+  std::vector<double> S_seen, q_seen;  // [L], [1] the readings inverted at η0
+  std::vector<double> S_force, S_eta;  // dS/de at fixed stage, dS/dη at fixed force
+  std::vector<double> q_eta;
+  std::vector<double> noise_gain;      // D, its factor G'/G_S not below 0.1
+  std::vector<double> fold;            // [1] κ = G'/G_S: 0 at a fold
+  std::vector<double> y, h_stiffness, h_contact;
+  double log_jacobian;                 // Σ ln |dy/dF|
+};
+
+// Completes S, mu, slope, eta.
+void complete(Linearisation& at, const Passages& passages);
+
+// The readings inverted at another η0.
+void invert_at(Linearisation& at, const Passages& passages);
+
+// Friction m at which the fibre passes a length when the stage is at a position, and its slopes.
+struct Level {
+  double m;        // [1]
+  double m_stage;  // [1/L] dm/dW
+  double m_eta;    // [1]
+};
+
+// Domain:     S in (1, 2.1).
+std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, double compliance, double eta);
+
+// The nearest non-falling sequence, in least squares.
+std::vector<double> non_falling(std::span<const double> values);
+
+// Where the search begins: S over the stage cut into the straight, non-falling pieces of least cost.
+// Method:     dynamic programming; a piece costs 1.5 ln n. Noise: second differences of the force.
+Linearisation rises_of(const Passages& passages);
+
+}  // namespace flexslip

@@ -1,0 +1,463 @@
+#include "inference/process_mode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include <Eigen/Dense>
+
+#include "fibre/elementary.h"
+
+namespace flexslip {
+namespace {
+
+using Eigen::Index;
+
+constexpr double most_correlation = 0.95;
+constexpr double nugget = 0.002;        // [1] of μ, what no kernel follows
+constexpr double softness = 0.003;      // [1] of μ, of a bound in a gap
+constexpr double wave_deviation = 0.08;  // [1] of a wave's cosine and sine beforehand
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+Hyperparameters hyperparameters_of(const Theta& theta) {
+  return {.noise = elementary::exp(theta.values[0]),
+          .correlation = most_correlation / (1 + elementary::exp(-theta.values[1])),
+          .roughness = elementary::exp(theta.values[2]),
+          .length = elementary::exp(theta.values[3])};
+}
+
+FrictionProcess::FrictionProcess(Passages passages, const ProcessOptions& options)
+    : passages_(std::move(passages)), options_(options) {
+  if (passages_.size() < 20) throw std::invalid_argument("fewer than 20 readings tell of friction");
+  const double range = passages_.range;
+  prior_ = {0.5 * 0.5};
+  Index next = 1;
+  if (options_.drift) {
+    columns_.drift = next++;
+    prior_.push_back(0.2 * 0.2);
+  }
+  if (passages_.stiffness_error > 0) {
+    columns_.stiffness = next++;
+    prior_.push_back(passages_.stiffness_error * passages_.stiffness_error);
+  }
+  if (passages_.contact_error > 0) {
+    columns_.contact = next++;
+    prior_.push_back(passages_.contact_error * passages_.contact_error);
+  }
+  columns_.waves = next;
+  least_wavelength_ = 2 * median({passages_.advance.begin() + 1, passages_.advance.end()});
+  theta_mean_ = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)};
+  theta_deviation_ = {1, 1.5, 1, 1.2};
+}
+
+Theta FrictionProcess::usual(std::span<const double> log_wavelengths) const {
+  Theta theta{};
+  std::copy(theta_mean_.begin(), theta_mean_.end(), theta.values.begin());
+  for (const double value : log_wavelengths) theta.values[4 + theta.waves++] = value;
+  return theta;
+}
+
+double FrictionProcess::expected_stiffness(const Mode& mode) const {
+  return passages_.stiffness_error * passages_.stiffness_error * mode.at.stiffness_jacobian;
+}
+
+Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
+  Coefficients h = Coefficients::Zero(columns_.waves + 2 * static_cast<Index>(mode.theta.waves));
+  h[columns_.mean] = 1;
+  if (columns_.drift >= 0) h[columns_.drift] = place / passages_.range;
+  for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+    const auto [sine, cosine] =
+        elementary::sine_and_cosine(2 * std::numbers::pi * place * elementary::exp(-mode.theta.log_wavelength(wave)));
+    h[columns_.waves + 2 * static_cast<Index>(wave)] = cosine;
+    h[columns_.waves + 2 * static_cast<Index>(wave) + 1] = sine;
+  }
+  return h;
+}
+
+// Where the fibre advanced by far more than friction that stays would let it, it jumped.
+void FrictionProcess::lay_sites(Mode& mode) const {
+  const auto& S = mode.at.S;
+  const double noise = elementary::exp(mode.theta.values[0]);
+  const auto old = std::move(mode.sites);
+  mode.sites.clear();
+  auto kept = old.begin();
+  for (std::size_t i = 1; i < S.size(); ++i) {
+    const double jump = S[i] - S[i - 1];
+    const double blur = std::abs(mode.at.S_force[i]) * noise;
+    if (!(jump > 2.5 * passages_.advance[i] + 3 * blur)) continue;
+    const double spacing = passages_.range / 40;  // [L] in S: a few nodes tell what a jump passed over
+    const auto count = static_cast<std::size_t>(std::clamp(std::ceil(jump / spacing), 3.0, 8.0));
+    for (std::size_t node = 1; node <= count; ++node) {
+      if (jump * static_cast<double>(count + 1 - node) < 1.5 * blur * static_cast<double>(count + 1)) break;
+      GapSite site{.reading = i, .node = node, .nodes = count};
+      while (kept != old.end() && (kept->reading < i || (kept->reading == i && kept->node < node))) ++kept;
+      if (kept != old.end() && kept->reading == i && kept->node == node && kept->nodes == count) site = *kept;
+      mode.sites.push_back(site);
+    }
+  }
+}
+
+std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) const {
+  std::vector<double> S, stage;
+  for (const auto& site : mode.sites) {
+    const double part = static_cast<double>(site.node) / static_cast<double>(site.nodes + 1);
+    const double before = mode.at.S[site.reading - 1];
+    S.push_back(before + part * (mode.at.S[site.reading] - before));
+    stage.push_back(passages_.stage[site.reading]);
+  }
+  const auto levels = levels_of(S, stage, passages_.compliance, mode.at.eta);
+  std::vector<Node> nodes;
+  for (std::size_t j = 0; j < S.size(); ++j) nodes.push_back({S[j], levels[j]});
+  return nodes;
+}
+
+Looks FrictionProcess::looks_of(const Mode& mode) const { return looks_of(mode, nodes_of(mode), mode.theta); }
+
+Looks FrictionProcess::looks_of(const Mode& mode, const std::vector<Node>& nodes, const Theta& theta) const {
+  const auto& at = mode.at;
+  const double to_expected = at.eta - expected_stiffness(mode);
+  Looks looks;
+  looks.prior = prior_;
+  looks.prior.insert(looks.prior.end(), 2 * theta.waves, wave_deviation * wave_deviation);
+  Mode waves{.kernel = mode.kernel, .theta = theta, .at = {}, .sites = {}, .merit = 0};
+  std::size_t j = 0;
+  const std::size_t n = passages_.size();
+  looks.looks.reserve(n + nodes.size());
+  looks.values.reserve(n + nodes.size());
+  looks.columns.reserve(n + nodes.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    for (; j < nodes.size() && mode.sites[j].reading == i; ++j) {
+      const GapSite& site = mode.sites[j];
+      const Node& node = nodes[j];
+      const double place = passages_.place(node.S);
+      Coefficients h = columns_at(place, waves);
+      if (columns_.stiffness >= 0) h[columns_.stiffness] = -node.level.m_eta;
+      if (columns_.contact >= 0) h[columns_.contact] = node.level.m_stage;
+      // The bound less the slack, which the site says.
+      const bool seen = site.precision > 0;
+      const double bound = node.level.m - node.level.m_eta * to_expected - mean_friction;
+      looks.looks.push_back({.place = place,
+                             .rows = 0,
+                             .noise_gain = 0,
+                             .variance = seen ? 1 / site.precision : std::numeric_limits<double>::infinity()});
+      looks.values.push_back(seen ? bound - site.precision_mean / site.precision : bound);
+      looks.columns.push_back(h);
+    }
+    const double place = passages_.place(at.S[i]);
+    Coefficients h = columns_at(place, waves);
+    if (columns_.stiffness >= 0) h[columns_.stiffness] = at.h_stiffness[i];
+    if (columns_.contact >= 0) h[columns_.contact] = at.h_contact[i];
+    looks.looks.push_back({.place = place,
+                           .rows = i == 0 ? 0.0 : static_cast<double>(passages_.row[i] - passages_.row[i - 1]),
+                           .noise_gain = at.noise_gain[i],
+                           .variance = nugget * nugget});
+    looks.values.push_back(at.y[i] - mean_friction + at.h_stiffness[i] * to_expected);
+    looks.columns.push_back(h);
+  }
+  return looks;
+}
+
+double FrictionProcess::log_prior(const Mode& mode, const Theta& theta) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < (mode.kernel == Kernel::none ? 2 : 4); ++i) {
+    const double z = (theta.values[i] - theta_mean_[i]) / theta_deviation_[i];
+    sum -= 0.5 * z * z;
+  }
+  return sum;
+}
+
+double FrictionProcess::log_prior_scale(Kernel kernel) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < (kernel == Kernel::none ? 2 : 4); ++i)
+    sum -= elementary::log(theta_deviation_[i]) + 0.5 * elementary::log(2 * std::numbers::pi);
+  return sum;
+}
+
+FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, const Theta& theta) const {
+  const Looks looks = looks_of(mode, nodes_of(mode), theta);
+  std::array<double, most_waves> wavelengths{};
+  for (std::size_t wave = 0; wave < theta.waves; ++wave) wavelengths[wave] = elementary::exp(theta.log_wavelength(wave));
+  const auto p = hyperparameters_of(theta);
+  const auto likelihood = likelihood_gradient(looks, mode.kernel, p, std::span(wavelengths).first(theta.waves));
+  Objective result{.value = likelihood.value + mode.at.log_jacobian + log_prior(mode, theta), .gradient = {}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (mode.kernel == Kernel::none && i >= 2) continue;
+    const double of_value = i == 1 ? p.correlation * (1 - p.correlation / most_correlation) : 1;
+    result.gradient[i] = likelihood.hyperparameters[i] * of_value -
+                         (theta.values[i] - theta_mean_[i]) / (theta_deviation_[i] * theta_deviation_[i]);
+  }
+  for (std::size_t wave = 0; wave < theta.waves; ++wave) result.gradient[4 + wave] = likelihood.log_wavelengths[wave];
+  return result;
+}
+
+// One round of expectation propagation, all sites at once.
+void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
+                                   const std::vector<SmoothedLook>& smoothed) const {
+  static_cast<void>(nodes);
+  const double to_expected = mode.at.eta - expected_stiffness(mode);
+  std::size_t j = 0;
+  for (std::size_t k = 0; k < looks.looks.size() && j < mode.sites.size(); ++k) {
+    if (looks.looks[k].noise_gain != 0) continue;  // a reading
+    GapSite& site = mode.sites[j];
+    const double bound = nodes[j].level.m - nodes[j].level.m_eta * to_expected - mean_friction;
+    ++j;
+    const double mean = bound - smoothed[k].f;
+    const double precision = 1 / std::max(smoothed[k].variance, 1e-12) - site.precision;
+    if (!(precision > 1e-10)) continue;
+    const double variance = 1 / precision;
+    const double cavity = (mean / std::max(smoothed[k].variance, 1e-12) - site.precision_mean) * variance;
+    const double blurred = variance + softness * softness;
+    const double z = cavity / std::sqrt(blurred);
+    const double hazard = elementary::gaussian_below(z).hazard;
+    const double tilted_mean = cavity + variance * hazard / std::sqrt(blurred);
+    const double tilted_variance = std::max(variance - variance * variance * hazard * (z + hazard) / blurred, 1e-12);
+    const double new_precision = std::max(1 / tilted_variance - precision, 1e-10);
+    const double new_mean = tilted_mean / tilted_variance - cavity * precision;
+    constexpr double fraction = 0.5;  // all at once overshoot where they tell of the same friction
+    site.precision += fraction * (new_precision - site.precision);
+    site.precision_mean += fraction * (new_mean - site.precision_mean);
+  }
+}
+
+namespace {
+
+// What a site adds to the evidence beyond the Gaussian that stands for it.
+double log_weight(const GapSite& site, double mean, double variance) {
+  const double precision = 1 / std::max(variance, 1e-12) - site.precision;
+  if (!(precision > 1e-10)) return 0;
+  const double cavity_variance = 1 / precision;
+  const double cavity = (mean / std::max(variance, 1e-12) - site.precision_mean) * cavity_variance;
+  const double z = cavity / std::sqrt(cavity_variance + softness * softness);
+  double weight = elementary::gaussian_below(z).log_probability;
+  if (site.precision > 0) {
+    const double spread = cavity_variance + 1 / site.precision;
+    const double away = site.precision_mean / site.precision - cavity;
+    weight += 0.5 * (elementary::log(2 * std::numbers::pi * spread) + away * away / spread);
+  }
+  return weight;
+}
+
+}  // namespace
+
+void FrictionProcess::settle(Mode& mode) const {
+  lay_sites(mode);
+  const auto nodes = nodes_of(mode);
+  const double to_expected = mode.at.eta - expected_stiffness(mode);
+  const auto p = hyperparameters_of(mode.theta);
+  double before = 0;
+  constexpr int most_rounds = 30;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Looks looks = looks_of(mode, nodes, mode.theta);
+    const Chain chain(looks, mode.kernel, p);
+    double evidence = chain.log_likelihood();
+    if (!mode.sites.empty()) {
+      const auto smoothed = chain.smoothed();
+      std::size_t j = 0;
+      for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+        if (looks.looks[k].noise_gain != 0) continue;
+        const double bound = nodes[j].level.m - nodes[j].level.m_eta * to_expected - mean_friction;
+        evidence += log_weight(mode.sites[j], bound - smoothed[k].f, smoothed[k].variance);
+        ++j;
+      }
+      constexpr double negligible = 0.002;  // of the evidence
+      if (!(round > 0 && std::abs(evidence - before) < negligible)) {
+        before = evidence;
+        mode.merit = evidence + mode.at.log_jacobian + log_prior(mode, mode.theta);
+        update_sites(mode, nodes, looks, smoothed);
+        continue;
+      }
+    }
+    mode.merit = evidence + mode.at.log_jacobian + log_prior(mode, mode.theta);
+    break;
+  }
+}
+
+// One Gauss-Newton step; returns how far the fitted lengths moved, in standard deviations of their noise.
+double FrictionProcess::pass(Mode& mode, double fraction) const {
+  lay_sites(mode);
+  const auto nodes = nodes_of(mode);
+  const Looks looks = looks_of(mode, nodes, mode.theta);
+  const auto p = hyperparameters_of(mode.theta);
+  const Chain chain(looks, mode.kernel, p);
+  const auto smoothed = chain.smoothed();
+  const Coefficients& beta = chain.mean();
+  auto& at = mode.at;
+  const double stiffness_part = columns_.stiffness >= 0 ? beta[columns_.stiffness] : 0;
+  const double eta = std::clamp(expected_stiffness(mode) + stiffness_part, -0.15 - 5 * passages_.stiffness_error,
+                                0.15 + 5 * passages_.stiffness_error);
+  const double contact = columns_.contact >= 0 ? beta[columns_.contact] : 0;
+  const double eta_step = eta - at.eta;
+  std::vector<double> seen_before = at.S_seen;
+  std::vector<double> target(passages_.size());
+  double moved = 0;
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    if (looks.looks[k].noise_gain == 0) continue;
+    const Coefficients& h = looks.columns[k];
+    double slope = smoothed[k].slope;
+    if (columns_.drift >= 0) slope += beta[columns_.drift] / passages_.range;
+    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+      const Index c = columns_.waves + 2 * static_cast<Index>(wave);
+      const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
+      slope += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
+    }
+    const double reach = 4 * std::abs(at.S_force[i]) * p.noise;
+    const double by_noise = std::clamp(-at.S_force[i] * smoothed[k].e, -reach, reach);
+    target[i] = at.S_seen[i] + by_noise + at.S_eta[i] * eta_step;
+    moved = std::max(moved, std::abs(target[i] - at.S[i]));
+    double mu = mean_friction + smoothed[k].f - contact * at.h_contact[i];
+    if (columns_.stiffness >= 0) mu -= at.h_stiffness[i] * stiffness_part;
+    at.mu[i] += fraction * (mu - at.mu[i]);
+    at.slope[i] += fraction * (0.5 * slope - at.slope[i]);
+    ++i;
+  }
+  update_sites(mode, nodes, looks, smoothed);
+  const double eta_moved = fraction * eta_step;
+  at.eta += eta_moved;
+  if (eta_moved != 0) invert_at(at, passages_);
+  for (std::size_t k = 0; k < target.size(); ++k)
+    at.S[k] += fraction * (target[k] - at.S[k]) + (at.S_seen[k] - seen_before[k]) - eta_moved * at.S_eta[k];
+  complete(at, passages_);
+  return moved;
+}
+
+Mode FrictionProcess::start(Kernel kernel, const Theta& theta, const Linearisation& at) const {
+  return {.kernel = kernel, .theta = theta, .at = at, .sites = {}, .merit = -std::numeric_limits<double>::infinity()};
+}
+
+void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
+  for (int step = 0; step < steps; ++step) {
+    constexpr double settled = 2e-7;  // [L] far below what a reading resolves
+    if (pass(mode, fraction) < settled) break;
+  }
+  settle(mode);
+}
+
+// d/dη of the noise's volume in the readings and in their covariance, by central differences along the fitted states.
+void FrictionProcess::update_jacobian(Mode& mode) const {
+  if (columns_.stiffness < 0 || passages_.stiffness_error < 1e-3) return;
+  constexpr double h = 0.01;
+  const auto p = hyperparameters_of(mode.theta);
+  const auto nodes = nodes_of(mode);
+  struct Volume {
+    std::vector<double> log_gain;
+    double log_determinant;
+  };
+  const auto volume_at = [&](double eta) {
+    Mode other = mode;
+    other.at.stiffness_jacobian = 0;
+    other.at.eta = eta;
+    invert_at(other.at, passages_);
+    for (std::size_t i = 0; i < passages_.size(); ++i) {
+      other.at.S[i] += other.at.S_seen[i] - mode.at.S_seen[i];
+      other.at.mu[i] += mode.at.q_eta[i] * (eta - mode.at.eta);
+    }
+    complete(other.at, passages_);
+    // Of the covariance alone: at the looks of the mode, with the other gains.
+    Looks looks = looks_of(mode, nodes, mode.theta);
+    Volume volume{{}, 0};
+    std::size_t i = 0;
+    for (auto& look : looks.looks) {
+      if (look.noise_gain == 0) continue;
+      volume.log_gain.push_back(elementary::log(other.at.noise_gain[i]));
+      look.noise_gain = other.at.noise_gain[i++];
+    }
+    volume.log_determinant = Chain(looks, mode.kernel, p).log_determinant();
+    return volume;
+  };
+  const Volume up = volume_at(mode.at.eta + h), down = volume_at(mode.at.eta - h);
+  double J = -0.5 * (up.log_determinant - down.log_determinant) / (2 * h);
+  for (std::size_t i = 0; i < up.log_gain.size(); ++i) J += (up.log_gain[i] - down.log_gain[i]) / (2 * h);
+  mode.at.stiffness_jacobian = J;
+  complete(mode.at, passages_);
+}
+
+// Steps uphill in θ by BFGS, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
+void FrictionProcess::maximise(Mode& mode, int iterations) const {
+  const auto n = static_cast<Index>(mode.theta.size());
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4 + most_waves, 1>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4 + most_waves, 4 + most_waves>;
+  Vector longest = Vector::Constant(n, 1.0);
+  const double log_range = elementary::log(passages_.range);
+  Vector low(n), high(n);
+  low.head(4) << elementary::log(0.0005), -6, elementary::log(0.001), log_range - 6;
+  high.head(4) << elementary::log(0.5), 6, elementary::log(0.6), log_range + 1;
+  for (Index i = 4; i < n; ++i) {
+    const double start = mode.theta.values[static_cast<std::size_t>(i)];
+    longest[i] = 0.3 * elementary::exp(start - log_range);
+    low[i] = std::max(start - 0.15, elementary::log(0.5 * least_wavelength_));
+    high[i] = std::min(start + 0.15, elementary::log(1.2 * greatest_wavelength()));
+  }
+  const auto theta_at = [&](const Vector& x) {
+    Theta theta = mode.theta;
+    for (Index i = 0; i < n; ++i) theta.values[static_cast<std::size_t>(i)] = x[i];
+    return theta;
+  };
+  Vector x(n);
+  for (Index i = 0; i < n; ++i) x[i] = std::clamp(mode.theta.values[static_cast<std::size_t>(i)], low[i], high[i]);
+  auto now = objective(mode, theta_at(x));
+  const auto gradient_of = [&](const Objective& at) {
+    Vector g(n);
+    for (Index i = 0; i < n; ++i) g[i] = at.gradient[static_cast<std::size_t>(i)];
+    return g;
+  };
+  Vector g = gradient_of(now);
+  Matrix inverse = Matrix::Zero(n, n);  // of minus the Hessian
+  for (Index i = 0; i < n; ++i) inverse(i, i) = i < 4 ? 0.05 : 0.01 * longest[i] * longest[i];
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    Vector step = inverse * g;
+    for (Index i = 0; i < n; ++i)  // at a wall, nothing moves into it
+      if ((x[i] <= low[i] && step[i] < 0) || (x[i] >= high[i] && step[i] > 0)) step[i] = 0;
+    const double over = step.cwiseQuotient(longest).cwiseAbs().maxCoeff();
+    if (over > 1) step /= over;
+    bool risen = false;
+    Vector next(n);
+    Objective then{};
+    for (int halving = 0; halving < 6 && !risen; ++halving, step *= 0.3) {
+      next = (x + step).cwiseMax(low).cwiseMin(high);
+      then = objective(mode, theta_at(next));
+      risen = then.value > now.value;
+    }
+    if (!risen) break;
+    const Vector g_then = gradient_of(then);
+    const Vector s = next - x, y = g - g_then;  // of minus the objective
+    const double sy = s.dot(y);
+    const double gain = then.value - now.value;
+    if (sy > 1e-12) {
+      const Matrix I = Matrix::Identity(n, n);
+      inverse = (I - s * y.transpose() / sy) * inverse * (I - y * s.transpose() / sy) + s * s.transpose() / sy;
+    }
+    x = next;
+    g = g_then;
+    now = then;
+    constexpr double negligible = 0.003;  // of the merit
+    if (gain < negligible) break;
+  }
+  mode.theta = theta_at(x);
+}
+
+void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
+  double best = -std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rounds; ++round) {
+    constexpr int iterations = 8;
+    maximise(mode, iterations);
+    burst(mode, steps, fraction);
+    update_jacobian(mode);
+    settle(mode);
+    constexpr double negligible = 0.05;
+    if (round > 0 && std::abs(mode.merit - best) < negligible) break;
+    best = std::max(best, mode.merit);
+  }
+}
+
+}  // namespace flexslip

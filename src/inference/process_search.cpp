@@ -1,0 +1,267 @@
+#include "inference/process_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include <Eigen/Dense>
+
+#include "fibre/elementary.h"
+
+namespace flexslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double near_best = 12;  // of the merit: modes farther below weigh nothing
+
+// The gain of a wave at many wavelengths, its amplitude integrated out, everything else as in a mode.
+std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mode& mode) {
+  const Looks looks = process.looks_of(mode);
+  const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+  const std::size_t n = looks.looks.size();
+  const auto& white = chain.whitened_columns();
+  const auto p = white.rows() - 1;
+  const Eigen::LLT<CoefficientMatrix> factor(chain.covariance());
+  const double range = process.passages().range;
+  const double least = 1 / process.greatest_wavelength(), most = 1 / process.least_wavelength(), step = 1 / (8 * range);
+  const std::size_t count = most > least ? static_cast<std::size_t>((most - least) / step) + 1 : 0;
+  // cos and sin of 2π f x for rising f, by turning.
+  std::vector<double> cosine(n), sine(n), turn_cosine(n), turn_sine(n), white_cosine(n), white_sine(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double x = 2 * std::numbers::pi * looks.looks[k].place;
+    const auto begin = elementary::sine_and_cosine(least * x), turn = elementary::sine_and_cosine(step * x);
+    cosine[k] = begin.cosine;
+    sine[k] = begin.sine;
+    turn_cosine[k] = turn.cosine;
+    turn_sine[k] = turn.sine;
+  }
+  const auto vector = [n](std::vector<double>& v) { return Eigen::Map<Eigen::VectorXd>(v.data(), static_cast<Index>(n)); };
+  std::vector<ScannedWavelength> scan;
+  constexpr double prior = 1 / (0.08 * 0.08);
+  for (std::size_t i = 0; i < count; ++i) {
+    chain.whiten(cosine, white_cosine);
+    chain.whiten(sine, white_sine);
+    // The columns of the mode take their part: with them β ~ N(mean, covariance) and the rest is orthogonal.
+    const Eigen::VectorXd with_cosine = white * vector(white_cosine), with_sine = white * vector(white_sine);
+    const Coefficients c = with_cosine.tail(p), s = with_sine.tail(p);
+    const Coefficients cc = chain.covariance() * c, cs = chain.covariance() * s;
+    const double a = vector(white_cosine).squaredNorm() - c.dot(cc) + prior;
+    const double b = vector(white_sine).squaredNorm() - s.dot(cs) + prior;
+    const double ab = vector(white_cosine).dot(vector(white_sine)) - c.dot(cs);
+    const double y = with_cosine[0] - c.dot(chain.mean()), z = with_sine[0] - s.dot(chain.mean());
+    const double determinant = a * b - ab * ab;
+    const double gain = 0.5 * (b * y * y - 2 * ab * y * z + a * z * z) / determinant -
+                        0.5 * elementary::log(determinant / (prior * prior));
+    scan.push_back({1 / (least + static_cast<double>(i) * step), gain});
+    for (std::size_t k = 0; k < n; ++k) {
+      const double next = cosine[k] * turn_cosine[k] - sine[k] * turn_sine[k];
+      sine[k] = sine[k] * turn_cosine[k] + cosine[k] * turn_sine[k];
+      cosine[k] = next;
+    }
+  }
+  std::reverse(scan.begin(), scan.end());
+  return scan;
+}
+
+std::vector<ScannedWavelength> peaks_of(const std::vector<ScannedWavelength>& scan, std::size_t most) {
+  std::vector<ScannedWavelength> peaks;
+  for (std::size_t i = 1; i + 1 < scan.size(); ++i)
+    if (scan[i].gain >= scan[i - 1].gain && scan[i].gain > scan[i + 1].gain) peaks.push_back(scan[i]);
+  std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.gain > b.gain; });
+  if (peaks.size() > most) peaks.resize(most);
+  return peaks;
+}
+
+// ln p(readings, gaps), θ integrated out by the curvature of the merit at the mode.
+Component component_of(const FrictionProcess& process, const Mode& mode) {
+  const auto n = static_cast<Index>(mode.theta.size());
+  MatrixXd H = MatrixXd::Identity(n, n);
+  const auto free = [&](Index i) { return !(mode.kernel == Kernel::none && (i == 2 || i == 3)); };
+  for (Index i = 0; i < n; ++i) {
+    if (!free(i)) continue;
+    const double h = i < 4 ? 0.02 : 2e-4;
+    Theta up = mode.theta, down = mode.theta;
+    up.values[static_cast<std::size_t>(i)] += h;
+    down.values[static_cast<std::size_t>(i)] -= h;
+    const auto a = process.objective(mode, up), b = process.objective(mode, down);
+    for (Index j = 0; j < n; ++j)
+      if (free(j))
+        H(i, j) = -(a.gradient[static_cast<std::size_t>(j)] - b.gradient[static_cast<std::size_t>(j)]) / (2 * h);
+  }
+  H = (0.5 * (H + H.transpose())).eval();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H);
+  constexpr double least_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
+  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least_curvature);
+  double log_evidence = mode.merit + process.log_prior_scale(mode.kernel);
+  for (Index i = 0; i < n; ++i) log_evidence -= 0.5 * elementary::log(values[i]);
+  const double dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
+  log_evidence += 0.5 * dimensions * elementary::log(2 * std::numbers::pi);
+  const double log_wavelengths =
+      elementary::log(elementary::log(process.greatest_wavelength() / process.least_wavelength()));
+  log_evidence -= static_cast<double>(mode.theta.waves) * log_wavelengths;
+  return {.mode = mode,
+          .log_evidence = log_evidence,
+          .spread = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()};
+}
+
+bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
+
+class Search {
+ public:
+  Search(const FrictionProcess& process, const SearchOptions& options)
+      : process_(process), options_(options), rises_(rises_of(process.passages())) {}
+
+  ProcessSearch run() {
+    ProcessSearch result;
+    const Kernel first = first_kernel();
+    Mode plain = without_wave(first);
+    result.scan = scan_of(process_, plain);
+    std::vector<Mode> waves;
+    if (options_.waves > 0) waves = with_wave(plain, result.scan);
+    if (!waves.empty()) improve(plain, waves.front());
+    for (const Kernel kernel : options_.kernels) {
+      Mode here = continued(plain, kernel);
+      if (options_.without_wave || waves.empty()) result.components.push_back(component_of(process_, here));
+      for (const Mode& wave : waves) {
+        constexpr double worth_it = 4;
+        if (kernel != first && wave.merit < waves.front().merit - worth_it) continue;
+        result.components.push_back(component_of(process_, continued(wave, kernel)));
+      }
+    }
+    std::stable_sort(result.components.begin(), result.components.end(),
+                     [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
+    return result;
+  }
+
+ private:
+  Kernel first_kernel() const {
+    for (const Kernel kernel : options_.kernels)
+      if (kernel == Kernel::matern_3_2) return kernel;
+    return options_.kernels.front();
+  }
+
+  Mode without_wave(Kernel kernel) const {
+    Mode mode = process_.start(kernel, process_.usual(), rises_);
+    process_.settle(mode);
+    Mode moved = mode;
+    process_.burst(moved, 8, 0.3);
+    if (moved.merit > mode.merit + 5) mode = std::move(moved);
+    process_.polish(mode, 3, 4, 0.3);
+    process_.burst(mode, 4, 0.3);
+    return mode;
+  }
+
+  std::vector<double> candidates(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
+    std::vector<double> found;
+    const auto add = [&](const std::vector<ScannedWavelength>& in) {
+      for (const auto& peak : peaks_of(in, 2)) {
+        const bool known = std::any_of(found.begin(), found.end(), [&](double other) {
+          return std::abs(elementary::log(peak.wavelength / other)) < 0.5 * peak.wavelength / process_.passages().range;
+        });
+        if (!known) found.push_back(peak.wavelength);
+      }
+    };
+    add(scan);
+    Mode smooth = plain;
+    const double range = process_.passages().range;
+    smooth.theta.values[2] = elementary::log(0.03);
+    smooth.theta.values[3] = elementary::log(range / 5);
+    add(scan_of(process_, smooth));
+    Mode raw = process_.start(plain.kernel, process_.usual(), rises_);
+    raw.theta.values[3] = elementary::log(range / 5);
+    add(scan_of(process_, raw));
+    return found;
+  }
+
+  // A mode with one more wave than `theta` has, quickly.
+  Mode tried(const Mode& from, Theta theta, double log_wavelength) const {
+    theta.values[2] = elementary::log(0.03);
+    theta.values[3] = elementary::log(process_.passages().range / 10);
+    theta.values[4 + theta.waves++] = log_wavelength;
+    Mode mode = process_.start(from.kernel, theta, from.at);
+    mode.sites = from.sites;
+    process_.settle(mode);
+    Mode moved = mode;
+    process_.burst(moved, 12, 0.3);
+    if (moved.merit > mode.merit + 5) mode = std::move(moved);
+    process_.polish(mode, 1, 4, 0.3);
+    return mode;
+  }
+
+  std::vector<Mode> with_wave(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
+    const double range = process_.passages().range;
+    const Mode raw = process_.start(plain.kernel, process_.usual(), rises_);
+    std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
+    for (const double wavelength : candidates(plain, scan)) {
+      const double log_wavelength = elementary::log(wavelength);
+      found.emplace_back(tried(plain, plain.theta, log_wavelength), wavelength);
+      found.emplace_back(tried(raw, raw.theta, log_wavelength), wavelength);
+    }
+    const auto rank = [&] {
+      std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return better(a.first, b.first); });
+    };
+    rank();
+    // The best two again from beside their wavelength: on soft rigs neighbouring peaks hide each other.
+    std::vector<double> done;
+    const std::size_t so_far = found.size();
+    for (std::size_t i = 0; i < so_far && done.size() < 2; ++i) {
+      const double wavelength = found[i].second;
+      if (found[i].first.merit < found.front().first.merit - 40 ||
+          std::find(done.begin(), done.end(), wavelength) != done.end())
+        continue;
+      done.push_back(wavelength);
+      for (const double beside : {0.25, -0.25})
+        found.emplace_back(tried(raw, raw.theta, elementary::log(wavelength * (1 + beside * wavelength / range))), wavelength);
+    }
+    rank();
+    std::vector<Mode> polished;
+    for (auto& [mode, from] : found) {
+      if (polished.size() == 3 || mode.merit < found.front().first.merit - near_best) break;
+      const bool known = std::any_of(polished.begin(), polished.end(), [&](const Mode& other) {
+        return std::abs(mode.theta.log_wavelength(0) - other.theta.log_wavelength(0)) < 0.003 && mode.merit < other.merit + 0.5;
+      });
+      if (known) continue;
+      process_.polish(mode, 4, 8, 0.2);
+      process_.burst(mode, 4, 0.3);
+      polished.push_back(mode);
+    }
+    std::stable_sort(polished.begin(), polished.end(), better);
+    std::vector<Mode> different;
+    for (auto& mode : polished)
+      if (std::none_of(different.begin(), different.end(), [&](const Mode& other) {
+            return std::abs(mode.theta.log_wavelength(0) - other.theta.log_wavelength(0)) < 0.002;
+          }))
+        different.push_back(std::move(mode));
+    return different;
+  }
+
+  // The mode without a wave also from where the best with one ended.
+  void improve(Mode& plain, const Mode& wave) const {
+    Mode other = process_.start(plain.kernel, plain.theta, wave.at);
+    other.sites = wave.sites;
+    process_.polish(other, 2, 6, 0.3);
+    if (other.merit > plain.merit + 0.1) plain = std::move(other);
+  }
+
+  Mode continued(const Mode& mode, Kernel kernel) const {
+    if (kernel == mode.kernel) return mode;
+    Mode other = mode;
+    other.kernel = kernel;
+    process_.polish(other, 2, 6, 0.3);
+    return other;
+  }
+
+  const FrictionProcess& process_;
+  const SearchOptions& options_;
+  Linearisation rises_;
+};
+
+}  // namespace
+
+ProcessSearch search(const FrictionProcess& process, const SearchOptions& options) { return Search(process, options).run(); }
+
+}  // namespace flexslip
