@@ -11,6 +11,7 @@
 #include <Eigen/Cholesky>
 
 #include "fibre/elementary.h"
+#include "inference/matern.h"
 
 namespace flexslip {
 namespace {
@@ -67,7 +68,7 @@ Dual sqrt(const Dual& a) {
   const double root = std::sqrt(a.value);
   return Dual::chained(root, a, [&](double d) { return d / (2 * root); });
 }
-double exp(double a) { return elementary::exp(a); }
+using matern::exp;
 double log(double a) { return elementary::log(a); }
 double value_of(double a) { return a; }
 double value_of(const Dual& a) { return a.value; }
@@ -77,23 +78,9 @@ struct Parameters {
   T noise, correlation, roughness, rate;
 };
 
-constexpr double rate_factor(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::none:
-      return 0;
-    case Kernel::exponential:
-      return 1;
-    case Kernel::matern_3_2:
-      return std::numbers::sqrt3;
-    case Kernel::matern_5_2:
-      break;
-  }
-  return 2.2360679774997896964;  // √5
-}
-
 Parameters<double> numbers_of(Kernel kernel, const Hyperparameters& at) {
   return {at.noise, at.correlation, kernel == Kernel::none ? 0 : at.roughness,
-          kernel == Kernel::none ? 0 : rate_factor(kernel) / at.length};
+          kernel == Kernel::none ? 0 : matern::rate_of(kernel) / at.length};
 }
 
 Parameters<Dual> duals_of(Kernel kernel, const Hyperparameters& at) {
@@ -105,55 +92,7 @@ Parameters<Dual> duals_of(Kernel kernel, const Hyperparameters& at) {
   return duals;
 }
 
-// A square matrix of a few numbers or duals.
-template <int M, class T>
-struct Square {
-  std::array<T, static_cast<std::size_t>(M) * M> at_{};
-  T& operator()(int i, int j) { return at_[static_cast<std::size_t>(i * M + j)]; }
-  const T& operator()(int i, int j) const { return at_[static_cast<std::size_t>(i * M + j)]; }
-};
-
-// The transition of g and its derivatives in units of the rate, over the distance a in units of 1/rate: exp(F a), F being the companion
-// matrix of (1 + d/da)^G.
-template <int G, class T>
-Square<G, T> transition_of(const T& a) {
-  const T decay = exp(T(0) - a);
-  Square<G, T> A;
-  if constexpr (G == 1) {
-    A(0, 0) = decay;
-  } else if constexpr (G == 2) {
-    A(0, 0) = decay * (1 + a);
-    A(0, 1) = decay * a;
-    A(1, 0) = T(0) - decay * a;
-    A(1, 1) = decay * (1 - a);
-  } else {
-    const T half = T(0.5) * a * a;
-    A(0, 0) = decay * (1 + a + half);
-    A(0, 1) = decay * (a + 2 * half);
-    A(0, 2) = decay * half;
-    A(1, 0) = T(0) - decay * half;
-    A(1, 1) = decay * (1 + a - 2 * half);
-    A(1, 2) = decay * (a - half);
-    A(2, 0) = decay * (half - a);
-    A(2, 1) = decay * (2 * half - 3 * a);
-    A(2, 2) = decay * (1 - 2 * a + half);
-  }
-  return A;
-}
-
-// The covariance of a stationary process of variance 1 and its derivatives, in units of the rate.
-template <int G>
-Square<G, double> stationary() {
-  Square<G, double> P;
-  P(0, 0) = 1;
-  if constexpr (G == 2) P(1, 1) = 1;
-  if constexpr (G == 3) {
-    P(1, 1) = 1.0 / 3;
-    P(2, 2) = 1;
-    P(0, 2) = P(2, 0) = -1.0 / 3;
-  }
-  return P;
-}
+using matern::Square;
 
 // The filter's covariances: what it knows of the state before each look. G numbers of g, then e.
 template <int M, class T>
@@ -164,8 +103,7 @@ class Covariances {
   explicit Covariances(const Parameters<T>& p) : p_(p) {
     const T variance = p.roughness * p.roughness;
     if constexpr (G > 0) {
-      constexpr auto unit = stationary<G>;
-      const auto P = unit();
+      constexpr auto P = matern::stationary<G>();
       for (int i = 0; i < G; ++i)
         for (int j = 0; j < G; ++j) limit_(i, j) = variance * P(i, j);
     }
@@ -177,7 +115,7 @@ class Covariances {
   void advance(double distance, double rows) {
     A_ = {};
     if constexpr (G > 0) {
-      const auto A = transition_of<(G > 0 ? G : 1), T>(p_.rate * distance);
+      const auto A = matern::transition_over<(G > 0 ? G : 1), T>(p_.rate * distance);
       for (int i = 0; i < G; ++i)
         for (int j = 0; j < G; ++j) A_(i, j) = A(i, j);
     }
@@ -406,7 +344,65 @@ Result with_state_of(Kernel kernel, Function function) {
   return function(std::integral_constant<int, 4>());
 }
 
+// The process drawn beforehand, at given β: g and e at each look.
+template <int M>
+void draw_states(const Looks& looks, const Parameters<double>& p, NormalSource& normal, Drawn& drawn) {
+  constexpr int G = M - 1;
+  using Matrix = Eigen::Matrix<double, (G > 0 ? G : 1), (G > 0 ? G : 1)>;
+  using Vector = Eigen::Matrix<double, (G > 0 ? G : 1), 1>;
+  Matrix limit = Matrix::Zero();
+  if constexpr (G > 0) {
+    constexpr auto P = matern::stationary<G>();
+    for (int i = 0; i < G; ++i)
+      for (int j = 0; j < G; ++j) limit(i, j) = p.roughness * p.roughness * P(i, j);
+  }
+  const auto some = [&](const Matrix& covariance) {
+    Matrix lifted = covariance;
+    lifted.diagonal().array() += 1e-14 * p.roughness * p.roughness;  // rounding makes no variance negative
+    const Eigen::LLT<Matrix> factor(lifted);
+    Vector z;
+    for (auto& value : z) value = normal();
+    return Vector(factor.info() == Eigen::Success ? Vector(factor.matrixL() * z) : Vector(Vector::Zero()));
+  };
+  Vector g = G > 0 ? some(limit) : Vector(Vector::Zero());
+  double e = p.noise * normal();
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    const Look& look = looks.looks[k];
+    if (k > 0) {
+      if constexpr (G > 0) {
+        const auto square = matern::transition_over<G, double>(p.rate * (look.place - looks.looks[k - 1].place));
+        Matrix A;
+        for (int i = 0; i < G; ++i)
+          for (int j = 0; j < G; ++j) A(i, j) = square(i, j);
+        g = (A * g + some(limit - A * limit * A.transpose())).eval();
+      }
+      if (look.rows > 0) {
+        const double kept = p.correlation > 0 ? elementary::exp(look.rows * elementary::log(p.correlation)) : 0;
+        e = kept * e + std::sqrt(1 - kept * kept) * p.noise * normal();
+      }
+    }
+    drawn.f[k] += g[0];
+    drawn.values[k] = drawn.f[k] + look.noise_gain * e + (is_seen(look) ? std::sqrt(look.variance) * normal() : 0);
+  }
+}
+
 }  // namespace
+
+double NormalSource::operator()() {
+  const auto uniform = [&] { return (static_cast<double>(generator_() >> 11) + 0.5) * 0x1p-53; };
+  const double radius = std::sqrt(-2 * elementary::log(uniform()));
+  return radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
+}
+
+Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& at, NormalSource& normal) {
+  require_domain(looks, kernel, at);
+  const std::size_t n = looks.looks.size();
+  Drawn drawn{.beta = Coefficients(static_cast<Index>(looks.prior.size())), .f = std::vector<double>(n), .values = std::vector<double>(n)};
+  for (std::size_t j = 0; j < looks.prior.size(); ++j) drawn.beta[static_cast<Index>(j)] = std::sqrt(looks.prior[j]) * normal();
+  for (std::size_t k = 0; k < n; ++k) drawn.f[k] = looks.columns[k].dot(drawn.beta);
+  with_state_of<void>(kernel, [&](auto M) { draw_states<decltype(M)::value>(looks, numbers_of(kernel, at), normal, drawn); });
+  return drawn;
+}
 
 std::string_view name_of(Kernel kernel) {
   switch (kernel) {

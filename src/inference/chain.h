@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <random>
 #include <span>
 #include <variant>
 #include <vector>
@@ -47,6 +49,24 @@ struct LikelihoodGradient {
 // Method:     the filter on dual numbers; exact up to rounding.
 LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
                                        std::span<const double> wavelengths);
+
+// Standard normal numbers, the same on every machine.
+class NormalSource {
+ public:
+  explicit NormalSource(std::uint64_t seed) : generator_(seed) {}
+  double operator()();
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+// The process with all that the looks would see of it, drawn from what is expected beforehand.
+struct Drawn {
+  Coefficients beta;
+  std::vector<double> f;       // h'β + g at each look
+  std::vector<double> values;  // y
+};
+Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& at, NormalSource& normal);
 
 // What all looks together say of one.
 struct SmoothedLook {

@@ -2,182 +2,156 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <span>
 #include <stdexcept>
 
 #include <Eigen/Dense>
 
+#include "fibre/elementary.h"
 #include "inference/constant_fit.h"
-#include "inference/force_model.h"
-#include "inference/likelihood_region.h"
-#include "inference/wave_search.h"
+#include "inference/process_posterior.h"
+#include "inference/process_search.h"
+#include "inference/sliding_ladder.h"
 
 namespace flexslip {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 constexpr double pi = std::numbers::pi;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-ParameterEstimate estimate(double value, double standard_error) {
-  return {value, standard_error, value - 1.96 * standard_error, value + 1.96 * standard_error};
+ParameterEstimate estimate_of(const NormalMixture& mixture) {
+  return {quantile_of(mixture, 0.5), deviation_of(mixture), quantile_of(mixture, 0.025), quantile_of(mixture, 0.975)};
 }
 
-double rms_difference(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(a.size()));
+// Of a number whose logarithm is known.
+ParameterEstimate estimate_of_exponential(const NormalMixture& mixture) {
+  const auto log = estimate_of(mixture);
+  const double value = elementary::exp(log.value);
+  return {value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
 }
 
-ParameterRange shifted(const ParameterRange& range, double by) { return {range.low + by, range.high + by, range.open}; }
+ParameterEstimate none() { return {0, 0, 0, 0}; }
 
-// The estimate and the interval of a polar parameter, in its place among those of the region.
-ParameterEstimate estimate(double value, double variance, const ParameterRange& range) {
-  return {value, std::sqrt(std::max(variance, 0.0)), range.low, range.high};
+// Of weighted draws, `about` being where an angle is cut open.
+ParameterEstimate estimate_of(std::vector<WeightedDraw> draws) {
+  std::stable_sort(draws.begin(), draws.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  double total = 0, sum = 0, squares = 0;
+  for (const auto& draw : draws) {
+    total += draw.weight;
+    sum += draw.weight * draw.value;
+  }
+  const double mean = sum / total;
+  for (const auto& draw : draws) squares += draw.weight * (draw.value - mean) * (draw.value - mean);
+  const auto quantile = [&](double probability) {
+    double below = 0;
+    for (const auto& draw : draws) {
+      below += draw.weight;
+      if (below >= probability * total) return draw.value;
+    }
+    return draws.back().value;
+  };
+  return {quantile(0.5), std::sqrt(squares / total), quantile(0.025), quantile(0.975)};
+}
+
+// Friction is not negative: what is known of a mean that may be near zero.
+struct MeanFriction {
+  ParameterEstimate estimate;
+  bool is_bound;
+};
+
+MeanFriction mean_friction(const NormalMixture& mixture) {
+  const double negative = probability_below(mixture, 0);
+  if (negative < 0.025) return {estimate_of(mixture), false};
+  // Given that it is not negative: the median, the deviation about it, and one-sided 95 %.
+  const auto quantile = [&](double probability) { return std::max(quantile_of(mixture, negative + probability * (1 - negative)), 0.0); };
+  const double median = quantile(0.5);
+  return {{median, 0.5 * (quantile(0.84) - quantile(0.16)), 0, quantile(0.95)}, true};
 }
 
 double wrapped(double angle) { return angle - 2 * pi * std::round(angle / (2 * pi)); }
 
-// A phase within half a turn of 0, its interval on the same turn.
-ParameterEstimate wrapped(const ParameterEstimate& phase) {
-  const double turn = wrapped(phase.value) - phase.value;
-  return {phase.value + turn, phase.standard_error, phase.low + turn, phase.high + turn};
-}
-
-// An interval holds no value that is not possible.
-ParameterEstimate within(ParameterEstimate estimate, double least, double greatest) {
-  estimate.low = std::max(estimate.low, least);
-  estimate.high = std::min(estimate.high, greatest);
-  return estimate;
-}
-
-double bic_of(const ForceModel& model, const FitPoint& point) {
-  const auto parameters = static_cast<double>(point.layout.size() - 1);
-  return parameters * std::log(static_cast<double>(model.measured_force().size())) - 2 * point.log_likelihood;
-}
-
-// The parameters p of a model, with what the likelihood says of them.
-ModelFit describe(ProfileModel kind, const ForceModel& model, const FitPoint& fitted, const LikelihoodRegion& region,
-                  const VectorXd& p, const FitProblem& problem) {
-  const FitPoint& point = region.best;
-  const ModelLayout& layout = point.layout;
-  const PolarParameters origin{model.middle(), 0};
-  const PolarParameters middle{model.middle(), model.middle()};
-  const auto in = [&](const PolarParameters& polar, const std::vector<ParameterRange>& ranges) {
-    const VectorXd likeliest = polar.from_cartesian(layout, point.p);
-    const VectorXd q = polar.from_cartesian(layout, p);
-    const MatrixXd inverse = polar.directions(layout, point.p).inverse();
-    const VectorXd variances = (inverse * region.covariance * inverse.transpose()).diagonal();
-    std::vector<ParameterEstimate> estimates;
-    for (Index i = 0; i < layout.size(); ++i)
-      estimates.push_back(
-          estimate(q[i], variances[i], shifted(ranges[static_cast<std::size_t>(i)], q[i] - likeliest[i])));
-    return estimates;
-  };
-  const auto parameters = in(origin, region.ranges);
-  const auto at_middle = in(middle, region.at_middle);
-  const auto parameter = [&](Index i) { return parameters[static_cast<std::size_t>(i)]; };
-
-  ModelFit fit{};
-  fit.model = kind;
-  fit.status = point.converged ? FitStatus::ok : FitStatus::not_converged;
-  fit.mu0 = within(parameter(0), 0, std::numeric_limits<double>::infinity());
-  fit.drift = layout.drift ? parameter(1) : ParameterEstimate{};
-  fit.bending_stiffness = parameter(layout.stiffness());
-  for (double* value : {&fit.bending_stiffness.value, &fit.bending_stiffness.low, &fit.bending_stiffness.high})
-    *value += 1;
-  fit.friction = {.mu0 = fit.mu0.value, .drift = fit.drift.value, .terms = {}, .S_reference = model.middle()};
-  for (Index i = 0; i < layout.waves; ++i) {
-    const Index at = layout.wave(i);
-    fit.waves.push_back({.amplitude = within(parameter(at), 0, 1),
-                         .wavelength = parameter(at + 1),
-                         .phase = wrapped(parameter(at + 2)),
-                         .phase_at_middle = wrapped(at_middle[static_cast<std::size_t>(at + 2)])});
-    const auto& wave = fit.waves.back();
-    fit.friction.terms.push_back({wave.amplitude.value, wave.wavelength.value, wave.phase.value});
+WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double log_wavelength) {
+  std::vector<WeightedDraw> amplitude, wavelength, phase, at_middle;
+  double cosine = 0, sine = 0;
+  for (const auto& draw : draws) {
+    cosine += draw.weight * draw.cosine;
+    sine += draw.weight * draw.sine;
   }
-  fit.force = model.force_at(layout, p, problem.record.stage);
-  fit.residual_rms = rms_difference(fit.force, problem.record.force);
-  const auto n = static_cast<double>(model.measured_force().size());
-  const double rho = point.noise.correlation;
-  fit.correlation = rho;
-  fit.innovation = std::sqrt(point.noise.variance);
-  fit.effective_points = n * (1 - rho) / (1 + rho);
-  fit.parameters = static_cast<int>(layout.size()) - 1;
-  fit.log_likelihood = fitted.log_likelihood;
-  fit.aic = 2 * fit.parameters - 2 * fit.log_likelihood;
-  fit.bic = bic_of(model, fitted);
+  const double about = -std::atan2(sine, cosine);  // a cos + b sin = A cos(2πx/λ + about)
+  const double usual = wrapped(about - pi * S_middle * elementary::exp(-log_wavelength));
+  for (const auto& draw : draws) {
+    const double lambda = elementary::exp(draw.log_wavelength);
+    const double angle = about + wrapped(-std::atan2(draw.sine, draw.cosine) - about);
+    amplitude.push_back({elementary::length(draw.cosine, draw.sine) / std::max(draw.mean, 0.02), draw.weight});
+    wavelength.push_back({lambda, draw.weight});
+    at_middle.push_back({angle, draw.weight});
+    phase.push_back({usual + (angle - about) - pi * S_middle * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
+  }
+  return {estimate_of(std::move(amplitude)), estimate_of(std::move(wavelength)), estimate_of(std::move(phase)),
+          estimate_of(std::move(at_middle))};
+}
+
+SearchOptions search_options(const FitOptions& options) {
+  SearchOptions search;
+  search.wavelength = options.held.wavelength;
+  if (options.model == ProfileModel::roughness) return search;
+  search.kernels = {Kernel::none};
+  search.waves = options.model == ProfileModel::sinusoid ? 1 : options.model == ProfileModel::sinusoids ? 2 : 0;
+  search.without_wave = search.waves == 0;
+  return search;
+}
+
+// The force at stage positions that the mean profile gives, in units of the nominal bending stiffness.
+std::vector<double> run_forward(const FrictionFit& fit, const Rig& rig, std::span<const double> stages) {
+  const double stiffening = fit.bending_stiffness.value;
+  auto forces = forces_of(fit.mean, rig.stiffness / stiffening, stages);
+  for (double& force : forces) force *= stiffening;
+  return forces;
+}
+
+double residual_rms(std::span<const double> force, const Passages& passages) {
+  double sum = 0;
+  for (std::size_t k = 0; k < force.size(); ++k) sum += (force[k] - passages.force[k]) * (force[k] - passages.force[k]);
+  return std::sqrt(sum / static_cast<double>(force.size()));
+}
+
+// One friction for the whole fibre, by least squares in the force: what a handbook would compare.
+FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, const Passages& passages) {
+  const ConstantFit constant = fit_constant(problem);
+  FrictionFit fit{};
+  fit.status = FrictionFitStatus::ok;
+  fit.model = ProfileModel::constant;
+  fit.readings = passages.size();
+  const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
+  fit.S_begin = *least;
+  fit.S_end = *greatest;
+  fit.S_middle = passages.S_middle;
+  constexpr double two_sided = 1.96;
+  const double reach = two_sided * constant.standard_error;
+  fit.mu0 = {constant.mu0, constant.standard_error, std::max(constant.mu0 - reach, 0.0), constant.mu0 + reach};
+  fit.mu0_is_bound = constant.mu0 < reach;
+  const double s = problem.errors.bending_stiffness;
+  fit.bending_stiffness = {1, s, 1 - two_sided * s, 1 + two_sided * s};
+  fit.log_evidence_of_wave = not_a_number;
+  fit.band = {{fit.S_begin, fit.S_end}, {constant.mu0, constant.mu0}, {constant.standard_error, constant.standard_error}};
+  fit.mean = {fit.band.S, fit.band.mean};
+  fit.force = run_forward(fit, whole.rig, whole.record.stage);
+  fit.residual_rms = residual_rms(run_forward(fit, whole.rig, passages.stage), passages);
+  fit.of_mu0 = {{{1, constant.mu0, constant.standard_error}}, FrictionProcess::mean_friction, 0.5};
+  fit.of_log_stiffness = {{{1, 0, s}}, 0, s};
   return fit;
-}
-
-// The model `constant` is judged by its likelihood as the others are, but estimated at the nominal bending stiffness.
-ModelFit with_constant(ModelFit fit, const FitProblem& problem) {
-  auto constant = fit_constant(problem);
-  fit.mu0 = within(estimate(constant.mu0, constant.standard_error), 0, std::numeric_limits<double>::infinity());
-  fit.bending_stiffness = estimate(1, problem.errors.bending_stiffness);
-  fit.friction = {.mu0 = constant.mu0, .drift = 0, .terms = {}};
-  fit.force = std::move(constant.force);
-  fit.residual_rms = rms_difference(fit.force, problem.record.force);
-  return fit;
-}
-
-ModelFit not_found(ProfileModel kind) {
-  ModelFit missing{};
-  missing.model = kind;
-  missing.status = FitStatus::not_found;
-  missing.bic = std::numeric_limits<double>::infinity();
-  return missing;
-}
-
-// Two waves, or three if the third earns its place in BIC; without a second candidate none.
-std::vector<FitPoint> fit_more_waves(const ForceModel& model, const FitPoint& one, const ScanOptions& scan,
-                                     const HeldValues& held) {
-  std::vector<FitPoint> many;
-  FitPoint current = one;
-  for (int waves = 2; waves <= 3; ++waves) {
-    constexpr std::size_t most_candidates = 2;
-    const auto candidates = scan_wavelengths(without_waves(model, current), scan);
-    auto next = fit_next_wave(model, current, candidates, most_candidates, held);
-    if (next.empty()) break;
-    const double penalty = 3 * std::log(static_cast<double>(model.measured_force().size()));
-    const bool better = 2 * (next.front().log_likelihood - current.log_likelihood) > penalty;
-    current = next.front();
-    if (many.empty() || better) many = std::move(next);
-    if (!better) break;
-  }
-  return many;
-}
-
-// The other wavelengths at which the last wave fits well, and those that the interval cannot exclude.
-void add_runners_up(ModelFit& fit, const ForceModel& model, const std::vector<FitPoint>& fits,
-                    const LikelihoodRegion& region) {
-  constexpr std::size_t most = 5;
-  const PolarParameters origin{model.middle(), 0};
-  for (std::size_t i = 1; i < fits.size() && i <= most; ++i) {
-    const FitPoint& other = fits[i];
-    const Index at = other.layout.stiffness() - 3;
-    const VectorXd q = origin.from_cartesian(other.layout, other.p);
-    const VectorXd residuals = model.measured_force() - model.force(other.layout, other.p);
-    fit.runners_up.push_back(
-        {.wavelength = q[at + 1],
-         .amplitude = q[at],
-         .phase = wrapped(q[at + 2]),
-         .delta_log_likelihood = other.log_likelihood - fits.front().log_likelihood,
-         .residual_rms = std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()))});
-    constexpr double perhaps = 20;  // of the log likelihood: worth a closer look
-    if (fit.runners_up.back().delta_log_likelihood < -perhaps) continue;
-    if (const auto range = wavelength_range(model, other, region))
-      fit.waves.back().other_wavelengths.push_back({range->low, range->high});
-  }
 }
 
 }  // namespace
 
 std::string_view name_of(ProfileModel model) {
   switch (model) {
+    case ProfileModel::roughness:
+      return "roughness";
     case ProfileModel::constant:
       return "constant";
     case ProfileModel::drift:
@@ -185,73 +159,66 @@ std::string_view name_of(ProfileModel model) {
     case ProfileModel::sinusoid:
       return "sinusoid";
     case ProfileModel::sinusoids:
-      return "sinusoids";
+      break;
   }
-  return "";
+  return "sinusoids";
 }
 
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const FitProblem usable = usable_part(whole);
-  if (options.models.empty()) throw std::invalid_argument("no friction model to fit");
   const FitProblem problem = thinned(usable);
-  const auto profile = measure_friction(problem.record, problem.rig, problem.errors, friction_shows_from);
-  FrictionFit result{};
-  constexpr std::size_t least_points = 20;
-  if (profile.points.size() < least_points) {
-    result.status = FrictionFitStatus::too_few_points;
-    return result;
+  FrictionFit fit{};
+  fit.model = options.model;
+  const Passages passages = problem.record.force.empty() ? Passages{} : passages_of(problem);
+  fit.readings = passages.size();
+  if (passages.size() < 20) {
+    fit.status = FrictionFitStatus::too_few_points;
+    return fit;
   }
-  const ForceModel model(problem, profile);
-  result.S_middle = model.middle();
-  const auto asked = [&](ProfileModel kind) {
-    return std::find(options.models.begin(), options.models.end(), kind) != options.models.end();
-  };
+  if (options.model == ProfileModel::constant) return constant_fit_of(whole, problem, passages);
+  const FrictionProcess process(passages, {});
+  const SearchOptions asked = search_options(options);
+  const ProcessSearch found = search(process, asked);
+  const ProcessPosterior posterior = posterior_of(process, found.components);
 
-  std::vector<FitPoint> one;
-  std::vector<FitPoint> many;
-  const FitPoint drifting = fit_mean(model, true, options.held);
-  if (asked(ProfileModel::sinusoid) || asked(ProfileModel::sinusoids)) {
-    const ScanOptions scan{.least_wavelength = model.least_wavelength(),
-                           .stiffness_error = std::sqrt(model.prior_variance())};
-    result.scan = scan_wavelengths(profile.points, scan);
-    one = fit_next_wave(model, drifting, result.scan, result.scan.candidates.size(), options.held);
-    if (!one.empty() && asked(ProfileModel::sinusoids)) many = fit_more_waves(model, one.front(), scan, options.held);
-  }
-  std::vector<std::vector<FitPoint>> fits;  // of each model, best first
-  for (const auto kind : options.models) {
-    if (kind == ProfileModel::constant) fits.push_back({fit_mean(model, false, options.held)});
-    if (kind == ProfileModel::drift) fits.push_back({drifting});
-    if (kind == ProfileModel::sinusoid) fits.push_back(one);
-    if (kind == ProfileModel::sinusoids) fits.push_back(many);
-  }
-  const auto bic = [&](const std::vector<FitPoint>& fit) {
-    return fit.empty() ? std::numeric_limits<double>::infinity() : bic_of(model, fit.front());
-  };
-  const auto best =
-      std::min_element(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return bic(a) < bic(b); });
-  result.chosen = static_cast<std::size_t>(best - fits.begin());
-
-  const bool held = options.held.amplitude || options.held.wavelength;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const auto kind = options.models[i];
-    if (fits[i].empty()) {
-      result.models.push_back(not_found(kind));
-      continue;
-    }
-    const FitPoint& fit = fits[i].front();
-    // One wave is what the paper has, and is reported whichever model is chosen.
-    const bool reported = i == result.chosen || kind == ProfileModel::sinusoid;
-    const bool searched = reported && !held && kind != ProfileModel::constant;
-    const auto region = searched ? likelihood_region(model, fit)
-                                 : curvature_region(model, fit, freedom_within(model, fit.layout, options.held));
-    // An amplitude is held relative to the mean, which levelling moves.
-    const VectorXd p = options.held.amplitude ? region.best.p : levelled(model, region.best);
-    ModelFit described = describe(kind, model, fit, region, p, usable);
-    if (kind == ProfileModel::constant) described = with_constant(std::move(described), usable);
-    if (searched && fit.layout.waves > 0) add_runners_up(described, model, fits[i], region);
-    result.models.push_back(std::move(described));
-  }
-  return result;
+  fit.status = FrictionFitStatus::ok;
+  fit.S_begin = posterior.S_begin;
+  fit.S_end = posterior.S_end;
+  fit.S_middle = passages.S_middle;
+  const auto mean = mean_friction(posterior.mean);
+  fit.mu0 = mean.estimate;
+  fit.mu0_is_bound = mean.is_bound;
+  fit.drift = estimate_of(posterior.drift);
+  const bool rough = options.model == ProfileModel::roughness;
+  fit.roughness = rough ? estimate_of_exponential(posterior.log_roughness) : none();
+  fit.length = rough ? estimate_of_exponential(posterior.log_length) : none();
+  fit.bending_stiffness = estimate_of_exponential(posterior.log_stiffness);
+  fit.noise = estimate_of_exponential(posterior.log_noise);
+  fit.noise_correlation = posterior.noise_correlation;
+  for (const auto& wave : posterior.waves) fit.waves.push_back(wave_of(wave.draws, passages.S_middle, wave.log_wavelength));
+  std::stable_sort(fit.waves.begin(), fit.waves.end(),
+                   [](const auto& a, const auto& b) { return a.amplitude.value > b.amplitude.value; });
+  const bool either = asked.without_wave && asked.waves > 0;
+  fit.log_evidence_of_wave = either && !fit.waves.empty() ? posterior.log_evidence_of_wave : not_a_number;
+  constexpr double claim = 3;
+  fit.wave_claimed = !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claim &&
+                                                        fit.waves.front().wavelength.value < passages.range / 4));
+  fit.explanations = posterior.explanations;
+  for (const auto& at : found.scan) fit.scan.push_back({at.wavelength, at.gain});
+  fit.band = posterior.band;
+  fit.mean = posterior.profile;
+  fit.draws = posterior.draws;
+  fit.draw_stiffness = posterior.draw_stiffness;
+  fit.force = run_forward(fit, whole.rig, whole.record.stage);
+  fit.residual_rms = residual_rms(run_forward(fit, whole.rig, passages.stage), passages);
+  const double s = passages.stiffness_error;
+  fit.of_mu0 = {posterior.mean, FrictionProcess::mean_friction, 0.5};
+  fit.of_log_stiffness = {posterior.log_stiffness, 0, s};
+  const auto [roughness_mean, roughness_deviation] = process.prior_of(2);
+  const auto [length_mean, length_deviation] = process.prior_of(3);
+  fit.of_log_roughness = {posterior.log_roughness, roughness_mean, roughness_deviation};
+  fit.of_log_length = {posterior.log_length, length_mean, length_deviation};
+  return fit;
 }
 
 }  // namespace flexslip

@@ -1,106 +1,112 @@
 // Which friction along the fibre explains a measured curve, and how certainly.
 //
-// The models are fitted to F(w_s), the force at the stage position that the experiment controls, on the curve that a test
-// measures, jumps included. The bending stiffness is unknown within its prior and estimated along. Residuals of real tests are
-// correlated from point to point, because no model follows the roughness exactly; they are taken as an AR(1) process whose
-// correlation is estimated, in the likelihood, in BIC and in the standard errors alike (theory.md, "Residuals").
+// Friction is a mean, perhaps with a drift and a wave, and a random roughness about it (process_mode.h). The record tells of it through first
+// passages; every answer is an average over how smooth the roughness may be and over the waves that may be there. The paper's own models,
+// without roughness, are fitted on the same likelihood. Reduced variables of the nominal bending stiffness.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "contact/friction.h"
+#include "inference/normal_mixture.h"
 #include "inference/fit_problem.h"
-#include "inference/wavelength_scan.h"
+#include "inference/friction_process.h"
 
 namespace flexslip {
 
 enum class ProfileModel {
-  constant,   // μ0
+  roughness,  // a mean, a drift, a random roughness, and one wave where the evidence claims it
+  constant,   // the paper's models: μ0
   drift,      // μ0 and a slope along the fibre
   sinusoid,   // (4.25) on a drifting mean
-  sinusoids,  // two or three waves on a drifting mean
+  sinusoids,  // two waves on a drifting mean
 };
 
 std::string_view name_of(ProfileModel model);
 
 struct FitOptions {
-  std::vector<ProfileModel> models = {ProfileModel::constant, ProfileModel::drift, ProfileModel::sinusoid,
-                                      ProfileModel::sinusoids};
+  ProfileModel model = ProfileModel::roughness;
   HeldValues held{};
 };
 
 struct ParameterEstimate {
-  double value;
-  double standard_error;
-  double low, high;  // 95 % interval
+  double value;           // median of what is known
+  double standard_error;  // standard deviation
+  double low, high;       // 95 % interval
 };
 
-struct Interval {
-  double low, high;
-};
-
+// A wave of friction, (4.25).
 struct WaveEstimate {
-  ParameterEstimate amplitude;                // [1] A, relative to mu0
-  ParameterEstimate wavelength;               // [L] λ
-  ParameterEstimate phase;                    // [rad] φ of (4.25), at S = 0: strongly correlated with λ
-  ParameterEstimate phase_at_middle;          // [rad] π S_middle/λ + φ, which is not
-  std::vector<Interval> other_wavelengths{};  // [L] apart from that interval, what 95 % do not exclude either
+  ParameterEstimate amplitude;        // [1] A, relative to mu0
+  ParameterEstimate wavelength;       // [L] λ
+  ParameterEstimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
+  ParameterEstimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not
 };
 
-// Another local maximum of the likelihood in the wavelength of a model's last wave.
-struct RunnerUp {
-  double wavelength;            // [L]
-  double amplitude;             // [1]
-  double phase;                 // [rad] at S = 0
-  double delta_log_likelihood;  // [1] less than the best by; negative
-  double residual_rms;          // [EI/L^2]
+// What a record says of a parameter beside what was known beforehand: their quotient is the record's own.
+struct Marginal {
+  NormalMixture posterior;
+  double prior_mean, prior_deviation;  // of a normal distribution
 };
 
-enum class FitStatus {
-  ok,
-  not_converged,  // the last step still changed the fit: the values are those reached
-  not_found,      // no wave fits often enough into the slip seen: only model and status are valid
+// One explanation among those that the answer averages over.
+struct Explanation {
+  Kernel kernel;
+  std::optional<double> wavelength;  // [L]
+  double log_evidence;
+  double weight;  // [1] of all; they add up to 1
 };
 
-struct ModelFit {
-  ProfileModel model;
-  FitStatus status;
-  FrictionWaves friction;   // ready for forward calculation
-  ParameterEstimate mu0;    // [1] mean friction in the middle of the data
-  ParameterEstimate drift;  // [1/L] dμ/dS of the mean
-  std::vector<WaveEstimate> waves;
-  std::vector<RunnerUp> runners_up;     // best first, at most five, of the chosen model and of one wave
-  ParameterEstimate bending_stiffness;  // [1] relative to the nominal one
-  std::vector<double> force;            // [EI/L^2] at each stage position of the record
-  double residual_rms;                  // [EI/L^2]
-  double correlation;                   // [1] of neighbouring residuals
-  double innovation;                    // [EI/L^2] standard deviation of what is left without the correlation
-  double effective_points;              // [1] independent observations that the residuals are worth
-  int parameters;                       // without the bending stiffness, which has a prior
-  double log_likelihood, aic, bic;
+struct ScannedWave {
+  double wavelength;  // [L]
+  double gain;        // of the logarithm of the evidence, by a wave added to what explains the record without one
+};
+
+// Friction along the fibre seen: at each of many lengths what is known of it.
+struct ProfileBand {
+  std::vector<double> S;               // [L] rising
+  std::vector<double> mean, deviation;  // [1]
 };
 
 enum class FrictionFitStatus {
   ok,
-  too_few_points,  // fewer than 20 points with a deflection above 0.05: nothing else is valid
+  too_few_points,  // fewer than 20 readings tell of friction: nothing else is valid
 };
 
 struct FrictionFit {
   FrictionFitStatus status;
-  double S_middle;               // [L] where mu0 and phase_at_middle are meant
-  std::vector<ModelFit> models;  // in the order asked for
-  std::size_t chosen;            // the one of least BIC
-  WavelengthScan scan;           // of the profile; runner-up wavelengths among its candidates
+  ProfileModel model;
+  std::size_t readings;           // that tell of friction
+  double S_begin, S_end;          // [L] the fibre seen
+  double S_middle;                // [L] of it: where phase_at_middle is meant, and mu0 with drift and wave
+  ParameterEstimate mu0;          // [1] mean of μ over the fibre seen
+  bool mu0_is_bound;              // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
+  ParameterEstimate drift;        // [1/L] dμ/dS; 0 of a constant
+  ParameterEstimate roughness;    // [1] standard deviation of μ about its mean; 0 of the paper's models
+  ParameterEstimate length;       // [L] correlation length of it along the fibre; likewise
+  ParameterEstimate bending_stiffness;  // [1] relative to the nominal one
+  ParameterEstimate noise;        // [EI/L^2] standard deviation of a force reading
+  double noise_correlation;       // [1] of readings one row apart
+  std::vector<WaveEstimate> waves;  // the likeliest, the largest first, claimed or not
+  double log_evidence_of_wave;    // ln of the evidence with a wave over that without; NaN of models that have a wave or cannot
+  bool wave_claimed;              // it exceeds 3, and the wave is shorter than a quarter of the fibre seen; true of models that have one
+  std::vector<Explanation> explanations;  // likeliest first
+  std::vector<ScannedWave> scan;  // λ rising
+  ProfileBand band;
+  FrictionTable mean;                // the mean of μ(S), for runs forward: at the estimated bending stiffness
+  std::vector<FrictionTable> draws;  // profiles that explain the record as well, drawn at random (20), likewise
+  std::vector<double> draw_stiffness;  // [1] relative bending stiffness of each
+  std::vector<double> force;      // [EI/L^2] at each stage position of the record, `mean` run forward
+  double residual_rms;            // [EI/L^2] of it, over the readings that tell of friction
+  Marginal of_mu0, of_log_stiffness, of_log_roughness, of_log_length;  // the latter two only of `roughness`
 };
 
 // Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
-// Fails:      too_few_points. Deflections beyond 0.8 are left out; of more than 600 points every so many are fitted.
-// Method:     the constant by least squares in F at the measured deflections, bending stiffness nominal (its error is carried
-//             into the interval: a constant would bend the stiffness to suit the roughness). The others: wavelengths from
-//             scan_wavelengths, each refined on F(w_s) by Levenberg-Marquardt from several starts, with a loss that first caps the
-//             residuals, because they jump where a drop shifts past a point; then searches along the axes of the error ellipsoid.
-// Cost:       less than 0.1 s for 300 points.
+// Fails:      too_few_points. Of more than 600 points every so many are fitted.
+// Cost:       0.1 s for 300 points.
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options = {});
 
 }  // namespace flexslip

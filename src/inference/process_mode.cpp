@@ -58,6 +58,12 @@ FrictionProcess::FrictionProcess(Passages passages, const ProcessOptions& option
   least_wavelength_ = 2 * median({passages_.advance.begin() + 1, passages_.advance.end()});
   theta_mean_ = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)};
   theta_deviation_ = {1, 1.5, 1, 1.2};
+  theta_least_ = {elementary::log(0.0005), -6, elementary::log(0.001), elementary::log(range) - 6};
+  theta_greatest_ = {elementary::log(0.5), 6, elementary::log(0.6), elementary::log(range) + 1};
+}
+
+void FrictionProcess::bound(Theta& theta) const {
+  for (std::size_t i = 0; i < 4; ++i) theta.values[i] = std::clamp(theta.values[i], theta_least_[i], theta_greatest_[i]);
 }
 
 Theta FrictionProcess::usual(std::span<const double> log_wavelengths) const {
@@ -370,6 +376,9 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
     for (auto& look : looks.looks) {
       if (look.noise_gain == 0) continue;
       volume.log_gain.push_back(elementary::log(other.at.noise_gain[i]));
+      // What no kernel follows stands for errors of the force as well: it grows with the gain.
+      const double grown = other.at.noise_gain[i] / look.noise_gain;
+      look.variance *= grown * grown;
       look.noise_gain = other.at.noise_gain[i++];
     }
     volume.log_determinant = Chain(looks, mode.kernel, p).log_determinant();
@@ -390,8 +399,10 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
   Vector longest = Vector::Constant(n, 1.0);
   const double log_range = elementary::log(passages_.range);
   Vector low(n), high(n);
-  low.head(4) << elementary::log(0.0005), -6, elementary::log(0.001), log_range - 6;
-  high.head(4) << elementary::log(0.5), 6, elementary::log(0.6), log_range + 1;
+  for (Index i = 0; i < 4; ++i) {
+    low[i] = theta_least_[static_cast<std::size_t>(i)];
+    high[i] = theta_greatest_[static_cast<std::size_t>(i)];
+  }
   for (Index i = 4; i < n; ++i) {
     const double start = mode.theta.values[static_cast<std::size_t>(i)];
     longest[i] = 0.3 * elementary::exp(start - log_range);

@@ -86,11 +86,18 @@ class FrictionProcess {
   };
   Objective objective(const Mode& mode, const Theta& theta) const;
 
+  // Into the bounds within which hyperparameters are sought.
+  void bound(Theta& theta) const;
+
   // Sites that agree with the looks; the merit.
   void settle(Mode& mode) const;
 
   static constexpr double mean_friction = 0.55;  // expected beforehand, 0.5 its standard deviation
   double expected_stiffness(const Mode& mode) const;  // of ln EI/nominal beforehand
+  struct NormalPrior {
+    double mean, deviation;
+  };
+  NormalPrior prior_of(std::size_t hyperparameter) const { return {theta_mean_[hyperparameter], theta_deviation_[hyperparameter]}; }
   double log_prior_scale(Kernel kernel) const;        // what makes exp of the prior of θ in a merit a density
 
  private:
@@ -112,7 +119,7 @@ class FrictionProcess {
   ColumnPlaces columns_;
   std::vector<double> prior_;  // of the columns but waves
   double least_wavelength_;
-  std::array<double, 4> theta_mean_, theta_deviation_;
+  std::array<double, 4> theta_mean_, theta_deviation_, theta_least_, theta_greatest_;
 };
 
 }  // namespace flexslip

@@ -1,0 +1,98 @@
+// The Matérn kernels as state-space models: g and its derivatives, each in units of the rate of the kernel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <numbers>
+
+#include "fibre/elementary.h"
+#include "inference/friction_process.h"
+
+namespace flexslip::matern {
+
+// A square matrix of a few numbers, of whatever kind.
+template <int M, class T>
+struct Square {
+  std::array<T, static_cast<std::size_t>(M) * M> at_{};
+  constexpr T& operator()(int i, int j) { return at_[static_cast<std::size_t>(i * M + j)]; }
+  constexpr const T& operator()(int i, int j) const { return at_[static_cast<std::size_t>(i * M + j)]; }
+};
+
+// The rate [1/L] of a kernel of correlation length 1.
+constexpr double rate_of(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::none:
+      return 0;
+    case Kernel::exponential:
+      return 1;
+    case Kernel::matern_3_2:
+      return std::numbers::sqrt3;
+    case Kernel::matern_5_2:
+      break;
+  }
+  return 2.2360679774997896964;  // √5
+}
+
+inline double exp(double a) { return elementary::exp(a); }
+
+// Over the distance a in units of 1/rate: exp(F a), F being the companion matrix of (1 + d/da)^G.
+template <int G, class T>
+Square<G, T> transition_over(const T& a) {
+  const T decay = exp(T(0) - a);
+  Square<G, T> A;
+  if constexpr (G == 1) {
+    A(0, 0) = decay;
+  } else if constexpr (G == 2) {
+    A(0, 0) = decay * (T(1) + a);
+    A(0, 1) = decay * a;
+    A(1, 0) = T(0) - decay * a;
+    A(1, 1) = decay * (T(1) - a);
+  } else {
+    const T half = T(0.5) * a * a;
+    A(0, 0) = decay * (T(1) + a + half);
+    A(0, 1) = decay * (a + T(2) * half);
+    A(0, 2) = decay * half;
+    A(1, 0) = T(0) - decay * half;
+    A(1, 1) = decay * (T(1) + a - T(2) * half);
+    A(1, 2) = decay * (a - half);
+    A(2, 0) = decay * (half - a);
+    A(2, 1) = decay * (T(2) * half - T(3) * a);
+    A(2, 2) = decay * (T(1) - T(2) * a + half);
+  }
+  return A;
+}
+
+// The covariance of a stationary process of variance 1 and its derivatives.
+template <int G>
+constexpr Square<G, double> stationary() {
+  Square<G, double> P;
+  P(0, 0) = 1;
+  if constexpr (G == 2) P(1, 1) = 1;
+  if constexpr (G == 3) {
+    P(1, 1) = 1.0 / 3;
+    P(2, 2) = 1;
+    P(0, 2) = P(2, 0) = -1.0 / 3;
+  }
+  return P;
+}
+
+// ∫ k from 0 to R, and ∫ (R - r) k: what averages of the process need. k is the kernel of variance 1 over r = rate · distance.
+struct KernelIntegrals {
+  double of_kernel, of_tapered;
+};
+inline KernelIntegrals integrals_to(double R, Kernel kernel) {
+  const double E = elementary::exp(-R);
+  switch (kernel) {
+    case Kernel::none:
+      return {0, 0};
+    case Kernel::exponential:
+      return {1 - E, R - 1 + E};
+    case Kernel::matern_3_2:
+      return {2 - (2 + R) * E, 2 * R - 3 + (R + 3) * E};
+    case Kernel::matern_5_2:
+      break;
+  }
+  return {8.0 / 3 - E * (8.0 / 3 + R * (5.0 / 3 + R / 3)), 8 * R / 3 - 5 + E * (5 + R * (7.0 / 3 + R / 3))};
+}
+
+}  // namespace flexslip::matern

@@ -1,0 +1,57 @@
+#include "inference/normal_mixture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "fibre/elementary.h"
+
+namespace flexslip {
+
+double mean_of(const NormalMixture& mixture) {
+  double weight = 0, sum = 0;
+  for (const auto& part : mixture) {
+    weight += part.weight;
+    sum += part.weight * part.mean;
+  }
+  return sum / weight;
+}
+
+double deviation_of(const NormalMixture& mixture) {
+  const double mean = mean_of(mixture);
+  double weight = 0, sum = 0;
+  for (const auto& part : mixture) {
+    weight += part.weight;
+    sum += part.weight * (part.deviation * part.deviation + (part.mean - mean) * (part.mean - mean));
+  }
+  return std::sqrt(sum / weight);
+}
+
+double probability_below(const NormalMixture& mixture, double x) {
+  double weight = 0, sum = 0;
+  for (const auto& part : mixture) {
+    weight += part.weight;
+    const double away = x - part.mean;
+    const double below = part.deviation > 0 ? elementary::exp(elementary::gaussian_below(away / part.deviation).log_probability)
+                                            : (away > 0 ? 1.0 : 0.0);
+    sum += part.weight * below;
+  }
+  return sum / weight;
+}
+
+double quantile_of(const NormalMixture& mixture, double probability) {
+  constexpr double reach = 12;  // deviations, beyond which nothing is
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& part : mixture) {
+    low = std::min(low, part.mean - reach * part.deviation);
+    high = std::max(high, part.mean + reach * part.deviation);
+  }
+  for (int i = 0; i < 50; ++i) {
+    const double middle = std::midpoint(low, high);
+    (probability_below(mixture, middle) < probability ? low : high) = middle;
+  }
+  return std::midpoint(low, high);
+}
+
+}  // namespace flexslip

@@ -1,0 +1,347 @@
+#include "inference/process_posterior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Dense>
+
+#include "data/distributions.h"
+#include "fibre/elementary.h"
+#include "inference/matern.h"
+#include "inference/sliding_ladder.h"
+
+namespace flexslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double weighs_nothing = 4;  // of the logarithm of the evidence: 2 %
+constexpr std::size_t hyperparameter_points = 8;
+constexpr std::size_t profile_points = 240;
+constexpr std::size_t profiles_drawn = 20;
+
+double weight_of(const Component& component, const Component& best) {
+  return elementary::exp(component.log_evidence - best.log_evidence);
+}
+
+// Standard normal points in pairs that mirror each other, evenly spread: a Kronecker sequence of the golden ratio of the dimension.
+std::vector<VectorXd> normal_points(Index dimensions) {
+  double golden = 1.5;  // golden^(dimensions + 1) = golden + 1
+  for (int i = 0; i < 60; ++i)
+    golden = elementary::exp(elementary::log(golden + 1) / static_cast<double>(dimensions + 1));
+  std::vector<VectorXd> points;
+  for (std::size_t i = 0; 2 * i < hyperparameter_points; ++i) {
+    VectorXd z(dimensions);
+    double power = 1;
+    for (Index j = 0; j < dimensions; ++j) {
+      power /= golden;
+      const double turned = 0.5 + static_cast<double>(i + 1) * power;
+      z[j] = gaussian_quantile(std::clamp(turned - std::floor(turned), 0.02, 0.98));
+    }
+    points.push_back(z);
+    points.push_back(-z);
+  }
+  return points;
+}
+
+// The mean of μ over a stretch of the fibre as a functional of a chain: its coefficients, and its covariance with g at each look.
+struct MeanFunctional {
+  Coefficients a;
+  std::vector<double> covariance;
+  double variance;
+};
+
+MeanFunctional mean_over(double from, double to, const FrictionProcess& process, const Mode& mode, const Looks& looks) {
+  MeanFunctional f{.a = process.columns_at(0.5 * (from + to), mode), .covariance = {}, .variance = 0};
+  for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+    const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
+    const auto begin = elementary::sine_and_cosine(rate * from), end = elementary::sine_and_cosine(rate * to);
+    const Index at = process.columns().waves + 2 * static_cast<Index>(wave);
+    f.a[at] = (end.sine - begin.sine) / (rate * (to - from));
+    f.a[at + 1] = (begin.cosine - end.cosine) / (rate * (to - from));
+  }
+  const auto p = hyperparameters_of(mode.theta);
+  const double rate = mode.kernel == Kernel::none ? 0 : matern::rate_of(mode.kernel) / p.length;
+  const double variance = p.roughness * p.roughness;
+  for (const auto& look : looks.looks) {
+    if (mode.kernel == Kernel::none) {
+      f.covariance.push_back(0);
+      continue;
+    }
+    // From the look to either end; negative where it lies beyond.
+    const auto to_end = [&](double distance) {
+      return std::copysign(matern::integrals_to(rate * std::abs(distance), mode.kernel).of_kernel, distance);
+    };
+    f.covariance.push_back(variance * (to_end(look.place - from) + to_end(to - look.place)) / (rate * (to - from)));
+  }
+  if (mode.kernel != Kernel::none) {
+    const double R = rate * (to - from);
+    f.variance = 2 * variance * matern::integrals_to(R, mode.kernel).of_tapered / (R * R);
+  }
+  return f;
+}
+
+// A component at one point of its hyperparameters.
+struct Point {
+  Mode mode;
+  double log_weight;
+};
+
+std::vector<Point> points_of(const FrictionProcess& process, const Component& component) {
+  const Eigen::LLT<MatrixXd> factor(component.spread);
+  const MatrixXd L = factor.matrixL();
+  std::vector<Point> points;
+  for (const auto& z : normal_points(L.rows())) {
+    Point point{component.mode, 0};
+    const VectorXd step = L * z;
+    double squares = 0;
+    for (Index j = 0; j < z.size(); ++j) {
+      const bool free = !(component.mode.kernel == Kernel::none && (j == 2 || j == 3));
+      if (!free) continue;
+      point.mode.theta.values[static_cast<std::size_t>(j)] += step[j];
+      squares += z[j] * z[j];
+    }
+    process.bound(point.mode.theta);
+    process.settle(point.mode);
+    point.log_weight = point.mode.merit - component.mode.merit + 0.5 * squares;
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+// ln of the weights, none more than four times the mean: the tails of few points are not to be trusted with more.
+void temper(std::vector<Point>& points) {
+  double greatest = -std::numeric_limits<double>::infinity(), mean = 0;
+  for (const auto& point : points) greatest = std::max(greatest, point.log_weight);
+  for (const auto& point : points) mean += elementary::exp(point.log_weight - greatest) / static_cast<double>(points.size());
+  const double most = greatest + elementary::log(4 * mean);
+  for (auto& point : points) point.log_weight = std::min(point.log_weight, most);
+}
+
+// The looks of a mode with places between them where nothing is seen.
+struct Profile {
+  Looks looks;
+  std::vector<std::size_t> at;  // of the places, among the looks
+};
+
+Profile profile_looks(const FrictionProcess& process, const Mode& mode, const std::vector<double>& places) {
+  const Looks seen = process.looks_of(mode);
+  Profile profile;
+  profile.looks.prior = seen.prior;
+  std::size_t next = 0;
+  const auto unseen_to = [&](double place) {
+    for (; next < places.size() && places[next] <= place; ++next) {
+      profile.at.push_back(profile.looks.looks.size());
+      profile.looks.looks.push_back({.place = places[next], .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
+      profile.looks.values.push_back(0);
+      profile.looks.columns.push_back(process.columns_at(places[next], mode));
+    }
+  };
+  for (std::size_t k = 0; k < seen.looks.size(); ++k) {
+    unseen_to(seen.looks[k].place);
+    profile.looks.looks.push_back(seen.looks[k]);
+    profile.looks.values.push_back(seen.values[k]);
+    profile.looks.columns.push_back(seen.columns[k]);
+  }
+  unseen_to(std::numeric_limits<double>::infinity());
+  return profile;
+}
+
+class Posterior {
+ public:
+  Posterior(const FrictionProcess& process, std::span<const Component> components)
+      : process_(process), components_(components) {
+    const auto& S = components.front().mode.at.S;
+    result_.S_begin = S.front();
+    result_.S_end = S.back();
+    from_ = process.passages().place(result_.S_begin);
+    to_ = process.passages().place(result_.S_end);
+  }
+
+  ProcessPosterior result() {
+    list_explanations();
+    for (const auto& component : components_) {
+      const bool waves = component.mode.theta.waves > 0;
+      const auto best = std::find_if(components_.begin(), components_.end(),
+                                     [&](const Component& other) { return (other.mode.theta.waves > 0) == waves; });
+      if (component.log_evidence > best->log_evidence - weighs_nothing) add(component);
+    }
+    result_.noise_correlation = hyperparameters_of(components_.front().mode.theta).correlation;
+    add_profiles();
+    return std::move(result_);
+  }
+
+ private:
+  void list_explanations() {
+    double total = 0, with = 0, without = 0;
+    for (const auto& component : components_) {
+      const double weight = weight_of(component, components_.front());
+      total += weight;
+      (component.mode.theta.waves > 0 ? with : without) += weight;
+    }
+    for (const auto& component : components_) {
+      const auto& theta = component.mode.theta;
+      result_.explanations.push_back(
+          {.kernel = component.mode.kernel,
+           .wavelength = theta.waves > 0 ? std::optional(elementary::exp(theta.log_wavelength(0))) : std::nullopt,
+           .log_evidence = component.log_evidence,
+           .weight = weight_of(component, components_.front()) / total});
+    }
+    result_.log_evidence_of_wave = elementary::log(std::max(with, 1e-300)) - elementary::log(std::max(without, 1e-300));
+  }
+
+  void add(const Component& component) {
+    auto points = points_of(process_, component);
+    temper(points);
+    const double share = weight_of(component, components_.front()) / static_cast<double>(points.size());
+    const auto& columns = process_.columns();
+    for (const auto& point : points) {
+      const Mode& mode = point.mode;
+      const double weight = share * elementary::exp(std::clamp(point.log_weight, -50.0, 3.0));
+      const Looks looks = process_.looks_of(mode);
+      const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+      const auto f = mean_over(from_, to_, process_, mode, looks);
+      const auto mean = chain.functional(f.a, f.covariance, f.variance);
+      const double deviation = std::sqrt(std::max(mean.variance, 0.0));
+      result_.mean.push_back({weight, FrictionProcess::mean_friction + mean.mean, deviation});
+      const auto of_beta = [&](Index j, double factor, double shift) {
+        return NormalPart{weight, shift + factor * chain.mean()[j], factor * std::sqrt(chain.covariance()(j, j))};
+      };
+      if (columns.drift >= 0) result_.drift.push_back(of_beta(columns.drift, 0.5 / process_.passages().range, 0));
+      result_.log_stiffness.push_back(columns.stiffness >= 0
+                                          ? of_beta(columns.stiffness, 1, process_.expected_stiffness(mode))
+                                          : NormalPart{weight, 0, 0});
+      if (mode.theta.waves > 0) draw_waves(component, mode, chain, mean, weight);
+    }
+    const double weight = weight_of(component, components_.front());
+    const auto of_theta = [&](Index j) {
+      return NormalPart{weight, component.mode.theta.values[static_cast<std::size_t>(j)], std::sqrt(component.spread(j, j))};
+    };
+    result_.log_noise.push_back(of_theta(0));
+    if (component.mode.kernel == Kernel::none) return;
+    result_.log_roughness.push_back(of_theta(2));
+    result_.log_length.push_back(of_theta(3));
+  }
+
+  void draw_waves(const Component& component, const Mode& mode, const Chain& chain, const Chain::Functional& mean, double weight) {
+    constexpr int draws = 60;
+    const Index first = process_.columns().waves;
+    const Index waves = static_cast<Index>(mode.theta.waves);
+    // Mean, then cosine and sine of each wave.
+    MatrixXd covariance(1 + 2 * waves, 1 + 2 * waves);
+    covariance(0, 0) = std::max(mean.variance, 1e-12);
+    VectorXd middle(1 + 2 * waves);
+    middle[0] = FrictionProcess::mean_friction + mean.mean;
+    for (Index j = 0; j < 2 * waves; ++j) {
+      middle[1 + j] = chain.mean()[first + j];
+      covariance(0, 1 + j) = covariance(1 + j, 0) = mean.with_beta[first + j];
+    }
+    covariance.bottomRightCorner(2 * waves, 2 * waves) = chain.covariance().block(first, first, 2 * waves, 2 * waves);
+    const Eigen::LLT<MatrixXd> factor(covariance);
+    if (factor.info() != Eigen::Success) return;
+    result_.waves.resize(std::max<std::size_t>(result_.waves.size(), mode.theta.waves));
+    for (int i = 0; i < draws; ++i) {
+      VectorXd z(1 + 2 * waves);
+      for (auto& value : z) value = normal_();
+      const VectorXd drawn = middle + factor.matrixL() * z;
+      for (Index wave = 0; wave < waves; ++wave) {
+        auto& posterior = result_.waves[static_cast<std::size_t>(wave)];
+        if (posterior.draws.empty()) posterior.log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave));
+        const double log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave)) +
+                                      std::sqrt(component.spread(4 + wave, 4 + wave)) * normal_();
+        posterior.draws.push_back({weight, log_wavelength, drawn[1 + 2 * wave], drawn[2 + 2 * wave], drawn[0]});
+      }
+    }
+  }
+
+  void add_profiles() {
+    std::vector<double> places;
+    auto& band = result_.band;
+    for (std::size_t i = 0; i < profile_points; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(profile_points - 1);
+      places.push_back(from_ + part * (to_ - from_));
+      band.S.push_back(result_.S_begin + part * (result_.S_end - result_.S_begin));
+    }
+    band.mean.assign(profile_points, 0);
+    band.deviation.assign(profile_points, 0);
+    double total = 0;
+    for (const auto& component : components_)
+      if (weighs(component)) total += weight_of(component, components_.front());
+    std::vector<double> squares(profile_points, 0);
+    double passed = 0;
+    for (const auto& component : components_) {
+      if (!weighs(component)) continue;
+      const double weight = weight_of(component, components_.front()) / total;
+      const Mode& mode = component.mode;
+      const auto p = hyperparameters_of(mode.theta);
+      Profile profile = profile_looks(process_, mode, places);
+      const auto smoothed = Chain(profile.looks, mode.kernel, p).smoothed();
+      for (std::size_t i = 0; i < profile_points; ++i) {
+        const auto& at = smoothed[profile.at[i]];
+        const double mu = FrictionProcess::mean_friction + at.f;
+        band.mean[i] += weight * mu;
+        squares[i] += weight * (mu * mu + at.variance);
+      }
+      const double until = passed + weight * profiles_drawn;
+      while (static_cast<double>(result_.draws.size()) + 0.5 < until) draw_profile(mode, profile);
+      passed = until;
+    }
+    for (std::size_t i = 0; i < profile_points; ++i)
+      band.deviation[i] = std::sqrt(std::max(squares[i] - band.mean[i] * band.mean[i], 0.0));
+    result_.profile = table_of(band.mean);
+  }
+
+  bool weighs(const Component& component) const {
+    return component.log_evidence > components_.front().log_evidence - weighs_nothing;
+  }
+
+  FrictionTable table_of(const std::vector<double>& mu) const {
+    FrictionTable table{result_.band.S, mu};
+    for (double& value : table.mu) value = std::max(value, 0.0);
+    return table;
+  }
+
+  // A draw from beforehand, moved by what it would have to be moved by to see what was seen.
+  void draw_profile(const Mode& mode, const Profile& profile) {
+    const auto p = hyperparameters_of(mode.theta);
+    const Drawn drawn = draw_from_prior(profile.looks, mode.kernel, p, normal_);
+    Looks rest = profile.looks;
+    for (std::size_t k = 0; k < rest.values.size(); ++k) rest.values[k] -= drawn.values[k];
+    const Chain chain(rest, mode.kernel, p);
+    const auto smoothed = chain.smoothed();
+    std::vector<double> mu;
+    for (const std::size_t k : profile.at) mu.push_back(FrictionProcess::mean_friction + drawn.f[k] + smoothed[k].f);
+    result_.draws.push_back(table_of(mu));
+    const Index stiffness = process_.columns().stiffness;
+    const double eta = stiffness >= 0 ? process_.expected_stiffness(mode) + drawn.beta[stiffness] + chain.mean()[stiffness] : 0;
+    result_.draw_stiffness.push_back(elementary::exp(eta));
+  }
+
+  const FrictionProcess& process_;
+  std::span<const Component> components_;
+  double from_, to_;
+  ProcessPosterior result_{};
+  NormalSource normal_{20210829};
+};
+
+}  // namespace
+
+ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Component> components) {
+  return Posterior(process, components).result();
+}
+
+std::vector<double> forces_of(const FrictionTable& friction, double stiffness, std::span<const double> stages) {
+  const double seen = friction.S.back() - friction.S.front();
+  const double S_max = std::min(friction.S.back() + std::max(0.1 * seen, 0.01), longest_ladder);
+  const SlidingLadder ladder(S_max, std::max(seen / 1000, 1e-6));
+  const auto mu = Friction::table(friction).at(ladder.lengths()).mu;
+  const auto curve = ladder.curve(mu);
+  return measured_curve(curve.w, curve.F, 1 / stiffness, stages).F;
+}
+
+}  // namespace flexslip
