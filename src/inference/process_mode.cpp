@@ -349,6 +349,12 @@ void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
   settle(mode);
 }
 
+double FrictionProcess::merit_at(Mode mode, const Theta& theta) const {
+  mode.theta = theta;
+  burst(mode, 8, 0.3);
+  return mode.merit;
+}
+
 // d/dη of the noise's volume in the readings and in their covariance, by central differences along the fitted states.
 void FrictionProcess::update_jacobian(Mode& mode) const {
   if (columns_.stiffness < 0 || passages_.stiffness_error < 1e-3) return;
@@ -458,17 +464,20 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
 }
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
-  double best = -std::numeric_limits<double>::infinity();
+  settle(mode);
+  Mode best;  // only of states that have followed their hyperparameters: the merit of others means nothing
   for (int round = 0; round < rounds; ++round) {
     constexpr int iterations = 8;
     maximise(mode, iterations);
     burst(mode, steps, fraction);
     update_jacobian(mode);
     settle(mode);
+    const double gain = round > 0 ? mode.merit - best.merit : std::numeric_limits<double>::infinity();
+    if (gain > 0) best = mode;
     constexpr double negligible = 0.05;
-    if (round > 0 && std::abs(mode.merit - best) < negligible) break;
-    best = std::max(best, mode.merit);
+    if (std::abs(gain) < negligible) break;
   }
+  mode = std::move(best);
 }
 
 }  // namespace flexslip

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -9,6 +11,7 @@
 #include <Eigen/Dense>
 
 #include "fibre/elementary.h"
+#include "inference/process_forward.h"
 
 namespace flexslip {
 namespace {
@@ -103,9 +106,26 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   const double log_wavelengths =
       elementary::log(elementary::log(process.greatest_wavelength() / process.least_wavelength()));
   log_evidence -= static_cast<double>(mode.theta.waves) * log_wavelengths;
-  return {.mode = mode,
-          .log_evidence = log_evidence,
-          .spread = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()};
+  Component component{.mode = mode,
+                      .log_evidence = log_evidence,
+                      .spread = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()};
+  return component;
+}
+
+// A wavelength moves the states fitted along, which the curvature at one linearisation does not know: its interval grows by what they give way.
+void widen(Component& component, const FrictionProcess& process) {
+  for (std::size_t wave = 0; wave < component.mode.theta.waves; ++wave) {
+    const auto at = static_cast<Index>(4 + wave);
+    const double deviation = std::sqrt(component.spread(at, at));
+    Theta up = component.mode.theta, down = component.mode.theta;
+    up.values[4 + wave] += deviation;
+    down.values[4 + wave] -= deviation;
+    const double stiff = 2 * process.objective(component.mode, component.mode.theta).value - process.objective(component.mode, up).value - process.objective(component.mode, down).value;
+    const double free = 2 * component.mode.merit - process.merit_at(component.mode, up) - process.merit_at(component.mode, down);
+    const double factor = std::sqrt(std::clamp(stiff / std::max(free, 1e-3), 0.25, 9.0));
+    component.spread.row(at) *= factor;
+    component.spread.col(at) *= factor;
+  }
 }
 
 bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
@@ -113,7 +133,7 @@ bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
 class Search {
  public:
   Search(const FrictionProcess& process, const SearchOptions& options)
-      : process_(process), options_(options), rises_(rises_of(process.passages())) {}
+      : process_(process), options_(options), rises_(rises_of(process.passages())), run_(process.passages()) {}
 
   ProcessSearch run() {
     ProcessSearch result;
@@ -132,6 +152,7 @@ class Search {
         result.components.push_back(component_of(process_, continued(wave, kernel)));
       }
     }
+    for (auto& component : result.components) if (component.mode.theta.waves>0) widen(component, process_);
     std::stable_sort(result.components.begin(), result.components.end(),
                      [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
     return result;
@@ -142,6 +163,22 @@ class Search {
     for (const Kernel kernel : options_.kernels)
       if (kernel == Kernel::matern_3_2) return kernel;
     return options_.kernels.front();
+  }
+
+  // The mode from readings past a fold moved back, and from where its own mean runs: kept where that is better.
+  void mend(Mode& mode) const {
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      Mode other = projected(process_, run_, mode);
+      process_.burst(other, 6, 0.3);
+      process_.polish(other, 2, 6, 0.2);
+      if (!(other.merit > mode.merit + 0.1)) {
+        other = run_forward(process_, run_, mode);
+        process_.burst(other, 8, 0.3);
+        if (other.merit > mode.merit - 3) process_.polish(other, 2, 6, 0.2);
+      }
+      if (!(other.merit > mode.merit + 0.1)) return;
+      mode = std::move(other);
+    }
   }
 
   Mode without_wave(Kernel kernel) const {
@@ -218,6 +255,21 @@ class Search {
         found.emplace_back(tried(raw, raw.theta, elementary::log(wavelength * (1 + beside * wavelength / range))), wavelength);
     }
     rank();
+    done.clear();
+    const std::size_t so_far2 = found.size();
+    for (std::size_t i = 0; i < so_far2 && done.size() < 2; ++i) {
+      const double wavelength = found[i].second;
+      if (found[i].first.merit < found.front().first.merit - 40 ||
+          std::find(done.begin(), done.end(), wavelength) != done.end())
+        continue;
+      done.push_back(wavelength);
+      Mode mode = fitted_forward(process_, run_, found[i].first);
+      process_.settle(mode);
+      process_.burst(mode, 4, 0.3);
+      process_.polish(mode, 1, 4, 0.3);
+      found.emplace_back(std::move(mode), wavelength);
+    }
+    rank();
     std::vector<Mode> polished;
     for (auto& [mode, from] : found) {
       if (polished.size() == 3 || mode.merit < found.front().first.merit - near_best) break;
@@ -225,8 +277,10 @@ class Search {
         return std::abs(mode.theta.log_wavelength(0) - other.theta.log_wavelength(0)) < 0.003 && mode.merit < other.merit + 0.5;
       });
       if (known) continue;
+      const Mode before = mode;
       process_.polish(mode, 4, 8, 0.2);
-      process_.burst(mode, 4, 0.3);
+      if (before.merit > mode.merit) mode = before;
+      mend(mode);
       polished.push_back(mode);
     }
     std::stable_sort(polished.begin(), polished.end(), better);
@@ -252,12 +306,19 @@ class Search {
     Mode other = mode;
     other.kernel = kernel;
     process_.polish(other, 2, 6, 0.3);
+    if (kernel == Kernel::none && mode.theta.waves > 0) {  // smooth friction has no roughness to make up for a wave too small
+      Mode forward = fitted_forward(process_, run_, other);
+      process_.burst(forward, 4, 0.3);
+      process_.polish(forward, 3, 6, 0.3);
+      if (forward.merit > other.merit) other = std::move(forward);
+    }
     return other;
   }
 
   const FrictionProcess& process_;
   const SearchOptions& options_;
   Linearisation rises_;
+  ForwardRun run_;
 };
 
 }  // namespace
