@@ -178,10 +178,11 @@ void complete(Linearisation& at, const Passages& passages) {
   }
 }
 
-std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, double compliance, double eta) {
+std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near, double compliance,
+                             double eta) {
   const std::size_t n = S.size();
   const double stiffer = compliance * elementary::exp(eta);
-  std::vector<double> q(n, 0.5);
+  std::vector<double> q(near.begin(), near.end());
   std::vector<Level> levels(n);
   for (int iteration = 0; iteration < 12; ++iteration) {
     const auto s = tabulated_states_slopes({S, q});
@@ -194,7 +195,7 @@ std::vector<Level> levels_of(std::span<const double> S, std::span<const double> 
       levels[j] = {.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q};
       q[j] = next;
     }
-    constexpr double negligible = 1e-9;  // of μ, beside bounds as soft as 0.003
+    constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
     if (moved < negligible) break;
   }
   return levels;
@@ -254,7 +255,7 @@ Linearisation rises_of(const Passages& passages) {
       at.S[i] = passages.S_middle + fitted.y + fitted.slope * ((passages.stage[i] - begin) / travel - fitted.x);
   }
   at.S = non_falling(at.S);
-  const auto levels = levels_of(at.S, passages.stage, passages.compliance, 0);
+  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.compliance, 0);
   for (std::size_t i = 0; i < n; ++i) at.mu[i] = levels[i].m;
   complete(at, passages);
   return at;

@@ -74,9 +74,6 @@ class FrictionProcess {
   // Rounds of moving the hyperparameters uphill and a burst.
   void polish(Mode& mode, int rounds, int steps, double fraction) const;
 
-  // The merit of a mode whose hyperparameters are held elsewhere, linearised anew there.
-  double merit_at(Mode mode, const Theta& theta) const;
-
   // The looks of a mode, and what they say.
   Looks looks_of(const Mode& mode) const;
   // Where a place at which nothing is seen belongs among the columns.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -106,26 +104,9 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   const double log_wavelengths =
       elementary::log(elementary::log(process.greatest_wavelength() / process.least_wavelength()));
   log_evidence -= static_cast<double>(mode.theta.waves) * log_wavelengths;
-  Component component{.mode = mode,
-                      .log_evidence = log_evidence,
-                      .spread = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()};
-  return component;
-}
-
-// A wavelength moves the states fitted along, which the curvature at one linearisation does not know: its interval grows by what they give way.
-void widen(Component& component, const FrictionProcess& process) {
-  for (std::size_t wave = 0; wave < component.mode.theta.waves; ++wave) {
-    const auto at = static_cast<Index>(4 + wave);
-    const double deviation = std::sqrt(component.spread(at, at));
-    Theta up = component.mode.theta, down = component.mode.theta;
-    up.values[4 + wave] += deviation;
-    down.values[4 + wave] -= deviation;
-    const double stiff = 2 * process.objective(component.mode, component.mode.theta).value - process.objective(component.mode, up).value - process.objective(component.mode, down).value;
-    const double free = 2 * component.mode.merit - process.merit_at(component.mode, up) - process.merit_at(component.mode, down);
-    const double factor = std::sqrt(std::clamp(stiff / std::max(free, 1e-3), 0.25, 9.0));
-    component.spread.row(at) *= factor;
-    component.spread.col(at) *= factor;
-  }
+  return {.mode = mode,
+          .log_evidence = log_evidence,
+          .spread = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()};
 }
 
 bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
@@ -143,16 +124,20 @@ class Search {
     std::vector<Mode> waves;
     if (options_.waves > 0) waves = with_wave(plain, result.scan);
     if (!waves.empty()) improve(plain, waves.front());
+    auto& components = result.components;
+    for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
+    if (options_.without_wave || waves.empty()) components.push_back(component_of(process_, plain));
+    // Where a wave is out of the question with one kernel, it is not asked for with the others; nor are waves far below the best.
+    constexpr double out_of_question = -2, far_below = 4;
+    const bool in_question =
+        !options_.without_wave || (!waves.empty() && components.front().log_evidence > components.back().log_evidence + out_of_question);
     for (const Kernel kernel : options_.kernels) {
-      Mode here = continued(plain, kernel);
-      if (options_.without_wave || waves.empty()) result.components.push_back(component_of(process_, here));
-      for (const Mode& wave : waves) {
-        constexpr double worth_it = 4;
-        if (kernel != first && wave.merit < waves.front().merit - worth_it) continue;
-        result.components.push_back(component_of(process_, continued(wave, kernel)));
-      }
+      if (kernel == first) continue;
+      if (options_.without_wave || waves.empty()) components.push_back(component_of(process_, continued(plain, kernel)));
+      for (const Mode& wave : waves)
+        if (in_question && wave.merit > waves.front().merit - far_below)
+          components.push_back(component_of(process_, continued(wave, kernel)));
     }
-    for (auto& component : result.components) if (component.mode.theta.waves>0) widen(component, process_);
     std::stable_sort(result.components.begin(), result.components.end(),
                      [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
     return result;
@@ -233,10 +218,12 @@ class Search {
     const double range = process_.passages().range;
     const Mode raw = process_.start(plain.kernel, process_.usual(), rises_);
     std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
+    // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin.
+    const bool blurred = blur_of(plain) > range / 1000;
     for (const double wavelength : candidates(plain, scan)) {
       const double log_wavelength = elementary::log(wavelength);
       found.emplace_back(tried(plain, plain.theta, log_wavelength), wavelength);
-      found.emplace_back(tried(raw, raw.theta, log_wavelength), wavelength);
+      if (blurred) found.emplace_back(tried(raw, raw.theta, log_wavelength), wavelength);
     }
     const auto rank = [&] {
       std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return better(a.first, b.first); });
@@ -244,7 +231,7 @@ class Search {
     rank();
     // The best two again from beside their wavelength: on soft rigs neighbouring peaks hide each other.
     std::vector<double> done;
-    const std::size_t so_far = found.size();
+    const std::size_t so_far = blurred ? found.size() : 0;
     for (std::size_t i = 0; i < so_far && done.size() < 2; ++i) {
       const double wavelength = found[i].second;
       if (found[i].first.merit < found.front().first.merit - 40 ||
@@ -256,8 +243,8 @@ class Search {
     }
     rank();
     done.clear();
-    const std::size_t so_far2 = found.size();
-    for (std::size_t i = 0; i < so_far2 && done.size() < 2; ++i) {
+    const std::size_t tries = blurred ? found.size() : 0;
+    for (std::size_t i = 0; i < tries && done.size() < 2; ++i) {
       const double wavelength = found[i].second;
       if (found[i].first.merit < found.front().first.merit - 40 ||
           std::find(done.begin(), done.end(), wavelength) != done.end())
@@ -291,6 +278,16 @@ class Search {
           }))
         different.push_back(std::move(mode));
     return different;
+  }
+
+  // How far noise moves the place of a reading [L], on the whole.
+  static double blur_of(const Mode& mode) {
+    std::vector<double> blur;
+    const double noise = elementary::exp(mode.theta.values[0]);
+    for (const double by_force : mode.at.S_force) blur.push_back(0.5 * std::abs(by_force) * noise);
+    const auto middle = blur.begin() + static_cast<std::ptrdiff_t>(blur.size() / 2);
+    std::nth_element(blur.begin(), middle, blur.end());
+    return *middle;
   }
 
   // The mode without a wave also from where the best with one ended.
