@@ -124,6 +124,7 @@ class Search {
     std::vector<Mode> waves;
     if (options_.waves > 0) waves = with_wave(plain, result.scan);
     if (!waves.empty()) improve(plain, waves.front());
+    mend(plain);
     auto& components = result.components;
     for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
     if (options_.without_wave || waves.empty()) components.push_back(component_of(process_, plain));
@@ -303,6 +304,7 @@ class Search {
     Mode other = mode;
     other.kernel = kernel;
     process_.polish(other, 2, 6, 0.3);
+    if (mode.theta.waves == 0) mend(other);
     if (kernel == Kernel::none && mode.theta.waves > 0) {  // smooth friction has no roughness to make up for a wave too small
       Mode forward = fitted_forward(process_, run_, other);
       process_.burst(forward, 4, 0.3);
