@@ -22,51 +22,31 @@ constexpr double log_two_pi = 1.8378770664093454836;
 // A number with its derivatives to ln σ, ρ, ln σ_g and ln ℓ.
 struct Dual {
   double value = 0;
-  std::array<double, 4> d{};
+  Eigen::Array4d d = Eigen::Array4d::Zero();
 
   Dual() = default;
   Dual(double number) : value(number) {}  // NOLINT(google-explicit-constructor): a number is one with no derivative
-  Dual(double number, std::size_t of) : value(number) { d[of] = 1; }
+  Dual(double number, Index of) : value(number) { d[of] = 1; }
+  Dual(double number, const Eigen::Array4d& derivatives) : value(number), d(derivatives) {}
 
-  template <class Outer>
-  static Dual chained(double value, const Dual& a, Outer outer) {
-    Dual result(value);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = outer(a.d[i]);
-    return result;
-  }
-  friend Dual operator+(const Dual& a, const Dual& b) {
-    Dual result(a.value + b.value);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] + b.d[i];
-    return result;
-  }
-  friend Dual operator-(const Dual& a, const Dual& b) {
-    Dual result(a.value - b.value);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] - b.d[i];
-    return result;
-  }
-  friend Dual operator*(const Dual& a, const Dual& b) {
-    Dual result(a.value * b.value);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] * b.value + a.value * b.d[i];
-    return result;
-  }
+  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.d + b.d}; }
+  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.d - b.d}; }
+  friend Dual operator*(const Dual& a, const Dual& b) { return {a.value * b.value, a.d * b.value + b.d * a.value}; }
   friend Dual operator/(const Dual& a, const Dual& b) {
     const double inverse = 1 / b.value;
-    Dual result(a.value * inverse);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = (a.d[i] - result.value * b.d[i]) * inverse;
-    return result;
+    const double quotient = a.value * inverse;
+    return {quotient, (a.d - b.d * quotient) * inverse};
   }
 };
 
 Dual exp(const Dual& a) {
   const double value = elementary::exp(a.value);
-  return Dual::chained(value, a, [&](double d) { return value * d; });
+  return {value, a.d * value};
 }
-Dual log(const Dual& a) {
-  return Dual::chained(elementary::log(a.value), a, [&](double d) { return d / a.value; });
-}
+Dual log(const Dual& a) { return {elementary::log(a.value), a.d / a.value}; }
 Dual sqrt(const Dual& a) {
   const double root = std::sqrt(a.value);
-  return Dual::chained(root, a, [&](double d) { return d / (2 * root); });
+  return {root, a.d / (2 * root)};
 }
 using matern::exp;
 double log(double a) { return elementary::log(a); }
@@ -301,7 +281,7 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
   const auto r = regression_of(BB, By, product(0, 0).value, log_variances.value, seen, looks.prior);
   const CoefficientMatrix covariance = r.factor.solve(CoefficientMatrix::Identity(p, p));
   LikelihoodGradient result{.value = r.log_likelihood, .hyperparameters = {}, .log_wavelengths = {}};
-  for (std::size_t t = 0; t < 4; ++t) {
+  for (Index t = 0; t < 4; ++t) {
     double d = -0.5 * (log_variances.d[t] + product(0, 0).d[t]);
     for (std::size_t i = 0; i < columns; ++i) {
       const auto row = static_cast<Index>(i);
@@ -311,7 +291,7 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
         d -= 0.5 * (r.beta[row] * r.beta[column] + covariance(row, column)) * product(i + 1, j + 1).d[t];
       }
     }
-    result.hyperparameters[t] = d;
+    result.hyperparameters[static_cast<std::size_t>(t)] = d;
   }
   for (std::size_t wave = 0; wave < waves; ++wave) {
     double d = 0;
