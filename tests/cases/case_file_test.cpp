@@ -305,7 +305,12 @@ TEST_CASE("table: what is missing is asked for with an example") {
         "data/case.toml: [friction]: expected it in the file, found nothing; add model = \"constant\" and mu0 = 0.5");
   CHECK(has(missing(read("reduced = true\n[rig]"), "rig.stiffness").what(),
             "case.toml:2: [rig] stiffness: expected it in the file, "
-            "found nothing; add stiffness = 30"));
+            "found nothing; add the stiffness of your load train in EI/L^3, stiffness = …, or \"inf\""));
+  for (const std::string_view key : {"rig", "rig.stiffness"}) {
+    const std::string asked = missing(empty, key).what();
+    CHECK(has(asked, "the stiffness of your load train"));
+    CHECK_FALSE(has(asked, "90.65"));  // the number of another rig
+  }
 }
 
 TEST_CASE("table: what contradicts itself is refused") {

@@ -95,6 +95,25 @@ class BadRecord(InFolder):
         self.refused("invert", case, says=["case.toml:15", "until", "426"])
 
 
+class BadLoadTrain(InFolder):
+    FLAGS = ("--diameter", "34.8 um", "--span", "1278 um", "--stage", "stage", "--force", "force")
+
+    def test_missing_it_is_asked_for_without_the_number_of_another_rig(self):
+        data = self.file("test.csv", RECORD)
+        case = self.file("case.toml", "".join(line for line in CASE.splitlines(True) if "stiffness" not in line))
+        for call in ((data, *self.FLAGS), (case,)):
+            result = run("fit", *call)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("the stiffness of the load train", result.stderr)
+            self.assertNotIn("90.65", result.stderr)
+
+    def test_record_steeper_than_it(self):
+        data = self.file("test.csv", RECORD)
+        for command in ("fit", "modulus"):
+            self.refused(command, data, *self.FLAGS, "--stiffness", "10 N/m",
+                         says=["--stiffness", "found 10 N/m, which", "but the stage moved", "check it and the units"])
+
+
 class BadCase(InFolder):
     def refuses_case(self, content, *says, command="simulate"):
         self.refused(command, self.file("case.toml", content), says=["case.toml", *says])
