@@ -53,7 +53,7 @@ bool is_within(const DesignParameterName& parameter, double value);
 // Why numbers make no design.
 enum class DesignFault {
   impossible,      // there is no such test: a specimen too thick for its span, a rig too soft to bend it
-  not_computable,  // beyond what FlexSlip can compute: friction above 20, roughness too fine
+  not_computable,  // beyond what FlexSlip can compute: friction above largest_q, roughness too fine
 };
 
 struct DesignRefusal {

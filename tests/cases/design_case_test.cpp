@@ -72,6 +72,13 @@ TEST_CASE("design case, limit: it has the parameters that its kind of case can v
   CHECK(reduced.value(DesignParameter::step) == 0);  // continuous
 }
 
+TEST_CASE("design case, limit: friction beyond 20 with its drift is refused by name") {
+  DesignCase steep = design_of(with("phase = 1.0", "drift = \"15 1/mm\""));
+  CHECK(message_of([&] { steep.planned(); }) == "");
+  steep.set(DesignParameter::mu0, 10);
+  CHECK(message_of([&] { steep.planned(); }).find("drift: expected friction of at most 20") == 0);
+}
+
 TEST_CASE("design case, contract: what cannot be loaded once is refused at its line") {
   CHECK(refusal_of(with("\"700 um\"", "\"700 um\", \"100 um\", \"900 um\"")).find("case.toml:14: [stage] program[3]") ==
         0);

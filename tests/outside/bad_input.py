@@ -169,6 +169,25 @@ class BadCase(InFolder):
     def test_friction_that_becomes_negative(self):
         self.refuses_case(TRUTH.replace("amplitude  = 0.15", "amplitude  = 1.5"), ":14:", "amplitude", "negative")
 
+    def test_friction_beyond_what_is_computed(self):
+        steep = TRUTH.replace("mu0        = 0.5", 'mu0 = 16\ndrift = "40 1/mm"')
+        limit = ("[friction] drift", "friction of at most 20", "40 1/mm", "check its unit")
+        for command in ("simulate", "equilibrium", "design"):
+            self.refuses_case(steep, ":14:", *limit, command=command)
+        sweep = steep + '[sweep]\nmethod = "grid"\naxes = { mu0 = [0.1, 0.2] }\n'
+        self.refused("sweep", self.file("case.toml", sweep), "--output", self.folder / "x.h5", says=["case.toml:14", *limit])
+        self.refuses_case(TRUTH.replace("mu0        = 0.5", "mu0 = 19"), ":13:", "[friction] mu0", "at most 20, its waves")
+        table = TRUTH.split("[friction]")[0] + '[friction]\nmodel = "table"\nfile = "t.csv"\nlength = "S [um]"\n'
+        self.file("t.csv", "S [um],mu\n1278,0.5\n1300,25\n")
+        for command in ("simulate", "design"):
+            self.refuses_case(table + "[stage]" + TRUTH.split("[stage]")[1], "[friction] file", "at most 20", "25",
+                              command=command)
+
+    def test_equilibria_marked_farther_than_the_programme_goes(self):
+        drifting = TRUTH.replace("mu0        = 0.5", 'mu0 = 0.5\ndrift = "3 1/mm"')
+        case = self.file("case.toml", drifting)
+        self.refused("simulate", case, "--figure", self.folder / "a.svg", "--equilibria-at", "5 mm", says=["[friction] drift"])
+
     def test_section_that_is_not_there(self):
         self.refuses_case(CASE, "[stage]", "add program")
         self.refuses_case(TRUTH, "[record]", "add file", command="invert")
