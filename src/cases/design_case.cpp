@@ -46,6 +46,8 @@ constexpr std::array parameters{
                         Range::positive, infinity},
     DesignParameterName{DesignParameter::width, "width", kind::length, "width of the specimen", "{/:Italic b}",
                         Range::positive, infinity},
+    DesignParameterName{DesignParameter::reference, "reference", kind::length,
+                        "length at which the mean friction holds", "{/:Italic S}_0", Range::positive, infinity},
 };
 
 std::string words_of_range(const DesignParameterName& parameter) {
@@ -136,6 +138,7 @@ DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(
   if (const auto* wavy = std::get_if<WavyFriction>(&*input.friction->profile)) {
     profile_ = *wavy;
     add(DesignParameter::mu0, wavy->mu0);
+    if (wavy->reference) add(DesignParameter::reference, *wavy->reference);
     if (wavy->waves.size() == 1) {
       add(DesignParameter::amplitude, wavy->waves.front().amplitude);
       add(DesignParameter::wavelength, wavy->waves.front().wavelength);
@@ -248,6 +251,9 @@ std::optional<DesignRefusal> DesignCase::fault_of_roughness(const Scales& scales
     return refusal(DesignFault::not_computable, DesignParameter::travel,
                    fmt::format("at most {:.1e} correlation lengths along the specimen", most_correlations));
   }
+  if (has(DesignParameter::reference))
+    if (auto fault = misplaced(*input_, at(DesignParameter::reference).number, scales))
+      return DesignRefusal{DesignFault::impossible, InputError(*std::move(fault))};
   const auto is_fine = [&](double wavelength) {
     const double period = 2 * scales.reduced_length(wavelength);
     return std::isfinite(period) && period >= finest_period && (S_max - 1) / period <= most_periods;
@@ -274,6 +280,7 @@ Friction DesignCase::friction(const Scales& scales, double S_max) const {
                            S_max);
   const auto& wavy = std::get<WavyFriction>(profile_);
   FrictionWaves waves{at(DesignParameter::mu0).number, wavy.drift * scales.span(), {}};
+  if (has(DesignParameter::reference)) waves.S_reference = scales.reduced_length(at(DesignParameter::reference).number);
   waves.terms.reserve(wavy.waves.size());
   for (const WaveInput& wave : wavy.waves)
     waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});

@@ -60,6 +60,10 @@ InputError in_friction(const Case& input, const InputFault& fault) {
 
 Friction friction_from(const Case& input, const WavyFriction& wavy, const Scales& scales, double S_max) {
   FrictionWaves waves{wavy.mu0, wavy.drift * scales.span(), {}};
+  if (wavy.reference) {
+    if (const auto fault = misplaced(input, *wavy.reference, scales)) throw in_friction(input, *fault);
+    waves.S_reference = scales.reduced_length(*wavy.reference);
+  }
   for (std::size_t i = 0; i < wavy.waves.size(); ++i) {
     const WaveInput& wave = wavy.waves[i];
     waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
@@ -238,6 +242,17 @@ Rig rig_of(const Case& input, const Scales& scales) {
   return {scales.reduced_stiffness(load_train_stiffness_of(input))};
 }
 
+std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales) {
+  constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
+  const double S = scales.reduced_length(reference);
+  if (S >= 1 - rounding && S <= farthest_reduced) return std::nullopt;
+  return InputFault{.field = "reference",
+                    .expected = fmt::format("a length between the supports, from the span, {}, to {:g} spans",
+                                            readable_length(input, scales.span()), farthest_reduced),
+                    .found = readable_length(input, reference),
+                    .remedy = "check its unit"};
+}
+
 std::optional<InputFault> uncovered(const Case& input, const Friction& kinetic, const Scales& scales, double S_max) {
   const double most = kinetic.most_up_to(S_max);
   if (most <= largest_q) return std::nullopt;
@@ -263,7 +278,8 @@ std::optional<InputFault> uncovered(const Case& input, const Friction& kinetic, 
   fault.found = fmt::format("{}, which brings it from {:g} at {} to {:g} at {}",
                             readable(waves->drift / scales.span(), kind_in(input, kind::inverse_length)), without_drift,
                             length(waves->S_reference), most, length(waves->drift > 0 ? S_max : 1));
-  fault.remedy = "check its unit, or go less far";
+  const bool is_at_span = waves->S_reference == 1;
+  fault.remedy = is_at_span ? "check its unit, or go less far" : "check its unit, and that of reference";
   return fault;
 }
 

@@ -63,8 +63,11 @@ double load_train_stiffness_of(const Case& input);
 // Fails:      InputError if the case has no stiffness of the rig.
 Rig rig_of(const Case& input, const Scales& scales);
 
+// Why a reference [m] of the drift is no length that a specimen may have between the supports; none if it is one.
+// The field of this fault and of the next is the key of [friction] that brings it about; they have neither file nor line.
+std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales);
+
 // What the mechanics does not cover of a kinetic friction at lengths up to S_max [L]: more than largest_q. None if it covers all.
-// Its field is the key of [friction] that brings it about; it has neither file nor line.
 std::optional<InputFault> uncovered(const Case& input, const Friction& kinetic, const Scales& scales, double S_max);
 
 // The kinetic friction of a case for lengths up to S_max [L]; a table is read from its file.

@@ -188,6 +188,12 @@ class BadCase(InFolder):
         case = self.file("case.toml", drifting)
         self.refused("simulate", case, "--figure", self.folder / "a.svg", "--equilibria-at", "5 mm", says=["[friction] drift"])
 
+    def test_reference_that_is_no_length_of_the_specimen(self):
+        drifting = TRUTH.replace("mu0        = 0.5", 'mu0 = 0.5\ndrift = "0.8 1/mm"\nreference = "1.4 mm"')
+        self.refuses_case(drifting.replace("1.4 mm", "1.4 m"), ":15:", "[friction] reference", "check its unit")
+        self.refuses_case(drifting.replace("1.4 mm", "1.4"), ":15:", "[friction] reference", "with its unit")
+        self.refuses_case(drifting.replace('drift = "0.8 1/mm"\n', ""), ":14:", "[friction] reference", "a drift beside it")
+
     def test_section_that_is_not_there(self):
         self.refuses_case(CASE, "[stage]", "add program")
         self.refuses_case(TRUTH, "[record]", "add file", command="invert")
