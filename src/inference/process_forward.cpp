@@ -56,7 +56,6 @@ Mode linearised_at(const FrictionProcess& process, const Mode& mode, ForwardStat
   other.at.S = std::move(states.S);
   other.at.mu = std::move(states.mu);
   other.at.slope = std::move(states.slope);
-  invert_at(other.at, process.passages());
   complete(other.at, process.passages());
   other.sites.clear();
   return other;
