@@ -13,8 +13,6 @@
 namespace flexslip {
 namespace {
 
-constexpr double least_deflection = 0.05;  // [L] below it friction is hardly measurable
-
 // The units in which one test is plotted.
 struct TestUnits {
   PlotUnit length, small_length, force;
@@ -55,18 +53,6 @@ History drawn_model(const FittedTest& test) {
 double rounded_up(double value) {
   const double step = std::pow(10, std::floor(std::log10(value))) / 2;
   return step * std::ceil(value / step);
-}
-
-// The measured profile at the bending stiffness of the fit.
-FrictionProfile profile_at_estimated_stiffness(const FittedTest& test) {
-  const auto& analysis = test.analysis;
-  const auto& stiffness = analysis.fit.bending_stiffness;
-  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
-  const MeasurementErrors errors{.force = analysis.force_noise / stiffness.value,
-                                 .bending_stiffness = stiffness.standard_error / stiffness.value,
-                                 .contact = analysis.errors.contact};
-  return measure_friction(to_reduced(analysis.record, scales), Rig{analysis.rig.stiffness / stiffness.value}, errors,
-                          least_deflection);
 }
 
 }  // namespace
@@ -182,7 +168,7 @@ Figure profile_figure(const FittedTest& test) {
   const TestUnits units = units_of(test);
   const auto drawn_in = [&](double S) { return units.per_small_length * (S - 1) / 2; };
   const std::string position = fmt::format("drawn in over one support [{}]", units.small_length.unit);
-  const auto profile = profile_at_estimated_stiffness(test);
+  const auto& profile = analysis.profile_at_fit;
 
   FigureData measured{"profile", {position, "mu", "mu error of the point", "mu error common to all"}, {}};
   double S_end = fit.S_end;
