@@ -9,6 +9,8 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "io/sha256.h"
 #include "io/table.h"
 
@@ -142,33 +144,15 @@ std::size_t last_row(const FittedTest& test) {
   return file_row(test, points - 1) + test.measurement.rows_per_point - 1;
 }
 
-const ModelFit& chosen_model(const FittedTest& test) {
-  if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no model");
-  return test.analysis.fit.models.at(test.analysis.fit.chosen);
-}
-
-std::vector<WaveEstimate> waves_by_size(const ModelFit& model) {
-  auto waves = model.waves;
-  std::stable_sort(waves.begin(), waves.end(),
-                   [](const auto& a, const auto& b) { return a.amplitude.value > b.amplitude.value; });
-  return waves;
-}
-
 std::string status_of(const FittedTest& test) {
   switch (test.analysis.status) {
     case AnalysisStatus::no_initial_slope:
       return "no_initial_slope";
     case AnalysisStatus::too_few_points:
       return "too_few_points";
+    case AnalysisStatus::not_explained:
+      return "not_explained";
     case AnalysisStatus::ok:
-      break;
-  }
-  switch (chosen_model(test).status) {
-    case FitStatus::not_converged:
-      return "not_converged";
-    case FitStatus::not_found:
-      return "not_found";
-    case FitStatus::ok:
       break;
   }
   return "ok";
@@ -200,7 +184,7 @@ void write_curves(const std::string& path, const FittedTest& test) {
     return column;
   };
   const bool fitted = analysis.status == AnalysisStatus::ok;
-  const auto model = fitted ? forces(chosen_model(test).force) : nothing;
+  const auto model = fitted ? forces(analysis.fit.force) : nothing;
   const auto replay = fitted ? forces(analysis.replay.force) : nothing;
   auto length = nothing;
   auto mu = nothing;
@@ -220,6 +204,18 @@ void write_curves(const std::string& path, const FittedTest& test) {
                      {title("length", "m"), length},
                      {"mu", mu},
                      {"mu_error", error}});
+}
+
+void write_draws(const std::string& path, const FittedTest& test) {
+  const auto& fit = test.analysis.fit;
+  if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no draws");
+  std::vector<double> length;
+  for (const double S : fit.band.S) length.push_back(test.analysis.scales.physical_length(S));
+  std::vector<OutputColumn> columns{
+      {title_with("length", "m", test.reduced), length}, {"mu", fit.mean.mu}, {"deviation", fit.band.deviation}};
+  for (std::size_t k = 0; k < fit.draws.size(); ++k)  // all over the lengths of the band
+    columns.push_back({fmt::format("draw_{}", k + 1), fit.draws[k].mu});
+  write_table(path, columns);
 }
 
 void write_profile(const std::string& path, const FittedTest& test) {

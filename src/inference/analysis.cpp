@@ -20,7 +20,7 @@ Record with_contact_at(Record record, double contact) {
 }
 
 Replay replay_of(const TestAnalysis& analysis) {
-  constexpr double from = 0.05;
+  constexpr double from = friction_shows_from;
   Replay replay{.table = replay_table(analysis.reduced, analysis.rig, analysis.profile, analysis.drops.drops, from),
                 .force = std::vector<double>(analysis.reduced.force.size(), not_a_number),
                 .residual_rms = 0,
@@ -113,6 +113,39 @@ SawtoothCategory category_of(const TestAnalysis& analysis) {
   return total >= 0.15 * greatest ? SawtoothCategory::clear : SawtoothCategory::nominal;
 }
 
+// A quantile of values in order, interpolated.
+double quantile(const std::vector<double>& sorted, double probability) {
+  if (sorted.empty()) return not_a_number;
+  const double place = probability * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+FrictionProfile profile_at_fit(const TestAnalysis& analysis) {
+  const auto& stiffness = analysis.fit.bending_stiffness;
+  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
+  const MeasurementErrors errors{.force = analysis.errors.force / stiffness.value,
+                                 .bending_stiffness = stiffness.standard_error / stiffness.value,
+                                 .contact = analysis.errors.contact};
+  return measure_friction(to_reduced(analysis.record, scales), Rig{analysis.rig.stiffness / stiffness.value}, errors,
+                          friction_shows_from);
+}
+
+FrictionRead friction_read_of(const FrictionProfile& profile) {
+  std::vector<double> mu;
+  for (const auto& point : profile.points) mu.push_back(point.mu);
+  std::sort(mu.begin(), mu.end());
+  return {.median = quantile(mu, 0.5), .low80 = quantile(mu, 0.1), .high80 = quantile(mu, 0.9)};
+}
+
+std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, const AnalysisOptions& options) {
+  std::vector<Check> checks{check_residuals(problem, fit), check_drops(problem, fit, options.drops),
+                            check_friction(fit)};
+  if (options.check_stability) checks.push_back(check_stability(problem, fit, options.fit));
+  return checks;
+}
+
 History empty_history() { return {HistoryStatus::ok, {}, {}, {}, {}}; }
 
 }  // namespace
@@ -181,7 +214,9 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .teeth = {},
                         .suspects = {},
                         .fit = {},
-                        .bootstrap = {},
+                        .profile_at_fit = {},
+                        .friction_read = {not_a_number, not_a_number, not_a_number},
+                        .checks = {},
                         .model = empty_history(),
                         .replay = {},
                         .energy = {},
@@ -214,27 +249,29 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   const FitProblem problem{analysis.reduced, analysis.rig, errors};
   analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status == FrictionFitStatus::too_few_points) {
-    analysis.status = AnalysisStatus::too_few_points;
+    const auto tell = std::count_if(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end(),
+                                    [](double w) { return w > friction_shows_from; });
+    constexpr std::ptrdiff_t least_readings = 20;  // of the fit
+    analysis.status = tell < least_readings ? AnalysisStatus::too_few_points : AnalysisStatus::not_explained;
     return analysis;
   }
-  if (const auto& model = analysis.fit.models[analysis.fit.chosen];
-      options.bootstrap.count > 0 && model.model != ProfileModel::constant)
-    analysis.bootstrap = block_bootstrap(problem, model, options.bootstrap, options.fit.held);
+  analysis.profile_at_fit = profile_at_fit(analysis);
+  analysis.friction_read = friction_read_of(analysis.profile_at_fit);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
   const auto judged = [&](std::size_t index) { return analysis.reduced.deflection[index] > 0.1; };
   std::size_t negative = 0;
   for (const auto& point : analysis.profile.points) negative += judged(point.index) && point.mu < -0.1;
   for (const auto index : analysis.profile.unexplained) negative += judged(index);
-  analysis.model_implausible = analysis.fit.models[analysis.fit.chosen].residual_rms > 0.1 * greatest ||
-                               5 * negative > analysis.suspects.points_judged;
+  analysis.model_implausible =
+      analysis.fit.residual_rms > 0.1 * greatest || 5 * negative > analysis.suspects.points_judged;
   analysis.replay = replay_of(analysis);
   analysis.energy = measured_energy(analysis);
+  analysis.checks = checks_of(problem, analysis.fit, options);
 
-  // The chosen model in its own units: those of the estimated bending stiffness.
-  const auto& chosen = analysis.fit.models[analysis.fit.chosen];
-  const double stiffening = chosen.bending_stiffness.value;
+  // The mean in its own units: those of the estimated bending stiffness.
+  const double stiffening = analysis.fit.bending_stiffness.value;
   const Rig rig{analysis.rig.stiffness / stiffening};
-  const Friction friction = Friction::waves(chosen.friction);
+  const Friction friction = Friction::table(analysis.fit.mean);
   std::vector<double> stages;
   for (const double stage : analysis.reduced.stage)
     stages.push_back(std::max(stage, stages.empty() ? 0.0 : stages.back()));
