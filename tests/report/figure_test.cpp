@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -63,6 +64,18 @@ TEST_CASE("outside: a name full of quotes and commands is only a name") {
   const std::string name = "it's `id` \"$(id)\".svg";
   if (draw(line(), folder.path + "/" + name) == DrawStatus::no_gnuplot) return;
   CHECK(fs::exists(fs::path(folder.path) / name));
+}
+
+TEST_CASE("outside: a picture that cannot be drawn again stays, and nothing lies about") {
+  const Folder folder;
+  if (draw(line(), folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
+  const fs::path picture = fs::path(folder.path) / "line.svg";
+  const std::string before = text_of(picture);
+  Figure broken = line();
+  broken.script += "  plot nonsense\n";
+  CHECK_THROWS_AS(draw(broken, folder.path, {"svg"}), std::runtime_error);
+  CHECK(text_of(picture) == before);
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 3);
 }
 
 TEST_CASE("limit: no picture of that kind") {
