@@ -15,6 +15,7 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include "io/call_files.h"
 #include "io/cells.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
@@ -387,6 +388,7 @@ void write_table(const std::string& path, const std::vector<OutputColumn>& colum
 }
 
 std::shared_ptr<std::istream> open_to_read(const std::string& path) {
+  files_of_this_call().reads(path);
   if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // not ours to close
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))

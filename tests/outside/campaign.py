@@ -146,7 +146,7 @@ step = "2 um"
         self.refused("campaign", self.file("t.csv", "file,spam\na.csv,1\n"), says=["t.csv:1", "column 'spam'"])
         folder = self.simulated(1)
         self.refused("campaign", folder, "--report", self.file("taken", ""), says=["taken"])
-        self.refused("campaign", folder, "--report", folder, says=["outside the report's folder", "--report"])
+        self.refused("campaign", folder, "--report", folder, says=["inputs outside", "--report"])
         self.refused("campaign", folder, "--share", "modulus", says=["--share modulus", "at least two tests"])
         self.refused("campaign", folder, "--share", "modulus", "--share", "bending_stiffness", says=["not both"])
 
