@@ -175,9 +175,13 @@ std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>&
 }
 
 std::string in_script(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
-  return out + '\'';
+  if (text.find('\'') == std::string_view::npos) return fmt::format("'{}'", text);
+  // A doubled ' is misread between braces (gnuplot 5.4). Between " all that means something goes by its number.
+  std::string out = "\"";
+  for (const char c : text)
+    out +=
+        std::string_view("'\"\\`").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("\\{:03o}", c);
+  return out + '"';
 }
 
 PlotUnit plot_unit(double magnitude, const Kind& kind, bool reduced, std::string_view reduced_unit) {

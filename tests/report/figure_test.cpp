@@ -8,6 +8,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "io/input_error.h"
 
@@ -64,6 +65,19 @@ TEST_CASE("outside: a name full of quotes and commands is only a name") {
   const std::string name = "it's `id` \"$(id)\".svg";
   if (draw(line(), folder.path + "/" + name) == DrawStatus::no_gnuplot) return;
   CHECK(fs::exists(fs::path(folder.path) / name));
+}
+
+TEST_CASE("outside: gnuplot shows a text as it is, whatever it holds") {
+  const Folder folder;
+  for (const std::string text :
+       {"'begins", "ends'", "12'' rod", "'", "''", "'''", "a'b''c'''d", "\"12\"", "'\"`id`\"'", "back\\slash'n", "\\n",
+        "{brace}'", "'}", "{", "# @x $y `id`", "'# no remark", "é ü '", "%d 100 %"}) {
+    INFO(text);
+    Figure figure = line();
+    figure.script = fmt::format("  set label 4 {} at graph 0,1.06 left noenhanced\n{}", in_script(text), line().script);
+    if (draw(figure, folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
+    CHECK(text_of(fs::path(folder.path) / "line.svg").find(">" + text + "</text>") != std::string::npos);
+  }
 }
 
 TEST_CASE("outside: a picture that cannot be drawn again stays, and nothing lies about") {
