@@ -10,6 +10,7 @@
 
 #include "io/durable_file.h"
 #include "io/input_error.h"
+#include "io/text_table.h"
 #include "report/campaign_table.h"
 
 namespace flexslip {
@@ -76,7 +77,7 @@ class Workbook {
         if (const double* value = std::get_if<double>(&cell); value && std::isfinite(*value)) {
           worksheet_write_number(sheet, below, at, *value, cells);
         } else if (const std::string* text = std::get_if<std::string>(&cell); text && !text->empty()) {
-          worksheet_write_string(sheet, below, at, text->c_str(), nullptr);
+          worksheet_write_string(sheet, below, at, without_formula(*text).c_str(), nullptr);
           width = std::max(width, std::min(widest, text->size() + 1));
         }
       }

@@ -140,6 +140,24 @@ step = "2 um"
         for test in answer["tests"]:
             self.assertAlmostEqual(test["parameters"]["wavelength"]["value"] / shared["value"], 1, delta=1e-12)  # rounding
 
+    def test_whatever_the_names_there_is_a_report_and_no_formula_in_it(self):
+        folder = self.simulated(1)
+        names = ["'begins", "12'' rod", "it''s '''", "=cmd_' !A1", "+1", "-1", "@x", "'=quoted"]
+
+        def campaign(cells):
+            """The names in the report of a table with these."""
+            with (folder / "table.csv").open("w", encoding="utf-8", newline="") as file:
+                csv.writer(file).writerows([["name", "file"], *([cell, "t00.csv"] for cell in cells)])
+            report = self.folder / "report"
+            self.succeeds("campaign", folder / "table.csv", "--common", folder / "t00.toml", "--report", report, "--quiet")
+            self.assertTrue((report / "report.html").exists())
+            self.assertEqual(sorted(path.name for path in (report / "tests").iterdir()), sorted(names))
+            return [row["test"] for row in csv.DictReader((report / "tests.csv").read_text(encoding="utf-8").splitlines())]
+
+        written = campaign([f"'{name}" if name == "'=quoted" else name for name in names])
+        self.assertEqual([cell for cell in written if cell[0] in "=+-@"], [])
+        self.assertEqual(campaign(written), written)  # read back, they are the same tests
+
     def test_a_bad_call_is_refused(self):
         self.refused("campaign", self.folder, says=["case files (.toml) with a [record]", "--common"])
         self.refused("campaign", self.folder / "none.csv", says=["none.csv"])
