@@ -4,9 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>

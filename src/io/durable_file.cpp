@@ -96,13 +96,15 @@ fs::path target_of(fs::path path) {
   return path;
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path) {
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (path_ == "-") return;
   file_ = target_of(path_);
   struct stat old {};
   const bool exists = stat(file_.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode)) refuse(path_, std::make_error_code(std::errc::is_a_directory));
-  if (!exists && fs::is_symlink(file_)) refuse(path_, std::make_error_code(std::errc::too_many_symbolic_link_levels));
+  std::error_code absent;
+  if (!exists && fs::is_symlink(file_, absent))
+    refuse(path_, std::make_error_code(std::errc::too_many_symbolic_link_levels));
   is_replaced_ = !is_descriptor(file_) && (!exists || S_ISREG(old.st_mode));
   name_ = file_;
   if (is_replaced_) {

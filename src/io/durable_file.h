@@ -25,7 +25,7 @@ class OutputFile {
  public:
   // "-" is standard output.
   // Fails:      InputError if the file, or the folder it lies in, cannot be written to.
-  explicit OutputFile(const std::string& path);
+  explicit OutputFile(std::string path);
   ~OutputFile();  // removes it unless it is finished
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
