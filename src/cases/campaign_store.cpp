@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr int layout = 2;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
-constexpr const char* unfinished = ".unfinished";
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -171,11 +170,6 @@ CampaignStore::CampaignStore(fs::path folder) : folder_(std::move(folder)) {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) refuse(folder_, error);
-  for (auto test = fs::directory_iterator(folder_, error); !error && test != fs::directory_iterator();
-       test.increment(error)) {
-    std::error_code absent;
-    fs::remove(test->path() / (std::string(kept_name) + unfinished), absent);
-  }
 }
 
 fs::path CampaignStore::emptied_folder(const std::string& test) const {
@@ -202,12 +196,7 @@ std::optional<CampaignTest> CampaignStore::find(const std::string& test, const s
 
 void CampaignStore::keep(const CampaignTest& test, const std::string& key) const {
   const fs::path path = folder_ / test.name / kept_name;
-  fs::path beside = path;
-  beside += unfinished;
-  write_text(beside.string(), text_of({{"layout", layout}, {"key", key}, {"test", json_of(test)}}));
-  std::error_code error;
-  fs::rename(beside, path, error);  // at once: a reader sees the old file or the new one
-  if (error) refuse(path, error);
+  write_text(path.string(), text_of({{"layout", layout}, {"key", key}, {"test", json_of(test)}}));
 }
 
 }  // namespace flexslip

@@ -17,7 +17,6 @@ std::optional<CampaignTest> campaign_test_from(const std::string& text);
 
 class CampaignStore {
  public:
-  // Removes what a run that was stopped left half written.
   // Fails:      InputError if the folder cannot be made.
   explicit CampaignStore(std::filesystem::path folder);
 

@@ -140,8 +140,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
 std::size_t file_row(const FittedTest& test, std::size_t point) { return file_row(test.measurement, point); }
 
 std::size_t last_row(const FittedTest& test) {
-  const std::size_t points = test.measurement.record.force.size();
-  return file_row(test, points - 1) + test.measurement.rows_per_point - 1;
+  return last_file_row(test.measurement, test.measurement.record.force.size() - 1);
 }
 
 std::string status_of(const FittedTest& test) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "io/call_files.h"
 #include "io/table.h"
 
 namespace flexslip {
@@ -84,7 +85,9 @@ std::string Keys::column(std::string_view name, const Kind& kind) const {
 
 std::string Keys::path(std::string_view name) const {
   const std::string file = text(name);
-  return file == "-" ? file : (std::filesystem::path(input_.source).parent_path() / file).string();
+  std::string path = file == "-" ? file : (std::filesystem::path(input_.source).parent_path() / file).string();
+  files_of_this_call().reads(path);  // now, though it may be read only after others were written
+  return path;
 }
 
 Estimate Keys::estimate(std::string_view name, const Kind& kind) const {

@@ -439,4 +439,8 @@ std::size_t file_row(const Measurement& measurement, std::size_t point) {
   return measurement.first + point * measurement.rows_per_point + 1;
 }
 
+std::size_t last_file_row(const Measurement& measurement, std::size_t point) {
+  return std::min(file_row(measurement, point + 1) - 1, measurement.rows);
+}
+
 }  // namespace flexslip

@@ -45,6 +45,9 @@ struct Measurement {
 // Row of the file, counted from 1, at which a point of the record begins.
 std::size_t file_row(const Measurement& measurement, std::size_t point);
 
+// Row of the file, counted from 1, before that at which the next point begins, or its last row.
+std::size_t last_file_row(const Measurement& measurement, std::size_t point);
+
 // Reads the record of a case and prepares it, in the order of Preparation.
 // Domain:     at least least_points points, 11 or more; std::invalid_argument otherwise.
 // Fails:      InputError, besides what read_readings throws, for too few points, a record that begins by unloading, an `until`

@@ -18,6 +18,7 @@
 #include "io/input_error.h"
 #include "io/json.h"
 #include "io/sha256.h"
+#include "io/text_file.h"
 
 namespace flexslip {
 namespace {
@@ -60,7 +61,7 @@ std::optional<Label> read_label(const fs::path& folder) {
 void write_label(const fs::path& folder, const SweepPlan& plan, const std::string& digest) {
   const Json json{{"layout", layout}, {"program", "FlexSlip"},       {"version", FLEXSLIP_VERSION},
                   {"digest", digest}, {"source", plan.input.source}, {"text", plan.text}};
-  write_durably(folder / plan_name, json.dump(1) + "\n");
+  write_text((folder / plan_name).string(), json.dump(1) + "\n");
 }
 
 Label label_of(const fs::path& folder) {
@@ -171,7 +172,7 @@ void SweepParts::write(std::uint64_t chunk, std::span<const double> values) cons
   bytes.resize(head + values.size_bytes());
   std::memcpy(bytes.data() + head, values.data(), values.size_bytes());
   bytes += sha256_of(bytes);
-  write_durably(file_of(chunk), bytes);
+  write_text(file_of(chunk).string(), bytes);
 }
 
 void SweepParts::remove(std::uint64_t chunk) const {

@@ -4,9 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,6 +15,7 @@
 #include "cli/interruption.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/campaign_json.h"
@@ -83,30 +82,16 @@ CampaignOptions options_of(const CampaignRequest& request) {
   return options;
 }
 
-// The report folder is FlexSlip's own: what lies in it may be replaced or removed.
-void refuse_inputs_in_the_report(const CampaignRequest& request, const std::vector<PlannedTest>& plan) {
-  namespace fs = std::filesystem;
-  if (request.report.empty()) return;
-  make_folder(request.report);
-  const fs::path report = fs::canonical(request.report);
-  const auto refuse_if_inside = [&](const std::string& input) {
-    std::error_code missing;
-    const fs::path path = fs::canonical(input, missing);
-    if (missing) return;
-    const auto [end, rest] = std::mismatch(report.begin(), report.end(), path.begin(), path.end());
-    if (end == report.end())
-      throw InputError({.file = input,
-                        .expected = "an input outside the report's folder",
-                        .found = fmt::format("one in {}", in_quotes(request.report)),
-                        .remedy = "pass another folder as --report: files in it are replaced"});
-  };
-  refuse_if_inside(request.path);
-  if (request.common) refuse_if_inside(*request.common);
-  for (const auto& test : plan)
-    if (const auto* input = std::get_if<Case>(&test.input)) {
-      refuse_if_inside(input->record.value().file);
-      if (!input->source.empty()) refuse_if_inside(input->source);
-    }
+// The folder is FlexSlip's own: what lies in it may be replaced or removed, and is no input of the next run.
+void announce_campaign_report(const std::string& folder) {
+  if (folder.empty()) return;
+  const std::filesystem::path report(folder);
+  CallFiles& files = files_of_this_call();
+  for (const char* name :
+       {"report.html", "tests.csv", "categories.csv", "campaign.json", "campaign.xlsx", "tables.tex"})
+    files.writes(report / name, "--report");
+  for (const char* name : {"figures", "tests"}) files.writes_below(report / name, "--report");
+  files.keeps_inputs_out_of(report, "--report");
 }
 
 DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
@@ -117,7 +102,7 @@ DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
 
 void run_campaign_command(const CampaignRequest& request) {
   const auto plan = plan_campaign(request.path, request.common);
-  refuse_inputs_in_the_report(request, plan);
+  if (!request.report.empty()) make_folder(request.report);
   CampaignOptions options = options_of(request);
   const auto run = [&] {
     const WhileInterruptible guard;
@@ -165,7 +150,8 @@ void add_campaign_command(CLI::App& app) {
                    "Write report.html, tables, figures and each test's results "
                    "into this folder; "
                    "results that are there already are not computed again")
-      ->type_name("FOLDER");
+      ->type_name("FOLDER")
+      ->each(announce_campaign_report);
   command->add_flag("!--no-figures", request->figures, "Write the tables alone, no report.html and no figures");
   command->add_flag("--test-reports", request->test_reports, "Write the report of each test, with its figures, too");
   command->add_option("-j,--jobs", request->jobs, "Tests computed at the same time")

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/output.h"
 #include "io/text_file.h"
 
 namespace flexslip {
@@ -174,8 +175,7 @@ void add_completions_command(CLI::App& app) {
       ->type_name("SHELL")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  command->add_option("-o,--output", request->path, "Write to this file; - is standard output")
-      ->type_name("FILE")
+  add_output_file(*command, "-o,--output", request->path, "Write to this file; - is standard output")
       ->capture_default_str();
   command->footer(
       "Examples:\n"

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/fit_json.h"
@@ -38,6 +40,14 @@ std::string what_failed(const FittedTest& test, const std::string& status) {
         test.measurement.file);
   return fmt::format("{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
                      test.measurement.file);
+}
+
+// The figures' folder is FlexSlip's own.
+void announce_fit_report(const std::string& folder) {
+  if (folder.empty()) return;
+  const std::filesystem::path report(folder);
+  files_of_this_call().writes(report / "report.html", "--report");
+  files_of_this_call().writes_below(report / "figures", "--report");
 }
 
 void run_fit(const FitRequest& request) {
@@ -73,19 +83,15 @@ void add_fit_command(CLI::App& app) {
       app.add_subcommand("fit", "What friction a measured test shows, where along the specimen, how certainly");
   add_case_options(*command, request->test);
   add_analysis_options(*command, request->analysis);
-  command->add_option("--profile", request->profile, "Write the friction along the specimen to this CSV file")
-      ->type_name("FILE");
-  command
-      ->add_option("--curves", request->curves,
-                   "Write measured, fitted and replayed force point by point to this CSV file")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--draws", request->draws,
-          "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"")
-      ->type_name("FILE");
+  add_output_file(*command, "--profile", request->profile, "Write the friction along the specimen to this CSV file");
+  add_output_file(*command, "--curves", request->curves,
+                  "Write measured, fitted and replayed force point by point to this CSV file");
+  add_output_file(
+      *command, "--draws", request->draws,
+      "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"");
   command->add_option("--report", request->report, "Write report.html and figures/ into this folder")
-      ->type_name("FOLDER");
+      ->type_name("FOLDER")
+      ->each(announce_fit_report);
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(

@@ -138,18 +138,17 @@ void invert_case(const InvertRequest& request) {
   if (json) {
     Json unexplained = Json::array();
     for (const std::size_t index : profile.unexplained) unexplained.push_back(file_row(measurement, index));
-    write_json(request.output.path,
-               {{"status", profile.points.empty() ? "nothing_explained" : "ok"},
-                {"units", units_json(input.reduced)},
-                {"bending_stiffness",
-                 {{"value", stiffness.value},
-                  {"relative_error", stiffness.relative_error},
-                  {"source", name_of(stiffness.source)}}},
-                {"contact_offset", measurement.contact_offset},
-                {"force_noise", measurement.force_noise},
-                {"last_row", measurement.first + measurement.record.force.size() * measurement.rows_per_point},
-                {"profile", rows_json(columns)},
-                {"unexplained", unexplained}});
+    write_json(request.output.path, {{"status", profile.points.empty() ? "nothing_explained" : "ok"},
+                                     {"units", units_json(input.reduced)},
+                                     {"bending_stiffness",
+                                      {{"value", stiffness.value},
+                                       {"relative_error", stiffness.relative_error},
+                                       {"source", name_of(stiffness.source)}}},
+                                     {"contact_offset", measurement.contact_offset},
+                                     {"force_noise", measurement.force_noise},
+                                     {"last_row", last_file_row(measurement, measurement.record.force.size() - 1)},
+                                     {"profile", rows_json(columns)},
+                                     {"unexplained", unexplained}});
   } else {
     write_table(request.output.path, columns);
   }

@@ -1,10 +1,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +14,7 @@
 
 #include "cli/commands.h"
 #include "cli/interruption.h"
+#include "io/call_files.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -109,6 +112,10 @@ int run(int argc, char** argv) {
   add_completions_command(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) command->group("Commands");
 
+  // Where a shell sends it to a file.
+  std::error_code elsewhere;
+  if (const auto file = std::filesystem::canonical("/dev/stdout", elsewhere); !elsewhere)
+    files_of_this_call().writes(file, "standard output");
   try {
     app.parse(argc, argv);
     return EXIT_SUCCESS;
@@ -123,6 +130,8 @@ int run(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), exit_wrong_input);
   } catch (const InputError& error) {
+    return complain(error.what(), exit_wrong_input);
+  } catch (const OutputClash& error) {
     return complain(error.what(), exit_wrong_input);
   }
 }

@@ -43,6 +43,7 @@ std::string file_of(const MergeRequest& request) {
 
 void run_merge(const MergeRequest& request) {
   const std::string path = file_of(request);
+  announce_sweep(path);
   // A job that is run again after its work was done. Which sweep the folder held is not known any more.
   const auto is_there = [](const std::string& folder) { return std::filesystem::exists(folder); };
   const bool is_gone = std::none_of(request.folders.begin(), request.folders.end(), is_there);

@@ -3,43 +3,37 @@
 #include <filesystem>
 #include <iostream>
 #include <span>
-#include <system_error>
 #include <variant>
 
 #include <fmt/format.h>
 
-#include "io/input_error.h"
+#include "io/call_files.h"
 
 namespace flexslip {
 
-void require_other_file(const CLI::App& command, const std::string& output, std::string_view option) {
-  for (const CLI::Option* input : command.get_options()) {
-    if (!input->get_positional()) continue;
-    for (const std::string& file : input->results()) {
-      std::error_code absent;
-      if (std::filesystem::is_regular_file(output, absent) && std::filesystem::equivalent(file, output, absent))
-        throw InputError({.field = std::string(option),
-                          .expected = "another file than is read",
-                          .found = in_quotes(output),
-                          .remedy = "pass another name: nothing has been written"});
-    }
-  }
+CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::string& path, const std::string& help) {
+  CLI::Option* option = command.add_option(names, path, help)->type_name("FILE");
+  return option->each([option](const std::string& file) {
+    if (file != "-") files_of_this_call().writes(file, option->get_name());
+  });
 }
 
 void add_output_options(CLI::App& command, Output& output) {
   command.add_flag("--json", output.json, "Write JSON instead of CSV");
-  command.add_option("-o,--output", output.path, "Write to this file; - is standard output")
-      ->type_name("FILE")
+  add_output_file(command, "-o,--output", output.path, "Write to this file; - is standard output")
       ->capture_default_str();
   command.add_flag("--quiet", output.quiet, "No remarks on standard error, only errors");
-  command.parse_complete_callback([&command, &output] { require_other_file(command, output.path, "--output"); });
 }
 
 void add_figure_option(CLI::App& command, std::string& path) {
-  command
-      .add_option("--figure", path,
+  add_output_file(command, "--figure", path,
                   "Draw the result: FILE.svg, FILE.pdf or FILE.png; gnuplot script and data beside it")
-      ->type_name("FILE");
+      ->each([](const std::string& file) {
+        const std::filesystem::path picture(file);
+        const std::string name = picture.stem().string();
+        files_of_this_call().writes(picture.parent_path() / (name + ".gp"), "--figure");
+        files_of_this_call().writes_like(picture.parent_path(), name + "-", ".csv", "--figure");
+      });
 }
 
 void draw_for(const Output& output, const Figure& figure, const std::string& path) {

@@ -18,10 +18,10 @@ struct Output {
   bool quiet = false;
 };
 
-// Fails:      InputError naming the option, if its file is one that the command reads (a positional argument of it).
-void require_other_file(const CLI::App& command, const std::string& output, std::string_view option);
+// Gives a command an option that names a file to write, and announces the file (CallFiles) before the command reads any.
+CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::string& path, const std::string& help);
 
-// Gives a command the options --json, --output and --quiet; --output may not be what it reads.
+// Gives a command the options --json, --output and --quiet.
 void add_output_options(CLI::App& command, Output& output);
 
 // Gives a command the option --figure.

@@ -125,6 +125,7 @@ void report_done(const SweepRequest& request, const SweepPlan& plan, const std::
 void run_sweep_command(const SweepRequest& request) {
   const Shard shard = shard_of(request);
   const std::string path = file_of(request);
+  announce_sweep(path);
   const SweepPlan plan = read_sweep(request.file);
   const std::string digest = digest_of_sweep(plan);
   const bool is_done = finds_sweep(path, digest);
@@ -167,12 +168,9 @@ void add_sweep_command(CLI::App& app) {
           ->add_option("--shard", request->shard, "Compute the I-th of N shards only, and leave the joining to `merge`")
           ->type_name("I/N");
   command->add_flag("--keep-parts", request->keep_parts, "Leave the parts where they are once they are joined");
-  CLI::Option* slurm = command
-                           ->add_option("--slurm", request->slurm,
-                                        "Write a script for an array of jobs of Slurm, and compute nothing yet")
-                           ->type_name("FILE");
+  CLI::Option* slurm = add_output_file(*command, "--slurm", request->slurm,
+                                       "Write a script for an array of jobs of Slurm, and compute nothing yet");
   slurm->excludes(shard);
-  command->parse_complete_callback([request, command] { require_other_file(*command, request->slurm, "--slurm"); });
   command->add_option("--minutes", request->minutes, "With --slurm: how long a job is to take, about")
       ->type_name("NUMBER")
       ->check(CLI::Range(0.1, 1e5).description(""))

@@ -15,6 +15,8 @@
 #include "cli/interruption.h"
 #include "cli/progress.h"
 #include "cli/shell_word.h"
+#include "io/call_files.h"
+#include "io/durable_file.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 
@@ -85,6 +87,11 @@ std::string file_to_write(const std::string& path) {
                     .expected = "a file: HDF5 cannot be written to standard output",
                     .found = in_quotes(path),
                     .remedy = "pass --output FILE"});
+}
+
+void announce_sweep(const std::string& path) {
+  files_of_this_call().writes(path, "--output");
+  files_of_this_call().writes(UnfinishedFile::name_for(path), "--output");
 }
 
 bool finds_sweep(const std::string& path, const std::string& digest) {

@@ -13,6 +13,9 @@ namespace flexslip {
 // Fails:      InputError if it is empty or standard output.
 std::string file_to_write(const std::string& path);
 
+// Announces the file (CallFiles), before anything is read.
+void announce_sweep(const std::string& path);
+
 // Is the file there? It is that of the sweep with this digest.
 // Fails:      InputError if another file is there.
 bool finds_sweep(const std::string& path, const std::string& digest);

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cerrno>
+#include <iostream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -21,52 +23,50 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view suffix = ".unfinished";
 
-[[noreturn]] void refuse(const fs::path& path, const std::error_code& error) {
-  throw InputError({.file = path.string(), .expected = "a file that can be written", .found = error.message()});
+[[noreturn]] void refuse(const std::string& path, const std::error_code& error) {
+  throw InputError({.file = path, .expected = "a file that can be written", .found = error.message()});
 }
 
-// Has the system write to the disk what it holds of a file or folder.
-void sync(const fs::path& path) {
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+// Has the system write to the disk what it holds of a file or folder. What it cannot do for a folder, some file systems do
+// anyway, and in others nobody may.
+std::error_code sync(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool is_synced = descriptor >= 0 && fsync(descriptor) == 0;
-  const std::error_code error(errno, std::generic_category());
-  if (descriptor >= 0) close(descriptor);
-  if (!is_synced && error != std::errc::invalid_argument) refuse(path, error);  // no folders on some file systems
+  if (descriptor < 0) return last_error();
+  const std::error_code error = fsync(descriptor) == 0 ? std::error_code() : last_error();
+  close(descriptor);
+  return error;
 }
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
-// Has the system write a new file to the disk. What a write or a close could not do, a later sync need not tell.
-void write_synced(const fs::path& path, std::string_view bytes) {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) refuse(path, {errno, std::generic_category()});
-  bool is_written = true;
-  while (is_written && !bytes.empty()) {
-    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
-    is_written = count >= 0 || errno == EINTR;
-    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  is_written = is_written && fsync(descriptor) == 0;
-  const int reason = errno;
-  const bool is_closed = close(descriptor) == 0;
-  if (!is_written || !is_closed) refuse(path, {is_written ? errno : reason, std::generic_category()});
-}
-
-// Gives a file that is on the disk its name.
+// Gives a file that is written its name, once it is on the disk.
 void rename_synced(const fs::path& unfinished, const fs::path& file) {
-  std::error_code error;
+  std::error_code error = sync(unfinished);
+  if (error) refuse(file.string(), error);
   fs::rename(unfinished, file, error);  // at once: a reader sees the old file or the new one
-  if (error) refuse(file, error);
-  sync(folder_of(file));
+  if (error) refuse(file.string(), error);
+  error = sync(folder_of(file));
+  if (error && error != std::errc::invalid_argument && error != std::errc::permission_denied)
+    refuse(file.string(), error);
 }
 
-// Of this process alone, also where several computers share the folder.
-fs::path own_name(const fs::path& file) {
-  std::array<char, 256> computer{};
+// An empty file beside another, under a name of its own, also where several computers share the folder.
+// Fails: an empty path, and errno.
+fs::path new_file_beside(const fs::path& file, mode_t mode) {
+  constexpr std::size_t longest = 150;  // [bytes] file systems take 255
+  std::array<char, 64> computer{};
   gethostname(computer.data(), computer.size() - 1);
-  fs::path name = file;
-  name += fmt::format(".{}-{}{}", computer.data(), getpid(), suffix);
-  return name;
+  const std::string begin = file.filename().string().substr(0, longest);
+  for (int i = 0;; ++i) {
+    fs::path name = folder_of(file) / fmt::format("{}.{}-{}-{}{}", begin, computer.data(), getpid(), i, suffix);
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor < 0 && errno == EEXIST) continue;  // of a program that was killed
+    if (descriptor < 0) return {};
+    close(descriptor);
+    return name;
+  }
 }
 
 bool is_open_as(int descriptor, const fs::path& name) {
@@ -80,24 +80,75 @@ bool is_open_as(int descriptor, const fs::path& name) {
 
 bool is_unfinished(const fs::path& file) { return file.extension() == suffix; }
 
-void write_durably(const fs::path& file, std::string_view bytes) {
-  const fs::path unfinished = own_name(file);
-  try {
-    write_synced(unfinished, bytes);
-    rename_synced(unfinished, file);
-  } catch (...) {
-    std::error_code gone;
-    fs::remove(unfinished, gone);
-    throw;
+bool is_descriptor(const fs::path& target) { return target.native().starts_with("/proc/"); }
+
+fs::path target_of(fs::path path) {
+  constexpr int most_links = 40;  // that Linux follows
+  for (int links = 0; links < most_links; ++links) {
+    std::error_code error;
+    const fs::path folder = fs::weakly_canonical(folder_of(path), error);
+    if (!error) path = folder / path.filename();
+    if (is_descriptor(path) || !fs::is_symlink(path, error)) break;
+    const fs::path target = fs::read_symlink(path, error);
+    if (error) break;
+    path = folder_of(path) / target;  // which is the target alone where it is absolute
   }
+  return path;
 }
 
-UnfinishedFile::UnfinishedFile(fs::path file) : file_(std::move(file)), name_(file_) {
-  name_ += suffix;
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+  if (path_ == "-") return;
+  file_ = target_of(path_);
+  struct stat old {};
+  const bool exists = stat(file_.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) refuse(path_, std::make_error_code(std::errc::is_a_directory));
+  std::error_code absent;
+  if (!exists && fs::is_symlink(file_, absent))
+    refuse(path_, std::make_error_code(std::errc::too_many_symbolic_link_levels));
+  is_replaced_ = !is_descriptor(file_) && (!exists || S_ISREG(old.st_mode));
+  name_ = file_;
+  if (is_replaced_) {
+    if (exists && faccessat(AT_FDCWD, file_.c_str(), W_OK, AT_EACCESS) != 0) refuse(path_, last_error());
+    const mode_t mode = exists ? (old.st_mode & 0777) | S_IRUSR | S_IWUSR : 0666;
+    name_ = new_file_beside(file_, mode);
+    if (name_.empty()) refuse(path_, last_error());
+    if (exists) permissions_ = static_cast<fs::perms>(old.st_mode & 0777);
+    if (exists && chown(name_.c_str(), old.st_uid, old.st_gid) != 0) errno = 0;  // only for a superuser it always can
+  }
+  errno = 0;
+  stream_.open(name_, std::ios::binary);
+}
+
+OutputFile::~OutputFile() {
+  std::error_code absent;
+  if (is_replaced_) fs::remove(name_, absent);
+}
+
+std::ostream& OutputFile::stream() {
+  if (path_ == "-") return std::cout;
+  return stream_;
+}
+
+void OutputFile::finish() {
+  if (!stream().flush()) refuse(path_ == "-" ? "standard output" : path_, last_error());
+  if (path_ == "-") return;
+  stream_.close();
+  if (!stream_) refuse(path_, last_error());
+  if (!is_replaced_) return;
+  std::error_code error;
+  if (permissions_) fs::permissions(name_, *permissions_, error);
+  if (error) refuse(path_, error);
+  rename_synced(name_, file_);
+  is_replaced_ = false;
+}
+
+fs::path UnfinishedFile::name_for(const fs::path& file) { return fs::path(file) += suffix; }
+
+UnfinishedFile::UnfinishedFile(fs::path file) : file_(std::move(file)), name_(name_for(file_)) {
   while (!is_open_as(lock_, name_)) {  // again if it was finished or removed before it was locked
     if (lock_ >= 0) close(lock_);
     lock_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (lock_ < 0) refuse(name_, {errno, std::generic_category()});
+    if (lock_ < 0) refuse(name_.string(), last_error());
     if (flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) continue;  // or a file system without locks
     close(lock_);
     throw InputError({.file = file_.string(),
@@ -114,7 +165,6 @@ UnfinishedFile::~UnfinishedFile() {
 }
 
 void UnfinishedFile::finish() {
-  sync(name_);
   rename_synced(name_, file_);
   is_finished_ = true;
 }

@@ -15,7 +15,9 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include "io/call_files.h"
 #include "io/cells.h"
+#include "io/durable_file.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -376,18 +378,17 @@ void write_table(std::ostream& out, const std::vector<OutputColumn>& columns) {
 }
 
 void write_table(const std::string& path, const std::vector<OutputColumn>& columns) {
-  if (path == "-") return write_table(std::cout, columns);
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  if (!out) throw InputError({.file = path, .expected = "a file that can be written", .found = reason(errno)});
+  OutputFile file(path);
   try {
-    write_table(out, columns);
+    write_table(file.stream(), columns);
   } catch (const InputError& error) {
-    throw located(error, path, 0, "");
+    throw located(error, path == "-" ? "standard output" : path, 0, "");
   }
+  file.finish();
 }
 
 std::shared_ptr<std::istream> open_to_read(const std::string& path) {
+  files_of_this_call().reads(path);
   if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // not ours to close
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))

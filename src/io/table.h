@@ -74,11 +74,11 @@ struct OutputColumn {
 // Fails:      InputError if not all could be written.
 void write_table(std::ostream& out, const std::vector<OutputColumn>& columns);
 
-// The same to a file; "-" is standard output.
+// The same to a file, whole or not at all (OutputFile); "-" is standard output.
 void write_table(const std::string& path, const std::vector<OutputColumn>& columns);
 
 // A file to read from; "-" is standard input.
-// Fails:      InputError if it is missing, a directory or cannot be opened.
+// Fails:      OutputClash if the call writes it; InputError if it is missing, a directory or cannot be opened.
 std::shared_ptr<std::istream> open_to_read(const std::string& path);
 
 }  // namespace flexslip

@@ -6,7 +6,7 @@
 
 namespace flexslip {
 
-// Writes a file; "-" is standard output.
+// Writes a file, whole or not at all (OutputFile); "-" is standard output.
 // Fails:      InputError if not all could be written.
 void write_text(const std::string& path, std::string_view text);
 

@@ -22,10 +22,21 @@ namespace {
                     .remedy = std::move(remedy)});
 }
 
+bool is_like_formula(std::string_view words) {
+  const std::size_t first = words.find_first_not_of('\'');
+  return first != std::string_view::npos && std::string_view("=+-@").find(words[first]) != std::string_view::npos;
+}
+
+// What without_formula was given.
+std::string as_meant(std::string words) {
+  if (words.starts_with('\'') && is_like_formula(words)) words.erase(0, 1);
+  return words;
+}
+
 std::vector<std::string> cells_of(const std::string& file, std::size_t number, std::string_view line, char delimiter) {
   std::vector<std::string> cells;
   CellReader reader(line, delimiter);
-  while (const auto cell = reader.next()) cells.push_back(unescaped(*cell));
+  while (const auto cell = reader.next()) cells.push_back(as_meant(unescaped(*cell)));
   if (reader.broken())
     refuse(file, number, "quotes in pairs around a whole cell",
            fmt::format("a stray quote in cell {}", cells.size() + 1), "delete it");
@@ -34,6 +45,8 @@ std::vector<std::string> cells_of(const std::string& file, std::size_t number, s
 }
 
 }  // namespace
+
+std::string without_formula(std::string_view words) { return (is_like_formula(words) ? "'" : "") + std::string(words); }
 
 TextTable read_text_table(const std::string& path) {
   const auto in = open_to_read(path);

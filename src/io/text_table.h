@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace flexslip {
@@ -19,7 +20,11 @@ struct TextTable {
   std::vector<TextRow> rows;
 };
 
-// Reads a table separated by commas, semicolons or tabs; comments and empty lines are left out as in read_table.
+// Words that no spreadsheet takes for a formula: with a ' before those that begin with = + - or @, also after others of '.
+std::string without_formula(std::string_view words);
+
+// Reads a table separated by commas, semicolons or tabs; comments and empty lines are left out as in read_table. A cell
+// is what without_formula was given: '=a is =a.
 // Fails:      InputError with file and line: no header, a title that is missing or there twice, more cells than titles, a stray quote.
 TextTable read_text_table(const std::string& path);
 

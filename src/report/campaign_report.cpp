@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "io/durable_file.h"
 #include "io/json.h"
 #include "io/text_file.h"
 #include "report/campaign_figures.h"
@@ -88,14 +89,18 @@ DrawStatus draw_all(const std::vector<Plate>& plates, const std::string& folder)
   return drawn;
 }
 
-// Pages of a run before: there may be fewer now.
-void remove_pages(const std::string& figures) {
+// Of a run before, besides what it was writing when it was stopped: its pages, as there may be fewer now.
+bool is_old_figure(const fs::path& file) {
+  return is_unfinished(file) || file.filename().string().starts_with("atlas-");
+}
+
+void remove_from(const fs::path& folder, bool (*is_old)(const fs::path&)) {
   std::error_code error;
-  std::vector<fs::path> pages;
-  for (auto file = fs::directory_iterator(figures, error); !error && file != fs::directory_iterator();
+  std::vector<fs::path> old;
+  for (auto file = fs::directory_iterator(folder, error); !error && file != fs::directory_iterator();
        file.increment(error))
-    if (file->path().filename().string().starts_with("atlas-")) pages.push_back(file->path());
-  for (const auto& page : pages) fs::remove(page, error);
+    if (is_old(file->path())) old.push_back(file->path());
+  for (const auto& file : old) fs::remove(file, error);
 }
 
 }  // namespace
@@ -103,6 +108,7 @@ void remove_pages(const std::string& figures) {
 void write_campaign_tables(const std::string& folder, const Campaign& campaign) {
   make_folder(folder);
   const fs::path base(folder);
+  remove_from(base, is_unfinished);
   write_campaign_csv((base / "tests.csv").string(), test_table(campaign));
   write_campaign_csv((base / "categories.csv").string(), category_table(campaign));
   write_json((base / "campaign.json").string(), campaign_json(campaign));
@@ -114,7 +120,7 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   write_campaign_tables(folder, campaign);
   const std::string figures = (fs::path(folder) / "figures").string();
   make_folder(figures);
-  remove_pages(figures);
+  remove_from(figures, is_old_figure);
   const bool answered = std::any_of(campaign.tests.begin(), campaign.tests.end(),
                                     [](const CampaignTest& test) { return test.summary.has_value(); });
   std::vector<Plate> plates;

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "io/table.h"
+#include "io/text_table.h"
 
 namespace flexslip {
 namespace {
@@ -289,6 +290,7 @@ CampaignTable in_best_units(CampaignTable table) {
 void write_campaign_csv(const std::string& path, const CampaignTable& table) {
   const auto rows = table.rows.size();
   std::vector<std::vector<double>> numbers(table.columns.size());
+  std::vector<std::vector<std::string>> words(table.columns.size());
   std::vector<std::vector<std::string_view>> texts(table.columns.size());
   std::vector<OutputColumn> columns;
   columns.reserve(table.columns.size());
@@ -306,8 +308,9 @@ void write_campaign_csv(const std::string& path, const CampaignTable& table) {
       texts[i].reserve(rows);
       for (const auto& row : table.rows) {
         const std::string* text = std::get_if<std::string>(&row[i]);
-        texts[i].push_back(text ? std::string_view(*text) : std::string_view());
+        words[i].push_back(text ? without_formula(*text) : "");
       }
+      texts[i].assign(words[i].begin(), words[i].end());
       output.cells = std::span<const std::string_view>(texts[i]);
     }
     columns.push_back(std::move(output));

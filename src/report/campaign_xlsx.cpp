@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 #include <xlsxwriter.h>
 
+#include "io/durable_file.h"
 #include "io/input_error.h"
-#include "io/text_file.h"
+#include "io/text_table.h"
 #include "report/campaign_table.h"
 
 namespace flexslip {
@@ -76,7 +77,7 @@ class Workbook {
         if (const double* value = std::get_if<double>(&cell); value && std::isfinite(*value)) {
           worksheet_write_number(sheet, below, at, *value, cells);
         } else if (const std::string* text = std::get_if<std::string>(&cell); text && !text->empty()) {
-          worksheet_write_string(sheet, below, at, text->c_str(), nullptr);
+          worksheet_write_string(sheet, below, at, without_formula(*text).c_str(), nullptr);
           width = std::max(width, std::min(widest, text->size() + 1));
         }
       }
@@ -108,14 +109,15 @@ class Workbook {
 }  // namespace
 
 void write_campaign_xlsx(const std::string& path, const Campaign& campaign) {
-  write_text(path, "");  // says why, where the library only says that it cannot
-  Workbook book(path);
+  OutputFile file(path);
+  Workbook book(file.name().string());
   book.add(in_best_units(test_table(campaign)), "Tests");
   book.add(in_best_units(category_table(campaign)), "Categories");
   book.add(failure_table(campaign), "Failures");
   if (!campaign.shared.empty()) book.add(shared_table(campaign), "Shared");
   if (const lxw_error error = book.close(); error != LXW_NO_ERROR)
     throw InputError({.file = path, .expected = "a workbook that can be written", .found = lxw_strerror(error)});
+  file.finish();
 }
 
 }  // namespace flexslip

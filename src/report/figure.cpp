@@ -1,6 +1,7 @@
 #include "report/figure.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -69,7 +71,8 @@ std::string script_of(const Figure& figure) {
       "# gnuplot THIS_FILE draws the figure from the data beside it, as SVG, PDF and PNG; one of them only:\n"
       "# gnuplot -e \"formats='pdf'\" THIS_FILE\n"
       "if (!exists('formats')) formats = 'svg pdf png'\n"
-      "{}{}\ndo for [format in formats] {{\n{}  set output {}.'.'.format\n{}  unset output\n}}\n",
+      "if (!exists('folder')) folder = ''\n"
+      "{}{}\ndo for [format in formats] {{\n{}  set output folder.{}.'.'.format\n{}  unset output\n}}\n",
       files, style, terminals(figure), in_script(figure.name), figure.script);
 }
 
@@ -94,8 +97,7 @@ std::string escaped(std::string_view text) {
 }
 
 // Says what the picture shows, and takes fonts that exist everywhere.
-void finish_svg(const fs::path& path, const Figure& figure) {
-  std::string text = read_text(path);
+std::string finished_svg(std::string text, const Figure& figure) {
   replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", escaped(figure.title)));
   const auto from = text.find("<desc>");
   const auto to = text.find("</desc>");
@@ -103,15 +105,14 @@ void finish_svg(const fs::path& path, const Figure& figure) {
     text.replace(from, to - from, "<desc>" + escaped(figure.description));
   replace_all(text, "<text>", "<text xml:space=\"preserve\">");
   replace_all(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
-  write_text(path.string(), text);
+  return text;
 }
 
 // The date of the drawing would make every PDF another.
-void finish_pdf(const fs::path& path) {
-  std::string text = read_text(path);
+std::string finished_pdf(std::string text) {
   const std::string key = "/CreationDate (D:";
   const auto at = text.find(key);
-  if (at == std::string::npos) return;
+  if (at == std::string::npos) return text;
   const char* asked = std::getenv("SOURCE_DATE_EPOCH");
   const std::time_t seconds = asked ? std::strtoll(asked, nullptr, 10) : 0;
   std::tm date{};
@@ -119,8 +120,31 @@ void finish_pdf(const fs::path& path) {
   const std::string day = fmt::format("{:04}{:02}{:02}{:02}{:02}{:02}", date.tm_year + 1900, date.tm_mon + 1,
                                       date.tm_mday, date.tm_hour, date.tm_min, date.tm_sec);
   if (day.size() == 14) text.replace(at + key.size(), day.size(), day);  // no other length: the file holds offsets
-  write_text(path.string(), text);
+  return text;
 }
+
+// Where gnuplot draws: it would cut short or spoil a picture that is there.
+class DrawingFolder {
+ public:
+  DrawingFolder() {
+    std::string name = fs::absolute(fs::temp_directory_path() / "flexslip-XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      throw InputError({.file = fs::temp_directory_path().string(),
+                        .expected = "a folder that can be written to",
+                        .found = std::generic_category().message(errno)});
+    path_ = name;
+  }
+  ~DrawingFolder() {
+    std::error_code gone;
+    fs::remove_all(path_, gone);
+  }
+  DrawingFolder(const DrawingFolder&) = delete;
+  DrawingFolder& operator=(const DrawingFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
 
 }  // namespace
 
@@ -151,9 +175,13 @@ std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>&
 }
 
 std::string in_script(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
-  return out + '\'';
+  if (text.find('\'') == std::string_view::npos) return fmt::format("'{}'", text);
+  // A doubled ' is misread between braces (gnuplot 5.4). Between " all that means something goes by its number.
+  std::string out = "\"";
+  for (const char c : text)
+    out +=
+        std::string_view("'\"\\`").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("\\{:03o}", c);
+  return out + '"';
 }
 
 PlotUnit plot_unit(double magnitude, const Kind& kind, bool reduced, std::string_view reduced_unit) {
@@ -173,15 +201,21 @@ DrawStatus draw(const Figure& figure, const std::string& folder, const std::vect
   for (const auto& data : figure.data)
     write_text((base / fmt::format("{}-{}.csv", figure.name, data.name)).string(), csv(data));
   write_text((base / script).string(), script_of(figure));
-  const auto result =
-      run_child({"gnuplot", "-e", fmt::format("formats='{}'", fmt::join(formats, " ")), "./" + script}, base.string());
+  const DrawingFolder drawing;
+  const auto result = run_child(
+      {"gnuplot", "-e",
+       fmt::format("formats='{}'; folder={}", fmt::join(formats, " "), in_script((drawing.path() / "").string())),
+       "./" + script},
+      base.string());
   if (result.status == ChildStatus::not_found) return DrawStatus::no_gnuplot;
   if (result.exit_code != 0)
     throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", (base / script).string(), result.output));
   for (const auto& format : formats) {
-    const fs::path picture = base / fmt::format("{}.{}", figure.name, format);
-    if (format == "svg") finish_svg(picture, figure);
-    if (format == "pdf") finish_pdf(picture);
+    const std::string picture = fmt::format("{}.{}", figure.name, format);
+    const std::string drawn = read_text(drawing.path() / picture);
+    write_text((base / picture).string(), format == "svg"   ? finished_svg(drawn, figure)
+                                          : format == "pdf" ? finished_pdf(drawn)
+                                                            : drawn);
   }
   return DrawStatus::drawn;
 }

@@ -238,7 +238,7 @@ Json measurement_json(const FittedTest& test) {
   };
   return {{"rows", measurement.rows},
           {"first_row", file_row(test, 0)},
-          {"last_row", measurement.first + measurement.record.force.size() * measurement.rows_per_point},
+          {"last_row", last_row(test)},
           {"rows_per_point", measurement.rows_per_point},
           {"ends_with", end()}};
 }

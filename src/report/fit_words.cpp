@@ -560,7 +560,7 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
   if (measurement.rows_per_point > 1)
     list.push_back(fmt::format("The file has {0} rows, of which every {1}th is used.", measurement.rows,
                                measurement.rows_per_point));
-  const std::size_t last = measurement.first + measurement.record.force.size() * measurement.rows_per_point;
+  const std::size_t last = last_row(test);
   switch (measurement.end) {
     case MeasurementEnd::until:
       list.push_back(fmt::format("The record ends with row {}, as stated.", last));

@@ -74,8 +74,8 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
       "The straight part is rows {} to {}, from {:.0f} % to {:.0f} % of {}; it would meet zero force at a deflection "
       "of "
       "{}, from which deflection and strain count here.",
-      file_row(measurement, numbers.first), file_row(measurement, numbers.last - 1) + measurement.rows_per_point - 1,
-      100 * numbers.window.from, 100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)),
+      file_row(measurement, numbers.first), last_file_row(measurement, numbers.last - 1), 100 * numbers.window.from,
+      100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)),
       readable(numbers.origin, as(kind::length))));
   list.emplace_back(
       "Small deflections, supports that do not hold the specimen back and no shear are assumed. The errors are "

@@ -85,15 +85,6 @@ TEST_CASE("table: what was kept is found under its key alone, what is torn or fo
   CHECK(!store.find("SS14", "key"));
 }
 
-TEST_CASE("table: what a stopped run left half written is removed, all else stays") {
-  const TemporaryFolder folder;
-  folder.file("tests/SS14/result.json.unfinished", "{");
-  folder.file("tests/SS14/mine.txt", "keep");
-  const CampaignStore store(folder.path() / "tests");
-  CHECK(!std::filesystem::exists(folder.path() / "tests" / "SS14" / "result.json.unfinished"));
-  CHECK(std::filesystem::exists(folder.path() / "tests" / "SS14" / "mine.txt"));
-}
-
 TEST_CASE("table: a folder that cannot be made is refused") {
   const TemporaryFolder folder;
   const auto file = folder.file("tests", "a file");

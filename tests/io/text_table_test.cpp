@@ -23,6 +23,21 @@ TEST_CASE("table: words, quotes, comments, a mark of byte order, rows shorter th
   CHECK(table.rows[1].cells == std::vector<std::string>{"c", "", ""});
 }
 
+TEST_CASE("identity: words are read back as they were, and no spreadsheet takes them for a formula") {
+  const TemporaryFolder folder;
+  for (const std::string words : {"=cmd", "+1", "-1", "@x", "'=cmd", "''-1", "=", "'", "''", "'a", "a=b", "1", ""}) {
+    INFO(words);
+    const std::string written = without_formula(words);
+    CHECK((written.empty() || std::string("=+-@").find(written.front()) == std::string::npos));
+    CHECK(read_text_table(folder.file("table.csv", "name,end\n" + written + ",x\n")).rows.front().cells.front() ==
+          words);
+  }
+  CHECK(without_formula("=cmd") == "'=cmd");
+  CHECK(without_formula("SS14") == "SS14");
+  CHECK(read_text_table(folder.file("table.csv", "a,b\n-1,+2.5 mm\n")).rows.front().cells ==
+        std::vector<std::string>{"-1", "+2.5 mm"});
+}
+
 TEST_CASE("table: what is no such table is refused with its line") {
   const auto says = [](const std::string& content) {
     const TemporaryFolder folder;

@@ -132,13 +132,31 @@ step = "2 um"
             self.assertLess(told["standard_error"], own["standard_error"])
             self.assertLess(shared["standard_error"], own["standard_error"])
 
+    def test_whatever_the_names_there_is_a_report_and_no_formula_in_it(self):
+        folder = self.simulated(1)
+        names = ["'begins", "12'' rod", "it''s '''", "=cmd_' !A1", "+1", "-1", "@x", "'=quoted"]
+
+        def campaign(cells):
+            """The names in the report of a table with these."""
+            with (folder / "table.csv").open("w", encoding="utf-8", newline="") as file:
+                csv.writer(file).writerows([["name", "file"], *([cell, "t00.csv"] for cell in cells)])
+            report = self.folder / "report"
+            self.succeeds("campaign", folder / "table.csv", "--common", folder / "t00.toml", "--report", report, "--quiet")
+            self.assertTrue((report / "report.html").exists())
+            self.assertEqual(sorted(path.name for path in (report / "tests").iterdir()), sorted(names))
+            return [row["test"] for row in csv.DictReader((report / "tests.csv").read_text(encoding="utf-8").splitlines())]
+
+        written = campaign([f"'{name}" if name == "'=quoted" else name for name in names])
+        self.assertEqual([cell for cell in written if cell[0] in "=+-@"], [])
+        self.assertEqual(campaign(written), written)  # read back, they are the same tests
+
     def test_a_bad_call_is_refused(self):
         self.refused("campaign", self.folder, says=["case files (.toml) with a [record]", "--common"])
         self.refused("campaign", self.folder / "none.csv", says=["none.csv"])
         self.refused("campaign", self.file("t.csv", "file,spam\na.csv,1\n"), says=["t.csv:1", "column 'spam'"])
         folder = self.simulated(1)
         self.refused("campaign", folder, "--report", self.file("taken", ""), says=["taken"])
-        self.refused("campaign", folder, "--report", folder, says=["outside the report's folder", "--report"])
+        self.refused("campaign", folder, "--report", folder, says=["inputs outside", "--report"])
         self.refused("campaign", folder, "--share", "modulus", says=["--share modulus", "at least two tests"])
         self.refused("campaign", folder, "--share", "modulus", "--share", "bending_stiffness", says=["not both"])
 

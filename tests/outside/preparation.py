@@ -49,6 +49,21 @@ def without_provenance(answer):
 
 
 class Steps(InFolder):
+    def test_limit_rows_are_those_of_the_file_after_thinning(self):
+        """8501 rows, of which one in five is used: the last of them stands for itself alone."""
+        rows = 8501
+        rig = '[specimen]\nbending_stiffness = "1e-9 N m^2"\n[rig]\nspan = "1 mm"\nstiffness = "90 N/m"\n'
+        made = self.file("made.toml", f'{rig}[friction]\nmodel = "constant"\nmu0 = 0.3\n[stage]\nprogram = ["0 um", "425 um"]\nstep = "0.05 um"\n')
+        data = self.folder / "test.csv"
+        self.succeeds("simulate", made, "--noise", "10 uN", "-o", data)
+        self.assertEqual(len(data.read_text(encoding="utf-8").splitlines()), rows + 1)
+        case = self.file("case.toml", f'{rig}[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\nfailure = "none"\n')
+        fit = self.json("fit", case, "--model", "constant")
+        self.assertEqual((fit["measurement"]["rows_per_point"], fit["measurement"]["last_row"]), (5, rows))
+        self.assertEqual(self.json("invert", case, "--quiet")["last_row"], rows)
+        self.assertLessEqual(self.json("modulus", case, "--window", 0.9, 1)["window"]["rows"][1], rows)
+        self.assertIn(f"all rows to the last, {rows}, are used", " ".join(self.succeeds("fit", case, "--model", "constant").split()))
+
     def test_outside_schema(self):
         for command in ("fit", "modulus"):
             answer = self.json(command, CASE)

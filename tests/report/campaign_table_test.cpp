@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "io/table.h"
+#include "io/text_table.h"
 #include "tests/report/some_campaign.h"
 
 using namespace flexslip;
@@ -29,6 +31,24 @@ TEST_CASE("outside: the table of tests reads back to the same bits, whatever the
   CHECK(read.columns[3].values[0] == 3.4e-6);
   CHECK(read.columns[4].values[0] == 7);
   CHECK(text_of(path).find("\"A <b> & 50%_ü \"\"x\"\"\",ok,clear,no,roughness,0.6,") != std::string::npos);
+}
+
+TEST_CASE("outside: no name is a formula, and each is that of the same test when the table is read") {
+  const Folder folder;
+  const std::string path = folder.path + "/tests.csv";
+  const std::vector<std::string> names{"=cmd|' /C calc'!A1", "+1", "-1", "@x", "'=quoted", "12'' rod"};
+  Campaign campaign;
+  for (const auto& name : names) campaign.tests.push_back(some_test(name, SawtoothCategory::clear, 0.5, 10.9e-6));
+  CampaignTable table = test_table(campaign);
+  table.rows[0][5] = -0.5;
+  write_campaign_csv(path, table);
+  const TextTable read = read_text_table(path);
+  REQUIRE(read.rows.size() == names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) CHECK(read.rows[i].cells[0] == names[i]);
+  const std::string text = text_of(path);
+  CHECK(text.find("\n'=cmd") != std::string::npos);
+  for (const char* begins : {"\n=", "\n+", "\n-", "\n@", "\n\"="}) CHECK(text.find(begins) == std::string::npos);
+  CHECK(text.find(",-0.5,") != std::string::npos);  // numbers stay numbers
 }
 
 TEST_CASE("outside: categories with suspects and without, by hand") {

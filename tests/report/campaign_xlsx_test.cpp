@@ -55,6 +55,21 @@ std::optional<Json> read_back(const std::string& path) {
 
 }  // namespace
 
+TEST_CASE("outside: a name that a spreadsheet might take for a formula is text with a ' before it") {
+  const Folder folder;
+  const std::string path = folder.path + "/campaign.xlsx";
+  Campaign campaign;
+  for (const char* name : {"=1+1", "-1", "SS14"})
+    campaign.tests.push_back(some_test(name, SawtoothCategory::clear, 0.5, 10.9e-6));
+  write_campaign_xlsx(path, campaign);
+  if (const auto read = read_back(path)) {
+    const auto& tests = (*read)["sheets"]["Tests"];
+    CHECK(tests[1][0] == "'=1+1");
+    CHECK(tests[2][0] == "'-1");
+    CHECK(tests[3][0] == "SS14");
+  }
+}
+
 TEST_CASE("outside: another reader finds the numbers as numbers, the names as they are, the titles frozen") {
   const Folder folder;
   const std::string path = folder.path + "/campaign.xlsx";

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "io/input_error.h"
 
@@ -63,6 +65,31 @@ TEST_CASE("outside: a name full of quotes and commands is only a name") {
   const std::string name = "it's `id` \"$(id)\".svg";
   if (draw(line(), folder.path + "/" + name) == DrawStatus::no_gnuplot) return;
   CHECK(fs::exists(fs::path(folder.path) / name));
+}
+
+TEST_CASE("outside: gnuplot shows a text as it is, whatever it holds") {
+  const Folder folder;
+  for (const std::string text :
+       {"'begins", "ends'", "12'' rod", "'", "''", "'''", "a'b''c'''d", "\"12\"", "'\"`id`\"'", "back\\slash'n", "\\n",
+        "{brace}'", "'}", "{", "# @x $y `id`", "'# no remark", "é ü '", "%d 100 %"}) {
+    INFO(text);
+    Figure figure = line();
+    figure.script = fmt::format("  set label 4 {} at graph 0,1.06 left noenhanced\n{}", in_script(text), line().script);
+    if (draw(figure, folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
+    CHECK(text_of(fs::path(folder.path) / "line.svg").find(">" + text + "</text>") != std::string::npos);
+  }
+}
+
+TEST_CASE("outside: a picture that cannot be drawn again stays, and nothing lies about") {
+  const Folder folder;
+  if (draw(line(), folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
+  const fs::path picture = fs::path(folder.path) / "line.svg";
+  const std::string before = text_of(picture);
+  Figure broken = line();
+  broken.script += "  plot nonsense\n";
+  CHECK_THROWS_AS(draw(broken, folder.path, {"svg"}), std::runtime_error);
+  CHECK(text_of(picture) == before);
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 3);
 }
 
 TEST_CASE("limit: no picture of that kind") {

@@ -1,0 +1,141 @@
+#include "io/call_files.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "io/durable_file.h"
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a file is, whatever its names; none of what cannot be lost: a device, a pipe, a folder.
+std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return std::pair(status.st_dev, status.st_ino);
+}
+
+// A folder without links and dots, also where it is not there yet.
+fs::path real(const fs::path& folder) {
+  std::error_code error;
+  fs::path path = fs::weakly_canonical(folder.empty() ? "." : folder, error);
+  if (error) return folder;
+  return path.has_filename() ? path : path.parent_path();  // "report/"
+}
+
+bool is_below(const fs::path& file, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
+template <class Iterator>
+std::vector<fs::path> entries_of(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (auto entry = Iterator(folder, error); !error && entry != Iterator(); entry.increment(error))
+    entries.push_back(entry->path());
+  return entries;
+}
+
+[[noreturn]] void refuse(const std::string& options, std::string expected, std::string found, std::string remedy) {
+  throw OutputClash(
+      InputError(
+          {.field = options, .expected = std::move(expected), .found = std::move(found), .remedy = std::move(remedy)})
+          .what());
+}
+
+}  // namespace
+
+// `file` without links.
+bool CallFiles::covers(const Claim& claim, const fs::path& file) {
+  if (claim.kind == Kind::all_below || claim.kind == Kind::no_input_below) return is_below(file, claim.folder);
+  if (file.parent_path() != claim.folder) return false;
+  const std::string name = file.filename().string();
+  if (claim.kind == Kind::one) return name == claim.begin;
+  return name.size() >= claim.begin.size() + claim.end.size() && name.starts_with(claim.begin) &&
+         name.ends_with(claim.end);
+}
+
+// The file of a claim that is this one.
+std::optional<fs::path> CallFiles::same_in(const Claim& claim, const fs::path& file) {
+  if (covers(claim, target_of(file))) return claim.kind == Kind::one ? claim.given : file;
+  const auto identity = identity_of(file);
+  if (!identity) return std::nullopt;
+  const auto found = claim.there.find(*identity);
+  return found == claim.there.end() ? std::nullopt : std::optional(found->second);
+}
+
+void CallFiles::add(Claim claim) {
+  // Links may lead from its files elsewhere. Inputs are kept out by their place alone.
+  std::vector<fs::path> entries;
+  if (claim.kind == Kind::one) entries = {claim.given};
+  if (claim.kind == Kind::alike) entries = entries_of<fs::directory_iterator>(claim.folder);
+  if (claim.kind == Kind::all_below) entries = entries_of<fs::recursive_directory_iterator>(claim.folder);
+  for (const fs::path& file : entries)
+    if (const auto identity = identity_of(file); identity && (claim.kind == Kind::one || covers(claim, file)))
+      claim.there.emplace(*identity, file);
+
+  for (const Claim& other : claims_) {
+    if (other.option == claim.option) continue;
+    const Claim* one = &claim;
+    const Claim* many = &other;
+    if (one->kind != Kind::one) std::swap(one, many);
+    if (one->kind != Kind::one || many->kind == Kind::no_input_below) continue;
+    if (const auto same = same_in(*many, one->given))
+      refuse(fmt::format("{} and {}", other.option, claim.option), "two files",
+             *same == one->given
+                 ? in_quotes(same->string()) + " twice"
+                 : fmt::format("{} and {}, the same file", in_quotes(same->string()), in_quotes(one->given.string())),
+             "pass another name: nothing has been written");
+  }
+  claims_.push_back(std::move(claim));
+}
+
+void CallFiles::writes(const fs::path& file, const std::string& option) {
+  std::error_code error;
+  const fs::path target = target_of(file);
+  if (is_descriptor(target) || (fs::exists(target, error) && !identity_of(target))) return;
+  add({Kind::one, option, file, target.parent_path(), target.filename().string()});
+}
+
+void CallFiles::writes_like(const fs::path& folder, std::string begin, std::string end, const std::string& option) {
+  add({Kind::alike, option, folder, real(folder), std::move(begin), std::move(end)});
+}
+
+void CallFiles::writes_below(const fs::path& folder, const std::string& option) {
+  add({Kind::all_below, option, folder, real(folder)});
+}
+
+void CallFiles::keeps_inputs_out_of(const fs::path& folder, const std::string& option) {
+  add({Kind::no_input_below, option, folder, real(folder)});
+}
+
+void CallFiles::reads(const fs::path& file) const {
+  const fs::path path = file == "-" ? "/dev/stdin" : file;
+  if (claims_.empty() || !identity_of(path)) return;
+  for (const Claim& claim : claims_) {
+    const auto same = same_in(claim, path);
+    if (!same) continue;
+    const bool is_one = claim.kind == Kind::one;
+    refuse(claim.option,
+           is_one                               ? "another file than is read"
+           : claim.kind == Kind::no_input_below ? fmt::format("inputs outside {}", in_quotes(claim.given.string()))
+                                                : "no file that is read among those it writes",
+           *same == path ? in_quotes(path.string())
+                         : fmt::format("{}, the same file as {}", in_quotes(same->string()), in_quotes(path.string())),
+           fmt::format("pass another {}: nothing has been written", is_one ? "name" : "name or folder"));
+  }
+}
+
+CallFiles& files_of_this_call() {
+  static CallFiles files;
+  return files;
+}
+
+}  // namespace flexslip
