@@ -52,8 +52,11 @@ InverseSlopes inverse_slopes(std::span<const double> S, std::span<const double> 
   InverseSlopes slopes{s.F, std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
   for (std::size_t i = 0; i < n; ++i) {
     const double jacobian = s.w_S[i] * s.F_q[i] - s.w_q[i] * s.F_S[i];
-    // Positive for S < 1.6; far beyond, and where the branch ends, deflection and force no longer tell S and q.
-    if (!(jacobian > 1e-9)) continue;
+    // Positive for S < 1.6. Far beyond, and where the branch ends, deflection and force no longer tell S and q: slopes of 0 say so.
+    if (!(jacobian > 1e-9)) {
+      slopes.F[i] = 0;
+      continue;
+    }
     slopes.S_w[i] = s.F_q[i] / jacobian;
     slopes.S_F[i] = -s.w_q[i] / jacobian;
     slopes.q_w[i] = -s.F_S[i] / jacobian;
@@ -134,9 +137,9 @@ void complete(Linearisation& at, const Passages& passages) {
   const double beyond = 0.4 * passages.range;
   const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
   const double low = std::max(*least - beyond, least_S), high = std::min(*greatest + beyond, greatest_S);
-  for (double& S : at.S) S = std::isfinite(S) ? std::clamp(S, low, high) : low;
+  for (double& S : at.S) S = std::clamp(S, low, high);
   at.S = non_falling(at.S);
-  for (double& mu : at.mu) mu = std::isfinite(mu) ? std::clamp(mu, least_mu, greatest_mu) : 0.5;
+  for (double& mu : at.mu) mu = std::clamp(mu, least_mu, greatest_mu);
   // The friction at which the fibre passes here, by the stage alone; what the force says beside it is how far it errs.
   const auto levels = levels_of(at.S, passages.stage, at.mu, passages.compliance, at.eta);
   for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i].m, least_mu, greatest_mu);
@@ -154,7 +157,7 @@ void complete(Linearisation& at, const Passages& passages) {
     at.q_eta[i] = -slopes.F[i] * slopes.q_F[i];
     at.fold[i] = 1 - at.slope[i] * at.S_force[i] / q_force;
     at.noise_gain[i] = q_force * std::max(at.fold[i], least_fold);
-    const double error = passages.force[i] - stiffer * slopes.F[i];
+    const double error = slopes.F[i] > 0 ? passages.force[i] - stiffer * slopes.F[i] : 0;
     at.S_seen[i] = at.S[i] + at.S_force[i] * error;
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;
     at.h_stiffness[i] = -(at.q_eta[i] - at.slope[i] * at.S_eta[i]);
@@ -175,7 +178,10 @@ std::vector<Level> levels_of(std::span<const double> S, std::span<const double> 
     for (std::size_t j = 0; j < n; ++j) {
       const double G_q = s.w_q[j] + s.F_q[j] * stiffer;
       const double miss = s.w[j] + s.F[j] * stiffer - stage[j];
-      const double next = std::clamp(q[j] - miss / G_q, least_q, greatest_q);
+      double next = q[j] - miss / G_q;
+      // Beyond the end of the branch there is no state: more friction has one.
+      if (!std::isfinite(next)) next = q[j] + 0.25;
+      next = std::clamp(next, least_q, greatest_q);
       moved = std::max(moved, std::abs(next - q[j]));
       levels[j] = {.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q};
       q[j] = next;
