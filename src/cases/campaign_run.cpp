@@ -20,17 +20,12 @@ namespace {
 // All that the answer depends on.
 std::string key_of(const PlannedTest& planned, const Case& input, const AnalysisOptions& options,
                    const std::string& presented) {
-  std::string models;
-  for (const auto model : options.fit.models) models += fmt::format(" {}", name_of(model));
-  std::string held;
-  for (const auto& value : {options.fit.held.amplitude, options.fit.held.wavelength})
-    held += value ? fmt::format(" {}", *value) : " free";
   const std::string source = input.source.empty() ? "" : digest_of(*open_to_read(input.source)).sha256;
-  return sha256_of(fmt::format(
-      "{}\n{}\n{}\n{}\nmodels{}\nheld{}\nfalse alarms {}\nsuspect limit {}\nbootstrap {}\npresented {}\n{}\n{}\n",
-      FLEXSLIP_VERSION, source, planned.name, planned.file, models, held, options.drops.false_alarms_per_test,
-      options.suspect_limit, options.bootstrap.count, presented, to_toml(input),
-      digest_of(*open_to_read(input.record.value().file)).sha256));
+  return sha256_of(
+      fmt::format("{}\n{}\n{}\n{}\nmodel {}\nfalse alarms {}\nsuspect limit {}\nstability {}\npresented {}\n{}\n{}\n",
+                  FLEXSLIP_VERSION, source, planned.name, planned.file, name_of(options.fit.model),
+                  options.drops.false_alarms_per_test, options.suspect_limit, options.check_stability, presented,
+                  to_toml(input), digest_of(*open_to_read(input.record.value().file)).sha256));
 }
 
 // A device has no end, and standard input no second reading.
@@ -78,9 +73,7 @@ class Runner {
     try {
       if (const auto* error = std::get_if<InputError>(&planned.input)) throw InputError(*error);
       const Case& input = std::get<Case>(planned.input);
-      AnalysisOptions options = options_.analysis(input);
-      if (const auto held = options_.held.find(planned.name); held != options_.held.end())
-        options.fit.held = held->second;
+      const AnalysisOptions options = options_.analysis(input);
       require_file(input.record.value().file);
       if (store_) key = key_of(planned, input, options, options_.presented);
       if (store_)

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout = 1;  // of the kept text: another one is computed anew
+constexpr int layout = 2;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
 constexpr const char* unfinished = ".unfinished";
 
@@ -47,20 +47,30 @@ std::optional<ParameterEstimate> optional_estimate_of(const Json& json) {
   return estimate_of(json);
 }
 
+FrictionRead friction_read_from(const Json& json) {
+  return {.median = number(json.at(0)), .low80 = number(json.at(1)), .high80 = number(json.at(2))};
+}
+
 Json json_of(const TestSummary& summary) {
   return {{"category", summary.category},
           {"suspect", summary.suspect},
           {"model", summary.model},
           {"mu0", json_of(summary.mu0)},
+          {"mu0_is_bound", summary.mu0_is_bound},
+          {"friction_read", {summary.friction_read.median, summary.friction_read.low80, summary.friction_read.high80}},
+          {"roughness", json_of(summary.roughness)},
+          {"correlation_length", json_of(summary.correlation_length)},
           {"amplitude", json_of(summary.amplitude)},
           {"wavelength", json_of(summary.wavelength)},
           {"phase", json_of(summary.phase)},
-          {"wave_supported", summary.wave_supported},
+          {"wave_claimed", summary.wave_claimed},
+          {"log_evidence_of_wave", summary.log_evidence_of_wave},
           {"bending_stiffness", json_of(summary.bending_stiffness)},
           {"residual_rms", summary.residual_rms},
           {"drops", summary.drops},
           {"friction_share", summary.friction_share},
-          {"work_of_fracture", summary.work_of_fracture}};
+          {"work_of_fracture", summary.work_of_fracture},
+          {"failed_checks", summary.failed_checks}};
 }
 
 TestSummary summary_from(const std::string& name, const Json& json) {
@@ -69,15 +79,21 @@ TestSummary summary_from(const std::string& name, const Json& json) {
           .suspect = json.at("suspect").get<bool>(),
           .model = json.at("model").get<ProfileModel>(),
           .mu0 = estimate_of(json.at("mu0")),
+          .mu0_is_bound = json.at("mu0_is_bound").get<bool>(),
+          .friction_read = friction_read_from(json.at("friction_read")),
+          .roughness = estimate_of(json.at("roughness")),
+          .correlation_length = estimate_of(json.at("correlation_length")),
           .amplitude = optional_estimate_of(json.at("amplitude")),
           .wavelength = optional_estimate_of(json.at("wavelength")),
           .phase = optional_estimate_of(json.at("phase")),
-          .wave_supported = json.at("wave_supported").get<bool>(),
+          .wave_claimed = json.at("wave_claimed").get<bool>(),
+          .log_evidence_of_wave = number(json.at("log_evidence_of_wave")),
           .bending_stiffness = estimate_of(json.at("bending_stiffness")),
           .residual_rms = number(json.at("residual_rms")),
           .drops = json.at("drops").get<std::size_t>(),
           .friction_share = number(json.at("friction_share")),
-          .work_of_fracture = number(json.at("work_of_fracture"))};
+          .work_of_fracture = number(json.at("work_of_fracture")),
+          .failed_checks = json.at("failed_checks").get<std::vector<CheckKind>>()};
 }
 
 Json json_of(const CampaignCurves& curves) {

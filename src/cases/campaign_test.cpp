@@ -30,8 +30,6 @@ std::string reason_of(const std::string& status) {
   if (status == "too_few_points") return "fewer than 20 rows with a deflection beyond a twentieth of the span";
   if (status == "no_initial_slope")
     return "the force does not rise where the record begins: state the bending stiffness";
-  if (status == "not_found") return "no wave fits often enough into the length drawn in";
-  if (status == "not_converged") return "the fit did not converge: its values are those reached, its errors too small";
   return "";
 }
 
@@ -45,7 +43,17 @@ std::vector<std::string> remarks_of(const FittedTest& test) {
   if (analysis.stiffness_implausible)
     remarks.push_back(
         fmt::format("bending stiffness {:.2f} times that of the initial slope", analysis.stiffness_over_slope));
-  const auto& stiffness = chosen_model(test).bending_stiffness;
+  if (analysis.fit.mu0_is_bound) remarks.emplace_back("the record does not tell friction from none");
+  for (const auto& check : analysis.checks) {
+    if (check.outcome != CheckOutcome::failed) continue;
+    if (check.kind == CheckKind::drops)
+      remarks.push_back(fmt::format("{:.0f} drops, where profiles drawn from the fit show {:.0f} to {:.0f}",
+                                    number_of(check, "record"), number_of(check, "draws_low"),
+                                    number_of(check, "draws_high")));
+    if (check.kind == CheckKind::stability)
+      remarks.emplace_back("the answer moves when the force changes in its ninth digit");
+  }
+  const auto& stiffness = analysis.fit.bending_stiffness;
   constexpr double surprising = 1.96;  // standard deviations of what was known beforehand
   if (std::abs(stiffness.value - 1) > surprising * analysis.bending_stiffness_error)
     remarks.push_back(fmt::format("bending stiffness {:+.1f} % from that {}", 100 * (stiffness.value - 1),

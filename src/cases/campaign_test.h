@@ -19,7 +19,7 @@ struct CampaignCurves {
   double load_train_stiffness;                   // [N/m]
   std::vector<double> stage, deflection, force;  // [m], [m], [N] measured
   std::vector<double> model_deflection,
-      model_force;                 // [m], [N] the chosen model at the stage positions, snaps included
+      model_force;                 // [m], [N] the mean of the fit at the stage positions, snaps included
   std::vector<std::size_t> drops;  // rows of the measured columns before a drop
 };
 
@@ -41,7 +41,7 @@ CampaignTest failed_test(const std::string& name, const std::string& file, const
 
 // A parameter that several tests share, estimated from all of them.
 struct SharedParameter {
-  std::string name;  // "modulus", "bending_stiffness", "amplitude", "wavelength"
+  std::string name;  // "modulus", "bending_stiffness"
   std::string unit;  // of the estimate, SI
   ParameterEstimate estimate;
   std::size_t tests;

@@ -23,13 +23,14 @@ constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one t
 constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
 constexpr double most_turns = 1e5;             // of a stage programme with its cycles: likewise
 
-constexpr Words<FrictionModel, 6> model_names{{
+constexpr Words<FrictionModel, 7> model_names{{
     {"constant", FrictionModel::constant},
     {"drift", FrictionModel::drift},
     {"sinusoid", FrictionModel::sinusoid},
     {"sinusoids", FrictionModel::sinusoids},
     {"table", FrictionModel::table},
     {"rough", FrictionModel::rough},
+    {"roughness", FrictionModel::roughness},
 }};
 
 constexpr Words<SnapRest, 2> snap_names{{{"nearest", SnapRest::nearest_stable}, {"overshoot", SnapRest::overshoot}}};
@@ -182,31 +183,16 @@ RigInput read_rig(const Keys& keys, const Case& input) {
   return rig;
 }
 
-FrictionModel read_model(const toml::node& node, const std::string& key, const Case& input) {
+FrictionModel read_model(const Keys& keys) {
+  const toml::node& node = keys.need("model");
   std::vector<std::string> names;
   for (const auto& [name, model] : model_names) {
     if (node.value_exact<std::string_view>() == name) return model;
     names.emplace_back(name);
   }
   const std::string meant = nearest(node.value_exact<std::string>().value_or(""), names);
-  throw wrong_value(input, key, "one of the models " + listed(names), kind_of_node(node),
-                    meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
-}
-
-std::vector<FrictionModel> read_models(const Keys& keys, const Case& input) {
-  const toml::node& node = keys.need("model");
-  if (node.value_exact<std::string_view>() == "choose") return {};
-  const toml::array* several = node.as_array();
-  if (!several) return {read_model(node, keys.key("model"), input)};
-  if (several->empty()) keys.refuse("model", "at least one model", "an empty array", "write \"choose\" for all");
-  std::vector<FrictionModel> models;
-  for (std::size_t i = 0; i < several->size(); ++i) {
-    const FrictionModel model = read_model((*several)[i], fmt::format("{}[{}]", keys.key("model"), i + 1), input);
-    if (std::find(models.begin(), models.end(), model) != models.end())
-      keys.refuse("model", "each model once", kind_of_node((*several)[i]) + " twice");
-    models.push_back(model);
-  }
-  return models;
+  keys.refuse("model", "one of the models " + listed(names), kind_of_node(node),
+              meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
 }
 
 WaveInput read_wave(const Keys& keys) {
@@ -270,6 +256,8 @@ std::vector<std::string> keys_of(FrictionModel model) {
       return {"model", "file", "length", "mu", "static_excess"};
     case FrictionModel::rough:
       return {"model", "mu0", "rms", "correlation_length", "seed", "static_excess"};
+    case FrictionModel::roughness:
+      return {"model"};
   }
   throw std::invalid_argument("keys_of: no such model");
 }
@@ -281,9 +269,10 @@ FrictionInput read_friction(const Keys& keys, const Case& input) {
       if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
   keys.only(all);
   if (keys.size() == 0) return {};
-  FrictionInput friction{read_models(keys, input), {}};
-  keys.only(friction.models.size() == 1 ? keys_of(friction.models.front()) : std::vector<std::string>{"model"});
-  if (keys.size() > 1) friction.profile = read_profile(friction.models.front(), keys, input);
+  const FrictionModel model = read_model(keys);
+  keys.only(keys_of(model));
+  FrictionInput friction{model, {}};
+  if (keys.size() > 1) friction.profile = read_profile(model, keys, input);
   if (keys.has("static_excess")) friction.static_excess = keys.number("static_excess", Range::non_negative);
   return friction;
 }
@@ -551,16 +540,10 @@ void write(Writer& out, const RoughFriction& rough, FrictionModel) {
 
 void write(Writer& out, const FrictionInput& friction) {
   out.section("friction");
-  std::vector<std::string> names;
-  for (const FrictionModel each : friction.models)
-    for (const auto& [name, model] : model_names)
-      if (model == each) names.push_back(fmt::format("\"{}\"", name));
-  if (names.empty())
-    out.line("model", "\"choose\"");
-  else
-    out.line("model", names.size() == 1 ? names.front() : array_text(names));
+  for (const auto& [name, model] : model_names)
+    if (friction.model == model) out.line("model", fmt::format("\"{}\"", name));
   if (friction.profile)
-    std::visit([&](const auto& profile) { write(out, profile, friction.models.front()); }, *friction.profile);
+    std::visit([&](const auto& profile) { write(out, profile, *friction.model); }, *friction.profile);
   if (friction.static_excess != 0) out.line("static_excess", plain(friction.static_excess));
 }
 

@@ -91,12 +91,12 @@ struct RoughFriction {
 
 using FrictionProfileInput = std::variant<WavyFriction, TabulatedFriction, RoughFriction>;
 
-enum class FrictionModel { constant, drift, sinusoid, sinusoids, table, rough };
+enum class FrictionModel { constant, drift, sinusoid, sinusoids, table, rough, roughness };
 
-// For simulating, one model with its parameters; for fitting, the models to consider.
+// For simulating, a model with its parameters; for fitting, the model to fit.
 struct FrictionInput {
-  std::vector<FrictionModel> models;            // empty: the fit chooses among all it knows
-  std::optional<FrictionProfileInput> profile;  // there if the file gives parameters; then there is one model
+  std::optional<FrictionModel> model;           // none: that which is fitted where nothing is said
+  std::optional<FrictionProfileInput> profile;  // there if the file gives parameters
   double static_excess = 0;                     // [1] of the static friction over the kinetic one, the profile
   bool operator==(const FrictionInput&) const = default;
 };

@@ -142,18 +142,6 @@ std::size_t last_row(const FittedTest& test) {
   return file_row(test, points - 1) + test.measurement.rows_per_point - 1;
 }
 
-const ModelFit& chosen_model(const FittedTest& test) {
-  if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no model");
-  return test.analysis.fit.models.at(test.analysis.fit.chosen);
-}
-
-std::vector<WaveEstimate> waves_by_size(const ModelFit& model) {
-  auto waves = model.waves;
-  std::stable_sort(waves.begin(), waves.end(),
-                   [](const auto& a, const auto& b) { return a.amplitude.value > b.amplitude.value; });
-  return waves;
-}
-
 std::string status_of(const FittedTest& test) {
   switch (test.analysis.status) {
     case AnalysisStatus::no_initial_slope:
@@ -161,14 +149,6 @@ std::string status_of(const FittedTest& test) {
     case AnalysisStatus::too_few_points:
       return "too_few_points";
     case AnalysisStatus::ok:
-      break;
-  }
-  switch (chosen_model(test).status) {
-    case FitStatus::not_converged:
-      return "not_converged";
-    case FitStatus::not_found:
-      return "not_found";
-    case FitStatus::ok:
       break;
   }
   return "ok";
@@ -200,7 +180,7 @@ void write_curves(const std::string& path, const FittedTest& test) {
     return column;
   };
   const bool fitted = analysis.status == AnalysisStatus::ok;
-  const auto model = fitted ? forces(chosen_model(test).force) : nothing;
+  const auto model = fitted ? forces(analysis.fit.force) : nothing;
   const auto replay = fitted ? forces(analysis.replay.force) : nothing;
   auto length = nothing;
   auto mu = nothing;

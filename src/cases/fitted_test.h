@@ -57,13 +57,7 @@ std::size_t file_row(const FittedTest& test, std::size_t point);
 // That of the last reading that is evaluated.
 std::size_t last_row(const FittedTest& test);
 
-// The model of least BIC. Domain: analysis.status is ok.
-const ModelFit& chosen_model(const FittedTest& test);
-
-// Its waves, the largest first.
-std::vector<WaveEstimate> waves_by_size(const ModelFit& model);
-
-// "ok", or why not: "not_converged", "too_few_points", "no_initial_slope".
+// "ok", or why not: "too_few_points", "no_initial_slope".
 std::string status_of(const FittedTest& test);
 
 std::string name_of(SawtoothCategory category);

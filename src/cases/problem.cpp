@@ -69,7 +69,7 @@ Friction friction_from(const Case& input, const WavyFriction& wavy, const Scales
     const WaveInput& wave = wavy.waves[i];
     waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
     if ((S_max - 1) / (2 * waves.terms.back().wavelength) <= most_periods) continue;
-    const bool is_sum = input.friction->models.front() == FrictionModel::sinusoids;
+    const bool is_sum = input.friction->model == FrictionModel::sinusoids;
     throw wrong_value(input, is_sum ? fmt::format("friction.waves[{}].wavelength", i + 1) : "friction.wavelength",
                       fmt::format("at most {:.0e} periods along the specimen", most_periods),
                       readable_length(input, wave.wavelength), "check its unit");
@@ -254,11 +254,12 @@ Rig rig_of(const Case& input, const Scales& scales) {
 
 Friction friction_of(const Case& input, const Scales& scales, double S_max) {
   if (!input.friction) throw missing(input, "friction");
-  if (input.friction->models.size() != 1)
-    throw wrong_value(input, "friction.model", "one model", input.friction->models.empty() ? "a choice" : "several",
-                      "write the one to compute with, such as model = \"constant\"");
+  if (!input.friction->model) throw missing(input, "friction.model");
+  if (input.friction->model == FrictionModel::roughness)
+    throw wrong_value(input, "friction.model", "a model to compute with", "'roughness', which is fitted",
+                      "write the one to compute with, such as model = \"constant\", or \"rough\" with its parameters");
   if (!input.friction->profile)
-    throw missing(input, input.friction->models.front() == FrictionModel::table ? "friction.file" : "friction.mu0");
+    throw missing(input, input.friction->model == FrictionModel::table ? "friction.file" : "friction.mu0");
   return std::visit([&](const auto& profile) { return friction_from(input, profile, scales, S_max); },
                     *input.friction->profile);
 }

@@ -20,56 +20,25 @@ namespace {
 // What a test says of a parameter [SI], and what it was told beforehand.
 struct Part {
   std::size_t test;  // of the plan
-  double span;       // [m]
   OwnEstimate fitted;
   std::optional<OwnEstimate> stated;
 };
 
-bool is_of_a_wave(Shareable parameter) {
-  return parameter == Shareable::amplitude || parameter == Shareable::wavelength;
-}
+std::string unit_of(Shareable parameter) { return parameter == Shareable::modulus ? "Pa" : "N m^2"; }
 
-std::string unit_of(Shareable parameter) {
-  switch (parameter) {
-    case Shareable::modulus:
-      return "Pa";
-    case Shareable::bending_stiffness:
-      return "N m^2";
-    case Shareable::amplitude:
-      return "1";
-    case Shareable::wavelength:
-      break;
-  }
-  return "m";
-}
-
-std::optional<Part> wave_part(const FittedTest& test, std::size_t index, Shareable parameter) {
-  const auto summary = summary_of(test.name, test.analysis);
-  if (summary.category == SawtoothCategory::none || !summary.wave_supported) return std::nullopt;
-  const auto& estimate = parameter == Shareable::amplitude ? summary.amplitude : summary.wavelength;
-  if (!estimate || !(estimate->standard_error > 0)) return std::nullopt;
-  return Part{index, test.analysis.scales.span(), {estimate->value, estimate->standard_error}, {}};
-}
-
-std::optional<Part> stiffness_part(const FittedTest& test, std::size_t index, Shareable parameter) {
-  const TestAnalysis& analysis = test.analysis;
+std::optional<Part> part_of(const FittedTest& test, std::size_t index, Shareable parameter) {
+  const auto& analysis = test.analysis;
+  if (analysis.status != AnalysisStatus::ok || analysis.model_implausible) return std::nullopt;
   double unit = analysis.scales.bending_stiffness();
   if (parameter == Shareable::modulus) {
     if (!test.section_moment) return std::nullopt;
     unit /= *test.section_moment;
   }
-  const ParameterEstimate& fitted = analysis.fit.models[analysis.fit.chosen].bending_stiffness;
+  const ParameterEstimate& fitted = analysis.fit.bending_stiffness;
   if (!(fitted.standard_error > 0)) return std::nullopt;
   return Part{index,
-              analysis.scales.span(),
               {unit * fitted.value, unit * fitted.standard_error},
               OwnEstimate{unit, unit * analysis.errors.bending_stiffness}};
-}
-
-std::optional<Part> part_of(const FittedTest& test, std::size_t index, Shareable parameter) {
-  const auto& analysis = test.analysis;
-  if (analysis.status != AnalysisStatus::ok || analysis.model_implausible) return std::nullopt;
-  return is_of_a_wave(parameter) ? wave_part(test, index, parameter) : stiffness_part(test, index, parameter);
 }
 
 SharedEstimate estimate_of(const std::vector<Part>& parts) {
@@ -111,35 +80,19 @@ void require_different(const std::vector<Shareable>& parameters) {
 
 }  // namespace
 
-std::string name_of(Shareable parameter) {
-  switch (parameter) {
-    case Shareable::modulus:
-      return "modulus";
-    case Shareable::bending_stiffness:
-      return "bending_stiffness";
-    case Shareable::amplitude:
-      return "amplitude";
-    case Shareable::wavelength:
-      break;
-  }
-  return "wavelength";
-}
+std::string name_of(Shareable parameter) { return parameter == Shareable::modulus ? "modulus" : "bending_stiffness"; }
 
 SharedFits share_parameters(std::vector<PlannedTest> plan, const std::function<AnalysisOptions(const Case&)>& analysis,
                             const std::vector<Shareable>& parameters, unsigned threads, const std::atomic<bool>* stop) {
   require_different(parameters);
-  SharedFits fits{{}, std::move(plan), {}};
+  SharedFits fits{{}, std::move(plan)};
   for (const Shareable parameter : parameters) {
     std::vector<std::optional<Part>> found(fits.plan.size());
     for_each_index(fits.plan.size(), threads, [&](std::size_t i) {
       const auto* input = std::get_if<Case>(&fits.plan[i].input);
       if (!input || (stop && stop->load())) return;
       try {
-        AnalysisOptions options = analysis(*input);
-        options.bootstrap.count = 0;
-        if (const auto held = fits.held.find(fits.plan[i].name); held != fits.held.end())
-          options.fit.held = held->second;
-        found[i] = part_of(fit_test(*input, options), i, parameter);
+        found[i] = part_of(fit_test(*input, analysis(*input)), i, parameter);
       } catch (const std::exception&) {
         // The run of the campaign lists it with its reason.
       }
@@ -155,16 +108,7 @@ SharedFits share_parameters(std::vector<PlannedTest> plan, const std::function<A
                         .remedy = parameter == Shareable::modulus ? "state the section of each" : ""});
     const auto shared = estimate_of(parts);
     fits.parameters.push_back({name_of(parameter), unit_of(parameter), shared.estimate, parts.size(), shared.scatter});
-    for (const Part& part : parts) {
-      auto& test = fits.plan[part.test];
-      auto& input = std::get<Case>(test.input);
-      if (parameter == Shareable::amplitude)
-        fits.held[test.name].amplitude = shared.estimate.value;
-      else if (parameter == Shareable::wavelength)
-        fits.held[test.name].wavelength = shared.estimate.value / part.span;
-      else
-        tell(input, parameter, shared.estimate);
-    }
+    for (const Part& part : parts) tell(std::get<Case>(fits.plan[part.test].input), parameter, shared.estimate);
   }
   return fits;
 }

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -15,19 +14,13 @@ namespace flexslip {
 enum class Shareable {
   modulus,            // of tests whose section is known
   bending_stiffness,  // EI
-  amplitude,          // of one wave, relative to mu0, over the tests with a sawtooth whose wave BIC supports
-  wavelength,         // likewise
 };
 
 std::string name_of(Shareable parameter);
 
-// Values at which the fit of a test is held, by the name of the test.
-using HeldByTest = std::map<std::string, HeldValues, std::less<>>;
-
 struct SharedFits {
   std::vector<SharedParameter> parameters;  // in the order asked for
   std::vector<PlannedTest> plan;            // the tests that share a stiffness are told it, with its standard error
-  HeldByTest held;                          // the tests that share a wave are held to it
 };
 
 // What is done when `stop` becomes true is not to be used.

@@ -1,13 +1,12 @@
 #include "cli/analysis_flags.h"
 
-#include <algorithm>
 #include <array>
 
 namespace flexslip {
 namespace {
 
-constexpr std::array models{ProfileModel::constant, ProfileModel::drift, ProfileModel::sinusoid,
-                            ProfileModel::sinusoids};
+constexpr std::array models{ProfileModel::roughness, ProfileModel::constant, ProfileModel::drift,
+                            ProfileModel::sinusoid, ProfileModel::sinusoids};
 
 std::vector<std::string> model_names() {
   std::vector<std::string> names;
@@ -26,18 +25,22 @@ ProfileModel fitted_model(const Case& input, FrictionModel model) {
       return ProfileModel::sinusoid;
     case FrictionModel::sinusoids:
       return ProfileModel::sinusoids;
+    case FrictionModel::roughness:
+      return ProfileModel::roughness;
     case FrictionModel::table:
     case FrictionModel::rough:
       break;
   }
-  throw wrong_value(input, "friction.model", "models to fit: constant, drift, sinusoid, sinusoids",
+  throw wrong_value(input, "friction.model", "a model to fit: roughness, constant, drift, sinusoid or sinusoids",
                     model == FrictionModel::table ? "'table'" : "'rough'");
 }
 
 }  // namespace
 
 void add_analysis_options(CLI::App& command, AnalysisFlags& flags) {
-  command.add_option("--model", flags.models, "Consider only this friction model; may be repeated")
+  command
+      .add_option("--model", flags.model,
+                  "Friction model to fit: roughness, where nothing is said, or one of the paper's")
       ->type_name("NAME")
       ->check(CLI::IsMember(model_names()));
   command
@@ -49,27 +52,19 @@ void add_analysis_options(CLI::App& command, AnalysisFlags& flags) {
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command
-      .add_option("--bootstrap", flags.bootstrap, "Refit so many records made of the fitted curve and its residuals")
-      ->type_name("COUNT")
-      ->check(CLI::Range(1, 100000));
+  command.add_flag("--check-stability", flags.check_stability,
+                   "Fit twice, the force changed in its ninth digit, and check that the answer stays");
 }
 
 AnalysisOptions options_for(const Case& input, const AnalysisFlags& flags) {
   AnalysisOptions options;
   options.drops.false_alarms_per_test = flags.false_alarms;
   options.suspect_limit = flags.suspect_limit;
-  options.bootstrap.count = flags.bootstrap;
-  std::vector<ProfileModel> wanted;
-  const auto want = [&](ProfileModel model) {
-    if (std::find(wanted.begin(), wanted.end(), model) == wanted.end()) wanted.push_back(model);
-  };
-  for (const auto& name : flags.models)
-    for (const auto model : models)
-      if (name_of(model) == name) want(model);
-  if (wanted.empty() && input.friction && !input.friction->profile)
-    for (const auto model : input.friction->models) want(fitted_model(input, model));
-  if (!wanted.empty()) options.fit.models = std::move(wanted);
+  options.check_stability = flags.check_stability;
+  for (const auto model : models)
+    if (name_of(model) == flags.model) options.fit.model = model;
+  if (flags.model.empty() && input.friction && input.friction->model && !input.friction->profile)
+    options.fit.model = fitted_model(input, *input.friction->model);
   return options;
 }
 

@@ -1,9 +1,7 @@
 // The settings of an analysis as flags, for every command that evaluates measured tests.
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -13,18 +11,18 @@
 namespace flexslip {
 
 struct AnalysisFlags {
-  std::vector<std::string> models;  // names; none: all
+  std::string model;  // its name; empty: as the case says, or roughness
   double false_alarms = DropOptions{}.false_alarms_per_test;
   double suspect_limit = AnalysisOptions{}.suspect_limit;
-  std::size_t bootstrap = 0;  // refits; 0: none
+  bool check_stability = false;
 };
 
-// Gives a command the options --model, --false-alarms, --suspect-limit and --bootstrap.
+// Gives a command the options --model, --false-alarms, --suspect-limit and --check-stability.
 void add_analysis_options(CLI::App& command, AnalysisFlags& flags);
 
-// The options of a test: what the flags say; where they name no models, those that its case lists without parameters, for with
+// The options of a test: what the flags say; where they name no model, that which its case names without parameters, for with
 // parameters it says how to simulate.
-// Fails:      InputError if the case lists a model that cannot be fitted.
+// Fails:      InputError if the case names a model that cannot be fitted.
 AnalysisOptions options_for(const Case& input, const AnalysisFlags& flags);
 
 }  // namespace flexslip

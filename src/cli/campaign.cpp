@@ -50,8 +50,7 @@ void write_test(const CampaignRequest& request, const FittedTest& test, const st
   if (request.test_reports) write_report(folder, test);
 }
 
-constexpr std::array shareables{Shareable::modulus, Shareable::bending_stiffness, Shareable::amplitude,
-                                Shareable::wavelength};
+constexpr std::array shareables{Shareable::modulus, Shareable::bending_stiffness};
 
 std::vector<std::string> shareable_names() {
   std::vector<std::string> names;
@@ -123,7 +122,6 @@ void run_campaign_command(const CampaignRequest& request) {
   const auto run = [&] {
     const WhileInterruptible guard;
     const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs, &interrupted());
-    options.held = shared.held;
     CampaignRun computed = run_campaign(shared.plan, options);
     computed.campaign.shared = shared.parameters;
     return computed;

@@ -32,25 +32,16 @@ std::string what_failed(const FittedTest& test, const std::string& status) {
   if (status == "too_few_points")
     return fmt::format("{}: fewer than 20 rows with a deflection beyond a twentieth of the span: they tell no friction",
                        test.measurement.file);
-  if (status == "no_initial_slope")
-    return fmt::format(
-        "{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
-        test.measurement.file);
-  if (status == "not_found")
-    return fmt::format(
-        "{}: no wave fits often enough into the length drawn in; allow the model 'drift' or 'constant' too",
-        test.measurement.file);
-  return fmt::format(
-      "{}: the fit of the model '{}' did not converge: its values are those reached, its errors too small",
-      test.measurement.file, name_of(chosen_model(test).model));
+  return fmt::format("{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
+                     test.measurement.file);
 }
 
 void run_fit(const FitRequest& request) {
   FittedTest test = [&] {
     try {
       const Case input = case_of(request.test);
-      if (request.analysis.models.empty() && input.friction && input.friction->profile)
-        note(request.output, "the parameters in [friction] are for simulating; the fit considers all models");
+      if (request.analysis.model.empty() && input.friction && input.friction->profile)
+        note(request.output, "the parameters in [friction] are for simulating; the fit does not use them");
       return fit_test(input, options_for(input, request.analysis));
     } catch (const InputError& error) {
       throw in_words_of_call(request.test, error);
@@ -90,8 +81,8 @@ void add_fit_command(CLI::App& app) {
   command->footer(
       "Writes the answer, the parameters with their uncertainties, the slips, the energy account and what was\n"
       "assumed. Rows are those of the file, counted from 1 without its header. Without gnuplot the report has\n"
-      "no pictures, but their scripts and data; the exit code is 0. It is 1 if the record tells no friction, or\n"
-      "the fit did not converge: what was reached is written.\n\n"
+      "no pictures, but their scripts and data; the exit code is 0. It is 1 if the record tells no\n"
+      "friction.\n\n"
       "Examples:\n"
       "  flexslip fit examples/simulated/case.toml --report report\n"
       "  flexslip fit test.csv --span \"1278 um\" --stiffness \"90.6 N/m\" --diameter \"34.8 um\" \\\n"

@@ -20,7 +20,7 @@ Record with_contact_at(Record record, double contact) {
 }
 
 Replay replay_of(const TestAnalysis& analysis) {
-  constexpr double from = 0.05;
+  constexpr double from = friction_shows_from;
   Replay replay{.table = replay_table(analysis.reduced, analysis.rig, analysis.profile, analysis.drops.drops, from),
                 .force = std::vector<double>(analysis.reduced.force.size(), not_a_number),
                 .residual_rms = 0,
@@ -113,6 +113,30 @@ SawtoothCategory category_of(const TestAnalysis& analysis) {
   return total >= 0.15 * greatest ? SawtoothCategory::clear : SawtoothCategory::nominal;
 }
 
+// A quantile of values in order, interpolated.
+double quantile(const std::vector<double>& sorted, double probability) {
+  if (sorted.empty()) return not_a_number;
+  const double place = probability * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+FrictionRead friction_read_of(const FrictionProfile& profile, const ReducedRecord& record) {
+  std::vector<double> mu;
+  for (const auto& point : profile.points)
+    if (record.deflection[point.index] > friction_shows_from) mu.push_back(point.mu);
+  std::sort(mu.begin(), mu.end());
+  return {.median = quantile(mu, 0.5), .low80 = quantile(mu, 0.1), .high80 = quantile(mu, 0.9)};
+}
+
+std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, const AnalysisOptions& options) {
+  std::vector<Check> checks{check_residuals(problem, fit), check_drops(problem, fit, options.drops),
+                            check_friction(fit)};
+  if (options.check_stability) checks.push_back(check_stability(problem, fit, options.fit));
+  return checks;
+}
+
 History empty_history() { return {HistoryStatus::ok, {}, {}, {}, {}}; }
 
 }  // namespace
@@ -176,12 +200,13 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .errors = {},
                         .drops = {},
                         .profile = {},
+                        .friction_read = {not_a_number, not_a_number, not_a_number},
                         .slips = {},
                         .slip_summary = {},
                         .teeth = {},
                         .suspects = {},
                         .fit = {},
-                        .bootstrap = {},
+                        .checks = {},
                         .model = empty_history(),
                         .replay = {},
                         .energy = {},
@@ -204,6 +229,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                                  .bending_stiffness = analysis.bending_stiffness_error,
                                  .contact = scales.reduced_length(contact_error)};
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
+  analysis.friction_read = friction_read_of(analysis.profile, analysis.reduced);
   analysis.slips = slips_of(analysis.profile, analysis.drops.drops);
   analysis.slip_summary = summarise(analysis.slips);
   if (analysis.drops.drops.size() >= 2 && std::isfinite(analysis.rig.stiffness))
@@ -217,24 +243,21 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
     analysis.status = AnalysisStatus::too_few_points;
     return analysis;
   }
-  if (const auto& model = analysis.fit.models[analysis.fit.chosen];
-      options.bootstrap.count > 0 && model.model != ProfileModel::constant)
-    analysis.bootstrap = block_bootstrap(problem, model, options.bootstrap, options.fit.held);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
   const auto judged = [&](std::size_t index) { return analysis.reduced.deflection[index] > 0.1; };
   std::size_t negative = 0;
   for (const auto& point : analysis.profile.points) negative += judged(point.index) && point.mu < -0.1;
   for (const auto index : analysis.profile.unexplained) negative += judged(index);
-  analysis.model_implausible = analysis.fit.models[analysis.fit.chosen].residual_rms > 0.1 * greatest ||
-                               5 * negative > analysis.suspects.points_judged;
+  analysis.model_implausible =
+      analysis.fit.residual_rms > 0.1 * greatest || 5 * negative > analysis.suspects.points_judged;
   analysis.replay = replay_of(analysis);
   analysis.energy = measured_energy(analysis);
+  analysis.checks = checks_of(problem, analysis.fit, options);
 
-  // The chosen model in its own units: those of the estimated bending stiffness.
-  const auto& chosen = analysis.fit.models[analysis.fit.chosen];
-  const double stiffening = chosen.bending_stiffness.value;
+  // The mean in its own units: those of the estimated bending stiffness.
+  const double stiffening = analysis.fit.bending_stiffness.value;
   const Rig rig{analysis.rig.stiffness / stiffening};
-  const Friction friction = Friction::waves(chosen.friction);
+  const Friction friction = Friction::table(analysis.fit.mean);
   std::vector<double> stages;
   for (const double stage : analysis.reduced.stage)
     stages.push_back(std::max(stage, stages.empty() ? 0.0 : stages.back()));

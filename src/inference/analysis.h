@@ -10,7 +10,7 @@
 #include "data/drops.h"
 #include "data/record.h"
 #include "data/scales.h"
-#include "inference/block_bootstrap.h"
+#include "inference/checks.h"
 #include "inference/fit.h"
 #include "inference/profile.h"
 #include "inference/teeth.h"
@@ -49,7 +49,7 @@ struct AnalysisOptions {
   DropOptions drops;
   double suspect_limit = 1.0;  // [1] friction above it is implausible
   ToothOptions teeth{};
-  BootstrapOptions bootstrap{};
+  bool check_stability = false;  // fits once more, see check_stability
 };
 
 // How the curve looks, by a fixed rule on its drops (theory.md, "Categories").
@@ -72,6 +72,12 @@ struct Replay {
   std::size_t drops_reproduced;  // drops of the record that the table has at the same point
 };
 
+// Friction as read off the curve point by point past the deflection 0.05, with no model: half of the points lie below the median,
+// four fifths between the other two. NaN without points.
+struct FrictionRead {
+  double median, low80, high80;  // [1]
+};
+
 enum class AnalysisStatus {
   ok,
   no_initial_slope,  // EI was to be found, but the record has no straight rising beginning: nothing else is valid
@@ -85,10 +91,9 @@ struct TestAnalysis {
   double bending_stiffness_error;  // [1] as used
   bool stiffness_from_slope;
   double stiffness_over_slope;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
-  bool
-      model_implausible;  // the chosen model misses the record by more than a tenth of its greatest force, or a fifth of
-                          // the points past the deflection 0.1 need friction below -0.1 or beyond 20
-  bool stiffness_implausible;  // they differ by more than 40 %: a wrong modulus, section, span or unit
+  bool model_implausible;       // the fit misses the record by more than a tenth of its greatest force, or a fifth of
+                                // the points past the deflection 0.1 need friction below -0.1 or beyond 20
+  bool stiffness_implausible;   // they differ by more than 40 %: a wrong modulus, section, span or unit
   Failure failure;
   Contact contact;  // found; applied only if the description says so
   Record record;    // up to failure, contact taken off
@@ -97,21 +102,22 @@ struct TestAnalysis {
   MeasurementErrors errors;  // as fitted with
   Drops drops;
   FrictionProfile profile;
+  FrictionRead friction_read;
   std::vector<Slip> slips;
   SlipSummary slip_summary;
   std::optional<Teeth>
       teeth;  // stick or slide between the drops; none under displacement control, or with fewer than two drops
   SuspectReport suspects;
   FrictionFit fit;
-  std::optional<Bootstrap> bootstrap;  // of the chosen model, if asked for; none of a constant, which is not fitted so
-  History model;  // the chosen model on the stage positions of the record, at the estimated bending stiffness
+  std::vector<Check> checks;
+  History model;  // the mean of the fit on the stage positions of the record, at the estimated bending stiffness
   Replay replay;
   MeasuredEnergy energy;
   SawtoothCategory category;
 };
 
 // Domain:     a record without faults (check_record), span and stiffness positive; std::invalid_argument otherwise.
-// Cost:       less than 0.1 s for 300 points.
+// Cost:       that of the fit.
 TestAnalysis analyse(const Record& all, const TestDescription& description, const AnalysisOptions& options = {});
 
 }  // namespace flexslip

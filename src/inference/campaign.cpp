@@ -14,19 +14,6 @@ ParameterEstimate scaled(const ParameterEstimate& estimate, double unit) {
           .high = estimate.high * unit};
 }
 
-const ModelFit* fitted(const FrictionFit& fit, ProfileModel wanted) {
-  const auto found = std::find_if(fit.models.begin(), fit.models.end(), [&](const ModelFit& model) {
-    return model.model == wanted && model.status != FitStatus::not_found;
-  });
-  return found == fit.models.end() ? nullptr : &*found;
-}
-
-bool preferred_to_no_wave(const ModelFit& wave, const FrictionFit& fit) {
-  return std::all_of(fit.models.begin(), fit.models.end(), [&](const ModelFit& model) {
-    return !model.waves.empty() || model.status == FitStatus::not_found || wave.bic < model.bic;
-  });
-}
-
 class Gathered {
  public:
   void add(double value) {
@@ -62,28 +49,36 @@ CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs
 TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no summary");
   const Scales& scales = analysis.scales;
-  const ModelFit& chosen = analysis.fit.models.at(analysis.fit.chosen);
+  const FrictionFit& fit = analysis.fit;
   TestSummary summary{
       .name = name,
       .category = analysis.category,
       .suspect = analysis.suspects.suspect || analysis.model_implausible || analysis.stiffness_implausible,
-      .model = chosen.model,
-      .mu0 = chosen.mu0,
+      .model = fit.model,
+      .mu0 = fit.mu0,
+      .mu0_is_bound = fit.mu0_is_bound,
+      .friction_read = analysis.friction_read,
+      .roughness = fit.roughness,
+      .correlation_length = scaled(fit.length, scales.span()),
       .amplitude = {},
       .wavelength = {},
       .phase = {},
-      .wave_supported = false,
-      .bending_stiffness = scaled(chosen.bending_stiffness, scales.bending_stiffness()),
-      .residual_rms = scales.physical_force(chosen.residual_rms),
+      .wave_claimed = fit.wave_claimed,
+      .log_evidence_of_wave = fit.log_evidence_of_wave,
+      .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
+      .residual_rms = scales.physical_force(fit.residual_rms),
       .drops = analysis.drops.drops.size(),
       .friction_share = analysis.energy.friction_share,
-      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture)};
-  if (const ModelFit* one_wave = fitted(analysis.fit, ProfileModel::sinusoid)) {
-    summary.amplitude = one_wave->waves.front().amplitude;
-    summary.wavelength = scaled(one_wave->waves.front().wavelength, scales.span());
-    summary.phase = one_wave->waves.front().phase;
-    summary.wave_supported = preferred_to_no_wave(*one_wave, analysis.fit);
+      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
+      .failed_checks = {}};
+  if (!fit.waves.empty()) {
+    const WaveEstimate& wave = fit.waves.front();
+    summary.amplitude = wave.amplitude;
+    summary.wavelength = scaled(wave.wavelength, scales.span());
+    summary.phase = wave.phase;
   }
+  for (const auto& check : analysis.checks)
+    if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);
   return summary;
 }
 

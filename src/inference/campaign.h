@@ -16,18 +16,24 @@ struct TestSummary {
   std::string name;
   SawtoothCategory category;
   bool suspect;        // friction beyond the limit, see find_suspects; or no sliding, or no such stiffness, explains it
-  ProfileModel model;  // the one of least BIC
-  ParameterEstimate mu0;  // [1] of that model
-  // Of one wave, the paper's (4.25), whether or not BIC wants it; none if no wave was fitted, or fits.
+  ProfileModel model;  // that was fitted
+  ParameterEstimate mu0;                 // [1] mean friction over the fibre seen
+  bool mu0_is_bound;                     // the record does not tell it from none: mu0.high is its upper limit
+  FrictionRead friction_read;            // [1]
+  ParameterEstimate roughness;           // [1] 0 of a model without
+  ParameterEstimate correlation_length;  // [m] likewise
+  // The likeliest wave, the paper's (4.25), claimed or only indicative; none of a model without.
   std::optional<ParameterEstimate> amplitude;   // [1]
   std::optional<ParameterEstimate> wavelength;  // [m]
   std::optional<ParameterEstimate> phase;       // [rad] φ
-  bool wave_supported;                          // BIC prefers it to no wave
-  ParameterEstimate bending_stiffness;          // [N m^2] EI of the chosen model
-  double residual_rms;                          // [N] likewise
+  bool wave_claimed;
+  double log_evidence_of_wave;          // ln of the evidence with a wave over that without; NaN where not compared
+  ParameterEstimate bending_stiffness;  // [N m^2] EI
+  double residual_rms;                  // [N] of the fit's mean run forward
   std::size_t drops;
   double friction_share;    // [1] of the measured work of fracture: friction and snaps
   double work_of_fracture;  // [J]
+  std::vector<CheckKind> failed_checks;
 };
 
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
@@ -42,7 +48,7 @@ struct Spread {
 struct CategorySpread {
   std::size_t tests;
   Spread mu0;         // [1]
-  Spread amplitude;   // [1] over the tests of categories with a sawtooth that have a wave
+  Spread amplitude;   // [1] over the tests of categories with a sawtooth that have a wave, claimed or indicative
   Spread wavelength;  // [m] likewise
 };
 

@@ -13,7 +13,6 @@ namespace flexslip {
 namespace {
 
 constexpr double least_S = 1.0005, greatest_S = 2.05;
-constexpr double least_mu = -1.0, greatest_mu = 2.0;
 constexpr double least_q = -1.5, greatest_q = 2.2;
 constexpr double greatest_w = 0.8;
 constexpr double usually_from = 0.08;  // below, 1 % in EI is 0.06 in μ
@@ -52,6 +51,8 @@ InverseSlopes inverse_slopes(std::span<const double> S, std::span<const double> 
   InverseSlopes slopes{s.F, std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
   for (std::size_t i = 0; i < n; ++i) {
     const double jacobian = s.w_S[i] * s.F_q[i] - s.w_q[i] * s.F_S[i];
+    // Positive for S < 1.6; far beyond, and where the branch ends, deflection and force no longer tell S and q.
+    if (!(jacobian > 1e-9)) continue;
     slopes.S_w[i] = s.F_q[i] / jacobian;
     slopes.S_F[i] = -s.w_q[i] / jacobian;
     slopes.q_w[i] = -s.F_S[i] / jacobian;
@@ -149,9 +150,13 @@ void invert_at(Linearisation& at, const Passages& passages) {
 
 void complete(Linearisation& at, const Passages& passages) {
   const std::size_t n = passages.size();
-  for (double& S : at.S) S = std::clamp(S, least_S, greatest_S);
+  // A fitted state lies within what was seen, or little beyond.
+  const double beyond = 0.4 * passages.range;
+  const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
+  const double low = std::max(*least - beyond, least_S), high = std::min(*greatest + beyond, greatest_S);
+  for (double& S : at.S) S = std::isfinite(S) ? std::clamp(S, low, high) : low;
   at.S = non_falling(at.S);
-  for (double& mu : at.mu) mu = std::clamp(mu, -0.5, 1.8);
+  for (double& mu : at.mu) mu = std::isfinite(mu) ? std::clamp(mu, -0.5, 1.8) : 0.5;
   const auto slopes = inverse_slopes(at.S, at.mu);
   const double softer = elementary::exp(-at.eta);
   for (auto* column : {&at.S_force, &at.S_eta, &at.q_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
@@ -173,10 +178,11 @@ void complete(Linearisation& at, const Passages& passages) {
   }
 }
 
-std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, double compliance, double eta) {
+std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near, double compliance,
+                             double eta) {
   const std::size_t n = S.size();
   const double stiffer = compliance * elementary::exp(eta);
-  std::vector<double> q(n, 0.5);
+  std::vector<double> q(near.begin(), near.end());
   std::vector<Level> levels(n);
   for (int iteration = 0; iteration < 12; ++iteration) {
     const auto s = tabulated_states_slopes({S, q});
@@ -189,7 +195,7 @@ std::vector<Level> levels_of(std::span<const double> S, std::span<const double> 
       levels[j] = {.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q};
       q[j] = next;
     }
-    constexpr double negligible = 1e-9;  // of μ, beside bounds as soft as 0.003
+    constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
     if (moved < negligible) break;
   }
   return levels;
@@ -249,7 +255,7 @@ Linearisation rises_of(const Passages& passages) {
       at.S[i] = passages.S_middle + fitted.y + fitted.slope * ((passages.stage[i] - begin) / travel - fitted.x);
   }
   at.S = non_falling(at.S);
-  const auto levels = levels_of(at.S, passages.stage, passages.compliance, 0);
+  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.compliance, 0);
   for (std::size_t i = 0; i < n; ++i) at.mu[i] = levels[i].m;
   complete(at, passages);
   return at;

@@ -61,8 +61,9 @@ struct Level {
   double m_eta;    // [1]
 };
 
-// Domain:     S in (1, 2.1).
-std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, double compliance, double eta);
+// Domain:     S in (1, 2.1); `near` are frictions not far from those sought.
+std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near, double compliance,
+                             double eta);
 
 // The nearest non-falling sequence, in least squares.
 std::vector<double> non_falling(std::span<const double> values);

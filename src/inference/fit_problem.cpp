@@ -48,7 +48,7 @@ FitProblem usable_part(const FitProblem& whole) {
 }
 
 FitProblem thinned(const FitProblem& problem) {
-  constexpr std::size_t most_points = 600;
+  constexpr std::size_t most_points = 1200;
   const std::size_t size = problem.record.stage.size();
   return {every(std::max<std::size_t>((size + most_points - 1) / most_points, 1), size, problem.record), problem.rig,
           problem.errors};

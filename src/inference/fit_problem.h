@@ -21,7 +21,7 @@ struct FitProblem {
 //             std::invalid_argument otherwise.
 FitProblem usable_part(const FitProblem& whole);
 
-// Every so many points, so that there are at most 600: the number for which starts and searches are made.
+// Every so many points, so that there are at most 1200.
 FitProblem thinned(const FitProblem& problem);
 
 // Values at which a fit is held; those of waves hold the first. What is not given is free.

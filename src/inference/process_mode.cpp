@@ -114,14 +114,15 @@ void FrictionProcess::lay_sites(Mode& mode) const {
 }
 
 std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) const {
-  std::vector<double> S, stage;
+  std::vector<double> S, stage, near;
   for (const auto& site : mode.sites) {
     const double part = static_cast<double>(site.node) / static_cast<double>(site.nodes + 1);
     const double before = mode.at.S[site.reading - 1];
     S.push_back(before + part * (mode.at.S[site.reading] - before));
     stage.push_back(passages_.stage[site.reading]);
+    near.push_back(mode.at.mu[site.reading]);
   }
-  const auto levels = levels_of(S, stage, passages_.compliance, mode.at.eta);
+  const auto levels = levels_of(S, stage, near, passages_.compliance, mode.at.eta);
   std::vector<Node> nodes;
   for (std::size_t j = 0; j < S.size(); ++j) nodes.push_back({S[j], levels[j]});
   return nodes;
@@ -275,7 +276,7 @@ void FrictionProcess::settle(Mode& mode) const {
         evidence += log_weight(mode.sites[j], bound - smoothed[k].f, smoothed[k].variance);
         ++j;
       }
-      constexpr double negligible = 0.002;  // of the evidence
+      constexpr double negligible = 0.02;  // of the evidence
       if (!(round > 0 && std::abs(evidence - before) < negligible)) {
         before = evidence;
         mode.merit = evidence + mode.at.log_jacobian + log_prior(mode, mode.theta);
@@ -458,17 +459,20 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
 }
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
-  double best = -std::numeric_limits<double>::infinity();
+  settle(mode);
+  Mode best;  // only of states that have followed their hyperparameters: the merit of others means nothing
   for (int round = 0; round < rounds; ++round) {
     constexpr int iterations = 8;
     maximise(mode, iterations);
     burst(mode, steps, fraction);
     update_jacobian(mode);
     settle(mode);
+    const double gain = round > 0 ? mode.merit - best.merit : std::numeric_limits<double>::infinity();
+    if (gain > 0) best = mode;
     constexpr double negligible = 0.05;
-    if (round > 0 && std::abs(mode.merit - best) < negligible) break;
-    best = std::max(best, mode.merit);
+    if (std::abs(gain) < negligible) break;
   }
+  mode = std::move(best);
 }
 
 }  // namespace flexslip

@@ -93,6 +93,8 @@ class FrictionProcess {
   void settle(Mode& mode) const;
 
   static constexpr double mean_friction = 0.55;  // expected beforehand, 0.5 its standard deviation
+  // ln p(readings, gaps | θ) of a mode whose sites are settled, without the volume of the readings.
+  double evidence(const Mode& mode) const { return mode.merit - mode.at.log_jacobian - log_prior(mode, mode.theta); }
   double expected_stiffness(const Mode& mode) const;  // of ln EI/nominal beforehand
   struct NormalPrior {
     double mean, deviation;

@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include "fibre/elementary.h"
+#include "inference/process_forward.h"
 
 namespace flexslip {
 namespace {
@@ -113,7 +114,7 @@ bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
 class Search {
  public:
   Search(const FrictionProcess& process, const SearchOptions& options)
-      : process_(process), options_(options), rises_(rises_of(process.passages())) {}
+      : process_(process), options_(options), rises_(rises_of(process.passages())), run_(process.passages()) {}
 
   ProcessSearch run() {
     ProcessSearch result;
@@ -123,14 +124,20 @@ class Search {
     std::vector<Mode> waves;
     if (options_.waves > 0) waves = with_wave(plain, result.scan);
     if (!waves.empty()) improve(plain, waves.front());
+    mend(plain);
+    auto& components = result.components;
+    for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
+    if (options_.without_wave || waves.empty()) components.push_back(component_of(process_, plain));
+    // Where a wave is out of the question with one kernel, it is not asked for with the others; nor are waves far below the best.
+    constexpr double out_of_question = -2, far_below = 4;
+    const bool in_question =
+        !options_.without_wave || (!waves.empty() && components.front().log_evidence > components.back().log_evidence + out_of_question);
     for (const Kernel kernel : options_.kernels) {
-      Mode here = continued(plain, kernel);
-      if (options_.without_wave || waves.empty()) result.components.push_back(component_of(process_, here));
-      for (const Mode& wave : waves) {
-        constexpr double worth_it = 4;
-        if (kernel != first && wave.merit < waves.front().merit - worth_it) continue;
-        result.components.push_back(component_of(process_, continued(wave, kernel)));
-      }
+      if (kernel == first) continue;
+      if (options_.without_wave || waves.empty()) components.push_back(component_of(process_, continued(plain, kernel)));
+      for (const Mode& wave : waves)
+        if (in_question && wave.merit > waves.front().merit - far_below)
+          components.push_back(component_of(process_, continued(wave, kernel)));
     }
     std::stable_sort(result.components.begin(), result.components.end(),
                      [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
@@ -142,6 +149,22 @@ class Search {
     for (const Kernel kernel : options_.kernels)
       if (kernel == Kernel::matern_3_2) return kernel;
     return options_.kernels.front();
+  }
+
+  // The mode from readings past a fold moved back, and from where its own mean runs: kept where that is better.
+  void mend(Mode& mode) const {
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      Mode other = projected(process_, run_, mode);
+      process_.burst(other, 6, 0.3);
+      process_.polish(other, 2, 6, 0.2);
+      if (!(other.merit > mode.merit + 0.1)) {
+        other = run_forward(process_, run_, mode);
+        process_.burst(other, 8, 0.3);
+        if (other.merit > mode.merit - 3) process_.polish(other, 2, 6, 0.2);
+      }
+      if (!(other.merit > mode.merit + 0.1)) return;
+      mode = std::move(other);
+    }
   }
 
   Mode without_wave(Kernel kernel) const {
@@ -196,10 +219,12 @@ class Search {
     const double range = process_.passages().range;
     const Mode raw = process_.start(plain.kernel, process_.usual(), rises_);
     std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
+    // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin.
+    const bool blurred = blur_of(plain) > range / 1000;
     for (const double wavelength : candidates(plain, scan)) {
       const double log_wavelength = elementary::log(wavelength);
       found.emplace_back(tried(plain, plain.theta, log_wavelength), wavelength);
-      found.emplace_back(tried(raw, raw.theta, log_wavelength), wavelength);
+      if (blurred) found.emplace_back(tried(raw, raw.theta, log_wavelength), wavelength);
     }
     const auto rank = [&] {
       std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return better(a.first, b.first); });
@@ -207,7 +232,7 @@ class Search {
     rank();
     // The best two again from beside their wavelength: on soft rigs neighbouring peaks hide each other.
     std::vector<double> done;
-    const std::size_t so_far = found.size();
+    const std::size_t so_far = blurred ? found.size() : 0;
     for (std::size_t i = 0; i < so_far && done.size() < 2; ++i) {
       const double wavelength = found[i].second;
       if (found[i].first.merit < found.front().first.merit - 40 ||
@@ -218,6 +243,21 @@ class Search {
         found.emplace_back(tried(raw, raw.theta, elementary::log(wavelength * (1 + beside * wavelength / range))), wavelength);
     }
     rank();
+    done.clear();
+    const std::size_t tries = blurred ? found.size() : 0;
+    for (std::size_t i = 0; i < tries && done.size() < 2; ++i) {
+      const double wavelength = found[i].second;
+      if (found[i].first.merit < found.front().first.merit - 40 ||
+          std::find(done.begin(), done.end(), wavelength) != done.end())
+        continue;
+      done.push_back(wavelength);
+      Mode mode = fitted_forward(process_, run_, found[i].first);
+      process_.settle(mode);
+      process_.burst(mode, 4, 0.3);
+      process_.polish(mode, 1, 4, 0.3);
+      found.emplace_back(std::move(mode), wavelength);
+    }
+    rank();
     std::vector<Mode> polished;
     for (auto& [mode, from] : found) {
       if (polished.size() == 3 || mode.merit < found.front().first.merit - near_best) break;
@@ -225,8 +265,10 @@ class Search {
         return std::abs(mode.theta.log_wavelength(0) - other.theta.log_wavelength(0)) < 0.003 && mode.merit < other.merit + 0.5;
       });
       if (known) continue;
+      const Mode before = mode;
       process_.polish(mode, 4, 8, 0.2);
-      process_.burst(mode, 4, 0.3);
+      if (before.merit > mode.merit) mode = before;
+      mend(mode);
       polished.push_back(mode);
     }
     std::stable_sort(polished.begin(), polished.end(), better);
@@ -237,6 +279,16 @@ class Search {
           }))
         different.push_back(std::move(mode));
     return different;
+  }
+
+  // How far noise moves the place of a reading [L], on the whole.
+  static double blur_of(const Mode& mode) {
+    std::vector<double> blur;
+    const double noise = elementary::exp(mode.theta.values[0]);
+    for (const double by_force : mode.at.S_force) blur.push_back(0.5 * std::abs(by_force) * noise);
+    const auto middle = blur.begin() + static_cast<std::ptrdiff_t>(blur.size() / 2);
+    std::nth_element(blur.begin(), middle, blur.end());
+    return *middle;
   }
 
   // The mode without a wave also from where the best with one ended.
@@ -252,12 +304,20 @@ class Search {
     Mode other = mode;
     other.kernel = kernel;
     process_.polish(other, 2, 6, 0.3);
+    if (mode.theta.waves == 0) mend(other);
+    if (kernel == Kernel::none && mode.theta.waves > 0) {  // smooth friction has no roughness to make up for a wave too small
+      Mode forward = fitted_forward(process_, run_, other);
+      process_.burst(forward, 4, 0.3);
+      process_.polish(forward, 3, 6, 0.3);
+      if (forward.merit > other.merit) other = std::move(forward);
+    }
     return other;
   }
 
   const FrictionProcess& process_;
   const SearchOptions& options_;
   Linearisation rises_;
+  ForwardRun run_;
 };
 
 }  // namespace

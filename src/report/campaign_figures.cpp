@@ -159,10 +159,9 @@ double largest(const std::vector<double>& values) {
 
 // Its friction, in lines of gnuplot's markup.
 std::vector<std::string> parameter_lines(const TestSummary& test, const PlotUnit& wavelength) {
-  const double mu0 = test.mu0.value < 5e-4 ? 0 : test.mu0.value;
-  std::vector<std::string> lines{fmt::format("{{/*0.92 {{/:Italic μ}}_0 = {:.3f}}}", mu0)};
-  const bool has_waves = test.model == ProfileModel::sinusoid || test.model == ProfileModel::sinusoids;
-  if (has_waves && test.wavelength && test.amplitude) {
+  std::vector<std::string> lines{fmt::format("{{/*0.92 {{/:Italic μ}}_0 {} {:.3f}}}", test.mu0_is_bound ? "≤" : "=",
+                                             test.mu0_is_bound ? test.mu0.high : test.mu0.value)};
+  if (test.wave_claimed && test.wavelength && test.amplitude) {
     lines.push_back(fmt::format("{{/*0.92 {{/:Italic A}} = {:.3f}}}", test.amplitude->value));
     lines.push_back(fmt::format("{{/*0.92 {{/:Italic λ}} = {:.3g}\u00a0{}}}",
                                 wavelength.factor * test.wavelength->value, wavelength.unit));
@@ -336,7 +335,7 @@ Figure distribution_figure(const Campaign& campaign) {
   FigureData tests{"tests",
                    {"test", "category (0 clear, 1 nominal, 2 none)", "suspect", "mu0", "mu0 (1 - A)", "mu0 (1 + A)",
                     fmt::format("wavelength [{}]", length), fmt::format("low [{}]", length),
-                    fmt::format("high [{}]", length), "wave supported"},
+                    fmt::format("high [{}]", length), "wave claimed"},
                    {}};
   Extent along{not_a_number, not_a_number}, waves{not_a_number, not_a_number};
   double highest = 1;
@@ -351,7 +350,7 @@ Figure distribution_figure(const Campaign& campaign) {
     const double high = has_wave ? unit.factor * test.wavelength->high : not_a_number;
     tests.rows.push_back({numbers.of_test[i], static_cast<double>(test.category), test.suspect ? 1.0 : 0.0, mu0,
                           std::max(mu0 - swing, 0.0), mu0 + swing, wavelength, low, high,
-                          test.wave_supported ? 1.0 : 0.0});
+                          test.wave_claimed ? 1.0 : 0.0});
     along = {std::fmin(along.low, numbers.of_test[i]), std::fmax(along.high, numbers.of_test[i])};
     waves = {std::fmin(waves.low, wavelength), std::fmax(waves.high, wavelength)};
     highest = std::max({highest, mu0, std::isfinite(swing) ? mu0 + swing : 0});
@@ -388,7 +387,7 @@ Figure distribution_figure(const Campaign& campaign) {
   constexpr double row1 = 3.5, row2 = 8, column1 = first, column2 = first + 43, column3 = first + 102;  // [mm]
   const std::vector<LegendEntry> entries{
       {column1, row1, "pt 2 ps 0.8 lw 1.6 lc rgb vermillion", true, "Suspect"},
-      {column1, row2, "pt 5 ps 0.6 lc rgb grey", true, "No wave by BIC"},
+      {column1, row2, "pt 5 ps 0.6 lc rgb grey", true, "Wave only indicative"},
       {column2, row1, "dt solid lw 1 lc rgb 'black'", false, "Mean, suspects left out"},
       {column2, row2, "dt solid lw 1 lc rgb grey", false,
        fmt::format("Mean of all, likewise{}", std::isfinite(all) ? fmt::format(": {:.3f}", all) : "")},

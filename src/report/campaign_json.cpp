@@ -17,13 +17,25 @@ Json parameter(const ParameterEstimate& estimate, const std::string& unit) {
 
 Json parameters_json(const TestSummary& test) {
   Json out = {{"mu0", parameter(test.mu0, "1")}};
+  out["mu0"]["bound"] = test.mu0_is_bound;
   const auto add = [&](const char* name, const std::optional<ParameterEstimate>& estimate, const char* unit) {
     out[name] = estimate ? parameter(*estimate, unit) : Json();
   };
+  const auto only_rough = [&](const ParameterEstimate& estimate) {
+    return test.model == ProfileModel::roughness ? std::optional(estimate) : std::nullopt;
+  };
+  add("roughness", only_rough(test.roughness), "1");
+  add("correlation_length", only_rough(test.correlation_length), "m");
   add("amplitude", test.amplitude, "1");
   add("wavelength", test.wavelength, "m");
   add("phase", test.phase, "rad");
   add("bending_stiffness", test.bending_stiffness, "N m^2");
+  return out;
+}
+
+Json failed_checks_json(const TestSummary& test) {
+  Json out = Json::array();
+  for (const auto kind : test.failed_checks) out.push_back(name_of(kind));
   return out;
 }
 
@@ -35,7 +47,12 @@ Json test_json(const CampaignTest& test) {
           {"suspect", summary.suspect},
           {"model", name_of(summary.model)},
           {"parameters", parameters_json(summary)},
-          {"wave_supported", summary.wave_supported},
+          {"wave", {{"claimed", summary.wave_claimed}, {"log_evidence", summary.log_evidence_of_wave}}},
+          {"friction_read",
+           {{"median", summary.friction_read.median},
+            {"low80", summary.friction_read.low80},
+            {"high80", summary.friction_read.high80}}},
+          {"failed_checks", failed_checks_json(summary)},
           {"residual_rms", summary.residual_rms},
           {"drops", summary.drops},
           {"work_of_fracture", summary.work_of_fracture},

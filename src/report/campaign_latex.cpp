@@ -49,10 +49,12 @@ std::string row_of(const CampaignTest& test, const CampaignUnits& units) {
   const TestSummary& summary = test.summary.value();
   const auto of_wave = [&](const std::optional<ParameterEstimate>& estimate, double factor) {
     if (!estimate) return std::string("--");
-    return summary.wave_supported ? cell(*estimate, factor) : fmt::format("[{}]", cell(*estimate, factor));
+    return summary.wave_claimed ? cell(*estimate, factor) : fmt::format("[{}]", cell(*estimate, factor));
   };
+  const std::string mean_friction =
+      summary.mu0_is_bound ? fmt::format("$\\leq$ {}", significant(summary.mu0.high, 2)) : cell(summary.mu0, 1);
   return fmt::format("{}{} & {} & {} & {} & {} & {} & {} & {} \\\\\n", latex_escaped(test.name),
-                     summary.suspect ? "$^{\\times}$" : "", cell(summary.mu0, 1), of_wave(summary.amplitude, 1),
+                     summary.suspect ? "$^{\\times}$" : "", mean_friction, of_wave(summary.amplitude, 1),
                      of_wave(summary.wavelength, units.wavelength.factor),
                      cell(summary.bending_stiffness, units.bending_stiffness.factor),
                      significant(units.residual.factor * summary.residual_rms, 3), summary.drops,
@@ -68,8 +70,9 @@ std::string tests_of(const Campaign& campaign) {
       "{\\footnotesize\\setlength{\\tabcolsep}{4pt}\n\\begin{longtable}{lrrrrrrr}\n"
       "\\caption{Friction in bending tests, by the sawtooth of their force curves: mean friction $\\mu_0$, amplitude "
       "$A$ "
-      "and wavelength $\\lambda$ of one wave of friction along the specimen (in brackets where BIC finds no need for "
-      "it), bending stiffness $EI$, root mean square of measured less model force, drops of the force, and the share "
+      "and wavelength $\\lambda$ of one wave of friction along the specimen (in brackets where it is only "
+      "indicative), bending stiffness $EI$, root mean square of measured less model force, drops of the force, and the "
+      "share "
       "of "
       "the work that was friction; $\\pm$ standard error, $\\times$ suspect.}\n"
       "\\label{tab:friction}\\\\\n";

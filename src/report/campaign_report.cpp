@@ -52,11 +52,11 @@ std::vector<std::string> links_to_tests(const std::string& folder, const Campaig
 std::string caption_of(const Figure& figure) {
   if (figure.name == "distributions")
     return "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
-           "where BIC finds no need for a wave. B: mean friction; bars: from μ₀(1 − A) to μ₀(1 + A). Red crosses: "
+           "where the wave is only indicative. B: mean friction; bars: from μ₀(1 − A) to μ₀(1 + A). Red crosses: "
            "suspect tests, which the means leave out. Green: the literature's range for glass on steel.";
   return figure.title +
-         ". Blue: measured force. Black: the model of least BIC, in the corner its mean friction, and A and λ where it "
-         "has waves, of one wave. Brown: Euler–Bernoulli "
+         ". Blue: measured force. Black: the mean of the fit run forward, in the corner its mean friction, and A and λ "
+         "where a wave is claimed. Brown: Euler–Bernoulli "
          "(dashed) and the model without friction, with the bending stiffness of the fit. Grey: load lines at the "
          "drops "
          "of the force, as steep as the load train is stiff. Red crosses: suspect tests.";

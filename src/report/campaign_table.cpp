@@ -147,22 +147,34 @@ CampaignTable test_table(const Campaign& campaign) {
             summarised([](const TestSummary& test) { return words(name_of(test.category)); }));
   table.add(word_column("suspect", "needs more friction than is plausible, or is not explained by sliding"),
             summarised([](const TestSummary& test) { return yes(test.suspect); }));
-  table.add(word_column("model", "of friction, the one of least BIC"),
+  table.add(word_column("model", "of friction, that was fitted"),
             summarised([](const TestSummary& test) { return words(name_of(test.model)); }));
   using Maybe = std::optional<ParameterEstimate>;
-  add_estimate(table, "mu0", kind::number, "", "mean friction of that model",
+  add_estimate(table, "mu0", kind::number, "", "mean friction over the fibre seen",
                [](const TestSummary& test) { return Maybe(test.mu0); });
-  add_estimate(table, "amplitude", kind::number, "", "of one wave of friction, relative to mu0",
+  table.add(word_column("mu0_is_bound", "the record does not tell mu0 from 0: mu0_high is its upper limit"),
+            summarised([](const TestSummary& test) { return yes(test.mu0_is_bound); }));
+  const auto of_roughness = [](ParameterEstimate TestSummary::*estimate) {
+    return [estimate](const TestSummary& test) {
+      return test.model == ProfileModel::roughness ? Maybe(test.*estimate) : Maybe();
+    };
+  };
+  add_estimate(table, "roughness", kind::number, "", "standard deviation of friction about its mean",
+               of_roughness(&TestSummary::roughness));
+  add_estimate(table, "correlation_length", kind::length, "m", "of the roughness along the specimen",
+               of_roughness(&TestSummary::correlation_length));
+  add_estimate(table, "amplitude", kind::number, "", "of the likeliest wave of friction, relative to mu0",
                [](const TestSummary& test) { return test.amplitude; });
   add_estimate(table, "wavelength", kind::length, "m", "of that wave, along the specimen",
                [](const TestSummary& test) { return test.wavelength; });
   add_estimate(table, "phase", kind::angle, "rad", "of that wave, at the length 0",
                [](const TestSummary& test) { return test.phase; });
-  table.add(word_column("wave_supported", "BIC prefers that wave to none"),
-            summarised([](const TestSummary& test) { return test.wavelength ? yes(test.wave_supported) : Cell{}; }));
+  table.add(word_column("wave_claimed", "by the evidence; a wave that is not is only indicative"),
+            summarised([](const TestSummary& test) { return test.wavelength ? yes(test.wave_claimed) : Cell{}; }));
   add_estimate(table, "bending_stiffness", kind::bending_stiffness, "N m^2", "EI",
                [](const TestSummary& test) { return Maybe(test.bending_stiffness); });
-  table.add(number_column("residual_rms", kind::force, "N", "measured force less model, root mean square"),
+  table.add(number_column("residual_rms", kind::force, "N",
+                          "measured force less the mean of the fit run forward, root mean square"),
             summarised([](const TestSummary& test) { return number(test.residual_rms); }));
   table.add(number_column("drops", kind::number, "", "of the force, beyond its noise"),
             summarised([](const TestSummary& test) { return number(test.drops); }));

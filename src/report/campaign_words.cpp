@@ -149,21 +149,26 @@ PrintedTable category_rows(const Campaign& campaign) {
 
 PrintedTable test_rows(const Campaign& campaign) {
   const CampaignUnits units = units_of(campaign);
-  PrintedTable table{{"Test", "Sawtooth", "Suspect", "Model", "μ₀", "A", titled("λ", units.wavelength),
-                      titled("EI", units.bending_stiffness), titled("Residual", units.residual), "Drops",
-                      titled("Work", units.work), "Friction", "Remarks"},
+  PrintedTable table{{"Test", "Sawtooth", "Suspect", "Model", "μ₀", "σ", titled("ℓ", units.wavelength), "A",
+                      titled("λ", units.wavelength), titled("EI", units.bending_stiffness),
+                      titled("Residual", units.residual), "Drops", titled("Work", units.work), "Friction", "Remarks"},
                      {}};
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
     const auto of_wave = [&](const std::optional<ParameterEstimate>& estimate, double factor) {
       const std::string text = with_interval(estimate, factor);
-      return text.empty() || summary.wave_supported ? text : fmt::format("[{}]", text);
+      return text.empty() || summary.wave_claimed ? text : fmt::format("[{}]", text);
     };
+    const bool is_rough = summary.model == ProfileModel::roughness;
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     table.rows.push_back({printable(test.name), name_of(summary.category), summary.suspect ? "yes" : "",
-                          std::string(name_of(summary.model)), with_interval(summary.mu0, 1),
+                          std::string(name_of(summary.model)),
+                          summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
+                                               : with_interval(summary.mu0, 1),
+                          is_rough ? with_error(summary.roughness, 1) : "",
+                          is_rough ? with_error(summary.correlation_length, units.wavelength.factor) : "",
                           of_wave(summary.amplitude, 1), of_wave(summary.wavelength, units.wavelength.factor),
                           with_error(summary.bending_stiffness, units.bending_stiffness.factor),
                           significant(units.residual.factor * summary.residual_rms, 3),
@@ -205,9 +210,9 @@ PrintedTable shared_rows(const Campaign& campaign) {
 std::string category_rule() {
   return "None: fewer than three drops of the force, or drops that add up to less than 3\u00a0% of the greatest force. "
          "Clear: "
-         "15\u00a0% or more. Nominal: between. A and λ are those of one wave of friction, with their 95 % intervals; "
-         "in "
-         "brackets where BIC finds no need for a wave.";
+         "15\u00a0% or more. Nominal: between. μ₀ is the mean friction over the fibre seen, σ and ℓ its roughness "
+         "and the correlation length of that. A and λ are those of the likeliest wave of friction, with their 95 % "
+         "intervals; in brackets where it is only indicative.";
 }
 
 }  // namespace flexslip

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,16 +39,15 @@ TestUnits units_of(const FittedTest& test) {
   return units;
 }
 
-// The chosen model, continuously, at its bending stiffness; forces in nominal units.
+// The mean of the fit, continuously, at its bending stiffness; forces in nominal units.
 History drawn_model(const FittedTest& test) {
-  constexpr int points =
-      1000;  // on each stable part, as many waves of friction may lie within one: most are thinned out
-  const auto& model = chosen_model(test);
-  const double stiffening = model.bending_stiffness.value;
+  constexpr int points = 1000;  // on each stable part: most are thinned out
+  const auto& fit = test.analysis.fit;
+  const double stiffening = fit.bending_stiffness.value;
   const auto& stage = test.analysis.reduced.stage;
   const double farthest = *std::max_element(stage.begin(), stage.end());
-  History history = follow_continuously(
-      {Friction::waves(model.friction), Rig{test.analysis.rig.stiffness / stiffening}}, {&farthest, 1}, points);
+  History history = follow_continuously({Friction::table(fit.mean), Rig{test.analysis.rig.stiffness / stiffening}},
+                                        {&farthest, 1}, points);
   for (auto& point : history.path) point.F *= stiffening;
   return history;
 }
@@ -57,16 +57,14 @@ double rounded_up(double value) {
   return step * std::ceil(value / step);
 }
 
-// The measured profile at the bending stiffness of the chosen model.
+// The measured profile at the bending stiffness of the fit.
 FrictionProfile profile_at_estimated_stiffness(const FittedTest& test) {
   const auto& analysis = test.analysis;
-  const auto& stiffness = chosen_model(test).bending_stiffness;
+  const auto& stiffness = analysis.fit.bending_stiffness;
   const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
   const MeasurementErrors errors{.force = analysis.force_noise / stiffness.value,
                                  .bending_stiffness = stiffness.standard_error / stiffness.value,
-                                 .contact = analysis.contact.status == ContactStatus::found
-                                                ? scales.reduced_length(analysis.contact.offset_error)
-                                                : 0};
+                                 .contact = analysis.errors.contact};
   return measure_friction(to_reduced(analysis.record, scales), Rig{analysis.rig.stiffness / stiffness.value}, errors,
                           least_deflection);
 }
@@ -76,8 +74,8 @@ FrictionProfile profile_at_estimated_stiffness(const FittedTest& test) {
 Figure force_figure(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const auto& record = analysis.reduced;
-  const auto& model = chosen_model(test);
-  const double stiffening = model.bending_stiffness.value;
+  const auto& fit = analysis.fit;
+  const double stiffening = fit.bending_stiffness.value;
   const TestUnits units = units_of(test);
   const double x = units.per_length;
   const double y = units.per_force;
@@ -88,8 +86,8 @@ Figure force_figure(const FittedTest& test) {
 
   FigureData measured{"measured", {length, force, fmt::format("residual [{}]", units.force.unit)}, {}};
   double largest_residual = 0;
-  for (std::size_t i = 0; i < model.force.size(); ++i) {
-    const double residual = record.force[i] - model.force[i];
+  for (std::size_t i = 0; i < fit.force.size(); ++i) {
+    const double residual = record.force[i] - fit.force[i];
     largest_residual = std::max(largest_residual, std::abs(residual));
     measured.rows.push_back({x * record.deflection[i], y * record.force[i], y * residual});
   }
@@ -144,7 +142,7 @@ Figure force_figure(const FittedTest& test) {
        references using 1:2 with lines lw 1 dt (14,7) lc rgb orange title 'Euler–Bernoulli', \
        references using 1:3 with lines lw 1 lc rgb orange title 'Model without friction', \
        measured using 1:2 with linespoints lw 0.6 pt 7 ps 0.25 lc rgb blue, \
-       sliding using 1:2 with lines lw 1.1 lc rgb 'black' title 'Model ({model})', \
+       sliding using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
        snaps using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{snaps_title}
   # What the model leaves over
   set tmargin at screen 0.305; set bmargin at screen 0.112
@@ -160,34 +158,34 @@ Figure force_figure(const FittedTest& test) {
       fmt::arg("x_max", x * w_max * 1.03), fmt::arg("y_max", y * F_max * 1.12),
       fmt::arg("force", axis_label("Force", "{/:Italic F}", units.force)),
       fmt::arg("length", axis_label("Deflection at midspan", "{/:Italic w}_0", units.length)),
-      fmt::arg("force_unit", units.force.unit), fmt::arg("model", name_of(model.model)),
+      fmt::arg("force_unit", units.force.unit),
       fmt::arg("drops_title", has_drops ? " title 'Drops, slope −{/:Italic k}_c'" : ""),
       fmt::arg("snaps_title", history.snaps.empty() ? "" : " title 'Its snaps'"),
       fmt::arg("r_min", -y * 1.15 * largest_residual), fmt::arg("r_max", y * 1.15 * largest_residual),
       fmt::arg("r_step", tick_within(std::max(y * largest_residual, 1e-12))));
-  return {.name = "force",
-          .title = "Force against deflection: " + test.name,
-          .description = fmt::format(
-              "Measured force against deflection at midspan with the model of friction '{}', the Euler-Bernoulli line "
-              "and the "
-              "model without friction; {} drops are marked by load lines. Below, measured force less model.",
-              name_of(model.model), analysis.drops.drops.size()),
-          .width = two_columns,
-          .height = 114,
-          .data = {std::move(measured), std::move(sliding), std::move(snaps), std::move(references), std::move(drops)},
-          .script = script};
+  return {
+      .name = "force",
+      .title = "Force against deflection: " + test.name,
+      .description = fmt::format(
+          "Measured force against deflection at midspan with the mean of the fit run forward, the Euler-Bernoulli line "
+          "and the model without friction; {} drops are marked by load lines. Below, measured force less model.",
+          analysis.drops.drops.size()),
+      .width = two_columns,
+      .height = 114,
+      .data = {std::move(measured), std::move(sliding), std::move(snaps), std::move(references), std::move(drops)},
+      .script = script};
 }
 
 Figure profile_figure(const FittedTest& test) {
   const auto& analysis = test.analysis;
-  const auto& model = chosen_model(test);
+  const auto& fit = analysis.fit;
   const TestUnits units = units_of(test);
   const auto drawn_in = [&](double S) { return units.per_small_length * (S - 1) / 2; };
   const std::string position = fmt::format("drawn in over one support [{}]", units.small_length.unit);
   const auto profile = profile_at_estimated_stiffness(test);
 
   FigureData measured{"profile", {position, "mu", "mu error of the point", "mu error common to all"}, {}};
-  double S_end = 1;
+  double S_end = fit.S_end;
   double highest = glass_on_steel.high;
   double lowest = 0;
   for (const auto& point : profile.points) {
@@ -197,10 +195,6 @@ Figure profile_figure(const FittedTest& test) {
     highest = std::max(highest, point.mu);
     if (point.S > 1 + 0.2 * (profile.points.back().S - 1)) lowest = std::min(lowest, point.mu);
   }
-  // The band is one piece only if the length does not run back with the noise.
-  auto band = measured;
-  band.name = "band";
-  std::stable_sort(band.rows.begin(), band.rows.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
 
   FigureData slips{"slips", {position, "mu"}, {}};
   const auto slipped = slips_of(profile, analysis.drops.drops);
@@ -211,13 +205,28 @@ Figure profile_figure(const FittedTest& test) {
   }
   if (slipped.empty()) slips.rows.push_back({NAN, NAN});
 
-  FigureData modelled{"model", {position, "mu"}, {}};
-  const Friction friction = Friction::waves(model.friction);
-  constexpr int points = 1000;
-  const double S_begin = profile.points.empty() ? 1 : profile.points.front().S;
-  for (int i = 0; i <= points; ++i) {
-    const double S = S_begin + (S_end - S_begin) * i / points;
-    modelled.rows.push_back({drawn_in(S), friction.at(S).mu});
+  FigureData band{"band", {position, "mu", "mu deviation"}, {}};
+  for (std::size_t i = 0; i < fit.band.S.size(); ++i)
+    band.rows.push_back({drawn_in(fit.band.S[i]), fit.band.mean[i], fit.band.deviation[i]});
+
+  // The wave claimed, about the mean and its drift.
+  FigureData wave{"wave", {position, "mu"}, {}};
+  if (fit.wave_claimed) {
+    constexpr double points_a_period = 24;
+    double shortest = fit.S_end - fit.S_begin;
+    for (const auto& each : fit.waves) shortest = std::min(shortest, 2 * each.wavelength.value);  // a period in S
+    const int points =
+        static_cast<int>(std::clamp(points_a_period * (fit.S_end - fit.S_begin) / shortest, 100.0, 20000.0));
+    for (int i = 0; i <= points; ++i) {
+      const double S = fit.S_begin + (fit.S_end - fit.S_begin) * i / points;
+      double mu = fit.mu0.value + fit.drift.value * (S - fit.S_middle);
+      for (const auto& each : fit.waves)
+        mu += fit.mu0.value * each.amplitude.value *
+              std::cos(std::numbers::pi * (S - fit.S_middle) / each.wavelength.value + each.phase_at_middle.value);
+      wave.rows.push_back({drawn_in(S), mu});
+    }
+  } else {
+    wave.rows.push_back({NAN, NAN});
   }
 
   const double top = std::min(rounded_up(1.08 * highest), 2.0);
@@ -230,13 +239,14 @@ Figure profile_figure(const FittedTest& test) {
   set key at screen 0.535,0.985 center top vertical Left reverse maxrows 2 samplen 1.8 width -2
   set object 1 rectangle from graph 0, first {low} to graph 1, first {high} behind fc rgb green fs transparent solid 0.13 noborder
   # 95 % of a normal distribution: 1.96 standard deviations
-  plot profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured', \
-       slips using 1:2 with lines lw 1 lc rgb vermillion{slips_title}, \
+  plot band using 1:($2-2*$3):($2+2*$3) with filledcurves lc rgb '#909090' fs transparent solid 0.35 noborder \
+            title 'Mean ± 2 deviations', \
+       profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured', \
+       slips using 1:2 with lines lw 0.7 lc rgb vermillion{slips_title}, \
        profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue title '95 %: noise', \
-       band using 1:($2-1.96*$4):($2+1.96*$4) with filledcurves lc rgb sky fs transparent solid 0.28 noborder \
-            title '95 %: stiffness, contact', \
-       keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title 'Glass on steel, literature', \
-       model using 1:2 with lines lw 1.1 lc rgb 'black' title 'Model ({model})'
+       band using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
+       wave using 1:2 with lines lw 1 lc rgb orange{wave_title}, \
+       keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title 'Glass on steel, literature'
   unset object 1
 )",
       fmt::arg("x_max", drawn_in(S_end) * 1.02), fmt::arg("bottom", lowest < 0 ? -rounded_up(-lowest) : 0.0),
@@ -244,65 +254,70 @@ Figure profile_figure(const FittedTest& test) {
       fmt::arg("label", axis_label("Length drawn in over one support", "({/:Italic S}\u00a0−\u00a0{/:Italic L})/2",
                                    units.small_length)),
       fmt::arg("low", glass_on_steel.low), fmt::arg("high", glass_on_steel.high),
-      fmt::arg("model", name_of(model.model)), fmt::arg("slips_title", slipped.empty() ? "" : " title 'Slips'"));
+      fmt::arg("wave_title", fit.wave_claimed ? " title 'Wave'" : ""),
+      fmt::arg("slips_title", slipped.empty() ? "" : " title 'Slips'"));
   return {.name = "profile",
           .title = "Friction along the specimen: " + test.name,
           .description = fmt::format(
               "Coefficient of friction against the length drawn in over one support: {} measured points with "
-              "their 95 % intervals, {} slips, and the model '{}'.",
-              profile.points.size(), slipped.size(), name_of(model.model)),
+              "their 95 % intervals, {} slips, and the mean of the fit with a band of two standard deviations{}.",
+              profile.points.size(), slipped.size(), fit.wave_claimed ? ", and the wave claimed" : ""),
           .width = two_columns,
           .height = 78,
-          .data = {std::move(measured), std::move(band), std::move(slips), std::move(modelled)},
+          .data = {std::move(measured), std::move(slips), std::move(band), std::move(wave)},
           .script = script};
 }
 
 Figure wavelength_figure(const FittedTest& test) {
-  const auto& scan = test.analysis.fit.scan;
+  const auto& fit = test.analysis.fit;
   const TestUnits units = units_of(test);
   const std::string wavelength = fmt::format("wavelength [{}]", units.small_length.unit);
-  FigureData gains{"gains", {wavelength, "gain of log-likelihood"}, {}};
-  double highest = 1;
-  for (std::size_t i = 0; i < scan.wavelengths.size(); ++i) {
-    gains.rows.push_back({units.per_small_length * scan.wavelengths[i], scan.gains[i]});
-    highest = std::max(highest, scan.gains[i]);
+  FigureData gains{"gains", {wavelength, "gain of log-evidence"}, {}};
+  constexpr double claim = 3;
+  double highest = 1.5 * claim, lowest = 0;
+  for (const auto& at : fit.scan) {
+    gains.rows.push_back({units.per_small_length * at.wavelength, at.gain});
+    highest = std::max(highest, at.gain);
+    lowest = std::min(lowest, at.gain);
   }
-  FigureData candidates{"candidates", {wavelength, "gain of log-likelihood"}, {}};
-  for (const auto& candidate : scan.candidates)
-    candidates.rows.push_back({units.per_small_length * candidate.wavelength, candidate.log_likelihood_gain});
-  FigureData chosen{"chosen", {wavelength, "gain of log-likelihood"}, {}};
-  for (const auto& wave : waves_by_size(chosen_model(test))) {
-    chosen.rows.push_back({units.per_small_length * wave.wavelength.value, 0});
-    chosen.rows.push_back({units.per_small_length * wave.wavelength.value, 1.08 * highest});
-    chosen.rows.emplace_back();
+  lowest = std::max(lowest, -highest);
+  const double top = 1.08 * highest;
+  FigureData likeliest{"likeliest", {wavelength, "gain of log-evidence"}, {}};
+  for (const auto& wave : fit.waves) {
+    likeliest.rows.push_back({units.per_small_length * wave.wavelength.value, lowest});
+    likeliest.rows.push_back({units.per_small_length * wave.wavelength.value, top});
+    likeliest.rows.emplace_back();
   }
-  const bool waved = !chosen.rows.empty();
-  if (!waved) chosen.rows.push_back({NAN, NAN});
-  if (candidates.rows.empty()) candidates.rows.push_back({NAN, NAN});
+  const bool waved = !likeliest.rows.empty();
+  if (!waved) likeliest.rows.push_back({NAN, NAN});
   const std::string script = fmt::format(
       R"(  set lmargin at screen 0.13; set rmargin at screen 0.96; set tmargin at screen 0.9; set bmargin at screen 0.2
   set logscale x
   set xrange [*:*] noextend
-  set yrange [0:{top:.6g}]
+  set yrange [{bottom:.6g}:{top:.6g}]
   set xlabel '{label}' offset 0,0.4
-  set ylabel 'Gain of log-likelihood' offset 0.8
+  set ylabel 'Gain of log-evidence' offset 0.8
   set key at screen 0.545,0.985 center top vertical Left reverse maxrows 1 samplen 1.8
   set xtics ({tics})
-  plot chosen using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{chosen_title}, \
-       gains using 1:2 with lines lw 1 lc rgb blue, \
-       candidates using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion title 'starts of the fit'
+  plot likeliest using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{likeliest_title}, \
+       {claim} with lines lw 0.75 dt (2,3) lc rgb 'black' title 'a claim', \
+       gains using 1:2 with lines lw 1 lc rgb blue
   unset logscale x; set xtics auto
 )",
-      fmt::arg("top", 1.08 * highest), fmt::arg("tics", logarithmic_tics(gains.rows.front()[0], gains.rows.back()[0])),
+      fmt::arg("bottom", lowest), fmt::arg("top", top), fmt::arg("claim", claim),
+      fmt::arg("tics", logarithmic_tics(gains.rows.front()[0], gains.rows.back()[0])),
       fmt::arg("label", axis_label("Wavelength along the specimen", "{/:Italic λ}", units.small_length)),
-      fmt::arg("chosen_title", waved ? " title 'in the model'" : ""));
-  return {.name = "wavelengths",
-          .title = "Wavelengths in the friction: " + test.name,
-          .description = "Gain of log-likelihood that a wave of friction brings over none, against its wavelength.",
-          .width = one_column,
-          .height = 60,
-          .data = {std::move(gains), std::move(candidates), std::move(chosen)},
-          .script = script};
+      fmt::arg("likeliest_title", !waved             ? ""
+                                  : fit.wave_claimed ? " title 'the wave'"
+                                                     : " title 'indicative'"));
+  return {
+      .name = "wavelengths",
+      .title = "Wavelengths in the friction: " + test.name,
+      .description = "Gain of log-evidence that a wave of friction brings beside roughness, against its wavelength.",
+      .width = one_column,
+      .height = 60,
+      .data = {std::move(gains), std::move(likeliest)},
+      .script = script};
 }
 
 }  // namespace flexslip

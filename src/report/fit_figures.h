@@ -8,13 +8,13 @@ namespace flexslip {
 
 // For all: Domain: analysis.status is ok.
 
-// Force against deflection with model, references and drops, as Fig. 10 of the paper; residuals below.
+// Force against deflection with the mean of the fit run forward, references and drops, as Fig. 10 of the paper; residuals below.
 Figure force_figure(const FittedTest& test);
 
-// Friction along the specimen, with its 95 % intervals, at the bending stiffness of the fit: so the model can be compared.
+// Friction along the specimen, with its 95 % intervals, at the bending stiffness of the fit, and what the fit knows of it.
 Figure profile_figure(const FittedTest& test);
 
-// How likely each wavelength is. Domain: waves were among the models.
+// What a wave of each wavelength adds to the evidence. Domain: the fit has a scan.
 Figure wavelength_figure(const FittedTest& test);
 
 }  // namespace flexslip

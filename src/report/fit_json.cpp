@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "report/cycles_json.h"
 #include "report/fit_words.h"
 #include "report/preparation_json.h"
@@ -33,63 +35,87 @@ Json parameter(const ParameterEstimate& estimate, double factor, const std::stri
           {"unit", unit}};
 }
 
-Json parameters_json(const ModelFit& model, const Units& units) {
-  Json out = {{"mu0", parameter(model.mu0, 1, "1")}};
+// A wave of the fit under the names of its parameters; `suffix` tells the second from the first.
+void add_wave(Json& out, const WaveEstimate& wave, const Units& units, const std::string& suffix) {
+  out["amplitude" + suffix] = parameter(wave.amplitude, 1, "1");
+  out["wavelength" + suffix] = parameter(wave.wavelength, units.scales.span(), units.unit("m"));
+  out["phase" + suffix] = parameter(wave.phase, 1, units.unit("rad"));
+  out["phase_at_middle" + suffix] = parameter(wave.phase_at_middle, 1, units.unit("rad"));
+}
+
+Json parameters_json(const FrictionFit& fit, const Units& units) {
   const double span = units.scales.span();
-  std::string suffix;
-  int number = 1;
-  for (const auto& wave : waves_by_size(model)) {
-    out["amplitude" + suffix] = parameter(wave.amplitude, 1, "1");
-    out["wavelength" + suffix] = parameter(wave.wavelength, span, units.unit("m"));
-    out["phase" + suffix] = parameter(wave.phase, 1, units.unit("rad"));
-    out["phase_at_middle" + suffix] = parameter(wave.phase_at_middle, 1, units.unit("rad"));
-    suffix = "_" + std::to_string(++number);
+  Json out = {{"mu0", parameter(fit.mu0, 1, "1")}};
+  out["mu0"]["bound"] = fit.mu0_is_bound;
+  if (fit.wave_claimed)
+    for (std::size_t i = 0; i < fit.waves.size(); ++i)
+      add_wave(out, fit.waves[i], units, i == 0 ? "" : fmt::format("_{}", i + 1));
+  if (fit.model != ProfileModel::constant) {
+    out["drift"] = parameter(fit.drift, 1 / span, units.unit("1/m"));
+    out["force_noise"] = parameter(fit.noise, units.force(1), units.unit("N"));
   }
-  if (model.model != ProfileModel::constant) out["drift"] = parameter(model.drift, 1 / span, units.unit("1/m"));
-  out["bending_stiffness"] = parameter(model.bending_stiffness, units.scales.bending_stiffness(), units.unit("N m^2"));
-  return out;
-}
-
-// The other wavelengths of a model's last wave, and the intervals of 95 % about those that the record does not exclude.
-Json runners_up_json(const ModelFit& model, const Units& units) {
-  Json out = Json::array();
-  for (const auto& other : model.runners_up)
-    out.push_back({{"wavelength", units.length(other.wavelength)},
-                   {"amplitude", other.amplitude},
-                   {"phase", other.phase},
-                   {"delta_log_likelihood", other.delta_log_likelihood},
-                   {"residual_rms", units.force(other.residual_rms)}});
-  return out;
-}
-
-Json other_wavelengths_json(const ModelFit& model, const Units& units) {
-  Json out = Json::array();
-  for (const auto& wave : model.waves)
-    for (const auto& interval : wave.other_wavelengths)
-      out.push_back({units.length(interval.low), units.length(interval.high)});
-  return out;
-}
-
-Json bootstrap_json(const TestAnalysis& analysis, const Units& units) {
-  if (!analysis.bootstrap) return nullptr;
-  const auto& bootstrap = *analysis.bootstrap;
-  const auto spread = [](const BootstrapEstimate& estimate, double factor) {
-    return Json{{"standard_error", estimate.standard_error * factor},
-                {"interval95", {estimate.low * factor, estimate.high * factor}}};
-  };
-  const double span = units.scales.span();
-  Json parameters = {{"mu0", spread(bootstrap.mu0, 1)}, {"drift", spread(bootstrap.drift, 1 / span)}};
-  std::string suffix;
-  int number = 1;
-  for (const auto i : order_by_size(analysis.fit.models[analysis.fit.chosen])) {
-    const auto& wave = bootstrap.waves[i];
-    parameters["amplitude" + suffix] = spread(wave.amplitude, 1);
-    parameters["wavelength" + suffix] = spread(wave.wavelength, span);
-    parameters["phase" + suffix] = spread(wave.phase, 1);
-    suffix = "_" + std::to_string(++number);
+  if (fit.model == ProfileModel::roughness) {
+    out["roughness"] = parameter(fit.roughness, 1, "1");
+    out["correlation_length"] = parameter(fit.length, span, units.unit("m"));
   }
-  parameters["bending_stiffness"] = spread(bootstrap.bending_stiffness, units.scales.bending_stiffness());
-  return {{"count", bootstrap.count}, {"block", bootstrap.block}, {"seed", bootstrap.seed}, {"parameters", parameters}};
+  out["bending_stiffness"] = parameter(fit.bending_stiffness, units.scales.bending_stiffness(), units.unit("N m^2"));
+  return out;
+}
+
+// The likeliest wave, where nothing claims it: what it would be, and how far from a claim it is. Null without one.
+Json wave_json(const FrictionFit& fit, const Units& units) {
+  if (fit.waves.empty()) return nullptr;
+  Json out = {{"claimed", fit.wave_claimed}, {"log_evidence", fit.log_evidence_of_wave}};
+  add_wave(out, fit.waves.front(), units, "");
+  return out;
+}
+
+Json explanations_json(const FrictionFit& fit, const Units& units) {
+  Json out = Json::array();
+  for (const auto& each : fit.explanations)
+    out.push_back({{"kernel", name_of(each.kernel)},
+                   {"wavelength", each.wavelength ? Json(units.length(*each.wavelength)) : Json()},
+                   {"weight", each.weight},
+                   {"log_evidence", each.log_evidence}});
+  return out;
+}
+
+Json scan_json(const FrictionFit& fit, const Units& units) {
+  Json out = Json::array();
+  for (const auto& each : fit.scan)
+    out.push_back({{"wavelength", units.length(each.wavelength)}, {"log_evidence_gain", each.gain}});
+  return out;
+}
+
+Json band_json(const FrictionFit& fit, const Units& units) {
+  Json lengths = Json::array();
+  for (const double S : fit.band.S) lengths.push_back(units.length(S));
+  return {{"length", lengths}, {"mean", fit.band.mean}, {"deviation", fit.band.deviation}};
+}
+
+// The bending stiffness that goes with each profile drawn (`fit --draws`).
+Json draws_json(const FrictionFit& fit, const Units& units) {
+  Json stiffness = Json::array();
+  for (const double relative : fit.draw_stiffness) stiffness.push_back(relative * units.scales.bending_stiffness());
+  return {{"bending_stiffness", stiffness}, {"unit", units.unit("N m^2")}};
+}
+
+Json checks_json(const std::vector<Check>& checks, const Units& units) {
+  Json out = Json::array();
+  for (const auto& check : checks) {
+    Json each = {
+        {"name", name_of(check.kind)},
+        {"passed", check.outcome == CheckOutcome::not_possible ? Json() : Json(check.outcome == CheckOutcome::passed)}};
+    for (const auto& number : check.numbers)
+      each[std::string(number.name)] = number.is_force ? units.force(number.value) : number.value;
+    out.push_back(each);
+  }
+  return out;
+}
+
+// A number that is no estimate but says where others hold.
+Json held_parameter(double value, double factor, const std::string& unit) {
+  return parameter({value, 0, value, value}, factor, unit);
 }
 
 Json contact_parameter(const FittedTest& test, const Units& units) {
@@ -97,29 +123,6 @@ Json contact_parameter(const FittedTest& test, const Units& units) {
   const double error = test.measurement.contact_error;
   constexpr double two_sided = 1.96;
   return parameter({offset, error, offset - two_sided * error, offset + two_sided * error}, 1, units.unit("m"));
-}
-
-Json statistics_json(const ModelFit& model, const Units& units) {
-  return {{"parameters", model.parameters},
-          {"log_likelihood", model.log_likelihood},
-          {"aic", model.aic},
-          {"bic", model.bic},
-          {"residual_rms", units.force(model.residual_rms)},
-          {"residual_correlation", model.correlation},
-          {"innovation", units.force(model.innovation)},
-          {"effective_points", model.effective_points}};
-}
-
-std::string status_name(FitStatus status) {
-  switch (status) {
-    case FitStatus::ok:
-      return "ok";
-    case FitStatus::not_converged:
-      return "not_converged";
-    case FitStatus::not_found:
-      return "not_found";
-  }
-  return "";
 }
 
 Json drops_json(const FittedTest& test) {
@@ -197,17 +200,6 @@ Json profile_json(const FittedTest& test, const Units& units) {
   return out;
 }
 
-Json candidates_json(const WavelengthScan& scan, const Units& units) {
-  Json out = Json::array();
-  for (const auto& candidate : scan.candidates)
-    out.push_back({{"wavelength", units.length(candidate.wavelength)},
-                   {"amplitude_of_mu", std::hypot(candidate.cosine, candidate.sine)},
-                   {"log_likelihood_gain", candidate.log_likelihood_gain}});
-  return out;
-}
-
-Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json provenance_json(const Provenance& provenance) {
   Json inputs = Json::array();
   for (const auto& file : provenance.inputs) {
@@ -218,18 +210,14 @@ Json provenance_json(const Provenance& provenance) {
     }
     inputs.push_back(input);
   }
-  Json models = Json::array();
-  for (const auto model : provenance.options.fit.models) models.push_back(name_of(model));
   return {{"program", "flexslip"},
           {"version", provenance.version},
           {"inputs", inputs},
           {"options",
-           {{"models", models},
+           {{"model", name_of(provenance.options.fit.model)},
             {"false_alarms", provenance.options.drops.false_alarms_per_test},
             {"suspect_limit", provenance.options.suspect_limit},
-            {"bootstrap", provenance.options.bootstrap.count},
-            {"held_amplitude", number_or_null(provenance.options.fit.held.amplitude)},
-            {"held_wavelength_in_spans", number_or_null(provenance.options.fit.held.wavelength)}}},
+            {"check_stability", provenance.options.check_stability}}},
           {"case", provenance.test}};
 }
 
@@ -305,31 +293,9 @@ Json fit_json(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const Units units{analysis.scales, test.reduced};
   const bool fitted = analysis.status == AnalysisStatus::ok;
-  const ModelFit* chosen = fitted ? &chosen_model(test) : nullptr;
-
-  Json criteria = Json::object();
-  Json models = Json::object();
-  if (fitted) {
-    for (const auto& model : analysis.fit.models) {
-      const std::string name(name_of(model.model));
-      Json described = {{"status", status_name(model.status)}};
-      if (model.status == FitStatus::not_found) {
-        criteria[name] = {{"bic", nullptr}, {"aic", nullptr}, {"log_likelihood", nullptr}, {"parameters", nullptr}};
-      } else {
-        criteria[name] = {{"bic", model.bic},
-                          {"aic", model.aic},
-                          {"log_likelihood", model.log_likelihood},
-                          {"parameters", model.parameters}};
-        described["parameters"] = parameters_json(model, units);
-        described["statistics"] = statistics_json(model, units);
-        described["runners_up"] = runners_up_json(model, units);
-        described["other_wavelengths95"] = other_wavelengths_json(model, units);
-      }
-      models[name] = described;
-    }
-  }
-
-  Json parameters = chosen ? parameters_json(*chosen, units) : Json::object();
+  const FrictionFit& fit = analysis.fit;
+  Json parameters = fitted ? parameters_json(fit, units) : Json::object();
+  if (fitted) parameters["reference_length"] = held_parameter(fit.S_middle, analysis.scales.span(), units.unit("m"));
   parameters["contact_offset"] = contact_parameter(test, units);
   Json energy = nullptr;
   if (fitted) {
@@ -349,15 +315,21 @@ Json fit_json(const FittedTest& test) {
   Json out = {{"status", status_of(test)},
               {"name", test.name},
               {"units", units_json(test.reduced)},
-              {"model", chosen ? Json(name_of(chosen->model)) : Json()},
+              {"model", fitted ? Json(name_of(fit.model)) : Json()},
               {"category", name_of(analysis.category)},
               {"suspect", analysis.suspects.suspect},
               {"stiffness_over_initial_slope", analysis.stiffness_over_slope},
               {"model_implausible", analysis.model_implausible},
               {"stiffness_implausible", analysis.stiffness_implausible},
               {"parameters", parameters},
-              {"residual_rms", chosen ? Json(units.force(chosen->residual_rms)) : Json()},
-              {"criteria", criteria}};
+              {"friction_read",
+               {{"median", analysis.friction_read.median},
+                {"low80", analysis.friction_read.low80},
+                {"high80", analysis.friction_read.high80}}},
+              {"residual_rms", fitted ? Json(units.force(fit.residual_rms)) : Json()},
+              {"checks", checks_json(analysis.checks, units)}};
+  out["wave"] = fitted ? wave_json(fit, units) : Json();
+  out["explanations"] = explanations_json(fit, units);
   out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
   out["drops"] = drops_json(test);
   out["slips"] = slips_json(test, units);
@@ -367,17 +339,14 @@ Json fit_json(const FittedTest& test) {
   out["energy"] = energy;
   out["replay"] = replay;
   out["cycles"] = cycles_json(test);
-  out["models"] = models;
-  out["runners_up"] = chosen ? runners_up_json(*chosen, units) : Json::array();
-  out["other_wavelengths95"] = chosen ? other_wavelengths_json(*chosen, units) : Json::array();
-  out["bootstrap"] = bootstrap_json(analysis, units);
-  out["middle"] = fitted ? Json(units.length(analysis.fit.S_middle)) : Json();
-  out["wavelength_candidates"] = candidates_json(analysis.fit.scan, units);
+  out["band"] = band_json(fit, units);
+  out["scan"] = scan_json(fit, units);
   out["small_deflection"] = small_deflection_json(test);
   out["measurement"] = measurement_json(test);
   out["preparation"] = preparation_json(test.measurement.preparation);
   out["contact"] = contact_json(test);
   out["nominal_bending_stiffness"] = stiffness_json(test);
+  out["draws"] = draws_json(fit, units);
   out["noise"] = {{"force", units.force(analysis.force_noise)},
                   {"force_step", analysis.drops.step_noise},
                   {"smallest_drop", analysis.drops.smallest_fall}};

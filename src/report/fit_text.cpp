@@ -45,10 +45,12 @@ std::string fit_text(const FittedTest& test) {
   if (test.analysis.status != AnalysisStatus::ok) return text + preparation_text(test);
   const std::string indent(3, ' ');
   const auto paragraph = [&](const std::string& words) { text += indent + wrapped(words, indent); };
-  text += "\n[[Models]]\n" + laid_out(model_table(test));
-  text += fmt::format("\n[[Variables]] of the model '{}'\n{}", name_of(chosen_model(test).model), variables(test));
-  if (!chosen_model(test).runners_up.empty()) text += "\n[[Other wavelengths]]\n" + laid_out(runner_up_table(test));
-  if (test.analysis.bootstrap) text += "\n[[Bootstrap]]\n" + laid_out(bootstrap_table(test));
+  text += fmt::format("\n[[Friction]] of the model {}\n{}", model_in_words(test.analysis.fit.model), variables(test));
+  paragraph(friction_in_words(test));
+  paragraph(wave_in_words(test));
+  if (test.analysis.fit.explanations.size() > 1) text += laid_out(explanation_table(test));
+  text += "\n[[Checks]]\n";
+  for (const auto& words : checks_in_words(test)) text += " - " + wrapped(words, indent);
   text += "\n[[Slips]]\n";
   paragraph(slips_in_words(test));
   if (!test.analysis.drops.drops.empty()) text += laid_out(drop_table(test));

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -12,6 +11,7 @@
 
 #include "io/quantity.h"
 #include "report/cycles_words.h"
+#include "report/digits.h"
 #include "report/printed.h"
 
 namespace flexslip {
@@ -30,11 +30,10 @@ std::size_t explained_drops(const FittedTest& test) {
       slips.begin(), slips.end(), [&](const Slip& slip) { return is_explained(slip, test.analysis.suspects.limit); }));
 }
 
-// The fit holds friction at a bound a little above 0.
-constexpr double no_friction = 1e-6;
-
-std::string friction_in_words(const ParameterEstimate& mu0) {
-  return readable(mu0.value <= no_friction ? 0 : mu0.value, mu0.standard_error, kind::number);
+// "0.36 ± 0.02", or "at most 0.22".
+std::string mean_friction(const FrictionFit& fit) {
+  return fit.mu0_is_bound ? fmt::format("at most {}", significant(fit.mu0.high, 2))
+                          : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
 }
 
 std::string drops_in_words(const FittedTest& test) {
@@ -88,6 +87,64 @@ std::string percent_of(double part, double whole) {
   return whole > 0 ? fmt::format("{:.1f} %", 100 * part / whole) : "";
 }
 
+// What a check came to, in a sentence.
+std::string check_in_words(const FittedTest& test, const Check& check) {
+  const Print print(test);
+  const auto number = [&](std::string_view name) { return number_of(check, name); };
+  const std::string_view outcome = check.outcome == CheckOutcome::passed   ? "Passed"
+                                   : check.outcome == CheckOutcome::failed ? "Failed"
+                                                                           : "Not possible";
+  switch (check.kind) {
+    case CheckKind::residuals:
+      return fmt::format(
+          "{}: the mean of the fit, run forward, misses the measured force by {} rms, {} of the greatest.", outcome,
+          print.force(number("residual_rms")), percent(number("residual_rms") / number("greatest_force")));
+    case CheckKind::drops: {
+      if (check.outcome == CheckOutcome::not_possible)
+        return "Not possible: no profiles were drawn whose drops could be counted.";
+      const double record_fall = number("record_fall"), draws_fall = number("draws_fall");
+      std::string words = fmt::format(
+          "{}: profiles drawn from the fit and run forward drop {:.0f} to {:.0f} times (median {:.0f}), the "
+          "record {:.0f} times",
+          outcome, number("draws_low"), number("draws_high"), number("draws_median"), number("record"));
+      if (std::isfinite(record_fall) && std::isfinite(draws_fall))
+        words += fmt::format("; by {} on average, the record by {}", print.force(draws_fall), print.force(record_fall));
+      return words + fmt::format(" (drops of at least {}).", print.force(number("threshold")));
+    }
+    case CheckKind::friction:
+      return check.outcome == CheckOutcome::passed
+                 ? "Passed: the record tells friction from none."
+                 : fmt::format("Failed: the record does not tell friction from none; it is at most {} (95 %).",
+                               significant(number("mu0_high"), 2));
+    case CheckKind::stability:
+      break;
+  }
+  if (check.numbers.empty()) return "Failed: with the force changed in its ninth digit there is no fit.";
+  return fmt::format(
+      "{}: with the force changed in its ninth digit, μ₀ moves by {:.1g} of its standard error, and the "
+      "likeliest explanation {}.",
+      outcome, number("mu0_moved"), number("same_explanation") > 0 ? "stays" : "changes");
+}
+
+// The friction of the specimen as tested, and whether it repeats.
+std::string friction_in_short(const FittedTest& test) {
+  const auto& fit = test.analysis.fit;
+  std::string words =
+      fit.mu0_is_bound
+          ? fmt::format("Friction at the supports is {} (95 %): the record does not tell it from none.",
+                        mean_friction(fit))
+          : fmt::format("Friction at the supports is {} on average over the fibre seen.", mean_friction(fit));
+  if (fit.wave_claimed && fit.model == ProfileModel::roughness)
+    words += fmt::format(" It repeats every {} of the specimen.",
+                         roughly(test.analysis.scales.physical_length(fit.waves.front().wavelength.value),
+                                 Print(test).as(kind::length)));
+  else if (fit.model == ProfileModel::roughness)
+    words += std::isfinite(fit.log_evidence_of_wave)
+                 ? fmt::format(" It shows no periodicity beyond roughness (ln B = {:.1f}).", fit.log_evidence_of_wave)
+                 : " It shows no periodicity beyond roughness.";
+  return words;
+}
+
 }  // namespace
 
 std::string answer_of(const FittedTest& test) {
@@ -107,92 +164,97 @@ std::string answer_of(const FittedTest& test) {
     }
     return "";
   };
-  const auto& mu0 = chosen_model(test).mu0;
-  std::string answer =
-      fmt::format("{}: {}. Friction at the supports is {}", sawtooth(), drops_in_words(test), friction_in_words(mu0));
+  std::string answer = fmt::format("{}: {}. {}", sawtooth(), drops_in_words(test), friction_in_short(test));
   if (analysis.stiffness_implausible)
     return fmt::format(
                "No answer to trust: the bending stiffness stated is {:.2g} times that of the record's initial slope. "
                "Check the modulus, the "
                "section, the span, the columns and the unit of the force. ",
                analysis.stiffness_over_slope) +
-           answer + ", if it is right.";
+           answer;
   if (analysis.model_implausible)
     return "No answer to trust: no sliding with friction gives this record. Check the columns, their units, the span "
-           "and the section. " +
-           answer + ", if it is right.";
+           "and the section, and whether the specimen cracks. " +
+           answer;
   const double share = analysis.energy.friction_share;
   if (share > 0.005)
-    answer += fmt::format("; it took {} of the work done on the specimen, which is no toughness", percent(share));
-  else
-    answer += ", too little to take a measurable part of the work";
-  answer += analysis.suspects.suspect ? ". The test is suspect: it needs more friction than is plausible."
-                                      : ". Nothing about it is suspect.";
+    answer += fmt::format(" {} of the work on the specimen went into friction and should not be counted as toughness.",
+                          percent(share));
+  answer += analysis.suspects.suspect ? " The test is suspect: it needs more friction than is plausible."
+                                      : " Nothing about it is suspect.";
+  for (const auto& check : analysis.checks)
+    if (check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction)  // which the answer says already
+      answer += " " + check_in_words(test, check);
   return test.cycles ? answer + " " + cycles_in_short(test) : answer;
 }
 
 std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
   const auto& scales = test.analysis.scales;
-  const auto& model = chosen_model(test);
+  const auto& fit = test.analysis.fit;
   const Print print(test);
   std::vector<ParameterRow> rows;
-  rows.push_back(row_of("mu0", "μ₀", "mean friction in the middle of the data", model.mu0, 1, kind::number));
-  rows.back().value = friction_in_words(model.mu0);
-  if (model.mu0.value <= no_friction) rows.back().remark = "at its bound: friction cannot be negative";
-  std::string suffix;
-  int number = 1;
-  for (const auto& wave : waves_by_size(model)) {
-    const std::string which = number == 1 ? "" : fmt::format(", wave {}", number);
-    const auto symbol = [&](const char* letter) { return number == 1 ? std::string(letter) : ""; };
-    rows.push_back(row_of("amplitude" + suffix, symbol("A"), "of the friction, relative to μ₀" + which, wave.amplitude,
-                          1, kind::number));
-    rows.push_back(row_of("wavelength" + suffix, symbol("λ"), "along the specimen" + which, wave.wavelength,
-                          scales.span(), print.as(kind::length)));
-    for (const auto& other : wave.other_wavelengths)
-      rows.back().remark += fmt::format("{}{} to {}", rows.back().remark.empty() ? "or " : ", or ",
-                                        print.length(other.low), print.length(other.high));
-    rows.push_back(row_of("phase_at_middle" + suffix, "", "in the middle of the data" + which, wave.phase_at_middle, 1,
-                          print.as(kind::angle)));
-    rows.push_back(row_of("phase" + suffix, symbol("φ"), "of (4.25), at the length 0" + which, wave.phase, 1,
-                          print.as(kind::angle)));
-    if (wave.phase.high - wave.phase.low > 2 * std::numbers::pi)
-      rows.back().remark = "not determined: it turns with λ, by more than a full turn within its interval";
-    suffix = fmt::format("_{}", ++number);
+  rows.push_back(row_of("mu0", "μ₀", "mean friction over the fibre seen", fit.mu0, 1, kind::number));
+  if (fit.mu0_is_bound) {
+    rows.back().value = mean_friction(fit);
+    rows.back().remark = "the record does not tell it from none";
   }
-  if (model.model != ProfileModel::constant)
-    rows.push_back(row_of("drift", "dμ/dS", "of the mean along the length", model.drift, 1 / scales.span(),
+  if (fit.model != ProfileModel::constant)
+    rows.push_back(row_of("drift", "dμ/dS", "of the mean along the length", fit.drift, 1 / scales.span(),
                           print.as(kind::inverse_length)));
-  rows.push_back(row_of("bending_stiffness", "EI", "of the specimen", model.bending_stiffness,
-                        scales.bending_stiffness(), print.as(kind::bending_stiffness)));
-  rows.back().remark = model.model == ProfileModel::constant
+  if (fit.model == ProfileModel::roughness) {
+    rows.push_back(row_of("roughness", "σ", "standard deviation of μ about its mean", fit.roughness, 1, kind::number));
+    rows.push_back(row_of("correlation_length", "ℓ", "of the roughness along the fibre", fit.length, scales.span(),
+                          print.as(kind::length)));
+  }
+  if (fit.wave_claimed)
+    for (std::size_t i = 0; i < fit.waves.size(); ++i) {
+      const auto& wave = fit.waves[i];
+      const std::string suffix = i == 0 ? "" : fmt::format("_{}", i + 1);
+      const std::string which = i == 0 ? "" : fmt::format(", wave {}", i + 1);
+      const auto symbol = [&](const char* letter) { return i == 0 ? std::string(letter) : ""; };
+      rows.push_back(row_of("amplitude" + suffix, symbol("A"), "of the wave, relative to μ₀" + which, wave.amplitude, 1,
+                            kind::number));
+      rows.push_back(row_of("wavelength" + suffix, symbol("λ"), "along the specimen" + which, wave.wavelength,
+                            scales.span(), print.as(kind::length)));
+      rows.push_back(row_of("phase_at_middle" + suffix, "", "in the middle of the fibre seen" + which,
+                            wave.phase_at_middle, 1, print.as(kind::angle)));
+      rows.push_back(row_of("phase" + suffix, symbol("φ"), "of (4.25), at the length 0" + which, wave.phase, 1,
+                            print.as(kind::angle)));
+      if (wave.phase.high - wave.phase.low > 2 * std::numbers::pi)
+        rows.back().remark = "not determined: it turns with λ, by more than a full turn within its interval";
+    }
+  rows.push_back(row_of("bending_stiffness", "EI", "of the specimen", fit.bending_stiffness, scales.bending_stiffness(),
+                        print.as(kind::bending_stiffness)));
+  rows.back().remark = fit.model == ProfileModel::constant
                            ? "not fitted: a constant friction would bend it to the roughness"
-                           : fmt::format("{:+.1f} % from {}, ± {:.1f} %", 100 * (model.bending_stiffness.value - 1),
+                           : fmt::format("{:+.1f} % from {}, ± {:.1f} %", 100 * (fit.bending_stiffness.value - 1),
                                          test.stiffness == StiffnessSource::initial_slope ? "the initial slope"
                                          : test.stiffness == StiffnessSource::mirror      ? "that of the loops"
                                                                                           : "that given",
                                          100 * test.analysis.bending_stiffness_error);
   if (test.section_moment && !test.reduced)
-    rows.push_back(row_of("modulus", "E", "flexural modulus, EI/I", model.bending_stiffness,
+    rows.push_back(row_of("modulus", "E", "flexural modulus, EI/I", fit.bending_stiffness,
                           scales.bending_stiffness() / *test.section_moment, kind::pressure));
+  if (fit.model != ProfileModel::constant)
+    rows.push_back(row_of("force_noise", "", "standard deviation of a force reading", fit.noise,
+                          scales.physical_force(1), print.as(kind::force)));
   return rows;
 }
 
-PrintedTable model_table(const FittedTest& test) {
-  PrintedTable table{
-      {"Model", "Parameters", "BIC", "above the best", "log-likelihood", "residual rms", "correlation", "μ₀"}, {}};
+std::string model_in_words(ProfileModel model) {
+  return model == ProfileModel::roughness ? "roughness" : fmt::format("'{}', the paper's", name_of(model));
+}
+
+PrintedTable explanation_table(const FittedTest& test) {
+  PrintedTable table{{"Roughness", "Wave", "Weight", "ln evidence, less the best"}, {}};
   const Print print(test);
-  const auto& fit = test.analysis.fit;
-  for (std::size_t i = 0; i < fit.models.size(); ++i) {
-    const auto& model = fit.models[i];
-    const std::string name = std::string(name_of(model.model)) + (i == fit.chosen ? " (chosen)" : "");
-    if (model.status == FitStatus::not_found) {
-      table.rows.push_back({name, "", "no wave found", "", "", "", "", ""});
-      continue;
-    }
-    table.rows.push_back({name, fmt::format("{}", model.parameters), fmt::format("{:.1f}", model.bic),
-                          fmt::format("{:.1f}", model.bic - fit.models[fit.chosen].bic),
-                          fmt::format("{:.1f}", model.log_likelihood), print.force(model.residual_rms),
-                          fmt::format("{:.2f}", model.correlation), friction_in_words(model.mu0)});
+  const auto& explanations = test.analysis.fit.explanations;
+  constexpr std::size_t most = 8;
+  for (std::size_t i = 0; i < std::min(most, explanations.size()); ++i) {
+    const auto& each = explanations[i];
+    table.rows.push_back({std::string(name_of(each.kernel)), each.wavelength ? print.length(*each.wavelength) : "none",
+                          percent(each.weight),
+                          fmt::format("{:.1f}", each.log_evidence - explanations.front().log_evidence)});
   }
   return table;
 }
@@ -280,80 +342,76 @@ PrintedTable energy_table(const FittedTest& test) {
   return table;
 }
 
-PrintedTable wavelength_table(const FittedTest& test) {
-  const Print print(test);
-  NumberColumn wavelength{"Wavelength", {}, print.as(kind::length)}, amplitude{"Amplitude in μ", {}, kind::number, 2};
-  for (const auto& candidate : test.analysis.fit.scan.candidates) {
-    wavelength.values.push_back(test.analysis.scales.physical_length(candidate.wavelength));
-    amplitude.values.push_back(std::hypot(candidate.cosine, candidate.sine));
-  }
-  PrintedTable table = printed({wavelength, amplitude});
-  table.head.emplace_back("Gain of log-likelihood");
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    table.rows[i].push_back(fmt::format("{:.1f}", test.analysis.fit.scan.candidates[i].log_likelihood_gain));
-  return table;
+std::string friction_in_words(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& fit = analysis.fit;
+  std::string words =
+      fit.mu0_is_bound
+          ? fmt::format("The friction of the specimen as tested is {} (95 %): the record does not tell it from none.",
+                        mean_friction(fit))
+          : fmt::format(
+                "The friction of the specimen as tested, its mean over the fibre seen, is {} (95 %: {:.3f} to "
+                "{:.3f}).",
+                mean_friction(fit), fit.mu0.low, fit.mu0.high);
+  const auto& read = analysis.friction_read;
+  words += fmt::format(
+      " Read off the curve point by point, its median is {:.2f}, and four fifths of it lie between {:.2f} and "
+      "{:.2f}.",
+      read.median, read.low80, read.high80);
+  if (fit.model == ProfileModel::roughness)
+    words += fmt::format(
+        " Along the specimen it varies at random by {} (standard deviation), over a correlation length of {}.",
+        readable(fit.roughness.value, fit.roughness.standard_error, kind::number),
+        roughly(analysis.scales.physical_length(fit.length.value), Print(test).as(kind::length)));
+  return words;
 }
 
-PrintedTable runner_up_table(const FittedTest& test) {
+std::string wave_in_words(const FittedTest& test) {
+  const auto& fit = test.analysis.fit;
+  if (fit.model == ProfileModel::constant || fit.model == ProfileModel::drift)
+    return fmt::format("The model {} has no wave.", model_in_words(fit.model));
+  if (fit.model != ProfileModel::roughness)
+    return fmt::format(
+        "The model {} has waves and no roughness. Whether there is a wave at all is asked by the model 'roughness'.",
+        model_in_words(fit.model));
   const Print print(test);
-  const auto& scales = test.analysis.scales;
-  NumberColumn wavelength{"Wavelength", {}, print.as(kind::length)}, amplitude{"A", {}, kind::number, 3},
-      rms{"Residual rms", {}, print.as(kind::force)};
-  const auto& runners_up = chosen_model(test).runners_up;
-  for (const auto& other : runners_up) {
-    wavelength.values.push_back(scales.physical_length(other.wavelength));
-    amplitude.values.push_back(other.amplitude);
-    rms.values.push_back(scales.physical_force(other.residual_rms));
+  const double unit = test.analysis.scales.span();
+  if (fit.wave_claimed) {
+    const auto& wave = fit.waves.front();
+    return fmt::format(
+        "Friction repeats along the specimen every {}, by {} of its mean: the evidence for a wave beside the roughness "
+        "is ln B = {:.1f}.",
+        readable(unit * wave.wavelength.value, unit * wave.wavelength.standard_error, print.as(kind::length)),
+        readable(wave.amplitude.value, wave.amplitude.standard_error, kind::number), fit.log_evidence_of_wave);
   }
-  PrintedTable table = printed({wavelength, amplitude, rms});
-  table.head.emplace_back("Log-likelihood, less the best");
-  for (std::size_t i = 0; i < runners_up.size(); ++i)
-    table.rows[i].push_back(fmt::format("{:.1f}", runners_up[i].delta_log_likelihood));
-  return table;
+  if (fit.waves.empty() || !std::isfinite(fit.log_evidence_of_wave))
+    return "There is no periodicity beyond roughness: no wave explains more than none.";
+  const auto& wave = fit.waves.front();
+  return fmt::format(
+      "There is no periodicity beyond roughness (ln B = {:.1f}; 3 would be a claim). The likeliest wave, {} long and "
+      "{} of "
+      "the mean high, is only indicative.",
+      fit.log_evidence_of_wave,
+      readable(unit * wave.wavelength.value, unit * wave.wavelength.standard_error, print.as(kind::length)),
+      readable(wave.amplitude.value, wave.amplitude.standard_error, kind::number));
 }
 
-std::vector<std::size_t> order_by_size(const ModelFit& model) {
-  std::vector<std::size_t> order(model.waves.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](auto a, auto b) { return model.waves[a].amplitude.value > model.waves[b].amplitude.value; });
-  return order;
-}
-
-PrintedTable bootstrap_table(const FittedTest& test) {
-  PrintedTable table{{"Bootstrap", "value", "95 % interval"}, {}};
-  if (!test.analysis.bootstrap) return table;
-  const auto& bootstrap = *test.analysis.bootstrap;
-  const auto& scales = test.analysis.scales;
-  const auto& model = chosen_model(test);
-  const Print print(test);
-  const auto add = [&](const std::string& name, double value, const BootstrapEstimate& spread, double factor,
-                       const Kind& kind) {
-    const auto row = row_of(name, "", "", {value, spread.standard_error, spread.low, spread.high}, factor, kind);
-    table.rows.push_back({row.name, row.value, row.interval});
-  };
-  add("mu0", model.mu0.value, bootstrap.mu0, 1, kind::number);
-  std::string suffix;
-  int number = 1;
-  for (const auto i : order_by_size(model)) {
-    const auto& wave = model.waves[i];
-    const auto& spread = bootstrap.waves[i];
-    add("amplitude" + suffix, wave.amplitude.value, spread.amplitude, 1, kind::number);
-    add("wavelength" + suffix, wave.wavelength.value, spread.wavelength, scales.span(), print.as(kind::length));
-    add("phase" + suffix, wave.phase.value, spread.phase, 1, print.as(kind::angle));
-    suffix = fmt::format("_{}", ++number);
-  }
-  add("bending_stiffness", model.bending_stiffness.value, bootstrap.bending_stiffness, scales.bending_stiffness(),
-      print.as(kind::bending_stiffness));
-  return table;
+std::vector<std::string> checks_in_words(const FittedTest& test) {
+  std::vector<std::string> all;
+  for (const auto& check : test.analysis.checks) all.push_back(check_in_words(test, check));
+  return all;
 }
 
 std::string friction_in_literature(const FittedTest& test) {
-  const auto& mu0 = chosen_model(test).mu0;
+  const auto& fit = test.analysis.fit;
+  const auto& mu0 = fit.mu0;
   const auto [low, high] = glass_on_steel;
-  const std::string value = friction_in_words(mu0);
   const std::string range =
       fmt::format("the range {:g} to {:g} that the literature gives for glass on steel", low, high);
+  if (fit.mu0_is_bound)
+    return fmt::format("μ₀ is {}; {} {} above that.", mean_friction(fit), range,
+                       mu0.high < low ? "lies" : "begins or lies in part");
+  const std::string value = mean_friction(fit);
   if (mu0.value >= low && mu0.value <= high) return fmt::format("μ₀ = {} lies within {}.", value, range);
   const double away = mu0.value < low ? low - mu0.value : mu0.value - high;
   std::string words = fmt::format("μ₀ = {} lies {} {}", value, mu0.value < low ? "below" : "above", range);
@@ -381,12 +439,12 @@ std::string slips_in_words(const FittedTest& test) {
 std::string snaps_in_words(const FittedTest& test) {
   const std::size_t snaps = test.analysis.model.snaps.size();
   const std::size_t drops = test.analysis.drops.drops.size();
-  std::string words =
-      snaps == 0 ? "The chosen model never snaps"
-                 : fmt::format("The chosen model snaps {}", snaps == 1 ? "once" : fmt::format("{} times", snaps));
+  std::string words = snaps == 0 ? "The mean of the fit, run forward, never snaps"
+                                 : fmt::format("The mean of the fit, run forward, snaps {}",
+                                               snaps == 1 ? "once" : fmt::format("{} times", snaps));
   words += fmt::format(", where the measured force drops {}.", drops == 1 ? "once" : fmt::format("{} times", drops));
   if (snaps < drops)
-    words += " A few waves do not follow every tooth of a rough specimen; the measured profile does, see below.";
+    words += " A mean is smoother than any one profile: those drawn from the fit are compared among the checks.";
   return words;
 }
 
@@ -428,7 +486,7 @@ std::string replay_in_words(const FittedTest& test) {
 std::vector<std::string> assumptions_of(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const auto& measurement = test.measurement;
-  const auto& model = chosen_model(test);
+  const auto& fit = analysis.fit;
   const Print print(test);
   std::vector<std::string> list;
   const std::string error = fmt::format("{:.1f} %", 100 * analysis.bending_stiffness_error);
@@ -500,15 +558,15 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
                   "without slips would show {:g} drops on average.",
                   print.force(analysis.force_noise), print.own(analysis.drops.smallest_fall, kind::force),
                   test.provenance.options.drops.false_alarms_per_test));
-  list.push_back(
-      fmt::format("Residuals of neighbouring points are correlated ({:.2f}), because no model follows the roughness "
-                  "exactly: {} points are worth {:.0f} "
-                  "independent ones. Standard errors, intervals and BIC allow for it.",
-                  model.correlation, model.force.size(), model.effective_points));
-  if (model.model != ProfileModel::constant)
+  if (fit.model != ProfileModel::constant)
+    list.push_back(
+        fmt::format("{} tell of friction. Readings one row apart err with a correlation of {:.2f}, as found.",
+                    counted(fit.readings, "reading", "readings"), fit.noise_correlation));
+  if (fit.model == ProfileModel::roughness)
     list.emplace_back(
-        "Of neighbouring maxima of the likelihood in the wavelength the greatest was taken. The others are listed, and "
-        "their intervals where the record does not exclude them.");
+        "Friction is a mean, perhaps with a drift and a wave, and a random process along the fibre about it. The "
+        "answer "
+        "is an average over how smooth that process may be and over the waves that may be there, by their evidence.");
   list.emplace_back(
       "The specimen is a slender, straight, elastic, inextensible beam that slides over both supports alike; its "
       "section does not change along it.");

@@ -21,7 +21,7 @@ std::string answer_of(const FittedTest& test);
 
 struct ParameterRow {
   std::string name;    // as in JSON
-  std::string symbol;  // "λ"; empty for the second and third wave
+  std::string symbol;  // "λ"; empty for the second wave
   std::string meaning;
   std::string value;     // with its standard error, digits to match
   std::string interval;  // of 95 %
@@ -31,20 +31,18 @@ struct ParameterRow {
 // Domain of all below: analysis.status is ok.
 std::vector<ParameterRow> parameter_rows(const FittedTest& test);
 
-PrintedTable model_table(const FittedTest& test);  // the models and their criteria, the chosen one marked
-PrintedTable drop_table(const FittedTest& test);   // the drops measured, as slips
-PrintedTable snap_table(const FittedTest& test);   // the snaps of the chosen model
+PrintedTable explanation_table(const FittedTest& test);  // what the answer averages over, likeliest first
+PrintedTable drop_table(const FittedTest& test);         // the drops measured, as slips
+PrintedTable snap_table(const FittedTest& test);         // the snaps of the mean run forward
 PrintedTable energy_table(const FittedTest& test);
-PrintedTable wavelength_table(const FittedTest& test);  // where the fit started from: the runners-up
 
-// The other local maxima of the likelihood in the wavelength.
-PrintedTable runner_up_table(const FittedTest& test);
-PrintedTable bootstrap_table(const FittedTest& test);  // without rows if none was asked for
-
-// The waves of a model, largest amplitude first, as numbers.
-std::vector<std::size_t> order_by_size(const ModelFit& model);
+// "roughness", or "'sinusoid', the paper's": what was fitted, in words.
+std::string model_in_words(ProfileModel model);
 
 // Sentences, each complete in itself.
+std::string friction_in_words(const FittedTest& test);  // of the specimen as tested: its mean, and how it varies
+std::string wave_in_words(const FittedTest& test);      // whether friction repeats along the specimen
+std::vector<std::string> checks_in_words(const FittedTest& test);  // those that failed begin with "Failed"
 std::string friction_in_literature(const FittedTest& test);
 std::string slips_in_words(const FittedTest& test);
 std::string snaps_in_words(const FittedTest& test);

@@ -52,24 +52,25 @@ std::string preparation_section(const FittedTest& test) {
 std::vector<Plate> plates_of(const FittedTest& test) {
   const auto& analysis = test.analysis;
   std::vector<Plate> plates;
+  plates.push_back({force_figure(test),
+                    fmt::format("Measured force (blue) and the mean of the fit run forward (black; dashed where it "
+                                "snaps). Orange: Euler–Bernoulli (dashed) and the "
+                                "model without friction, both with the bending stiffness of the fit. Grey: load "
+                                "lines (slope: the stiffness of the load train) through the {} drops "
+                                "found. Below: measured less model.",
+                                analysis.drops.drops.size())});
   plates.push_back(
-      {force_figure(test), fmt::format("Measured force (blue) and the model of friction '{}' (black; dashed where it "
-                                       "snaps). Orange: Euler–Bernoulli (dashed) and the "
-                                       "model without friction, both with the bending stiffness of the fit. Grey: load "
-                                       "lines (slope: the stiffness of the load train) through the {} drops "
-                                       "found. Below: measured less model.",
-                                       name_of(chosen_model(test).model), analysis.drops.drops.size())});
-  plates.push_back({profile_figure(test),
-                    "Friction read off the curve point by point, at the bending stiffness of the fit. Bars: what the "
-                    "noise of a point leaves open, 95 %. "
-                    "Blue band: what bending stiffness and contact leave open, 95 %; it moves all points together. "
-                    "Red: the slips. Black: the model. Green: the "
-                    "literature's range for glass on steel."});
-  if (!analysis.fit.scan.wavelengths.empty())
-    plates.push_back({wavelength_figure(test),
-                      "How much likelier a wave of friction makes the profile, for every wavelength, slow drift "
-                      "allowed for. Circles: where the "
-                      "fit to the curve started from; dashed: where it ended."});
+      {profile_figure(test),
+       fmt::format("Friction read off the curve point by point, at the bending stiffness of the fit. Bars: "
+                   "what the noise of a point leaves open, 95 %. Red: the slips. Black: the mean of the fit; "
+                   "grey band: two standard deviations about it, stiffness and contact included.{} Green: "
+                   "the literature's range for glass on steel.",
+                   analysis.fit.wave_claimed ? " Orange: the wave claimed." : "")});
+  if (!analysis.fit.scan.empty())
+    plates.push_back(
+        {wavelength_figure(test),
+         "What a wave of friction adds to the logarithm of the evidence, for every wavelength, beside what "
+         "explains the record without one. Dotted: 3, beyond which a wave is claimed."});
   return plates;
 }
 
@@ -107,15 +108,9 @@ std::vector<Plate> cycles_plates(const FittedTest& test) {
 std::string provenance_html(const FittedTest& test) {
   const auto& provenance = test.provenance;
   std::string out = fmt::format("<p>FlexSlip {}.", escaped(provenance.version));
-  out += fmt::format(
-      " Options: models {}; {:g} false alarms a test; friction suspect above {:g}.</p>\n",
-      [&] {
-        std::string names;
-        for (const auto model : provenance.options.fit.models)
-          names += (names.empty() ? "" : ", ") + std::string(name_of(model));
-        return names;
-      }(),
-      provenance.options.drops.false_alarms_per_test, provenance.options.suspect_limit);
+  out += fmt::format(" Options: model {}; {:g} false alarms a test; friction suspect above {:g}.</p>\n",
+                     name_of(provenance.options.fit.model), provenance.options.drops.false_alarms_per_test,
+                     provenance.options.suspect_limit);
   PrintedTable files{{"File", "Bytes", "SHA-256"}, {}};
   for (const auto& file : provenance.inputs)
     files.rows.push_back({file.name, file.sha256.empty() ? "" : fmt::format("{}", file.bytes), file.sha256});
@@ -150,26 +145,20 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
   for (const auto& plate : plates_of(test)) figures.push_back(figure(plate));
 
   std::string body = figures[0] + figures[1];
-  body += section("Friction") + parameter_table(test) + paragraph(friction_in_literature(test));
-  body += section("Which model") + html_table(model_table(test), analysis.fit.chosen) +
-          "<p class=\"note\">The model of least BIC is chosen. Differences below 6 say little.</p>\n";
-  if (figures.size() > 2) {
-    body += figures[2];
-    if (!analysis.fit.scan.candidates.empty())
-      body += paragraph("The wavelengths that the fit started from, the likeliest first:") +
-              html_table(wavelength_table(test));
-  }
-  if (!chosen_model(test).runners_up.empty())
-    body += paragraph("The other wavelengths at which the likelihood of the chosen model has a maximum:") +
-            html_table(runner_up_table(test));
-  if (analysis.bootstrap)
-    body += paragraph("Intervals by refitting " + std::to_string(analysis.bootstrap->count) +
-                      " records made of the fitted curve and of blocks of its residuals:") +
-            html_table(bootstrap_table(test));
+  body += section("Friction") + paragraph(friction_in_words(test)) + parameter_table(test) +
+          paragraph(friction_in_literature(test));
+  body += section("Does it repeat along the specimen?") + paragraph(wave_in_words(test));
+  if (figures.size() > 2) body += figures[2];
+  if (analysis.fit.explanations.size() > 1)
+    body += paragraph("The answer is an average over these explanations, by their weight:") +
+            html_table(explanation_table(test));
+  body += section("Checks") + "<ul>\n";
+  for (const auto& words : checks_in_words(test)) body += fmt::format("<li>{}</li>\n", escaped(words));
+  body += "</ul>\n";
   body += section("Drops and slips") + paragraph(slips_in_words(test));
   if (!analysis.drops.drops.empty()) body += html_table(drop_table(test));
   if (!analysis.drops.drops.empty() || !analysis.model.snaps.empty())
-    body += section("Snaps of the model") + paragraph(snaps_in_words(test));
+    body += section("Snaps of the fit's mean") + paragraph(snaps_in_words(test));
   if (!analysis.model.snaps.empty()) body += html_table(snap_table(test));
   body += section("Stick or slide") + paragraph(teeth_in_words(test));
   if (const auto plate = teeth_plate(test)) body += figure(*plate) + html_table(tooth_table(test));

@@ -103,7 +103,7 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
 std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
   const SmallDeflection& numbers = test.small_deflection;
   if (test.analysis.status != AnalysisStatus::ok || !numbers.bending_stiffness) return std::nullopt;
-  const ParameterEstimate& fitted = chosen_model(test).bending_stiffness;
+  const ParameterEstimate& fitted = test.analysis.fit.bending_stiffness;
   const double unit = test.analysis.scales.bending_stiffness();
   const double error = *numbers.bending_stiffness * numbers.stiffness.error / numbers.stiffness.value;
   return BesideFit{*numbers.bending_stiffness / (unit * fitted.value),

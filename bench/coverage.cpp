@@ -1,0 +1,179 @@
+// How often 95 % intervals hold the truth, on simulated tests: bench/coverage KIND FIRST COUNT prints a line of CSV for each test.
+// Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet.
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "inference/fit.h"
+#include "inference/sliding_ladder.h"
+
+namespace {
+
+using namespace flexslip;
+constexpr double pi = std::numbers::pi;
+constexpr double span = 1278;  // µm, the authors'
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : generator_(seed) {}
+  double uniform() { return (static_cast<double>(generator_() >> 11) + 0.5) * 0x1p-53; }
+  double between(double a, double b) { return a + (b - a) * uniform(); }
+  double normal() { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * pi * uniform()); }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+struct Wave {
+  double amplitude, wavelength, phase;  // [1] of μ, µm, rad at the straight fibre's support
+};
+
+struct Truth {
+  double mu0 = 0, stiffening = 1, k = 0, noise = 0, correlation = 0, roughness = 0;
+  std::vector<Wave> waves;
+  std::vector<double> bumps;  // each µm of the fibre
+  double mu(double S) const {
+    double mu = mu0;
+    for (const auto& wave : waves) mu += wave.amplitude * std::cos(pi * S * span / wave.wavelength + wave.phase);
+    if (!bumps.empty()) {
+      const double x = std::min(0.5 * (S - 1) * span, static_cast<double>(bumps.size() - 2));
+      const auto i = static_cast<std::size_t>(x);
+      const double part = x - static_cast<double>(i);
+      mu += (1 - part) * bumps[i] + part * bumps[i + 1];
+    }
+    return std::max(mu, 0.01);
+  }
+};
+
+// Gaussian roughness a µm apart: exponentially correlated, or smooth as exp(-(x/30)^2/2) by a moving average.
+std::vector<double> bumps_of(bool smooth, double rms, Random& random) {
+  constexpr int n = 420;
+  constexpr double length = 30;
+  std::vector<double> bumps(n);
+  if (!smooth) {
+    const double kept = std::exp(-1 / length);
+    double x = random.normal();
+    for (auto& value : bumps) {
+      value = rms * x;
+      x = kept * x + std::sqrt(1 - kept * kept) * random.normal();
+    }
+    return bumps;
+  }
+  constexpr int reach = 100;
+  std::vector<double> white(n + 2 * reach), kernel;
+  double power = 0;
+  for (auto& value : white) value = random.normal();
+  for (int j = -reach; j <= reach; ++j) {
+    kernel.push_back(std::exp(-j * j / (length * length)));
+    power += kernel.back() * kernel.back();
+  }
+  for (int i = 0; i < n; ++i) {
+    double sum = 0;
+    for (int j = 0; j <= 2 * reach; ++j) sum += kernel[static_cast<std::size_t>(j)] * white[static_cast<std::size_t>(i + j)];
+    bumps[static_cast<std::size_t>(i)] = rms * sum / std::sqrt(power);
+  }
+  return bumps;
+}
+
+Truth truth_of(const std::string& kind, Random& random) {
+  Truth t;
+  t.mu0 = random.between(0.3, 0.9);
+  const double A = random.between(0.03, 0.33), lambda = random.between(8, 58), phase = random.between(0, 2 * pi);
+  t.noise = random.between(0.01, 0.05);
+  t.stiffening = std::exp(0.03 * random.normal());
+  t.k = 90 / std::exp(random.between(std::log(0.36), std::log(3.2)));
+  if (kind == "quiet") t.noise = random.between(0.001, 0.004);
+  if (kind == "soft") t.k = std::exp(random.between(std::log(6), std::log(44)));
+  t.correlation = kind == "independent" || kind == "constant" || kind == "quiet" ? 0 : 0.7;
+  if (kind == "soft") {
+    t.correlation = 0;
+    t.waves = {{t.mu0 * std::min(A, 0.24 / t.mu0), random.between(8, 16), phase}};
+  } else if (kind != "roughness" && kind != "constant") {
+    t.waves = {{t.mu0 * A, lambda, phase}};
+  }
+  if (kind == "two_waves")
+    t.waves.push_back({t.mu0 * random.between(0.03, 0.2), lambda * (random.uniform() < 0.5 ? 0.4 : 1.9), random.between(0, 2 * pi)});
+  if (kind == "exponential" || kind == "squared_exponential") t.roughness = 0.03;
+  if (kind == "roughness") t.roughness = random.between(0.03, 0.06);
+  const bool smooth = kind == "squared_exponential" || (kind == "roughness" && random.uniform() < 0.5);
+  if (t.roughness > 0) t.bumps = bumps_of(smooth, t.roughness, random);
+  return t;
+}
+
+FitProblem simulated(const Truth& t, Random& random) {
+  const SlidingLadder ladder(1.58, 2e-4);
+  std::vector<double> mu, stages;
+  for (const double S : ladder.lengths()) mu.push_back(t.mu(S));
+  for (int i = 1; i < 2000; ++i) stages.push_back(i * 2 / span);
+  const auto curve = ladder.curve(mu);
+  const auto F = measured_curve(curve.w, curve.F, t.stiffening / t.k, stages).F;
+  FitProblem problem{.record = {}, .rig = {t.k}, .errors = {.force = t.noise, .bending_stiffness = 0.03, .contact = 0}};
+  double e = random.normal();
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const double w = stages[i] - F[i] * t.stiffening / t.k;
+    if (w > 0.4) break;
+    const double force = F[i] * t.stiffening + t.noise * e;
+    e = t.correlation * e + std::sqrt(1 - t.correlation * t.correlation) * random.normal();
+    problem.record.stage.push_back(stages[i]);
+    problem.record.force.push_back(force);
+    problem.record.deflection.push_back(stages[i] - force / t.k);
+  }
+  return problem;
+}
+
+int covers(const ParameterEstimate& e, double truth) { return e.low <= truth && truth <= e.high; }
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 4) {
+    std::fprintf(stderr, "usage: coverage KIND FIRST COUNT\n");
+    return 2;
+  }
+  const std::string kind = arguments[1];
+  const int first = std::atoi(arguments[2]), tests = std::atoi(arguments[3]);
+  std::uint64_t of_kind = 1469598103934665603u;
+  for (const char c : kind) of_kind = (of_kind ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  std::printf("kind,test,mean,mean_covered,mean_estimate,mean_error,stiffness_covered,stiffness_z,roughness_covered,length_covered,noise_covered,"
+              "waves,log_evidence,claimed,wavelength,wavelength_estimate,wavelength_error,wavelength_covered,amplitude,amplitude_estimate,amplitude_covered,phase_covered,"
+              "k,noise,ms\n");
+  for (int test = first; test < first + tests; ++test) {
+    Random random(of_kind + static_cast<std::uint64_t>(test) * 7919);
+    const Truth t = truth_of(kind, random);
+    const FitProblem problem = simulated(t, random);
+    const auto begin = std::chrono::steady_clock::now();
+    const FrictionFit fit = fit_friction(problem);
+    const double ms = 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (fit.status != FrictionFitStatus::ok) {
+      std::printf("%s,%d,failed\n", kind.c_str(), test);
+      continue;
+    }
+    double mean = 0;
+    constexpr int places = 2000;
+    for (int i = 0; i < places; ++i) mean += t.mu(fit.S_begin + (fit.S_end - fit.S_begin) * (i + 0.5) / places) / places;
+    std::printf("%s,%d,%.4f,%d,%.4f,%.4f,%d,%.3f,", kind.c_str(), test, mean, covers(fit.mu0, mean), fit.mu0.value,
+                fit.mu0.standard_error, covers(fit.bending_stiffness, t.stiffening),
+                (fit.bending_stiffness.value - t.stiffening) / fit.bending_stiffness.standard_error);
+    std::printf("%d,%d,%d,%zu,%.2f,%d,", covers(fit.roughness, t.roughness), covers(fit.length, 30 / span),
+                covers(fit.noise, t.noise), t.waves.size(), fit.log_evidence_of_wave, fit.wave_claimed);
+    if (t.waves.empty() || fit.waves.empty()) {
+      std::printf("0,%.3f,0,0,0,0,0,0,", fit.waves.empty() ? 0 : fit.waves[0].wavelength.value * span);
+    } else {
+      const auto& wave = t.waves[0];
+      const auto& found = fit.waves[0];
+      const double phase = pi * fit.S_middle * span / wave.wavelength + wave.phase;
+      const double turned = phase + 2 * pi * std::round((found.phase_at_middle.value - phase) / (2 * pi));
+      std::printf("%.3f,%.3f,%.4f,%d,%.4f,%.4f,%d,%d,", wave.wavelength, found.wavelength.value * span, found.wavelength.standard_error * span,
+                  covers(found.wavelength, wave.wavelength / span), wave.amplitude / mean, found.amplitude.value,
+                  covers(found.amplitude, wave.amplitude / mean), covers(found.phase_at_middle, turned));
+    }
+    std::printf("%.2f,%.4f,%.1f\n", t.k, t.noise, ms);
+    std::fflush(stdout);
+  }
+}

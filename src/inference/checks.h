@@ -1,0 +1,60 @@
+// What the program holds its own fit against. A fit that fails a check is still given, and says so.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "data/drops.h"
+#include "inference/fit.h"
+
+namespace flexslip {
+
+enum class CheckKind {
+  residuals,  // the mean profile run forward gives the measured force back
+  drops,      // profiles that explain the record as well show about as many drops as it does
+  friction,   // the record tells friction from none
+  stability,  // the answer stays when the force changes in its ninth digit
+};
+
+std::string_view name_of(CheckKind kind);
+
+enum class CheckOutcome { passed, failed, not_possible };
+
+struct CheckNumber {
+  std::string_view name;
+  double value;  // [EI/L^2] of a force, [1] otherwise
+  bool is_force;
+};
+
+struct Check {
+  CheckKind kind;
+  CheckOutcome outcome;
+  std::vector<CheckNumber> numbers;  // those of a check that was not possible may be missing
+};
+
+// Domain:     the check has that number; std::invalid_argument otherwise.
+double number_of(const Check& check, std::string_view name);
+
+// Domain of all below: fit.status is ok, and the fit is that of the problem.
+
+// Passes if the residuals are less than a tenth of the greatest force.
+// Numbers:    residual_rms, greatest_force.
+Check check_residuals(const FitProblem& problem, const FrictionFit& fit);
+
+// Each of fit.draws is run forward over the stage positions of the record at its own bending stiffness, with noise such as the fit
+// has found; drops are found as in the record. Those that fall by less than four standard deviations of the noise of a reading are
+// not counted, neither here nor there. Passes if the number of the record's lies within the range of the draws', or 2 beyond.
+// Numbers:    threshold; record, draws_low, draws_median, draws_high (numbers of drops); record_fall, draws_fall (mean falls).
+// Fails:      not possible without draws (a constant), or with a record too short for drops.
+Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropOptions& options = {});
+
+// Fails if the interval of mu0 has no lower end above 0. Numbers: mu0_high.
+Check check_friction(const FrictionFit& fit);
+
+// Fits once more, every force changed by a relative 1e-9 at random. Passes if mu0 moves by less than a hundredth of its standard
+// error, and neither the kernel of the likeliest explanation nor the claim of a wave changes.
+// Numbers:    mu0_moved (standard errors); same_explanation (1 or 0).
+// Cost:       that of a fit.
+Check check_stability(const FitProblem& problem, const FrictionFit& fit, const FitOptions& options = {});
+
+}  // namespace flexslip

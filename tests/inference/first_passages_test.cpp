@@ -1,0 +1,135 @@
+#include "inference/first_passages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "fibre/elastica.h"
+#include "tests/inference/simulated_test.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double k = 90;
+
+FitProblem some_problem(double noise) {
+  const auto friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4);
+  return {.record = simulated_record({.friction = friction, .noise = noise}),
+          .rig = {k},
+          .errors = {.force = noise, .bending_stiffness = 0.03, .contact = 0}};
+}
+
+}  // namespace
+
+TEST_CASE("oracle: the readings' slopes are differences of exact inversions") {
+  const Passages passages = passages_of(some_problem(0));
+  Linearisation at;
+  at.S = passages.S;
+  at.mu = passages.q;
+  at.slope.assign(passages.size(), 3);
+  at.eta = 0.02;
+  invert_at(at, passages);
+  at.S = non_falling(at.S_seen);
+  at.mu = at.q_seen;
+  complete(at, passages);
+  constexpr double h = 1e-6;
+  for (std::size_t i = 0; i < passages.size(); i += 7) {
+    CAPTURE(i);
+    // y at a reading as a function of its force at fixed stage, of EI, and of the contact.
+    const auto y_at = [&](double force, double eta, double contact) {
+      const double w = passages.stage[i] - contact - force * passages.compliance;
+      const auto state = fibre_state_from_force(w, force * std::exp(-eta));
+      return state.q + at.slope[i] * (at.S[i] - state.S);
+    };
+    const auto slope = [&](double up, double down) { return (up - down) / (2 * h); };
+    const double F = passages.force[i], eta = at.eta;
+    constexpr double truncation = 1e-6;
+    if (at.S[i] != at.S_seen[i]) continue;  // moved by noise or a drop: linearised elsewhere
+    CHECK(at.noise_gain[i] == doctest::Approx(slope(y_at(F + h, eta, 0), y_at(F - h, eta, 0))).epsilon(truncation));
+    CHECK(at.h_stiffness[i] == doctest::Approx(-slope(y_at(F, eta + h, 0), y_at(F, eta - h, 0))).epsilon(truncation).scale(1));
+    // A contact taken too late by ξ: the reading shows a deflection larger by ξ.
+    CHECK(at.h_contact[i] == doctest::Approx(-slope(y_at(F, eta, h), y_at(F, eta, -h))).epsilon(truncation).scale(1));
+  }
+}
+
+TEST_CASE("identity: at the friction of a level, the stage position is the one asked for") {
+  const std::vector<double> S{1.02, 1.1, 1.25, 1.4}, mu{0.3, 0.9, 0.05, 0.6}, near{0.5, 0.5, 0.5, 0.5};
+  constexpr double eta = 0.05, compliance = 1 / k;
+  const auto G = [&](std::size_t i, double q, double with_eta) {
+    const auto state = fibre_state(S[i], q);
+    return state.w + std::exp(with_eta) * state.F * compliance;
+  };
+  std::vector<double> stage;
+  for (std::size_t i = 0; i < S.size(); ++i) stage.push_back(G(i, mu[i], eta));
+  const auto levels = levels_of(S, stage, near, compliance, eta);
+  for (std::size_t i = 0; i < S.size(); ++i) {
+    constexpr double of_the_table = 1e-9;  // its 1e-12 of the stage, over its slope in μ
+    CHECK(std::abs(levels[i].m - mu[i]) < of_the_table);
+    constexpr double h = 1e-6, truncation = 1e-6;
+    CHECK(levels[i].m_stage == doctest::Approx(2 * h / (G(i, levels[i].m + h, eta) - G(i, levels[i].m - h, eta))).epsilon(truncation));
+    const double G_eta = (G(i, levels[i].m, eta + h) - G(i, levels[i].m, eta - h)) / (2 * h);
+    CHECK(levels[i].m_eta == doctest::Approx(-G_eta * levels[i].m_stage).epsilon(truncation));
+  }
+}
+
+TEST_CASE("oracle: the nearest non-falling sequence is no farther than any by brute force") {
+  const std::vector<double> values{1, 3, 2, 2.5, 0.5, 4, 3.9};
+  const auto fitted = non_falling(values);
+  CHECK(std::is_sorted(fitted.begin(), fitted.end()));
+  const auto misfit = [&](const std::vector<double>& other) {
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) sum += (values[i] - other[i]) * (values[i] - other[i]);
+    return sum;
+  };
+  // Every block of it is a mean, and every cut of the sequence into blocks whose means rise is no better.
+  double least = 1e300;
+  for (unsigned cuts = 0; cuts < 64; ++cuts) {
+    std::vector<double> other;
+    for (std::size_t i = 0; i < values.size();) {
+      std::size_t j = i + 1;
+      while (j < values.size() && !(cuts >> (j - 1) & 1)) ++j;
+      const double mean = std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(i), values.begin() + static_cast<std::ptrdiff_t>(j), 0.0) / static_cast<double>(j - i);
+      other.insert(other.end(), j - i, mean);
+      i = j;
+    }
+    if (std::is_sorted(other.begin(), other.end())) least = std::min(least, misfit(other));
+  }
+  CHECK(misfit(fitted) == doctest::Approx(least).epsilon(1e-14));
+}
+
+TEST_CASE("oracle: the rises of a noisy record are where the fibre was") {
+  const auto friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4);
+  const SimulatedTruth quiet{.friction = friction}, noisy{.friction = friction, .noise = 0.03};
+  const auto exact = passages_of({simulated_record(quiet), {k}, {0, 0.03, 0}});
+  const auto seen = passages_of({simulated_record(noisy), {k}, {0.03, 0.03, 0}});
+  const auto at = rises_of(seen);
+  CHECK(std::is_sorted(at.S.begin(), at.S.end()));
+  double raw = 0, risen = 0;
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto same = std::find(exact.stage.begin(), exact.stage.end(), seen.stage[i]);
+    if (same == exact.stage.end()) continue;
+    const double S = exact.S[static_cast<std::size_t>(same - exact.stage.begin())];
+    raw += (seen.S[i] - S) * (seen.S[i] - S);
+    risen += (at.S[i] - S) * (at.S[i] - S);
+    ++compared;
+  }
+  REQUIRE(compared > 100);
+  CHECK(risen < 0.8 * raw);  // a piece of a rise averages over its readings; the error at its ends remains
+}
+
+TEST_CASE("limit: standing stages, inner readings of a drop and small deflections tell of no passage") {
+  FitProblem problem = some_problem(0);
+  const std::size_t before = passages_of(problem).size();
+  auto& record = problem.record;
+  record.stage.push_back(record.stage.back());
+  record.deflection.push_back(record.deflection.back());
+  record.force.push_back(record.force.back());
+  CHECK(passages_of(problem).size() == before);
+  for (const auto row : passages_of(problem).row) CHECK(record.deflection[row] > 0.05);
+}
+
+}  // namespace flexslip

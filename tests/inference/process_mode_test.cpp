@@ -1,0 +1,132 @@
+#include "inference/process_mode.h"
+
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "fibre/elementary.h"
+#include "tests/inference/simulated_test.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double k = 90;
+
+Passages some_passages(double stiffness_error = 0.03) {
+  const auto friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4);
+  return passages_of({.record = simulated_record({.friction = friction, .noise = 0.02, .step = 4.0 / 1278}),
+                      .rig = {k},
+                      .errors = {.force = 0.02, .bending_stiffness = stiffness_error, .contact = 2e-4}});
+}
+
+Mode some_mode(const FrictionProcess& process, Kernel kernel, bool wave) {
+  const std::vector<double> lambdas{std::log(21.0 / 1278)};
+  Theta theta = process.usual(wave ? std::span<const double>(lambdas) : std::span<const double>());
+  theta.values[0] = std::log(0.02);
+  Mode mode = process.start(kernel, theta, rises_of(process.passages()));
+  process.burst(mode, 3, 0.3);
+  return mode;
+}
+
+}  // namespace
+
+TEST_CASE("oracle: the gradient of the merit is its differences") {
+  const FrictionProcess process(some_passages(), {});
+  for (const Kernel kernel : all_kernels)
+    for (const bool wave : {false, true}) {
+      CAPTURE(name_of(kernel));
+      const Mode mode = some_mode(process, kernel, wave);
+      const auto exact = process.objective(mode, mode.theta);
+      for (std::size_t i = 0; i < mode.theta.size(); ++i) {
+        if (kernel == Kernel::none && (i == 2 || i == 3)) continue;
+        CAPTURE(i);
+        constexpr double h = 1e-5, truncation = 1e-5;
+        Theta up = mode.theta, down = mode.theta;
+        up.values[i] += h;
+        down.values[i] -= h;
+        const double difference = (process.objective(mode, up).value - process.objective(mode, down).value) / (2 * h);
+        CHECK(exact.gradient[i] == doctest::Approx(difference).epsilon(truncation).scale(10));
+      }
+    }
+}
+
+TEST_CASE("oracle: the evidence of the gaps is that of many draws") {
+  const FrictionProcess process(some_passages(), {});
+  for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2}) {
+    CAPTURE(name_of(kernel));
+    Mode mode = some_mode(process, kernel, true);
+    process.polish(mode, 2, 6, 0.3);
+    process.settle(mode);
+    REQUIRE(mode.sites.size() > 5);
+    Mode without = mode;
+    for (auto& site : without.sites) site.precision = site.precision_mean = 0;
+    const Looks looks = process.looks_of(without);  // where no site says anything, a value is the bound
+    const auto p = hyperparameters_of(mode.theta);
+    const double readings_alone = Chain(looks, kernel, p).log_likelihood();
+    NormalSource normal(3);
+    double sum = 0;
+    constexpr int draws = 4000;
+    for (int draw = 0; draw < draws; ++draw) {
+      const Drawn drawn = draw_from_prior(looks, kernel, p, normal);
+      Looks rest = looks;
+      for (std::size_t i = 0; i < rest.values.size(); ++i) rest.values[i] -= drawn.values[i];
+      const auto moved = Chain(rest, kernel, p).smoothed();
+      double log_below = 0;
+      for (std::size_t i = 0; i < looks.looks.size(); ++i)
+        if (looks.looks[i].noise_gain == 0) {
+          constexpr double softness = 0.003;
+          log_below += elementary::gaussian_below((looks.values[i] - drawn.f[i] - moved[i].f) / softness).log_probability;
+        }
+      sum += std::exp(log_below);
+    }
+    const double by_draws = std::log(sum / draws);
+    const double by_sites = process.evidence(mode) - readings_alone;
+    CHECK(std::abs(by_sites - by_draws) < 0.25);  // what MODEL promises of expectation propagation; the draws' own error is below 0.1
+  }
+}
+
+TEST_CASE("oracle: EI and its error agree with a grid of fixed EI") {
+  const FrictionProcess process(some_passages(), {});
+  Mode mode = some_mode(process, Kernel::matern_3_2, true);
+  process.polish(mode, 4, 8, 0.3);
+  const Looks looks = process.looks_of(mode);
+  const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+  const auto column = process.columns().stiffness;
+  const double eta = process.expected_stiffness(mode) + chain.mean()[column];
+  const double error = std::sqrt(chain.covariance()(column, column));
+  // At each EI of a grid the readings in its units, EI exact; the prior of EI and the change of units are added by hand.
+  double weight = 0, sum = 0, squares = 0;
+  for (int i = -6; i <= 6; ++i) {
+    const double at = eta + 0.6 * i * error;
+    Passages fixed = some_passages(0);
+    FitProblem problem;
+    const auto friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4);
+    problem.record = simulated_record({.friction = friction, .noise = 0.02, .step = 4.0 / 1278});
+    for (double& F : problem.record.force) F *= std::exp(-at);
+    problem.rig = {k * std::exp(-at)};
+    problem.errors = {.force = 0.02, .bending_stiffness = 0, .contact = 2e-4};
+    const FrictionProcess here(passages_of(problem), {});
+    Mode other = here.start(mode.kernel, mode.theta, mode.at);
+    other.theta.values[0] -= at;
+    other.at.eta = 0;
+    invert_at(other.at, here.passages());
+    complete(other.at, here.passages());
+    here.burst(other, 12, 0.3);
+    const double n = static_cast<double>(here.passages().size());
+    const double log_weight = other.merit - n * at - 0.5 * at * at / (0.03 * 0.03) - mode.merit;
+    const double w = std::exp(log_weight);
+    weight += w;
+    sum += w * at;
+    squares += w * at * at;
+  }
+  const double mean = sum / weight, deviation = std::sqrt(squares / weight - mean * mean);
+  CHECK(std::abs(mean - eta) < 0.35 * error);
+  CHECK(deviation == doctest::Approx(error).epsilon(0.3));
+}
+
+TEST_CASE("limit: fewer than 20 readings are no record of friction") {
+  CHECK_THROWS_AS(FrictionProcess(Passages{}, {}), std::invalid_argument);
+}
+
+}  // namespace flexslip
