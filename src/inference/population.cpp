@@ -135,8 +135,8 @@ class Specimens {
   }
 
   // At given M and T a specimen is its record's bells, each drawn towards M.
-  std::vector<DrawnIn> specimens(const std::vector<Slice>& slices, const std::vector<double>& weights) const {
-    std::vector<DrawnIn> drawn;
+  std::vector<KnownSpecimen> specimens(const std::vector<Slice>& slices, const std::vector<double>& weights) const {
+    std::vector<KnownSpecimen> drawn;
     for (const auto& record : records_) {
       double total = 0, sum = 0, squares = 0;
       for (std::size_t j = 0; j < slices.size(); ++j) {

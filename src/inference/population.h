@@ -8,8 +8,8 @@
 
 namespace flexslip {
 
-// Of a specimen of which the others are known too: drawn from its own record towards their mean, the more the less its record says.
-struct DrawnIn {
+// A specimen in the light of the others: drawn from what its own record says towards their mean, the more the less that is.
+struct KnownSpecimen {
   double value, standard_error;
 };
 
@@ -17,7 +17,7 @@ struct Population {
   ParameterEstimate mean;          // M
   ParameterEstimate spread;        // T: standard deviation of specimens about M, what their records err by taken off
   bool spread_is_bound;            // the records do not tell the specimens apart: spread.low is 0
-  std::vector<DrawnIn> specimens;  // in the order of the tests
+  std::vector<KnownSpecimen> specimens;  // in the order of the tests
 };
 
 // The specimens' own values are x ~ N(M, T²). Beforehand M is as uncertain as the x of one specimen was, N(typical.mean, typical.deviation²),

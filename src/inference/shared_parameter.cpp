@@ -52,9 +52,12 @@ PriorKnowledge prior_told_to(std::span<const Marginal> tests) {
 
 bool tells(const Marginal& test) {
   constexpr double least_weight = 0.1;
-  if (test.posterior.empty()) return false;
+  const bool sought = std::all_of(test.posterior.begin(), test.posterior.end(), [](const NormalPart& part) {
+    return part.deviation > 0 && std::isfinite(part.mean);
+  });
+  if (test.posterior.empty() || !sought) return false;
   const double deviation = deviation_of(test.posterior);
-  return deviation > 0 && (1 + least_weight) * deviation * deviation < test.prior_deviation * test.prior_deviation;
+  return (1 + least_weight) * deviation * deviation < test.prior_deviation * test.prior_deviation;
 }
 
 SharedValue share(std::span<const Marginal> tests, const PriorKnowledge& prior) {

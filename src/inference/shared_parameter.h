@@ -16,7 +16,8 @@ struct PriorKnowledge {
 // What the tests were told on average: it errs in all of them alike. Domain: tests not empty.
 PriorKnowledge prior_told_to(std::span<const Marginal> tests);
 
-// Whether a record says of a parameter more than next to nothing: a tenth of the weight of what was known beforehand, or more.
+// Whether a record says of a parameter more than next to nothing: a tenth of the weight of what was known beforehand, or more. None of a number that was
+// not sought: without parts, or exact.
 bool tells(const Marginal& test);
 
 struct SharedValue {
