@@ -102,7 +102,9 @@ TEST_CASE("limit: a record half as stiff as stated is explained by no friction, 
 
 TEST_CASE("identity: stability is checked where it is asked for") {
   const auto record = to_physical(simulated_record(toothed()), scales);
-  const auto analysis = analyse(record, description_of(toothed()), {.check_stability = true});
+  AnalysisOptions options;
+  options.check_stability = true;
+  const auto analysis = analyse(record, description_of(toothed()), options);
   REQUIRE(analysis.checks.back().kind == CheckKind::stability);
   CHECK(analysis.checks.back().outcome == CheckOutcome::passed);
 }
