@@ -78,7 +78,7 @@ class Slide {
       const auto [state, slopes] = fibre_state_slopes(S, q_);
       if (state.status != FibreStatus::ok) break;
       const double step = (stage_ - state.w - c * state.F) / (slopes.w_q + c * slopes.F_q);
-      if (!(std::abs(q_ + step) < 20)) break;
+      if (!(std::abs(q_ + step) < largest_q)) break;
       q_ += step;
       if (std::abs(step) <= 1e-6) return {q_, state.Pn + slopes.Pn_q * step};  // to the square of the step
     }
@@ -117,13 +117,12 @@ Swing end_between(Slide& slide, const Power& left, double S, double next) {
 }  // namespace
 
 HeldState held_at(double S, double stage, const Rig& rig, double q) {
-  constexpr double most = 20;  // the range of elastica.h
-  if (!(S >= 1 && stage >= 0 && std::abs(q) <= most))
+  if (!(S >= 1 && stage >= 0 && std::abs(q) <= largest_q))
     throw std::invalid_argument("no fibre rests at S = " + std::to_string(S) + ", stage " + std::to_string(stage) +
                                 ", q " + std::to_string(q));
   const double c = 1 / rig.stiffness;
-  double low = -most;
-  double high = most;
+  double low = -largest_q;
+  double high = largest_q;
   FibreState held{};
   bool is_below = false;   // the stage stands beyond a state met,
   bool is_beyond = false;  // or before it

@@ -66,10 +66,13 @@ constexpr std::array examples{
     Example{"specimen.height", R"(height = "30 um")", "height = 0.02"},
     Example{"specimen.modulus", R"(modulus = "29.6 GPa")", ""},
     Example{"specimen.bending_stiffness", R"(bending_stiffness = "2.1e-12 N m^2")", "bending_stiffness = 1"},
-    Example{"rig", R"(span = "1278 um" and stiffness = "90.65 N/m")", "stiffness = 30"},
+    Example{"rig",
+            R"(the span of your supports, span = "… mm", and the stiffness of your load train, stiffness = "… N/m")",
+            "the stiffness of your load train in EI/L^3, stiffness = …"},
     Example{"rig.span", R"(span = "1278 um")", "span = 1"},
-    Example{"rig.stiffness", R"(stiffness = "90.65 N/m", or "inf" for displacement control)",
-            R"(stiffness = 30, or "inf" for displacement control)"},
+    Example{"rig.stiffness",
+            R"(the stiffness of your load train, stiffness = "… N/m", or "inf" for displacement control)",
+            R"(the stiffness of your load train in EI/L^3, stiffness = …, or "inf" for displacement control)"},
     Example{"friction", R"(model = "constant" and mu0 = 0.5)", R"(model = "constant" and mu0 = 0.5)"},
     Example{"friction.model", R"(model = "sinusoid")", R"(model = "sinusoid")"},
     Example{"friction.mu0", "mu0 = 0.5", "mu0 = 0.5"},
@@ -228,6 +231,13 @@ std::vector<WaveInput> read_waves(const Keys& keys, const Case& input) {
   return waves;
 }
 
+std::optional<double> read_reference(const Keys& keys) {
+  if (keys.has("reference") && !keys.has("drift"))
+    keys.refuse("reference", "a drift beside it", "none",
+                "add drift, or delete reference: without a drift mu0 holds at every length");
+  return keys.optional_quantity("reference", kind::length, Range::positive);
+}
+
 FrictionProfileInput read_profile(FrictionModel model, const Keys& keys, const Case& input) {
   if (model == FrictionModel::table)
     return TabulatedFriction{keys.path("file"), keys.column("length", kind::length),
@@ -237,21 +247,22 @@ FrictionProfileInput read_profile(FrictionModel model, const Keys& keys, const C
     return RoughFriction{mu0, keys.number("rms", Range::non_negative),
                          keys.quantity("correlation_length", kind::length, Range::positive),
                          keys.whole_number("seed", 0)};
-  const double drift = keys.optional_quantity("drift", kind::inverse_length, Range::any).value_or(0);
-  if (model == FrictionModel::constant || model == FrictionModel::drift) return WavyFriction{mu0, drift, {}};
-  if (model == FrictionModel::sinusoid) return WavyFriction{mu0, drift, {read_wave(keys)}};
-  return WavyFriction{mu0, drift, read_waves(keys, input)};
+  WavyFriction wavy{mu0, keys.optional_quantity("drift", kind::inverse_length, Range::any).value_or(0), {}};
+  wavy.reference = read_reference(keys);
+  if (model == FrictionModel::sinusoid) wavy.waves = {read_wave(keys)};
+  if (model == FrictionModel::sinusoids) wavy.waves = read_waves(keys, input);
+  return wavy;
 }
 
 std::vector<std::string> keys_of(FrictionModel model) {
   switch (model) {
     case FrictionModel::constant:
     case FrictionModel::drift:
-      return {"model", "mu0", "drift", "static_excess"};
+      return {"model", "mu0", "drift", "reference", "static_excess"};
     case FrictionModel::sinusoid:
-      return {"model", "mu0", "amplitude", "wavelength", "phase", "drift", "static_excess"};
+      return {"model", "mu0", "amplitude", "wavelength", "phase", "drift", "reference", "static_excess"};
     case FrictionModel::sinusoids:
-      return {"model", "mu0", "waves", "drift", "static_excess"};
+      return {"model", "mu0", "waves", "drift", "reference", "static_excess"};
     case FrictionModel::table:
       return {"model", "file", "length", "mu", "static_excess"};
     case FrictionModel::rough:
@@ -522,7 +533,8 @@ void write(Writer& out, const WavyFriction& wavy, FrictionModel model) {
     for (const WaveInput& wave : wavy.waves) waves.push_back(wave_text(out, wave));
     out.line("waves", array_text(waves));
   }
-  if (wavy.drift != 0) out.line("drift", out.quantity(wavy.drift, kind::inverse_length));
+  if (wavy.drift != 0 || wavy.reference) out.line("drift", out.quantity(wavy.drift, kind::inverse_length));
+  if (wavy.reference) out.line("reference", out.quantity(*wavy.reference, kind::length));
 }
 
 void write(Writer& out, const TabulatedFriction& table, FrictionModel) {

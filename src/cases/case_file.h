@@ -65,11 +65,12 @@ struct WaveInput {
   bool operator==(const WaveInput&) const = default;
 };
 
-// mu0 (1 + Σ waves) + drift (S - span): the models "constant" and "drift" (no wave), "sinusoid" (one) and "sinusoids".
+// mu0 (1 + Σ waves) + drift (S - reference): the models "constant" and "drift" (no wave), "sinusoid" (one) and "sinusoids".
 struct WavyFriction {
-  double mu0;    // [1]
+  double mu0;    // [1] at the reference
   double drift;  // [1/m] 0 if the file has none
   std::vector<WaveInput> waves;
+  std::optional<double> reference{};  // [m] a length between the supports, there only beside a drift; none: the span
   bool operator==(const WavyFriction&) const = default;
 };
 

@@ -11,24 +11,19 @@
 
 #include "bending_test/rig.h"
 #include "cases/problem.h"
+#include "fibre/elastica.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double most_friction = 20;         // what the mechanics covers
-constexpr double thickest = 0.2;             // [L] beyond it shear, which the elastica leaves out, matters
-constexpr double nearest_reduced = 1e-6;     // [L] of the deflection: what the loading curve can be traced for
-constexpr double farthest_reduced = 100;     // [L] of the stage
-constexpr double most_periods = 1e6;         // of the roughness: what the curve can be traced for
-constexpr double finest_period = 1e-9;       // [L] likewise
-constexpr double most_readings = 1e9;        // what they can be counted for
-constexpr double most_correlations = 2.4e5;  // of a rough profile, which has four knots to each
+constexpr double finest_period = 1e-9;  // [L] of a wave: what trace_loading_curve takes
+constexpr double most_readings = 1e9;   // what they can be counted for
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array parameters{
     DesignParameterName{DesignParameter::mu0, "mu0", kind::number, "mean friction coefficient", "{/:Italic μ}_0",
-                        Range::non_negative, most_friction},
+                        Range::non_negative, largest_q},
     DesignParameterName{DesignParameter::amplitude, "amplitude", kind::number, "relative amplitude of friction",
                         "{/:Italic A}", Range::non_negative, 1},
     DesignParameterName{DesignParameter::wavelength, "wavelength", kind::length, "wavelength of friction",
@@ -51,6 +46,8 @@ constexpr std::array parameters{
                         Range::positive, infinity},
     DesignParameterName{DesignParameter::width, "width", kind::length, "width of the specimen", "{/:Italic b}",
                         Range::positive, infinity},
+    DesignParameterName{DesignParameter::reference, "reference", kind::length,
+                        "length at which the mean friction holds", "{/:Italic S}_0", Range::positive, infinity},
 };
 
 std::string words_of_range(const DesignParameterName& parameter) {
@@ -65,16 +62,6 @@ std::string words_of_range(const DesignParameterName& parameter) {
       return fmt::format("a number above 0{}", upper);
   }
   throw std::invalid_argument("words_of_range: no such range");
-}
-
-// A bound of the friction between the lengths 1 and S_max.
-double most_of(const Friction& friction, double S_max) {
-  if (const auto* table = std::get_if<FrictionTable>(&friction.form()))
-    return *std::max_element(table->mu.begin(), table->mu.end());
-  const auto& waves = std::get<FrictionWaves>(friction.form());
-  double most = waves.mu0 + std::max(0.0, waves.drift * (S_max - waves.S_reference));
-  for (const Sinusoid& term : waves.terms) most += waves.mu0 * term.amplitude;
-  return most;
 }
 
 struct Loading {
@@ -151,6 +138,7 @@ DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(
   if (const auto* wavy = std::get_if<WavyFriction>(&*input.friction->profile)) {
     profile_ = *wavy;
     add(DesignParameter::mu0, wavy->mu0);
+    if (wavy->reference) add(DesignParameter::reference, *wavy->reference);
     if (wavy->waves.size() == 1) {
       add(DesignParameter::amplitude, wavy->waves.front().amplitude);
       add(DesignParameter::wavelength, wavy->waves.front().wavelength);
@@ -263,6 +251,9 @@ std::optional<DesignRefusal> DesignCase::fault_of_roughness(const Scales& scales
     return refusal(DesignFault::not_computable, DesignParameter::travel,
                    fmt::format("at most {:.1e} correlation lengths along the specimen", most_correlations));
   }
+  if (has(DesignParameter::reference))
+    if (auto fault = misplaced(*input_, at(DesignParameter::reference).number, scales))
+      return DesignRefusal{DesignFault::impossible, InputError(*std::move(fault))};
   const auto is_fine = [&](double wavelength) {
     const double period = 2 * scales.reduced_length(wavelength);
     return std::isfinite(period) && period >= finest_period && (S_max - 1) / period <= most_periods;
@@ -289,6 +280,7 @@ Friction DesignCase::friction(const Scales& scales, double S_max) const {
                            S_max);
   const auto& wavy = std::get<WavyFriction>(profile_);
   FrictionWaves waves{at(DesignParameter::mu0).number, wavy.drift * scales.span(), {}};
+  if (has(DesignParameter::reference)) waves.S_reference = scales.reduced_length(at(DesignParameter::reference).number);
   waves.terms.reserve(wavy.waves.size());
   for (const WaveInput& wave : wavy.waves)
     waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
@@ -310,9 +302,8 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
   const double S_max = longest_at_stage(travel);
   if (auto fault = fault_of_roughness(*units, S_max)) return *std::move(fault);
   Friction along = friction(*units, S_max);
-  if (!(most_of(along, S_max) <= most_friction))
-    return refusal(DesignFault::not_computable, DesignParameter::mu0,
-                   fmt::format("friction of at most {:g}, its waves included", most_friction));
+  if (auto fault = uncovered(*input_, along, *units, S_max))
+    return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
   return PlannedDesign{{std::move(along),
                         {units->reduced_stiffness(at(DesignParameter::stiffness).number)},
                         travel,

@@ -30,7 +30,8 @@ enum class DesignParameter {
   travel,
   step,
   height,
-  width
+  width,
+  reference
 };
 
 struct DesignParameterName {
@@ -53,7 +54,7 @@ bool is_within(const DesignParameterName& parameter, double value);
 // Why numbers make no design.
 enum class DesignFault {
   impossible,      // there is no such test: a specimen too thick for its span, a rig too soft to bend it
-  not_computable,  // beyond what FlexSlip can compute: friction above 20, roughness too fine
+  not_computable,  // beyond what FlexSlip can compute: friction above largest_q, roughness too fine
 };
 
 struct DesignRefusal {
@@ -78,8 +79,8 @@ class DesignCase {
   bool reduced() const { return input_->reduced; }
 
   // Does the case have this parameter? A table of friction has no wavelength, a rectangular section height and width and no
-  // diameter, a reduced case neither span nor modulus. Of friction, mu0 is one with any waves, and amplitude, wavelength and phase are those of a single
-  // one; tables and rough profiles are used as they are. Those of a section count only if the
+  // diameter, a reduced case neither span nor modulus. Of friction, mu0 is one with any waves, reference only if the case states it (else it is the span, whatever that is), and amplitude,
+  // wavelength and phase are those of a single one; tables and rough profiles are used as they are. Those of a section count only if the
   // bending stiffness follows from them.
   bool has(DesignParameter parameter) const;
   double value(DesignParameter parameter) const;
@@ -94,7 +95,7 @@ class DesignCase {
   PlannedDesign planned() const;
 
  private:
-  static constexpr std::size_t count = static_cast<std::size_t>(DesignParameter::width) + 1;
+  static constexpr std::size_t count = static_cast<std::size_t>(DesignParameter::reference) + 1;
   struct Value {
     bool exists = false;
     double number = 0;

@@ -9,6 +9,8 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "io/sha256.h"
 #include "io/table.h"
 
@@ -148,6 +150,8 @@ std::string status_of(const FittedTest& test) {
       return "no_initial_slope";
     case AnalysisStatus::too_few_points:
       return "too_few_points";
+    case AnalysisStatus::not_explained:
+      return "not_explained";
     case AnalysisStatus::ok:
       break;
   }
@@ -200,6 +204,18 @@ void write_curves(const std::string& path, const FittedTest& test) {
                      {title("length", "m"), length},
                      {"mu", mu},
                      {"mu_error", error}});
+}
+
+void write_draws(const std::string& path, const FittedTest& test) {
+  const auto& fit = test.analysis.fit;
+  if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no draws");
+  std::vector<double> length;
+  for (const double S : fit.band.S) length.push_back(test.analysis.scales.physical_length(S));
+  std::vector<OutputColumn> columns{
+      {title_with("length", "m", test.reduced), length}, {"mu", fit.mean.mu}, {"deviation", fit.band.deviation}};
+  for (std::size_t k = 0; k < fit.draws.size(); ++k)  // all over the lengths of the band
+    columns.push_back({fmt::format("draw_{}", k + 1), fit.draws[k].mu});
+  write_table(path, columns);
 }
 
 void write_profile(const std::string& path, const FittedTest& test) {

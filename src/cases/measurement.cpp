@@ -107,10 +107,11 @@ double stiffness_for(const Case& input, const Columns& columns) {
   // A deflection with its force needs no stiffness: what the stage did is not asked then.
   if (!columns.has(Reading::stage)) return std::numeric_limits<double>::infinity();
   if (!columns.has(Reading::deflection))
-    throw wrong_value(
-        input, "rig.stiffness", "the stiffness of the load train, as the displacement is that of the stage", "none",
-        "write stiffness = \"90.65 N/m\" into [rig] or pass --stiffness; \"inf\" if it is that of the "
-        "specimen's midpoint, or corrected already; columns are named with --stage, --deflection, --force");
+    throw wrong_value(input, "rig.stiffness",
+                      "the stiffness of the load train, as the displacement is that of the stage", "none",
+                      "write the stiffness of your load train into [rig] as stiffness = \"… N/m\", or pass "
+                      "--stiffness; \"inf\" if the displacement is that of the specimen's midpoint, or corrected "
+                      "already; columns are named with --stage, --deflection, --force");
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }
 
@@ -198,6 +199,21 @@ void note_compliance(const Columns& columns, double stiffness, bool is_stated, S
   if (!is_stiff) value = steps.value(stiffness, {}, kind::stiffness);
   steps.add("compliance", !is_stiff, std::move(words),
             is_stiff ? "[rig] stiffness = \"…\"" : "[rig] stiffness = \"inf\"", value);
+}
+
+// A load train under a force gives way by no more than the stage moves: the rest is the deflection.
+void require_stiff_enough(const Case& input, const Record& record, double stiffness) {
+  const Record rise = first_rise(record);
+  const double force = rise.force.back() - rise.force.front();
+  const double way = rise.stage.back() - rise.stage.front();
+  if (!(way > 0) || force / stiffness <= way) return;
+  const Kind force_kind = kind_in(input, kind::force);
+  throw wrong_value(input, "rig.stiffness", "a load train that gives way by less than the stage moves",
+                    fmt::format("{}, which {} bends by {}, but the stage moved {}",
+                                readable(stiffness, kind_in(input, kind::stiffness)), readable(force, force_kind),
+                                readable_length(input, force / stiffness), readable_length(input, way)),
+                    "check it and the units of stage and force; \"inf\" if the displacement is that of the specimen's "
+                    "midpoint, or corrected already");
 }
 
 // Holds the stage where it runs back by no more than its noise.
@@ -396,6 +412,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   }
   Record whole = first_points(all, points);
   require_points(table, whole, least_points);
+  if (columns.has(Reading::stage) && columns.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
   hold_stage(input, table, whole, result.rows_per_point, result.cycles.has_value(), steps);
   result.force_noise = force_noise(whole);
   find_zero_displacement(input, whole, result, steps);

@@ -9,18 +9,13 @@
 
 #include <fmt/format.h>
 
+#include "fibre/elastica.h"
 #include "inference/analysis.h"
 #include "io/quantity.h"
 #include "io/table.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double thickest = 0.2;      // [L] beyond it shear, which the elastica leaves out, adds 10 % to the deflection
-constexpr double most_periods = 1e6;  // of a wave: what trace_loading_curve takes, half a minute
-constexpr double most_correlations = 2.4e5;  // of a rough profile, which has four knots to each
-constexpr double nearest_reduced = 1e-6;     // [L] of the stage: what the loading curve can be traced for
-constexpr double farthest_reduced = 100;     // [L] of the stage: a fibre is through its supports within a few spans
 
 std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
 
@@ -58,13 +53,17 @@ void require_slender(const Case& input) {
       "beam theory does not hold for a thicker specimen: check the units of both, or take flexslip modulus");
 }
 
+// A fault of a key of [friction], with its place.
+InputError in_friction(const Case& input, const InputFault& fault) {
+  return wrong_value(input, "friction." + fault.field, fault.expected, fault.found, fault.remedy);
+}
+
 Friction friction_from(const Case& input, const WavyFriction& wavy, const Scales& scales, double S_max) {
-  constexpr double most_friction = 20;  // what the mechanics covers
-  double most = wavy.mu0;
-  for (const auto& wave : wavy.waves) most += wavy.mu0 * wave.amplitude;
-  if (most > most_friction)
-    throw wrong_value(input, "friction.mu0", "friction of at most 20, its waves included", fmt::format("{:g}", most));
   FrictionWaves waves{wavy.mu0, wavy.drift * scales.span(), {}};
+  if (wavy.reference) {
+    if (const auto fault = misplaced(input, *wavy.reference, scales)) throw in_friction(input, *fault);
+    waves.S_reference = scales.reduced_length(*wavy.reference);
+  }
   for (std::size_t i = 0; i < wavy.waves.size(); ++i) {
     const WaveInput& wave = wavy.waves[i];
     waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
@@ -113,15 +112,6 @@ Friction friction_from(const Case& input, const RoughFriction& rough, const Scal
                       fmt::format("at least {:.0e} of the length drawn in", 1 / most_correlations),
                       readable_length(input, rough.correlation_length), "check its unit");
   return Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
-}
-
-double most_kinetic(const Friction& friction) {
-  if (const auto* table = std::get_if<FrictionTable>(&friction.form()))
-    return *std::max_element(table->mu.begin(), table->mu.end());
-  const auto& waves = std::get<FrictionWaves>(friction.form());
-  double most = waves.mu0;
-  for (const Sinusoid& term : waves.terms) most += waves.mu0 * term.amplitude;
-  return most;
 }
 
 // All positions at which the stage turns, halts or ends, cycle by cycle.
@@ -252,6 +242,47 @@ Rig rig_of(const Case& input, const Scales& scales) {
   return {scales.reduced_stiffness(load_train_stiffness_of(input))};
 }
 
+std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales) {
+  constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
+  const double S = scales.reduced_length(reference);
+  if (S >= 1 - rounding && S <= farthest_reduced) return std::nullopt;
+  return InputFault{.field = "reference",
+                    .expected = fmt::format("a length between the supports, from the span, {}, to {:g} spans",
+                                            readable_length(input, scales.span()), farthest_reduced),
+                    .found = readable_length(input, reference),
+                    .remedy = "check its unit"};
+}
+
+std::optional<InputFault> uncovered(const Case& input, const Friction& kinetic, const Scales& scales, double S_max) {
+  const double most = kinetic.most_up_to(S_max);
+  if (most <= largest_q) return std::nullopt;
+  InputFault fault{.expected = fmt::format("friction of at most {:g}", largest_q), .found = fmt::format("{:g}", most)};
+  const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
+  if (!waves) {
+    const bool is_rough = std::holds_alternative<RoughFriction>(*input.friction->profile);
+    fault.field = is_rough ? "mu0" : "file";
+    fault.expected += is_rough ? ", its roughness included" : "";
+    fault.remedy = is_rough ? "write a smaller mu0 or rms" : "check the column of friction";
+    return fault;
+  }
+  double without_drift = waves->mu0;
+  for (const Sinusoid& term : waves->terms) without_drift += waves->mu0 * term.amplitude;
+  fault.expected += ", its waves and drift included";
+  if (!(without_drift <= largest_q)) {
+    fault.field = "mu0";
+    fault.remedy = "write a smaller one";
+    return fault;
+  }
+  const auto length = [&](double S) { return readable_length(input, scales.physical_length(S)); };
+  fault.field = "drift";
+  fault.found = fmt::format("{}, which brings it from {:g} at {} to {:g} at {}",
+                            readable(waves->drift / scales.span(), kind_in(input, kind::inverse_length)), without_drift,
+                            length(waves->S_reference), most, length(waves->drift > 0 ? S_max : 1));
+  const bool is_at_span = waves->S_reference == 1;
+  fault.remedy = is_at_span ? "check its unit, or go less far" : "check its unit, and that of reference";
+  return fault;
+}
+
 Friction friction_of(const Case& input, const Scales& scales, double S_max) {
   if (!input.friction) throw missing(input, "friction");
   if (!input.friction->model) throw missing(input, "friction.model");
@@ -260,8 +291,10 @@ Friction friction_of(const Case& input, const Scales& scales, double S_max) {
                       "write the one to compute with, such as model = \"constant\", or \"rough\" with its parameters");
   if (!input.friction->profile)
     throw missing(input, input.friction->model == FrictionModel::table ? "friction.file" : "friction.mu0");
-  return std::visit([&](const auto& profile) { return friction_from(input, profile, scales, S_max); },
-                    *input.friction->profile);
+  Friction friction = std::visit([&](const auto& profile) { return friction_from(input, profile, scales, S_max); },
+                                 *input.friction->profile);
+  if (const auto fault = uncovered(input, friction, scales, S_max)) throw in_friction(input, *fault);
+  return friction;
 }
 
 StageProgramme programme_of(const Case& input) {
@@ -270,17 +303,18 @@ StageProgramme programme_of(const Case& input) {
 }
 
 BendingTest bending_test_of(const Case& input, const Scales& scales, double farthest) {
-  constexpr double most_friction = 20;  // what the mechanics covers
   const Rig rig = rig_of(input, scales);
   if (!(farthest / (1 + 48 / rig.stiffness) >= nearest_reduced))
     throw wrong_value(input, "rig.stiffness",
                       fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
                       readable(load_train_stiffness_of(input), kind_in(input, kind::stiffness)), "check its unit");
-  Friction kinetic = friction_of(input, scales, longest_at_stage(farthest));
+  const double S_max = longest_at_stage(farthest);
+  Friction kinetic = friction_of(input, scales, S_max);
   const double excess = input.friction->static_excess;
-  const double most = most_kinetic(kinetic) + excess;
-  if (excess > 0 && most > most_friction)
-    throw wrong_value(input, "friction.static_excess", "static friction of at most 20", fmt::format("{:g}", most));
+  const double most = kinetic.most_up_to(S_max) + excess;
+  if (excess > 0 && most > largest_q)
+    throw wrong_value(input, "friction.static_excess", fmt::format("static friction of at most {:g}", largest_q),
+                      fmt::format("{:g}, which brings it to {:g}", excess, most), "write a smaller one");
   return {{std::move(kinetic), Friction::constant(excess)},
           rig,
           input.stage ? input.stage->snaps : SnapRest::nearest_stable};

@@ -19,6 +19,13 @@
 
 namespace flexslip {
 
+// The limits of what is computed; that of friction is largest_q.
+inline constexpr double thickest = 0.2;          // [L] beyond it shear, which the elastica leaves out, adds 10 % to w
+inline constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
+inline constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
+inline constexpr double most_periods = 1e6;      // of a wave: what trace_loading_curve takes, half a minute
+inline constexpr double most_correlations = 2.4e5;  // of a rough profile, which has four knots to each
+
 enum class StiffnessSource {
   stated,         // by the case, with its uncertainty
   assumed_error,  // by the case, without: usual_stiffness_error
@@ -56,8 +63,15 @@ double load_train_stiffness_of(const Case& input);
 // Fails:      InputError if the case has no stiffness of the rig.
 Rig rig_of(const Case& input, const Scales& scales);
 
+// Why a reference [m] of the drift is no length that a specimen may have between the supports; none if it is one.
+// The field of this fault and of the next is the key of [friction] that brings it about; they have neither file nor line.
+std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales);
+
+// What the mechanics does not cover of a kinetic friction at lengths up to S_max [L]: more than largest_q. None if it covers all.
+std::optional<InputFault> uncovered(const Case& input, const Friction& kinetic, const Scales& scales, double S_max);
+
 // The kinetic friction of a case for lengths up to S_max [L]; a table is read from its file.
-// Fails:      InputError if the case has none, several models, or one without parameters.
+// Fails:      InputError if the case has none, several models, one without parameters, or one that is not covered.
 Friction friction_of(const Case& input, const Scales& scales, double S_max);
 
 // What the stage is to do.

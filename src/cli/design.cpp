@@ -141,7 +141,7 @@ void add_design_command(CLI::App& app) {
       "farthest\n"
       "stage position is the travel of one loading, its step the distance between readings.\n"
       "With --over, a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, height, width,\n"
-      "modulus, stiffness, travel or step.\n\n"
+      "modulus, stiffness, travel, step or reference.\n\n"
       "Examples:\n"
       "  flexslip design case.toml --figure design.svg\n"
       "  flexslip design case.toml --over \"stiffness=10 N/m:1000 N/m\" --over mu0=0:1 --figure map.svg --output "

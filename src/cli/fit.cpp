@@ -24,7 +24,7 @@ namespace {
 struct FitRequest {
   CaseRequest test;
   AnalysisFlags analysis;
-  std::string profile, curves, report;
+  std::string profile, curves, draws, report;
   Output output;
 };
 
@@ -32,6 +32,10 @@ std::string what_failed(const FittedTest& test, const std::string& status) {
   if (status == "too_few_points")
     return fmt::format("{}: fewer than 20 rows with a deflection beyond a twentieth of the span: they tell no friction",
                        test.measurement.file);
+  if (status == "not_explained")
+    return fmt::format(
+        "{}: no sliding with friction gives this record: check the columns, their units, the span and the section",
+        test.measurement.file);
   return fmt::format("{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
                      test.measurement.file);
 }
@@ -50,6 +54,7 @@ void run_fit(const FitRequest& request) {
 
   if (!request.profile.empty()) write_profile(request.profile, test);
   if (!request.curves.empty()) write_curves(request.curves, test);
+  if (!request.draws.empty() && test.analysis.status == AnalysisStatus::ok) write_draws(request.draws, test);
   if (!request.report.empty() && write_report(request.report, test) == DrawStatus::no_gnuplot)
     note(request.output, "gnuplot is not installed: the report has no pictures, but their scripts and data");
   if (request.output.json)
@@ -72,7 +77,12 @@ void add_fit_command(CLI::App& app) {
       ->type_name("FILE");
   command
       ->add_option("--curves", request->curves,
-                   "Write measured, model and replayed force point by point to this CSV file")
+                   "Write measured, fitted and replayed force point by point to this CSV file")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--draws", request->draws,
+          "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"")
       ->type_name("FILE");
   command->add_option("--report", request->report, "Write report.html and figures/ into this folder")
       ->type_name("FOLDER");

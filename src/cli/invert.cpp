@@ -61,7 +61,8 @@ void invert_states(const InvertRequest& request) {
   if (unexplained.empty()) return;
   const std::size_t row = unexplained.front();
   throw CalculationFailed(fmt::format(
-      "{}:{}: no friction from -20 to 20 explains w = {}, F = {}{}", table.source, table.line_of(row), w[row], F[row],
+      "{}:{}: no friction from {:g} to {:g} explains w = {}, F = {}{}", table.source, table.line_of(row), -largest_q,
+      largest_q, w[row], F[row],
       unexplained.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", unexplained.size() - 1)));
 }
 
@@ -98,8 +99,9 @@ void invert_case(const InvertRequest& request) {
                                                    errors_of(measurement, stiffness, scales));
   note_assumptions(request.output, stiffness);
   if (!profile.unexplained.empty())
-    note(request.output, fmt::format("no friction from -20 to 20 explains {} readings, left out; the first is row {}",
-                                     profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
+    note(request.output,
+         fmt::format("no friction from {:g} to {:g} explains {} readings, left out; the first is row {}", -largest_q,
+                     largest_q, profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
 
   std::vector<double> row, stage, deflection, force, length, drawn_in, position, mu, error, from_force, from_stiffness,
       from_contact;

@@ -179,7 +179,11 @@ void run_simulate(const SimulateRequest& request) {
   const double noise = noise_of(request, input);
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const StageProgramme programme = programme_of(input);
-  const BendingTest bending_test = bending_test_of(input, scales, scales.reduced_length(programme.farthest));
+  std::vector<double> marked;
+  if (!request.figure.empty()) marked = marked_stages(request, input, scales);
+  double farthest = scales.reduced_length(programme.farthest);
+  for (const double stage : marked) farthest = std::max(farthest, stage);
+  const BendingTest bending_test = bending_test_of(input, scales, farthest);
 
   std::vector<double> stages;
   stages.reserve(programme.positions.size());
@@ -195,7 +199,6 @@ void run_simulate(const SimulateRequest& request) {
 
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};
-    const std::vector<double> marked = marked_stages(request, input, scales);
     // Also between the readings of a stage in steps.
     const History drawn = programme.in_steps ? follow_continuously(bending_test, stages, 2) : history;
     draw_for(request.output,

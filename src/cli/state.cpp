@@ -60,7 +60,8 @@ void require_domain(const Input& input) {
     const double S = input.S[row];
     const double q = input.q[row];
     if (!(S >= 1 && std::isfinite(S))) refuse(row, "S", "a length of at least 1, in spans", S);
-    if (!(std::abs(q) <= 20)) refuse(row, "q", "mobilised friction from -20 to 20", q);
+    if (!(std::abs(q) <= largest_q))
+      refuse(row, "q", fmt::format("mobilised friction from {:g} to {:g}", -largest_q, largest_q), q);
   }
 }
 

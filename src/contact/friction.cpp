@@ -211,6 +211,19 @@ bool Friction::may_be_held() const {
   return waves && waves->drift != 0;
 }
 
+double Friction::most_up_to(double S_max) const {
+  if (const auto* table = std::get_if<FrictionTable>(&form_)) {
+    double most = std::max(at(1).mu, at(S_max).mu);  // monotone between the knots
+    for (std::size_t i = 0; i < table->S.size(); ++i)
+      if (table->S[i] > 1 && table->S[i] < S_max) most = std::max(most, table->mu[i]);
+    return most;
+  }
+  const auto& waves = std::get<FrictionWaves>(form_);
+  double most = waves.mu0 + waves.drift * ((waves.drift > 0 ? S_max : 1) - waves.S_reference);
+  for (const WaveTerm& term : terms_) most += term.height;
+  return std::max(most, 0.0);
+}
+
 double Friction::smooth_scale() const {
   double highest = 0;
   for (const WaveTerm& term : terms_) highest = std::max(highest, term.frequency);

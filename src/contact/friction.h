@@ -78,6 +78,10 @@ class Friction {
   double unheld(double S) const;
   bool may_be_held() const;
 
+  // The greatest μ at lengths from 1 to S_max: of a table to rounding; of waves a bound, their crests on the greatest mean.
+  // Domain: S_max >= 1.
+  double most_up_to(double S_max) const;
+
   // Lengths in S within which the profile is smooth and bends little: a quarter of the shortest period for waves
   // (infinite for constant friction, and infinite for tables, too, which are smooth between their knots).
   double smooth_scale() const;

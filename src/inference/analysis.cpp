@@ -122,10 +122,19 @@ double quantile(const std::vector<double>& sorted, double probability) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-FrictionRead friction_read_of(const FrictionProfile& profile, const ReducedRecord& record) {
+FrictionProfile profile_at_fit(const TestAnalysis& analysis) {
+  const auto& stiffness = analysis.fit.bending_stiffness;
+  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
+  const MeasurementErrors errors{.force = analysis.errors.force / stiffness.value,
+                                 .bending_stiffness = stiffness.standard_error / stiffness.value,
+                                 .contact = analysis.errors.contact};
+  return measure_friction(to_reduced(analysis.record, scales), Rig{analysis.rig.stiffness / stiffness.value}, errors,
+                          friction_shows_from);
+}
+
+FrictionRead friction_read_of(const FrictionProfile& profile) {
   std::vector<double> mu;
-  for (const auto& point : profile.points)
-    if (record.deflection[point.index] > friction_shows_from) mu.push_back(point.mu);
+  for (const auto& point : profile.points) mu.push_back(point.mu);
   std::sort(mu.begin(), mu.end());
   return {.median = quantile(mu, 0.5), .low80 = quantile(mu, 0.1), .high80 = quantile(mu, 0.9)};
 }
@@ -200,12 +209,13 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .errors = {},
                         .drops = {},
                         .profile = {},
-                        .friction_read = {not_a_number, not_a_number, not_a_number},
                         .slips = {},
                         .slip_summary = {},
                         .teeth = {},
                         .suspects = {},
                         .fit = {},
+                        .profile_at_fit = {},
+                        .friction_read = {not_a_number, not_a_number, not_a_number},
                         .checks = {},
                         .model = empty_history(),
                         .replay = {},
@@ -229,7 +239,6 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                                  .bending_stiffness = analysis.bending_stiffness_error,
                                  .contact = scales.reduced_length(contact_error)};
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
-  analysis.friction_read = friction_read_of(analysis.profile, analysis.reduced);
   analysis.slips = slips_of(analysis.profile, analysis.drops.drops);
   analysis.slip_summary = summarise(analysis.slips);
   if (analysis.drops.drops.size() >= 2 && std::isfinite(analysis.rig.stiffness))
@@ -240,9 +249,14 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   const FitProblem problem{analysis.reduced, analysis.rig, errors};
   analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status == FrictionFitStatus::too_few_points) {
-    analysis.status = AnalysisStatus::too_few_points;
+    const auto tell = std::count_if(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end(),
+                                    [](double w) { return w > friction_shows_from; });
+    constexpr std::ptrdiff_t least_readings = 20;  // of the fit
+    analysis.status = tell < least_readings ? AnalysisStatus::too_few_points : AnalysisStatus::not_explained;
     return analysis;
   }
+  analysis.profile_at_fit = profile_at_fit(analysis);
+  analysis.friction_read = friction_read_of(analysis.profile_at_fit);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
   const auto judged = [&](std::size_t index) { return analysis.reduced.deflection[index] > 0.1; };
   std::size_t negative = 0;

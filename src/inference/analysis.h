@@ -72,8 +72,8 @@ struct Replay {
   std::size_t drops_reproduced;  // drops of the record that the table has at the same point
 };
 
-// Friction as read off the curve point by point past the deflection 0.05, with no model: half of the points lie below the median,
-// four fifths between the other two. NaN without points.
+// Friction as read off the curve point by point at the bending stiffness of the fit: half of the points lie below the median, four
+// fifths between the other two. NaN without points.
 struct FrictionRead {
   double median, low80, high80;  // [1]
 };
@@ -82,6 +82,7 @@ enum class AnalysisStatus {
   ok,
   no_initial_slope,  // EI was to be found, but the record has no straight rising beginning: nothing else is valid
   too_few_points,    // fewer than 30 points, or 20 with a deflection above 0.05 spans: nothing from drops on is valid
+  not_explained,  // there are such points, but fewer than 20 that sliding with any friction gives: nothing from the fit on is valid
 };
 
 struct TestAnalysis {
@@ -102,13 +103,14 @@ struct TestAnalysis {
   MeasurementErrors errors;  // as fitted with
   Drops drops;
   FrictionProfile profile;
-  FrictionRead friction_read;
   std::vector<Slip> slips;
   SlipSummary slip_summary;
   std::optional<Teeth>
       teeth;  // stick or slide between the drops; none under displacement control, or with fewer than two drops
   SuspectReport suspects;
   FrictionFit fit;
+  FrictionProfile profile_at_fit;  // at the bending stiffness of the fit, past the deflection 0.05
+  FrictionRead friction_read;      // of it
   std::vector<Check> checks;
   History model;  // the mean of the fit on the stage positions of the record, at the estimated bending stiffness
   Replay replay;

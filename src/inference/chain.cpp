@@ -22,51 +22,31 @@ constexpr double log_two_pi = 1.8378770664093454836;
 // A number with its derivatives to ln σ, ρ, ln σ_g and ln ℓ.
 struct Dual {
   double value = 0;
-  std::array<double, 4> d{};
+  Eigen::Array4d d = Eigen::Array4d::Zero();
 
   Dual() = default;
   Dual(double number) : value(number) {}  // NOLINT(google-explicit-constructor): a number is one with no derivative
-  Dual(double number, std::size_t of) : value(number) { d[of] = 1; }
+  Dual(double number, Index of) : value(number) { d[of] = 1; }
+  Dual(double number, const Eigen::Array4d& derivatives) : value(number), d(derivatives) {}
 
-  template <class Outer>
-  static Dual chained(double value, const Dual& a, Outer outer) {
-    Dual result(value);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = outer(a.d[i]);
-    return result;
-  }
-  friend Dual operator+(const Dual& a, const Dual& b) {
-    Dual result(a.value + b.value);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] + b.d[i];
-    return result;
-  }
-  friend Dual operator-(const Dual& a, const Dual& b) {
-    Dual result(a.value - b.value);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] - b.d[i];
-    return result;
-  }
-  friend Dual operator*(const Dual& a, const Dual& b) {
-    Dual result(a.value * b.value);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = a.d[i] * b.value + a.value * b.d[i];
-    return result;
-  }
+  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.d + b.d}; }
+  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.d - b.d}; }
+  friend Dual operator*(const Dual& a, const Dual& b) { return {a.value * b.value, a.d * b.value + b.d * a.value}; }
   friend Dual operator/(const Dual& a, const Dual& b) {
     const double inverse = 1 / b.value;
-    Dual result(a.value * inverse);
-    for (std::size_t i = 0; i < 4; ++i) result.d[i] = (a.d[i] - result.value * b.d[i]) * inverse;
-    return result;
+    const double quotient = a.value * inverse;
+    return {quotient, (a.d - b.d * quotient) * inverse};
   }
 };
 
 Dual exp(const Dual& a) {
   const double value = elementary::exp(a.value);
-  return Dual::chained(value, a, [&](double d) { return value * d; });
+  return {value, a.d * value};
 }
-Dual log(const Dual& a) {
-  return Dual::chained(elementary::log(a.value), a, [&](double d) { return d / a.value; });
-}
+Dual log(const Dual& a) { return {elementary::log(a.value), a.d / a.value}; }
 Dual sqrt(const Dual& a) {
   const double root = std::sqrt(a.value);
-  return Dual::chained(root, a, [&](double d) { return d / (2 * root); });
+  return {root, a.d / (2 * root)};
 }
 using matern::exp;
 double log(double a) { return elementary::log(a); }
@@ -301,7 +281,7 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
   const auto r = regression_of(BB, By, product(0, 0).value, log_variances.value, seen, looks.prior);
   const CoefficientMatrix covariance = r.factor.solve(CoefficientMatrix::Identity(p, p));
   LikelihoodGradient result{.value = r.log_likelihood, .hyperparameters = {}, .log_wavelengths = {}};
-  for (std::size_t t = 0; t < 4; ++t) {
+  for (Index t = 0; t < 4; ++t) {
     double d = -0.5 * (log_variances.d[t] + product(0, 0).d[t]);
     for (std::size_t i = 0; i < columns; ++i) {
       const auto row = static_cast<Index>(i);
@@ -311,7 +291,7 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
         d -= 0.5 * (r.beta[row] * r.beta[column] + covariance(row, column)) * product(i + 1, j + 1).d[t];
       }
     }
-    result.hyperparameters[t] = d;
+    result.hyperparameters[static_cast<std::size_t>(t)] = d;
   }
   for (std::size_t wave = 0; wave < waves; ++wave) {
     double d = 0;
@@ -532,57 +512,84 @@ Chain::Functional Chain::functional(const Coefficients& a, std::span<const doubl
 std::vector<SmoothedLook> Chain::smoothed() const {
   const std::size_t n = looks_.looks.size();
   const std::size_t series = 1 + looks_.prior.size();
-  const auto p = static_cast<Index>(looks_.prior.size());
   std::vector<SmoothedLook> result(n);
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
         constexpr int G = M - 1;
         using Vector = Eigen::Matrix<double, M, 1>;
         using Matrix = Eigen::Matrix<double, M, M, Eigen::RowMajor>;
-        using Rows = Eigen::Matrix<double, M, Eigen::Dynamic, Eigen::RowMajor, M, most_columns + 1>;
-        const auto wide = static_cast<Index>(series);
-        Rows r = Rows::Zero(M, wide);  // what the looks from here on say, series by series
+        // What the looks from here on say, series by series, a row for each number of the state; and of its precision.
+        std::array<std::array<double, most_columns + 1>, M> r{}, carried{};
+        std::array<double, most_columns + 1> u{}, left{};
         Matrix N = Matrix::Zero();
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
           const Look& look = looks_.looks[k];
-          const Eigen::Map<const Matrix> P(step.predicted.data());
-          const Eigen::Map<const Vector> gain(step.gain.data());
-          Vector H = Vector::Zero();
-          if (G > 0) H[0] = 1;
-          H[G] = look.noise_gain;  // of e, which is all there is without a kernel
           if (is_seen(look)) {
             // r <- H v/s + (1 - K H)' r, and so for N
             const double scale = 1 / std::sqrt(step.innovation);
-            const auto v = white_.col(static_cast<Index>(k)).transpose() * scale;
-            const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, most_columns + 1> u = v - gain.transpose() * r;
-            r.noalias() += H * u;
+            const double* const white = white_.data() + k * series;
+            for (std::size_t c = 0; c < series; ++c) u[c] = white[c] * scale;
+            for (std::size_t i = 0; i < M; ++i)
+              for (std::size_t c = 0; c < series; ++c) u[c] -= step.gain[i] * r[i][c];
+            for (std::size_t c = 0; c < series; ++c) {
+              if (G > 0) r[0][c] += u[c];
+              r[G][c] += look.noise_gain * u[c];
+            }
+            Vector H = Vector::Zero();
+            if (G > 0) H[0] = 1;
+            H[G] = look.noise_gain;  // of e, which is all there is without a kernel
+            const Eigen::Map<const Vector> gain(step.gain.data());
             const Vector Ng = N * gain;
-            const double g = gain.dot(Ng);
-            N.noalias() += -H * Ng.transpose() - Ng * H.transpose() + (g + 1 / step.innovation) * H * H.transpose();
+            const double g = gain.dot(Ng) + 1 / step.innovation;
+            for (int i = 0; i < M; ++i)
+              for (int j = 0; j < M; ++j) N(i, j) += g * H[i] * H[j] - H[i] * Ng[j] - Ng[i] * H[j];
           }
-          const Eigen::Map<const Rows> predicted(predicted_.data() + k * M * series, M, wide);
-          const Rows state = predicted + P * r;
-          // the series together: y less what the columns explain
-          const Vector mean = state.col(0) - state.rightCols(p) * beta_;
+          const double* const predicted = predicted_.data() + k * M * series;
+          const auto smoothed_at = [&](std::size_t i, std::size_t c) {
+            double sum = predicted[i * series + c];
+            for (std::size_t j = 0; j < M; ++j) sum += step.predicted[i * M + j] * r[j][c];
+            return sum;
+          };
+          // The series together: y less what the columns explain.
+          const auto mean_of = [&](std::size_t i) {
+            double sum = smoothed_at(i, 0);
+            for (std::size_t c = 1; c < series; ++c) sum -= smoothed_at(i, c) * beta_[static_cast<Index>(c - 1)];
+            return sum;
+          };
           const Coefficients& h = looks_.columns[k];
-          result[k].e = mean[G];
+          result[k].e = mean_of(G);
+          double own = 0;  // variance at given β
+          result[k].f = 0;
+          for (std::size_t c = 1; c < series; ++c) left[c] = h[static_cast<Index>(c - 1)];
           if constexpr (G > 0) {
+            const Eigen::Map<const Matrix> P(step.predicted.data());
             const Vector Pg = P.col(0);
-            const Coefficients left = h - state.row(0).tail(p).transpose();
-            result[k].f = mean[0] + h.dot(beta_);
-            result[k].variance = P(0, 0) - Pg.dot(N * Pg) + left.dot(covariance_ * left);
-            if constexpr (G > 1) result[k].slope = steps.rate * mean[1];
-          } else {
-            result[k].f = h.dot(beta_);
-            result[k].variance = h.dot(covariance_ * h);
-            result[k].slope = 0;
+            own = P(0, 0) - Pg.dot(N * Pg);
+            result[k].f = smoothed_at(0, 0);
+            for (std::size_t c = 1; c < series; ++c) {
+              const double part = smoothed_at(0, c);
+              left[c] -= part;
+              result[k].f -= part * beta_[static_cast<Index>(c - 1)];
+            }
+            if constexpr (G > 1) result[k].slope = steps.rate * mean_of(1);
           }
-          if (k > 0) {
-            const Eigen::Map<const Matrix> A(step.transition.data());
-            r = (A.transpose() * r).eval();
-            N = (A.transpose() * N * A).eval();
+          for (std::size_t c = 1; c < series; ++c) {
+            result[k].f += h[static_cast<Index>(c - 1)] * beta_[static_cast<Index>(c - 1)];
+            for (std::size_t d = 1; d < series; ++d)
+              own += left[c] * left[d] * covariance_(static_cast<Index>(c - 1), static_cast<Index>(d - 1));
           }
+          result[k].variance = own;
+          if (k == 0) break;
+          const Eigen::Map<const Matrix> A(step.transition.data());
+          for (std::size_t i = 0; i < M; ++i)
+            for (std::size_t c = 0; c < series; ++c) {
+              double sum = 0;
+              for (std::size_t j = 0; j < M; ++j) sum += step.transition[j * M + i] * r[j][c];
+              carried[i][c] = sum;
+            }
+          std::swap(r, carried);
+          N = (A.transpose() * N * A).eval();
         }
       },
       steps_);

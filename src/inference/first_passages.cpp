@@ -13,6 +13,7 @@ namespace flexslip {
 namespace {
 
 constexpr double least_S = 1.0005, greatest_S = 2.05;
+constexpr double least_mu = -0.5, greatest_mu = 1.8;
 constexpr double least_q = -1.5, greatest_q = 2.2;
 constexpr double greatest_w = 0.8;
 constexpr double usually_from = 0.08;  // below, 1 % in EI is 0.06 in μ
@@ -127,27 +128,6 @@ Passages passages_of(const FitProblem& problem) {
   return p;
 }
 
-void invert_at(Linearisation& at, const Passages& passages) {
-  if (at.eta == 0) {
-    at.S_seen = passages.S;
-    at.q_seen = passages.q;
-    return;
-  }
-  const double softer = elementary::exp(-at.eta);
-  std::vector<double> F;
-  F.reserve(passages.size());
-  for (const double force : passages.force) F.push_back(force * softer);
-  auto states = tabulated_states_from_forces(passages.deflection, F);
-  for (std::size_t i = 0; i < F.size(); ++i)
-    if (!(states.q[i] > least_q && states.q[i] < greatest_q)) {  // beyond what is searched: as at the nominal EI
-      states.S[i] = passages.S[i];
-      states.q[i] = std::clamp(states.q[i], least_q, greatest_q);
-      if (std::isnan(states.q[i])) states.q[i] = passages.q[i];
-    }
-  at.S_seen = std::move(states.S);
-  at.q_seen = std::move(states.q);
-}
-
 void complete(Linearisation& at, const Passages& passages) {
   const std::size_t n = passages.size();
   // A fitted state lies within what was seen, or little beyond.
@@ -156,10 +136,13 @@ void complete(Linearisation& at, const Passages& passages) {
   const double low = std::max(*least - beyond, least_S), high = std::min(*greatest + beyond, greatest_S);
   for (double& S : at.S) S = std::isfinite(S) ? std::clamp(S, low, high) : low;
   at.S = non_falling(at.S);
-  for (double& mu : at.mu) mu = std::isfinite(mu) ? std::clamp(mu, -0.5, 1.8) : 0.5;
+  for (double& mu : at.mu) mu = std::isfinite(mu) ? std::clamp(mu, least_mu, greatest_mu) : 0.5;
+  // The friction at which the fibre passes here, by the stage alone; what the force says beside it is how far it errs.
+  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.compliance, at.eta);
+  for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i].m, least_mu, greatest_mu);
   const auto slopes = inverse_slopes(at.S, at.mu);
-  const double softer = elementary::exp(-at.eta);
-  for (auto* column : {&at.S_force, &at.S_eta, &at.q_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
+  const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
+  for (auto* column : {&at.S_seen, &at.S_force, &at.S_eta, &at.q_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
     column->resize(n);
   at.log_jacobian = -at.stiffness_jacobian * at.eta +
                     0.5 * passages.stiffness_error * passages.stiffness_error * at.stiffness_jacobian * at.stiffness_jacobian;
@@ -171,7 +154,9 @@ void complete(Linearisation& at, const Passages& passages) {
     at.q_eta[i] = -slopes.F[i] * slopes.q_F[i];
     at.fold[i] = 1 - at.slope[i] * at.S_force[i] / q_force;
     at.noise_gain[i] = q_force * std::max(at.fold[i], least_fold);
-    at.y[i] = at.q_seen[i] + at.slope[i] * (at.S[i] - at.S_seen[i]);
+    const double error = passages.force[i] - stiffer * slopes.F[i];
+    at.S_seen[i] = at.S[i] + at.S_force[i] * error;
+    at.y[i] = at.mu[i] + at.noise_gain[i] * error;
     at.h_stiffness[i] = -(at.q_eta[i] - at.slope[i] * at.S_eta[i]);
     at.h_contact[i] = slopes.q_w[i] - at.slope[i] * slopes.S_w[i];
     at.log_jacobian += elementary::log(q_force * std::max(at.fold[i], least_fold_in_volume));
@@ -207,7 +192,6 @@ Linearisation rises_of(const Passages& passages) {
   at.mu = passages.q;
   at.S = non_falling(passages.S);
   at.slope.assign(n, 0);
-  invert_at(at, passages);
   complete(at, passages);
 
   const double noise = std::max(noise_of(passages.force), 0.002);
@@ -255,8 +239,6 @@ Linearisation rises_of(const Passages& passages) {
       at.S[i] = passages.S_middle + fitted.y + fitted.slope * ((passages.stage[i] - begin) / travel - fitted.x);
   }
   at.S = non_falling(at.S);
-  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.compliance, 0);
-  for (std::size_t i = 0; i < n; ++i) at.mu[i] = levels[i].m;
   complete(at, passages);
   return at;
 }

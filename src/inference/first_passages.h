@@ -38,8 +38,9 @@ Passages passages_of(const FitProblem& problem);
 struct Linearisation {
   double eta = 0;                      // [1] η0
   double stiffness_jacobian = 0;       // [1] J: how the logarithm of the noise's volume changes with η
-  std::vector<double> S, mu, slope;    // the fitted states: [L] not falling, [1], [1/L] dμ/dS
-  std::vector<double> S_seen, q_seen;  // [L], [1] the readings inverted at η0
+  std::vector<double> S, slope;        // the fitted states: [L] not falling, [1/L] dμ/dS
+  std::vector<double> mu;              // [1] the friction at which the fibre passes S at the stage position read
+  std::vector<double> S_seen;          // [L] where the force read would put it
   std::vector<double> S_force, S_eta;  // dS/de at fixed stage, dS/dη at fixed force
   std::vector<double> q_eta;
   std::vector<double> noise_gain;      // D, its factor G'/G_S not below 0.1
@@ -48,11 +49,10 @@ struct Linearisation {
   double log_jacobian;                 // Σ ln |dy/dF|
 };
 
-// Completes S, mu, slope, eta.
+// Completes eta, S and slope; mu need only be near.
+// Method:     Everything is taken at (S, m(S; ws)), so that the error of the force enters y linearly: a reading inverted as it stands is
+//             biased by the curvature of the level curve, on soft rigs by more than the errors of a wavelength.
 void complete(Linearisation& at, const Passages& passages);
-
-// The readings inverted at another η0.
-void invert_at(Linearisation& at, const Passages& passages);
 
 // Friction m at which the fibre passes a length when the stage is at a position, and its slopes.
 struct Level {

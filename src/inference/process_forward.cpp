@@ -12,6 +12,8 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double at_a_fold = 0.15;  // G'/G_S: at 0 the fibre snaps
+
 // The mean of μ of a mode at many lengths, and the shift of EI.
 struct MeanPath {
   std::vector<double> mu;
@@ -54,7 +56,6 @@ Mode linearised_at(const FrictionProcess& process, const Mode& mode, ForwardStat
   other.at.S = std::move(states.S);
   other.at.mu = std::move(states.mu);
   other.at.slope = std::move(states.slope);
-  invert_at(other.at, process.passages());
   complete(other.at, process.passages());
   other.sites.clear();
   return other;
@@ -103,15 +104,17 @@ Mode run_forward(const FrictionProcess& process, const ForwardRun& run, const Mo
   return linearised_at(process, mode, run.states(path.mu, path.eta), path.eta);
 }
 
+bool is_past_a_fold(const Mode& mode) {
+  return std::any_of(mode.at.fold.begin(), mode.at.fold.end(), [](double value) { return value < at_a_fold; });
+}
+
 Mode projected(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
-  constexpr double past = 0.15;  // G'/G_S below it: at a fold, or beyond
   const auto& fold = mode.at.fold;
-  if (std::none_of(fold.begin(), fold.end(), [](double value) { return value < past; })) return mode;
   const auto path = mean_path(process, run, mode);
   const auto visited = run.states(path.mu, path.eta);
   Mode other = mode;
   for (std::size_t i = 0; i < fold.size(); ++i)
-    if (fold[i] < past) {
+    if (fold[i] < at_a_fold) {
       other.at.S[i] = visited.S[i];
       other.at.mu[i] = visited.mu[i];
       other.at.slope[i] = visited.slope[i];

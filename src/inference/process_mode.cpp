@@ -302,9 +302,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   const double stiffness_part = columns_.stiffness >= 0 ? beta[columns_.stiffness] : 0;
   const double eta = std::clamp(expected_stiffness(mode) + stiffness_part, -0.15 - 5 * passages_.stiffness_error,
                                 0.15 + 5 * passages_.stiffness_error);
-  const double contact = columns_.contact >= 0 ? beta[columns_.contact] : 0;
   const double eta_step = eta - at.eta;
-  std::vector<double> seen_before = at.S_seen;
   std::vector<double> target(passages_.size());
   double moved = 0;
   std::size_t i = 0;
@@ -322,18 +320,13 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
     const double by_noise = std::clamp(-at.S_force[i] * smoothed[k].e, -reach, reach);
     target[i] = at.S_seen[i] + by_noise + at.S_eta[i] * eta_step;
     moved = std::max(moved, std::abs(target[i] - at.S[i]));
-    double mu = mean_friction + smoothed[k].f - contact * at.h_contact[i];
-    if (columns_.stiffness >= 0) mu -= at.h_stiffness[i] * stiffness_part;
-    at.mu[i] += fraction * (mu - at.mu[i]);
     at.slope[i] += fraction * (0.5 * slope - at.slope[i]);
     ++i;
   }
   update_sites(mode, nodes, looks, smoothed);
   const double eta_moved = fraction * eta_step;
   at.eta += eta_moved;
-  if (eta_moved != 0) invert_at(at, passages_);
-  for (std::size_t k = 0; k < target.size(); ++k)
-    at.S[k] += fraction * (target[k] - at.S[k]) + (at.S_seen[k] - seen_before[k]) - eta_moved * at.S_eta[k];
+  for (std::size_t k = 0; k < target.size(); ++k) at.S[k] += fraction * (target[k] - at.S[k]);
   complete(at, passages_);
   return moved;
 }
@@ -364,11 +357,7 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
     Mode other = mode;
     other.at.stiffness_jacobian = 0;
     other.at.eta = eta;
-    invert_at(other.at, passages_);
-    for (std::size_t i = 0; i < passages_.size(); ++i) {
-      other.at.S[i] += other.at.S_seen[i] - mode.at.S_seen[i];
-      other.at.mu[i] += mode.at.q_eta[i] * (eta - mode.at.eta);
-    }
+    for (std::size_t i = 0; i < passages_.size(); ++i) other.at.S[i] += mode.at.S_eta[i] * (eta - mode.at.eta);
     complete(other.at, passages_);
     // Of the covariance alone: at the looks of the mode, with the other gains.
     Looks looks = looks_of(mode, nodes, mode.theta);

@@ -1,6 +1,7 @@
 #include "inference/process_posterior.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -228,6 +229,23 @@ class Posterior {
     result_.log_length.push_back(of_theta(3));
   }
 
+  // How far a wavelength differs between the modes that have the same wave, however much they weigh: linearised elsewhere, it moves by more
+  // than the curvature at one place knows.
+  double scatter_of(const Component& component, std::size_t wave) const {
+    const double log_wavelength = component.mode.theta.log_wavelength(wave);
+    const double same = 0.5 * elementary::exp(log_wavelength) / process_.passages().range;
+    double squares = 0;
+    int others = 0;
+    for (const auto& other : components_) {
+      if (other.mode.theta.waves <= wave) continue;
+      const double away = other.mode.theta.log_wavelength(wave) - log_wavelength;
+      if (&other == &component || std::abs(away) > same) continue;
+      squares += away * away;
+      ++others;
+    }
+    return others > 0 ? std::sqrt(squares / others) : 0;
+  }
+
   void draw_waves(const Component& component, const Mode& mode, const Chain& chain, const Chain::Functional& mean, double weight) {
     constexpr int draws = 60;
     const Index first = process_.columns().waves;
@@ -244,6 +262,11 @@ class Posterior {
     covariance.bottomRightCorner(2 * waves, 2 * waves) = chain.covariance().block(first, first, 2 * waves, 2 * waves);
     const Eigen::LLT<MatrixXd> factor(covariance);
     if (factor.info() != Eigen::Success) return;
+    std::array<double, most_waves> deviation{};
+    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+      const auto at = static_cast<Index>(4 + wave);
+      deviation[wave] = elementary::length(std::sqrt(component.spread(at, at)), scatter_of(component, wave));
+    }
     result_.waves.resize(std::max<std::size_t>(result_.waves.size(), mode.theta.waves));
     for (int i = 0; i < draws; ++i) {
       VectorXd z(1 + 2 * waves);
@@ -253,7 +276,7 @@ class Posterior {
         auto& posterior = result_.waves[static_cast<std::size_t>(wave)];
         if (posterior.draws.empty()) posterior.log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave));
         const double log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave)) +
-                                      std::sqrt(component.spread(4 + wave, 4 + wave)) * normal_();
+                                      deviation[static_cast<std::size_t>(wave)] * normal_();
         posterior.draws.push_back({weight, log_wavelength, drawn[1 + 2 * wave], drawn[2 + 2 * wave], drawn[0]});
       }
     }

@@ -132,12 +132,21 @@ class Search {
     constexpr double out_of_question = -2, far_below = 4;
     const bool in_question =
         !options_.without_wave || (!waves.empty() && components.front().log_evidence > components.back().log_evidence + out_of_question);
+    const std::size_t with_first = components.size();
     for (const Kernel kernel : options_.kernels) {
       if (kernel == first) continue;
       if (options_.without_wave || waves.empty()) components.push_back(component_of(process_, continued(plain, kernel)));
       for (const Mode& wave : waves)
         if (in_question && wave.merit > waves.front().merit - far_below)
           components.push_back(component_of(process_, continued(wave, kernel)));
+    }
+    double best = components.front().log_evidence;
+    for (const auto& component : components) best = std::max(best, component.log_evidence);
+    for (std::size_t i = with_first; i < components.size(); ++i) {
+      Mode mode = components[i].mode;
+      if (mode.theta.waves > 0 || components[i].log_evidence < best - far_below) continue;
+      mend(mode);
+      components[i] = component_of(process_, mode);
     }
     std::stable_sort(result.components.begin(), result.components.end(),
                      [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
@@ -153,17 +162,18 @@ class Search {
 
   // The mode from readings past a fold moved back, and from where its own mean runs: kept where that is better.
   void mend(Mode& mode) const {
-    for (int attempt = 0; attempt < 2; ++attempt) {
-      Mode other = projected(process_, run_, mode);
-      process_.burst(other, 6, 0.3);
+    const auto better_from = [&](Mode other) {
+      process_.burst(other, 8, 0.3);
+      constexpr double hopeless = 3;
+      if (other.merit < mode.merit - hopeless) return false;
       process_.polish(other, 2, 6, 0.2);
-      if (!(other.merit > mode.merit + 0.1)) {
-        other = run_forward(process_, run_, mode);
-        process_.burst(other, 8, 0.3);
-        if (other.merit > mode.merit - 3) process_.polish(other, 2, 6, 0.2);
-      }
-      if (!(other.merit > mode.merit + 0.1)) return;
+      if (!(other.merit > mode.merit + 0.1)) return false;
       mode = std::move(other);
+      return true;
+    };
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      const bool past_folds = is_past_a_fold(mode);
+      if (!(past_folds && better_from(projected(process_, run_, mode))) && !better_from(run_forward(process_, run_, mode))) return;
     }
   }
 
@@ -304,7 +314,6 @@ class Search {
     Mode other = mode;
     other.kernel = kernel;
     process_.polish(other, 2, 6, 0.3);
-    if (mode.theta.waves == 0) mend(other);
     if (kernel == Kernel::none && mode.theta.waves > 0) {  // smooth friction has no roughness to make up for a wave too small
       Mode forward = fitted_forward(process_, run_, other);
       process_.burst(forward, 4, 0.3);

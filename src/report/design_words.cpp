@@ -165,6 +165,7 @@ std::string change_in_words(const DesignChange& change, const Shown& shown) {
                   : fmt::format("stopping before the first snap: at the stage position {} instead of {}", to, from);
     case DesignParameter::phase:
     case DesignParameter::step:
+    case DesignParameter::reference:
       break;
   }
   throw std::invalid_argument("no change of this parameter is looked for");

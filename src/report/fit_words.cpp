@@ -30,6 +30,10 @@ std::size_t explained_drops(const FittedTest& test) {
       slips.begin(), slips.end(), [&](const Slip& slip) { return is_explained(slip, test.analysis.suspects.limit); }));
 }
 
+std::string percent_of(double part, double whole) {
+  return whole > 0 ? fmt::format("{:.1f} %", 100 * part / whole) : "";
+}
+
 // "0.36 ± 0.02", or "at most 0.22".
 std::string mean_friction(const FrictionFit& fit) {
   return fit.mu0_is_bound ? fmt::format("at most {}", significant(fit.mu0.high, 2))
@@ -83,8 +87,26 @@ ParameterRow row_of(std::string name, std::string symbol, std::string meaning, c
   return row;
 }
 
-std::string percent_of(double part, double whole) {
-  return whole > 0 ? fmt::format("{:.1f} %", 100 * part / whole) : "";
+// The weight of the explanations without roughness; 0 of a model that has none by itself.
+double weight_without_roughness(const FrictionFit& fit) {
+  double weight = 0;
+  for (const auto& each : fit.explanations)
+    if (each.kernel == Kernel::none) weight += each.weight;
+  return fit.model == ProfileModel::roughness ? weight : 0;
+}
+
+std::string_view in_words(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::exponential:
+      return "exponential";
+    case Kernel::matern_3_2:
+      return "Matérn 3/2";
+    case Kernel::matern_5_2:
+      return "Matérn 5/2";
+    case Kernel::none:
+      break;
+  }
+  return "none";
 }
 
 // What a check came to, in a sentence.
@@ -98,7 +120,7 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
     case CheckKind::residuals:
       return fmt::format(
           "{}: the mean of the fit, run forward, misses the measured force by {} rms, {} of the greatest.", outcome,
-          print.force(number("residual_rms")), percent(number("residual_rms") / number("greatest_force")));
+          print.force(number("residual_rms")), percent_of(number("residual_rms"), number("greatest_force")));
     case CheckKind::drops: {
       if (check.outcome == CheckOutcome::not_possible)
         return "Not possible: no profiles were drawn whose drops could be counted.";
@@ -153,6 +175,15 @@ std::string answer_of(const FittedTest& test) {
     return "No answer: the force does not rise where the record begins, so that the bending stiffness cannot be told.";
   if (analysis.status == AnalysisStatus::too_few_points)
     return "No answer: too few points lie beyond a deflection of a twentieth of the span, where friction shows.";
+  if (analysis.status == AnalysisStatus::not_explained) {
+    std::string answer =
+        "No answer: no sliding with friction gives this record. Check the columns, their units, the span and the "
+        "section.";
+    if (analysis.stiffness_implausible)
+      answer += fmt::format(" The bending stiffness stated is {:.2g} times that of the record's initial slope.",
+                            analysis.stiffness_over_slope);
+    return answer;
+  }
   const auto sawtooth = [&] {
     switch (analysis.category) {
       case SawtoothCategory::clear:
@@ -203,6 +234,8 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
                           print.as(kind::inverse_length)));
   if (fit.model == ProfileModel::roughness) {
     rows.push_back(row_of("roughness", "σ", "standard deviation of μ about its mean", fit.roughness, 1, kind::number));
+    if (const double none = weight_without_roughness(fit); none > 0.5)
+      rows.back().remark = fmt::format("if there is any: the evidence is for none, by {}", percent(none));
     rows.push_back(row_of("correlation_length", "ℓ", "of the roughness along the fibre", fit.length, scales.span(),
                           print.as(kind::length)));
   }
@@ -252,8 +285,8 @@ PrintedTable explanation_table(const FittedTest& test) {
   constexpr std::size_t most = 8;
   for (std::size_t i = 0; i < std::min(most, explanations.size()); ++i) {
     const auto& each = explanations[i];
-    table.rows.push_back({std::string(name_of(each.kernel)), each.wavelength ? print.length(*each.wavelength) : "none",
-                          percent(each.weight),
+    table.rows.push_back({std::string(in_words(each.kernel)), each.wavelength ? print.length(*each.wavelength) : "none",
+                          each.weight < 0.0005 ? "< 0.1 %" : percent_of(each.weight, 1),
                           fmt::format("{:.1f}", each.log_evidence - explanations.front().log_evidence)});
   }
   return table;
@@ -358,7 +391,9 @@ std::string friction_in_words(const FittedTest& test) {
       " Read off the curve point by point, its median is {:.2f}, and four fifths of it lie between {:.2f} and "
       "{:.2f}.",
       read.median, read.low80, read.high80);
-  if (fit.model == ProfileModel::roughness)
+  if (weight_without_roughness(fit) > 0.5)
+    words += " Beside that, it shows no roughness.";
+  else if (fit.model == ProfileModel::roughness)
     words += fmt::format(
         " Along the specimen it varies at random by {} (standard deviation), over a correlation length of {}.",
         readable(fit.roughness.value, fit.roughness.standard_error, kind::number),
@@ -374,26 +409,29 @@ std::string wave_in_words(const FittedTest& test) {
     return fmt::format(
         "The model {} has waves and no roughness. Whether there is a wave at all is asked by the model 'roughness'.",
         model_in_words(fit.model));
-  const Print print(test);
-  const double unit = test.analysis.scales.span();
-  if (fit.wave_claimed) {
-    const auto& wave = fit.waves.front();
-    return fmt::format(
-        "Friction repeats along the specimen every {}, by {} of its mean: the evidence for a wave beside the roughness "
-        "is ln B = {:.1f}.",
-        readable(unit * wave.wavelength.value, unit * wave.wavelength.standard_error, print.as(kind::length)),
-        readable(wave.amplitude.value, wave.amplitude.standard_error, kind::number), fit.log_evidence_of_wave);
-  }
   if (fit.waves.empty() || !std::isfinite(fit.log_evidence_of_wave))
     return "There is no periodicity beyond roughness: no wave explains more than none.";
   const auto& wave = fit.waves.front();
+  const std::string evidence = fmt::format("ln B = {:.1f}, where 3 makes a claim", fit.log_evidence_of_wave);
+  const double unit = test.analysis.scales.span();
+  const std::string wavelength =
+      readable(unit * wave.wavelength.value, unit * wave.wavelength.standard_error, Print(test).as(kind::length));
+  const std::string amplitude = readable(wave.amplitude.value, wave.amplitude.standard_error, kind::number);
+  if (fit.wave_claimed)
+    return fmt::format("Friction repeats along the specimen every {}, rising and falling by {} of its mean ({}).",
+                       wavelength, amplitude, evidence);
+  constexpr double claim = 3;
+  if (fit.log_evidence_of_wave > claim)
+    return fmt::format(
+        "There is no periodicity beyond roughness. The likeliest wave ({}), {} long, is longer than a quarter of the "
+        "fibre "
+        "seen: too few periods for a claim.",
+        evidence, wavelength);
   return fmt::format(
-      "There is no periodicity beyond roughness (ln B = {:.1f}; 3 would be a claim). The likeliest wave, {} long and "
-      "{} of "
-      "the mean high, is only indicative.",
-      fit.log_evidence_of_wave,
-      readable(unit * wave.wavelength.value, unit * wave.wavelength.standard_error, print.as(kind::length)),
-      readable(wave.amplitude.value, wave.amplitude.standard_error, kind::number));
+      "There is no periodicity beyond roughness ({}). The likeliest wave, {} long with an amplitude of {} of the mean, "
+      "is "
+      "only indicative.",
+      evidence, wavelength, amplitude);
 }
 
 std::vector<std::string> checks_in_words(const FittedTest& test) {

@@ -87,6 +87,17 @@ TEST_CASE("table: a row is a test, its keys by short or full names, units in tit
   CHECK(std::holds_alternative<ToFit>(std::get<Modulus>(second.specimen.value().rigidity).estimate));
 }
 
+TEST_CASE("table: friction with a drift and its reference in columns") {
+  const TemporaryFolder folder;
+  const auto table = folder.file("cases.csv",
+                                 "file,span,stage,force,friction.model,friction.mu0,friction.drift [1/mm],"
+                                 "friction.reference [mm]\n"
+                                 "a.csv,1 mm,w [mm],F [N],drift,0.3,0.8,1.4\n");
+  const auto plan = plan_campaign(table, std::nullopt);
+  REQUIRE(plan.size() == 1);
+  CHECK(case_in(plan[0]).friction.value().profile == FrictionProfileInput{WavyFriction{0.3, 800, {}, 1.4e-3}});
+}
+
 TEST_CASE("table: a bad cell fails its test, named by line and column; a column that is no key fails the table") {
   const TemporaryFolder folder;
   const std::string head = "file,span,stiffness,stage,force";

@@ -42,7 +42,7 @@ void write_campaign(const TemporaryFolder& folder) {
 CampaignOptions options(unsigned threads, const std::optional<std::string>& folder = {}) {
   const auto quick = [](const Case&) {
     AnalysisOptions analysis;
-    analysis.fit.models = {ProfileModel::constant, ProfileModel::sinusoid};
+    analysis.fit.model = ProfileModel::constant;
     return analysis;
   };
   return {.analysis = quick, .threads = threads, .folder = folder};

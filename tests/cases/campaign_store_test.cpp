@@ -25,17 +25,23 @@ CampaignTest some_test() {
       .suspect = true,
       .model = ProfileModel::sinusoid,
       .mu0 = {.value = 0.1, .standard_error = 1.0 / 3, .low = -1e-300, .high = 5e-324},
+      .mu0_is_bound = true,
+      .friction_read = {.median = 0.2, .low80 = 1.0 / 7, .high80 = std::numeric_limits<double>::quiet_NaN()},
+      .roughness = {.value = 0.1, .standard_error = 0.02, .low = 0.07, .high = 0.15},
+      .correlation_length = {.value = 4e-6, .standard_error = 1e-6, .low = 2e-6, .high = 6e-6},
       .amplitude = {},
       .wavelength =
           ParameterEstimate{
               .value = 1e-5, .standard_error = std::numeric_limits<double>::quiet_NaN(), .low = 0, .high = 1},
       .phase = {},
-      .wave_supported = true,
+      .wave_claimed = true,
+      .log_evidence_of_wave = 1.0 / 9,
       .bending_stiffness = {},
       .residual_rms = 0.3,
       .drops = 7,
       .friction_share = 0.25,
-      .work_of_fracture = 2e-9};
+      .work_of_fracture = 2e-9,
+      .failed_checks = {CheckKind::drops, CheckKind::friction}};
   test.curves = CampaignCurves{.span = 1278e-6,
                                .bending_stiffness = 2e-12,
                                .load_train_stiffness = std::numeric_limits<double>::infinity(),

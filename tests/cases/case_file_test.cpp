@@ -104,12 +104,15 @@ TEST_CASE("table: the specimens that can be described") {
 TEST_CASE("table: the friction that can be described") {
   const auto friction = [](const std::string& text) { return *read("[friction]\n" + text).friction; };
   CHECK(friction("") == FrictionInput{{}, {}});
-  CHECK(friction("model = 'choose'") == FrictionInput{{}, {}});
+  CHECK(friction("model = 'roughness'") == FrictionInput{{FrictionModel::roughness}, {}});
   CHECK(friction("model = 'sinusoid'") == FrictionInput{{FrictionModel::sinusoid}, {}});
-  CHECK(friction("model = ['constant', 'sinusoid']") ==
-        FrictionInput{{FrictionModel::constant, FrictionModel::sinusoid}, {}});
   CHECK(friction("model = 'constant'\nmu0 = 0.5\ndrift = '0.2 1/mm'") ==
         FrictionInput{{FrictionModel::constant}, WavyFriction{0.5, 200, {}}});
+  CHECK(friction("model = 'drift'\nmu0 = 0.5\ndrift = '0.2 1/mm'\nreference = '1.4 mm'") ==
+        FrictionInput{{FrictionModel::drift}, WavyFriction{0.5, 200, {}, 1.4e-3}});
+  CHECK(friction("model = 'sinusoids'\nmu0 = 0.5\ndrift = '0.2 1/mm'\nreference = '1.4 mm'\n"
+                 "waves = [{ amplitude = 0.1, wavelength = '1 um' }]") ==
+        FrictionInput{{FrictionModel::sinusoids}, WavyFriction{0.5, 200, {{0.1, 1e-6, 0}}, 1.4e-3}});
   CHECK(friction("model = 'sinusoid'\nmu0 = 1\namplitude = 0\nwavelength = '1 um'\nphase = '90 deg'") ==
         FrictionInput{{FrictionModel::sinusoid}, WavyFriction{1, 0, {{0, 1e-6, std::numbers::pi / 2}}}});
   const FrictionInput two{{FrictionModel::sinusoids}, WavyFriction{0.5, 0, {{0.1, 1e-6, 2}, {0.2, 3e-6, 0}}}};
@@ -201,6 +204,21 @@ TEST_CASE("table: a tube needs a wall") {
   CHECK(has(refusal("width = '4 mm'\ninner_diameter = '2 mm'"), "either a diameter or a width and height"));
 }
 
+TEST_CASE("table: a reference is a length beside a drift") {
+  const auto refusal = [](const std::string& text) { return complaint("[friction]\nmu0 = 0.5\n" + text); };
+  CHECK(refusal("model = 'sinusoid'\namplitude = 0.1\nwavelength = '1 um'\nreference = '1.4 mm'") ==
+        "data/case.toml:6: [friction] reference: expected a drift beside it, found none; add drift, or delete "
+        "reference: without a drift mu0 holds at every length");
+  CHECK(has(refusal("model = 'constant'\nreference = '1.4 mm'"), "expected a drift beside it"));
+  CHECK(has(refusal("model = 'constant'\ndrift = '0.2 1/mm'\nreference = 1.4"),
+            ":5: [friction] reference: expected a length with its unit, found the bare number"));
+  CHECK(has(refusal("model = 'constant'\ndrift = '0.2 1/mm'\nreference = '0 mm'"), "expected a positive length"));
+  CHECK(has(refusal("model = 'rough'\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 1\nreference = '1.4 mm'"),
+            ":7: [friction] reference: expected one of the keys"));
+  const Case reduced = read("reduced = true\n[friction]\nmodel = 'constant'\nmu0 = 0.5\ndrift = 0.2\nreference = 1.1");
+  CHECK(reduced.friction->profile == FrictionProfileInput{WavyFriction{0.5, 0.2, {}, 1.1}});
+}
+
 TEST_CASE("table: reduced cases hold plain numbers, and have the span and EI of one") {
   const Case input = read(
       "reduced = true\n[rig]\nstiffness = 30\n[friction]\nmodel = 'sinusoid'\nmu0 = 0.6\n"
@@ -275,8 +293,9 @@ TEST_CASE("table: an unknown key or section is refused with the nearest known") 
   CHECK(has(complaint_with("[friction]", "[frictoin]"), "did you mean 'friction'?"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), ":8: [friction] model: expected one of the models"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), "did you mean 'sinusoid'?"));
-  CHECK(has(complaint_with("\"sinusoid\"", "\"constant\""),
-            ": expected one of the keys 'model', 'mu0', 'drift' and 'static_excess', found an unknown key"));
+  CHECK(
+      has(complaint_with("\"sinusoid\"", "\"constant\""),
+          ": expected one of the keys 'model', 'mu0', 'drift', 'reference' and 'static_excess', found an unknown key"));
   CHECK(has(complaint_with("uncertainty", "sd"), ":3: [specimen] modulus.sd: expected one of the keys"));
   CHECK(has(complaint_with("model", "modle"), "did you mean 'model'?"));
   CHECK(has(complaint_with("force", "forse"), ":19: [record] forse: expected one of the keys"));
@@ -305,7 +324,12 @@ TEST_CASE("table: what is missing is asked for with an example") {
         "data/case.toml: [friction]: expected it in the file, found nothing; add model = \"constant\" and mu0 = 0.5");
   CHECK(has(missing(read("reduced = true\n[rig]"), "rig.stiffness").what(),
             "case.toml:2: [rig] stiffness: expected it in the file, "
-            "found nothing; add stiffness = 30"));
+            "found nothing; add the stiffness of your load train in EI/L^3, stiffness = …, or \"inf\""));
+  for (const std::string_view key : {"rig", "rig.stiffness"}) {
+    const std::string asked = missing(empty, key).what();
+    CHECK(has(asked, "the stiffness of your load train"));
+    CHECK_FALSE(has(asked, "90.65"));  // the number of another rig
+  }
 }
 
 TEST_CASE("table: what contradicts itself is refused") {
@@ -334,9 +358,9 @@ TEST_CASE("table: what contradicts itself is refused") {
             "[stage] stage: expected it in the file, found nothing; add stage = "));
   CHECK(has(complaint("[stage]\nprogram = ['0 um', '1 um']\ntime = 't [s]'"),
             ":3: [stage] time: expected it beside the file it is about, found no file"));
-  CHECK(has(complaint("[friction]\nmodel = ['constant', 'constant']"), "each model once"));
-  CHECK(has(complaint("[friction]\nmodel = ['constant', 'sinusoid']\nmu0 = 1"),
-            "[friction] mu0: expected no other key than 'model'"));
+  CHECK(has(complaint("[friction]\nmodel = ['constant', 'drift']"), "expected one of the models"));
+  CHECK(
+      has(complaint("[friction]\nmodel = 'roughness'\nmu0 = 1"), "[friction] mu0: expected no other key than 'model'"));
 }
 
 TEST_CASE("table: what is no case file is refused as what it is") {
@@ -393,12 +417,15 @@ TEST_CASE("identity: the effective case is read back as the same case") {
        {full, std::string_view(""), std::string_view("reduced = true"),
         std::string_view("[specimen]\nwidth = '2 um'\nheight = '0.123456789 um'\nbending_stiffness = { value = '2 N "
                          "m^2', uncertainty = '5 %' }\n"
-                         "[rig]\nspan = '1 in'\nstiffness = 'inf'\n[friction]\nmodel = ['constant', "
-                         "'rough']\n[stage]\nprogram = ['0 um', '1 um']"),
+                         "[rig]\nspan = '1 in'\nstiffness = 'inf'\n[friction]\nmodel = 'roughness'\n"
+                         "[stage]\nprogram = ['0 um', '1 um']"),
         std::string_view("[friction]\nmodel = 'table'\nfile = \"a \\\"b\\\" \\u0001.csv\"\nlength = 'S [um]'"),
         std::string_view("[friction]\nmodel = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7"),
         std::string_view("reduced = true\n[rig]\nstiffness = inf\n[friction]\nmodel = 'sinusoids'\nmu0 = 0.1\ndrift = "
                          "-0.3\nwaves = [{ amplitude = 1e-9, wavelength = 3 }]"),
+        std::string_view("[friction]\nmodel = 'drift'\nmu0 = 0.1\ndrift = '-0.3 1/mm'\nreference = '1.3 mm'"),
+        std::string_view("reduced = true\n[friction]\nmodel = 'sinusoid'\nmu0 = 0.1\namplitude = 0.2\nwavelength = "
+                         "0.1\ndrift = 0\nreference = 1.123456789"),
         std::string_view("[friction]\nmodel = 'constant'\nmu0 = 0.1\ndrift = '-0.3 "
                          "1/mm'\n[record]\nfile='x'\ndeflection='a'\nforce='b'\ndecimal=','\ncontact='1 mm'"),
         std::string_view("[specimen]\ndiameter = '4 mm'\nwall = '0.3 mm'\n[rig]\nspan = '80 mm'\n[record]\nfile='x'\n"

@@ -72,6 +72,44 @@ TEST_CASE("design case, limit: it has the parameters that its kind of case can v
   CHECK(reduced.value(DesignParameter::step) == 0);  // continuous
 }
 
+TEST_CASE("design case, identity: friction drifts from its reference, which can be varied") {
+  const std::string drifting = with("phase = 1.0", "phase = 1.0\ndrift = \"0.8 1/mm\"\nreference = \"1.4 mm\"");
+  const Case input = read_case(drifting, "case.toml");
+  DesignCase design(input);
+  const Friction friction = friction_of(input, scales_of(input, bending_stiffness_of(input)), 2);
+  for (const double S : {1.0, 1.1, 1.37}) CHECK(design.planned().design.friction.at(S).mu == friction.at(S).mu);
+
+  design.set(DesignParameter::reference, 1.5e-3);
+  std::string text = drifting;
+  const DesignCase read = design_of(text.replace(text.find("1.4 mm"), 6, "1.5 mm"));
+  for (const double S : {1.0, 1.1, 1.37})
+    CHECK(design.planned().design.friction.at(S).mu == read.planned().design.friction.at(S).mu);
+
+  // Not stated it is the span, whatever that is.
+  const auto at_span = [](const std::string& more) {
+    return design_of(with("phase = 1.0", "drift = \"0.8 1/mm\"\n" + more));
+  };
+  CHECK_FALSE(at_span("").has(DesignParameter::reference));
+  DesignCase wider = at_span("");
+  wider.set(DesignParameter::span, 1500e-6);
+  DesignCase stated = at_span("reference = \"1.5 mm\"");
+  stated.set(DesignParameter::span, 1500e-6);
+  CHECK(wider.planned().design.friction.at(1.3).mu == stated.planned().design.friction.at(1.3).mu);
+}
+
+TEST_CASE(
+    "design case, limit: a span beyond the reference, and friction beyond 20 with its drift, are refused by name") {
+  DesignCase design = design_of(with("phase = 1.0", "drift = \"0.8 1/mm\"\nreference = \"1.4 mm\""));
+  design.set(DesignParameter::span, 2e-3);
+  CHECK(message_of([&] { design.planned(); }) ==
+        "reference: expected a length between the supports, from the span, 2 mm, to 100 spans, found 1.4 mm; check its "
+        "unit");
+  DesignCase steep = design_of(with("phase = 1.0", "drift = \"15 1/mm\""));
+  CHECK(message_of([&] { steep.planned(); }) == "");
+  steep.set(DesignParameter::mu0, 10);
+  CHECK(message_of([&] { steep.planned(); }).find("drift: expected friction of at most 20") == 0);
+}
+
 TEST_CASE("design case, contract: what cannot be loaded once is refused at its line") {
   CHECK(refusal_of(with("\"700 um\"", "\"700 um\", \"100 um\", \"900 um\"")).find("case.toml:14: [stage] program[3]") ==
         0);

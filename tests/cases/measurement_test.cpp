@@ -204,8 +204,24 @@ TEST_CASE("measurement: a stage without a load-train stiffness is refused, a def
   const std::string refusal = complaint([&] { folder.measured(Machine{}, "", ""); });
   CHECK(refusal.find("stiffness of the load train") != std::string::npos);
   CHECK(refusal.find("\"inf\"") != std::string::npos);
+  CHECK(refusal.find("write the stiffness of your load train into [rig] as stiffness = \"… N/m\"") !=
+        std::string::npos);
+  CHECK(refusal.find("90.65") == std::string::npos);
   const Measurement measured = folder.measured(Machine{}, "deflection = 'deflection'\nforce = 'force'\n", "");
   CHECK(measured.record.stage == measured.record.deflection);
+}
+
+TEST_CASE("measurement: a record steeper than its load train is refused with the numbers that contradict it (limit)") {
+  const Folder folder;
+  // Specimen and load train together are as stiff as 16.67 kN/m: on a softer load train the specimen would bend upwards.
+  const Machine machine{.contact = 0, .noise = 0};
+  const std::string refusal = complaint([&] { folder.measured(machine, "", "stiffness = '1e3 N/m'"); });
+  CAPTURE(refusal);
+  CHECK(refusal.find("case.toml:3: [rig] stiffness: expected a load train that gives way by less than the stage moves, "
+                     "found 1 kN/m, which 59.83 N bends by 59.83 mm, but the stage moved 3.59 mm; check it and the "
+                     "units of stage and force") != std::string::npos);
+  CHECK(complaint([&] { folder.measured(machine, "", "stiffness = '16.6e3 N/m'"); }) != "");
+  CHECK(complaint([&] { folder.measured(machine, "", "stiffness = '16.7e3 N/m'"); }) == "");
 }
 
 TEST_CASE("measurement: the steps are in their documented order, each with the flag of its key (table)") {

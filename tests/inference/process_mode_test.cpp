@@ -110,7 +110,6 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI") {
     Mode other = here.start(mode.kernel, mode.theta, mode.at);
     other.theta.values[0] -= at;
     other.at.eta = 0;
-    invert_at(other.at, here.passages());
     complete(other.at, here.passages());
     here.burst(other, 12, 0.3);
     const double n = static_cast<double>(here.passages().size());

@@ -95,6 +95,25 @@ class BadRecord(InFolder):
         self.refused("invert", case, says=["case.toml:15", "until", "426"])
 
 
+class BadLoadTrain(InFolder):
+    FLAGS = ("--diameter", "34.8 um", "--span", "1278 um", "--stage", "stage", "--force", "force")
+
+    def test_missing_it_is_asked_for_without_the_number_of_another_rig(self):
+        data = self.file("test.csv", RECORD)
+        case = self.file("case.toml", "".join(line for line in CASE.splitlines(True) if "stiffness" not in line))
+        for call in ((data, *self.FLAGS), (case,)):
+            result = run("fit", *call)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("the stiffness of the load train", result.stderr)
+            self.assertNotIn("90.65", result.stderr)
+
+    def test_record_steeper_than_it(self):
+        data = self.file("test.csv", RECORD)
+        for command in ("fit", "modulus"):
+            self.refused(command, data, *self.FLAGS, "--stiffness", "10 N/m",
+                         says=["--stiffness", "found 10 N/m, which", "but the stage moved", "check it and the units"])
+
+
 class BadCase(InFolder):
     def refuses_case(self, content, *says, command="simulate"):
         self.refused(command, self.file("case.toml", content), says=["case.toml", *says])
@@ -149,6 +168,31 @@ class BadCase(InFolder):
 
     def test_friction_that_becomes_negative(self):
         self.refuses_case(TRUTH.replace("amplitude  = 0.15", "amplitude  = 1.5"), ":14:", "amplitude", "negative")
+
+    def test_friction_beyond_what_is_computed(self):
+        steep = TRUTH.replace("mu0        = 0.5", 'mu0 = 16\ndrift = "40 1/mm"')
+        limit = ("[friction] drift", "friction of at most 20", "40 1/mm", "check its unit")
+        for command in ("simulate", "equilibrium", "design"):
+            self.refuses_case(steep, ":14:", *limit, command=command)
+        sweep = steep + '[sweep]\nmethod = "grid"\naxes = { mu0 = [0.1, 0.2] }\n'
+        self.refused("sweep", self.file("case.toml", sweep), "--output", self.folder / "x.h5", says=["case.toml:14", *limit])
+        self.refuses_case(TRUTH.replace("mu0        = 0.5", "mu0 = 19"), ":13:", "[friction] mu0", "at most 20, its waves")
+        table = TRUTH.split("[friction]")[0] + '[friction]\nmodel = "table"\nfile = "t.csv"\nlength = "S [um]"\n'
+        self.file("t.csv", "S [um],mu\n1278,0.5\n1300,25\n")
+        for command in ("simulate", "design"):
+            self.refuses_case(table + "[stage]" + TRUTH.split("[stage]")[1], "[friction] file", "at most 20", "25",
+                              command=command)
+
+    def test_equilibria_marked_farther_than_the_programme_goes(self):
+        drifting = TRUTH.replace("mu0        = 0.5", 'mu0 = 0.5\ndrift = "3 1/mm"')
+        case = self.file("case.toml", drifting)
+        self.refused("simulate", case, "--figure", self.folder / "a.svg", "--equilibria-at", "5 mm", says=["[friction] drift"])
+
+    def test_reference_that_is_no_length_of_the_specimen(self):
+        drifting = TRUTH.replace("mu0        = 0.5", 'mu0 = 0.5\ndrift = "0.8 1/mm"\nreference = "1.4 mm"')
+        self.refuses_case(drifting.replace("1.4 mm", "1.4 m"), ":15:", "[friction] reference", "check its unit")
+        self.refuses_case(drifting.replace("1.4 mm", "1.4"), ":15:", "[friction] reference", "with its unit")
+        self.refuses_case(drifting.replace('drift = "0.8 1/mm"\n', ""), ":14:", "[friction] reference", "a drift beside it")
 
     def test_section_that_is_not_there(self):
         self.refuses_case(CASE, "[stage]", "add program")

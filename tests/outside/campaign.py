@@ -132,14 +132,6 @@ step = "2 um"
             self.assertLess(told["standard_error"], own["standard_error"])
             self.assertLess(shared["standard_error"], own["standard_error"])
 
-    def test_tests_that_do_not_share_a_wavelength_scatter_and_are_held_to_it_all_the_same(self):
-        answer = self.json("campaign", self.simulated(3), "--share", "wavelength", "--quiet")  # of 10, 11 and 12 um
-        shared, = answer["shared"]
-        self.assertGreater(shared["scatter"], 5)
-        self.assertTrue(10e-6 < shared["value"] < 12e-6)
-        for test in answer["tests"]:
-            self.assertAlmostEqual(test["parameters"]["wavelength"]["value"] / shared["value"], 1, delta=1e-12)  # rounding
-
     def test_a_bad_call_is_refused(self):
         self.refused("campaign", self.folder, says=["case files (.toml) with a [record]", "--common"])
         self.refused("campaign", self.folder / "none.csv", says=["none.csv"])

@@ -22,6 +22,20 @@ step = "continuous"
 """
 # The folds at which it snaps in loading, (S, w_s), to the six digits that are known.
 FOLDS_8B = [(1.14852, 0.588456), (1.26252, 0.698273), (1.38547, 0.754599)]
+DRIFTING = """[specimen]
+diameter = "34.8 um"
+modulus = "29.6 GPa"
+[rig]
+span = "1278 um"
+stiffness = "90.65 N/m"
+[friction]
+model = "drift"
+mu0 = {mu0}
+drift = "0.8 1/mm"
+{more}[stage]
+program = ["0 um", "700 um"]
+step = "2 um"
+"""
 FRICTIONLESS = 'reduced = true\n[friction]\nmodel = "constant"\nmu0 = 0\n'
 PEAK = (0.238188798912727, 6.67180843438173)  # w and F of the frictionless maximum of the force
 GAUSS = 0.834626841674073  # w where the force of the frictionless fibre vanishes: Gauss's constant
@@ -149,6 +163,39 @@ step = "0.01 mm"
         self.assertIn("slips through the supports", result.stderr)
         self.assertLess(numbers(result.stdout, "w_s")[-1], 1)
         self.assertEqual(json.loads(run("simulate", case, "--json").stdout)["status"], "slipped_through")
+
+
+class Reference(InFolder):
+    """A fitted mu0 is that at a length in the middle of the data: pasted back with that length it is the same friction."""
+    STATED = DRIFTING.format(mu0=0.3, more='reference = "1.4 mm"\n')
+    AT_SPAN = DRIFTING.format(mu0=0.3 - 0.8 * (1.4 - 1.278), more="")
+
+    def test_identity_every_command_that_takes_a_case(self):
+        stated, at_span = self.file("stated.toml", self.STATED), self.file("at_span.toml", self.AT_SPAN)
+        for command, titles in (("simulate", ("F [N]", "S [m]", "q")), ("equilibrium", ("F [N]", "mu"))):
+            a, b = (self.succeeds(command, case) for case in (stated, at_span))
+            for title in titles:
+                for x, y in zip(numbers(a, title), numbers(b, title), strict=True):
+                    self.assertAlmostEqual(x, y, delta=1e-11 * max(1e-3, abs(y)))  # rounding of mu0, no folds nearby
+        a, b = (self.json("design", case) for case in (stated, at_span))
+        self.assertAlmostEqual(a["work"] / b["work"], 1, delta=1e-11)
+        # It matters: the same mu0 at the span is another friction.
+        other = self.succeeds("simulate", self.file("other.toml", DRIFTING.format(mu0=0.3, more="")))
+        self.assertGreater(numbers(other, "F [N]")[-1] / numbers(self.succeeds("simulate", stated), "F [N]")[-1], 1.05)
+
+    def test_it_is_an_axis(self):
+        rows = self.succeeds("design", self.file("case.toml", self.STATED), "--over", "reference=1.278 mm:1.4 mm:3")
+        self.assertEqual(numbers(rows, "reference [m]")[-1], 1.4e-3)
+        work = numbers(rows, "work [J]")
+        self.assertEqual(work, sorted(work, reverse=True))
+        self.assertAlmostEqual(work[-1] / self.json("design", self.folder / "case.toml")["work"], 1, delta=1e-14)
+
+    def test_reduced_it_is_a_number_of_spans(self):
+        text = 'reduced = true\n[friction]\nmodel = "constant"\nmu0 = {}\ndrift = 0.5\n{}'
+        a = self.succeeds("equilibrium", self.file("a.toml", text.format(0.3, "reference = 1.2\n")))
+        b = self.succeeds("equilibrium", self.file("b.toml", text.format(0.2, "")))
+        for x, y in zip(numbers(a, "mu"), numbers(b, "mu"), strict=True):
+            self.assertAlmostEqual(x, y, delta=4e-16)  # rounding of mu0
 
 
 class Invert(InFolder):

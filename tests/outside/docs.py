@@ -159,6 +159,8 @@ def check_cases():
         folder = pathlib.Path(folder)
         for name, text in re.findall(r"^File `([^`]+)`:\n\n```csv\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
             (folder / name).write_text(text, encoding="utf-8")
+        if can_fit:
+            run("fit", ROOT / "examples/simulated/case.toml", "--draws", folder / "draws.csv")
         curves = {}
         for snippet in snippets:
             case = tomllib.loads(snippet)

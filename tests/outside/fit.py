@@ -17,7 +17,11 @@ CASE = EXAMPLE / "case.toml"
 DATA = EXAMPLE / "test.csv"
 TRUTH = tomllib.loads((EXAMPLE / "truth.toml").read_text(encoding="utf-8"))
 FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
-KEYS = ["status", "model", "category", "parameters", "residual_rms", "criteria", "snaps", "suspects", "profile", "energy", "provenance"]
+KEYS = ["status", "model", "category", "parameters", "residual_rms", "friction_read", "checks", "wave", "explanations", "band", "scan", "snaps",
+        "suspects", "profile", "energy", "provenance"]
+ALWAYS = {"mu0", "drift", "roughness", "correlation_length", "bending_stiffness", "force_noise", "reference_length"}
+WAVE = {"amplitude", "wavelength", "phase", "phase_at_middle"}
+CRACKED = SOURCE / "../shared/data/cracked"
 SNAP_KEYS = {"stage", "deflection_before", "deflection_after", "force_before", "force_after", "length_before", "length_after"}
 FIGURES = ["force", "profile", "wavelengths", "teeth"]
 
@@ -32,8 +36,10 @@ class Json(InFolder):
         for key in KEYS:
             self.assertIn(key, self.fit)
         self.assertEqual(self.fit["status"], "ok")
+        self.assertEqual(set(self.fit["parameters"]), ALWAYS | WAVE | {"contact_offset"})
+        self.assertFalse(self.fit["parameters"]["mu0"]["bound"])
         for parameter in self.fit["parameters"].values():
-            self.assertEqual(set(parameter), {"value", "standard_error", "interval95", "unit"})
+            self.assertEqual(set(parameter) - {"bound"}, {"value", "standard_error", "interval95", "unit"})
             self.assertEqual(len(parameter["interval95"]), 2)
         for snap in self.fit["snaps"]:
             self.assertEqual(set(snap), SNAP_KEYS)
@@ -42,11 +48,23 @@ class Json(InFolder):
         """Every true value lies within five standard errors; the example is one fixed draw, so this cannot flicker."""
         truth = TRUTH["friction"]
         true = {"mu0": truth["mu0"], "amplitude": truth["amplitude"], "wavelength": 10.9e-6, "phase": truth["phase"]}
-        self.assertEqual((self.fit["model"], self.fit["category"], self.fit["suspect"]), ("sinusoid", "clear", False))
+        self.assertEqual((self.fit["model"], self.fit["category"], self.fit["suspect"]), ("roughness", "clear", False))
         for name, value in true.items():
             found = self.fit["parameters"][name]
             with self.subTest(name):
                 self.assertLess(abs(found["value"] - value), 5 * found["standard_error"])
+
+    def test_the_wave_is_claimed_and_the_checks_pass(self):
+        self.assertTrue(self.fit["wave"]["claimed"])
+        self.assertGreater(self.fit["wave"]["log_evidence"], 3)
+        self.assertEqual([check["name"] for check in self.fit["checks"]], ["residuals", "drops", "friction"])
+        self.assertTrue(all(check["passed"] for check in self.fit["checks"]))
+        self.assertAlmostEqual(sum(each["weight"] for each in self.fit["explanations"]), 1, delta=1e-12)  # roundings
+
+    def test_band_and_reference_lie_on_the_fibre_seen(self):
+        band, middle = self.fit["band"], self.fit["parameters"]["reference_length"]["value"]
+        self.assertEqual(len(band["length"]), len(band["mean"]))
+        self.assertTrue(1278e-6 < band["length"][0] < middle < band["length"][-1])
 
     def test_identity_snap_runs_along_the_load_line(self):
         for snap in self.fit["snaps"]:
@@ -90,10 +108,52 @@ class Json(InFolder):
 
 
 class Options(InFolder):
-    def test_models_restricted(self):
-        fit = self.json("fit", CASE, "--model", "drift", "--model", "constant")
-        self.assertEqual(list(fit["criteria"]), ["drift", "constant"])
-        self.assertNotIn("wavelength", fit["parameters"])
+    def test_the_papers_models_where_they_are_asked_for(self):
+        drift = self.json("fit", CASE, "--model", "drift")
+        self.assertEqual(drift["model"], "drift")
+        self.assertIsNone(drift["wave"])
+        self.assertEqual(set(drift["parameters"]), ALWAYS - {"roughness", "correlation_length"} | {"contact_offset"})
+        self.assertTrue(WAVE <= set(self.json("fit", CASE, "--model", "sinusoid")["parameters"]))
+        self.assertNotIn("drift", self.json("fit", CASE, "--model", "constant")["parameters"])
+
+    def test_stability_is_checked_where_it_is_asked_for(self):
+        check = self.json("fit", CASE, "--check-stability")["checks"][-1]
+        self.assertEqual((check["name"], check["passed"]), ("stability", True))
+        self.assertLess(check["mu0_moved"], 0.01)
+
+    def test_draws_run_on_a_stiffer_rig(self):
+        """What is drawn gives the record back on its own rig, and snaps less on a stiffer one."""
+        draws = self.folder / "draws.csv"
+        fit = json.loads(self.succeeds("fit", CASE, "--json", "--draws", draws))
+        columns = table(draws.read_text(encoding="utf-8"))
+        self.assertEqual(list(columns), ["length [m]", "mu", "deviation", *(f"draw_{i}" for i in range(1, 21))])
+        self.assertEqual(numbers(draws.read_text(encoding="utf-8"), "deviation"), fit["band"]["deviation"])
+        snaps = []
+        for stiffness in (90.65, 900):
+            case = self.file("rig.toml", f'''[specimen]
+bending_stiffness = "{fit["draws"]["bending_stiffness"][0]!r} N m^2"
+[rig]
+span = "1278 um"
+stiffness = "{stiffness} N/m"
+[friction]
+model = "table"
+file = "draws.csv"
+length = "length [m]"
+mu = "draw_1"
+[stage]
+program = ["0 um", "640 um"]
+step = "2 um"
+''')
+            snaps.append(len(self.json("simulate", case)["snaps"]))
+        self.assertLessEqual(abs(snaps[0] - len(fit["drops"])), 3)
+        self.assertLess(snaps[1], snaps[0])
+
+    @unittest.skipUnless(CRACKED.is_dir(), "no measured data of cracked specimens")
+    def test_a_record_that_no_friction_explains_ends_in_an_answer_that_says_so(self):
+        result = run("fit", CRACKED / "K12.csv", "--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m",
+                     "--stage", "w_s_m [m]", "--force", "F_N [N]")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("no sliding with friction gives this record", " ".join(result.stdout.split()))
 
     def test_suspect_limit(self):
         self.assertTrue(self.json("fit", CASE, "--suspect-limit", "0.4")["suspect"])
@@ -104,6 +164,7 @@ class Options(InFolder):
         self.refused("fit", DATA, *FLAGS[2:], "--diameter", "34.8", says=["--diameter", "34.8 um"])
         self.refused("fit", CASE, "--span", "1 mm", says=["case file"])
         self.refused("fit", CASE, "--model", "parabola", says=["parabola"])
+        self.refused("fit", CASE, "--model", "drift", "--model", "constant", says=["--model"])
         self.refused("fit", CASE, "--false-alarms", "-1", says=["--false-alarms"])
 
     def test_too_shallow_a_test_is_no_answer(self):
@@ -122,7 +183,8 @@ class Options(InFolder):
         fit = self.json("fit", CASE)
         residuals = [float(a) - float(b) for a, b in zip(columns["force [N]"], columns["model_force [N]"]) if b != "nan"]
         rms = (sum(r * r for r in residuals) / len(residuals)) ** 0.5
-        self.assertAlmostEqual(rms, fit["residual_rms"], delta=1e-12 * rms)  # roundings
+        # Over all rows here; in the answer over those that tell of friction.
+        self.assertLess(abs(rms - fit["residual_rms"]), 0.5 * rms)
         self.assertEqual(numbers(profile.read_text(encoding="utf-8"), "mu"), [point["mu"] for point in fit["profile"]])
 
 

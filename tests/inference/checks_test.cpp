@@ -1,0 +1,70 @@
+#include "inference/checks.h"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "tests/inference/simulated_test.h"
+#include "tests/refusal.h"
+
+namespace flexslip {
+namespace {
+
+FitProblem problem_of(const SimulatedTruth& truth) {
+  return {simulated_record(truth), {truth.stiffness}, {truth.noise, 0.03, 0}};
+}
+
+SimulatedTruth rough() {
+  return {.friction = Friction::rough(0.5, 0.25, 5.0 / 1278, 3, 1.6), .stiffness = 90, .noise = 0.01};
+}
+
+TEST_CASE("identity: a fit of what the model says passes every check") {
+  const auto problem = problem_of(rough());
+  const auto fit = fit_friction(problem);
+  REQUIRE(fit.status == FrictionFitStatus::ok);
+  CHECK(check_residuals(problem, fit).outcome == CheckOutcome::passed);
+  CHECK(check_friction(fit).outcome == CheckOutcome::passed);
+  const Check drops = check_drops(problem, fit);
+  CHECK(drops.outcome == CheckOutcome::passed);
+  CHECK(number_of(drops, "record") > 3);
+  CHECK(number_of(drops, "draws_low") <= number_of(drops, "draws_median"));
+  CHECK(number_of(drops, "draws_median") <= number_of(drops, "draws_high"));
+  CHECK(number_of(drops, "draws_fall") == doctest::Approx(number_of(drops, "record_fall")).scale(0).epsilon(0.5));
+  const Check stability = check_stability(problem, fit);
+  CHECK(stability.outcome == CheckOutcome::passed);
+  CHECK(number_of(stability, "mu0_moved") < 0.01);
+}
+
+TEST_CASE("identity: a fit that does not belong to its record fails") {
+  const auto problem = problem_of(rough());
+  const auto constant = fit_friction(problem_of({.friction = Friction::constant(0.5), .noise = 0.01}));
+  REQUIRE(constant.status == FrictionFitStatus::ok);
+  CHECK(check_drops(problem, constant).outcome == CheckOutcome::failed);  // a sawtooth, where its draws have none
+
+  auto fit = fit_friction(problem);
+  fit.residual_rms = 0.2 * *std::max_element(problem.record.force.begin(), problem.record.force.end());
+  CHECK(check_residuals(problem, fit).outcome == CheckOutcome::failed);
+  fit.mu0.value += 0.1 * fit.mu0.standard_error;
+  CHECK(check_stability(problem, fit).outcome == CheckOutcome::failed);
+  fit.mu0_is_bound = true;
+  CHECK(check_friction(fit).outcome == CheckOutcome::failed);
+}
+
+TEST_CASE("limit: a constant has no draws whose drops could be counted") {
+  const auto problem = problem_of({.friction = Friction::constant(0.5), .noise = 0.01});
+  const auto fit = fit_friction(problem, {.model = ProfileModel::constant});
+  CHECK(check_drops(problem, fit).outcome == CheckOutcome::not_possible);
+  CHECK(message_of([&] { number_of(check_friction(fit), "spam"); }) == "the check 'friction' has no number 'spam'");
+}
+
+TEST_CASE("identity: the same fit gives the same numbers") {
+  const auto problem = problem_of(rough());
+  const auto fit = fit_friction(problem);
+  const Check a = check_drops(problem, fit);
+  const Check b = check_drops(problem, fit);
+  REQUIRE(a.numbers.size() == b.numbers.size());
+  for (std::size_t i = 0; i < a.numbers.size(); ++i) CHECK(a.numbers[i].value == b.numbers[i].value);
+}
+
+}  // namespace
+}  // namespace flexslip
