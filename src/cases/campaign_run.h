@@ -10,7 +10,6 @@
 
 #include "cases/campaign_plan.h"
 #include "cases/campaign_test.h"
-#include "cases/shared_parameters.h"
 
 namespace flexslip {
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout = 2;  // of the kept text: another one is computed anew
+constexpr int layout = 3;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -46,6 +46,39 @@ std::optional<ParameterEstimate> optional_estimate_of(const Json& json) {
   return estimate_of(json);
 }
 
+// JSON knows no infinity: null.
+Json json_of(const Marginal& marginal) {
+  Json parts = Json::array();
+  for (const auto& part : marginal.posterior) parts.push_back({part.weight, part.mean, part.deviation});
+  return {{"parts", parts}, {"prior", {marginal.prior_mean, marginal.prior_deviation}}};
+}
+
+Marginal marginal_from(const Json& json) {
+  Marginal marginal{};
+  for (const auto& part : json.at("parts"))
+    marginal.posterior.push_back({number(part.at(0)), number(part.at(1)), number(part.at(2))});
+  const Json& prior = json.at("prior");
+  marginal.prior_mean = number(prior.at(0));
+  marginal.prior_deviation = prior.at(1).is_null() ? infinity : prior.at(1).get<double>();
+  return marginal;
+}
+
+Json json_of(const TestMarginals& known) {
+  return {{"mu0", json_of(known.mu0)},
+          {"log_roughness", json_of(known.log_roughness)},
+          {"log_length", json_of(known.log_length)},
+          {"log_stiffness", json_of(known.log_stiffness)},
+          {"log_wavelength", json_of(known.log_wavelength)}};
+}
+
+TestMarginals marginals_from(const Json& json) {
+  return {.mu0 = marginal_from(json.at("mu0")),
+          .log_roughness = marginal_from(json.at("log_roughness")),
+          .log_length = marginal_from(json.at("log_length")),
+          .log_stiffness = marginal_from(json.at("log_stiffness")),
+          .log_wavelength = marginal_from(json.at("log_wavelength"))};
+}
+
 FrictionRead friction_read_from(const Json& json) {
   return {.median = number(json.at(0)), .low80 = number(json.at(1)), .high80 = number(json.at(2))};
 }
@@ -69,7 +102,8 @@ Json json_of(const TestSummary& summary) {
           {"drops", summary.drops},
           {"friction_share", summary.friction_share},
           {"work_of_fracture", summary.work_of_fracture},
-          {"failed_checks", summary.failed_checks}};
+          {"failed_checks", summary.failed_checks},
+          {"known", json_of(summary.known)}};
 }
 
 TestSummary summary_from(const std::string& name, const Json& json) {
@@ -92,7 +126,8 @@ TestSummary summary_from(const std::string& name, const Json& json) {
           .drops = json.at("drops").get<std::size_t>(),
           .friction_share = number(json.at("friction_share")),
           .work_of_fracture = number(json.at("work_of_fracture")),
-          .failed_checks = json.at("failed_checks").get<std::vector<CheckKind>>()};
+          .failed_checks = json.at("failed_checks").get<std::vector<CheckKind>>(),
+          .known = marginals_from(json.at("known"))};
 }
 
 Json json_of(const CampaignCurves& curves) {
@@ -126,6 +161,7 @@ Json json_of(const CampaignTest& test) {
           {"reason", test.reason},
           {"file", test.file},
           {"remarks", test.remarks},
+          {"section_moment", test.section_moment ? Json(*test.section_moment) : Json(nullptr)},
           {"summary", test.summary ? json_of(*test.summary) : Json(nullptr)},
           {"curves", test.curves ? json_of(*test.curves) : Json(nullptr)}};
 }
@@ -137,7 +173,9 @@ CampaignTest test_from(const Json& json) {
                     .file = json.at("file").get<std::string>(),
                     .summary = {},
                     .curves = {},
-                    .remarks = json.at("remarks").get<std::vector<std::string>>()};
+                    .remarks = json.at("remarks").get<std::vector<std::string>>(),
+                    .section_moment = {}};
+  if (const Json& moment = json.at("section_moment"); !moment.is_null()) test.section_moment = moment.get<double>();
   if (const Json& summary = json.at("summary"); !summary.is_null()) test.summary = summary_from(test.name, summary);
   if (const Json& curves = json.at("curves"); !curves.is_null()) test.curves = curves_from(curves);
   return test;

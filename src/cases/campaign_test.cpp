@@ -74,7 +74,8 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
                     .file = file,
                     .summary = {},
                     .curves = {},
-                    .remarks = {}};
+                    .remarks = {},
+                    .section_moment = test.section_moment};
   if (test.analysis.status != AnalysisStatus::ok) return kept;
   kept.summary = summary_of(test.name, test.analysis);
   kept.curves = curves_of(test.analysis);
@@ -83,7 +84,14 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
 }
 
 CampaignTest failed_test(const std::string& name, const std::string& file, const std::string& reason) {
-  return {.name = name, .status = "failed", .reason = reason, .file = file, .summary = {}, .curves = {}, .remarks = {}};
+  return {.name = name,
+          .status = "failed",
+          .reason = reason,
+          .file = file,
+          .summary = {},
+          .curves = {},
+          .remarks = {},
+          .section_moment = {}};
 }
 
 }  // namespace flexslip

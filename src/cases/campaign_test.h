@@ -31,6 +31,7 @@ struct CampaignTest {
   std::optional<TestSummary> summary;    // where the analysis came to a fit
   std::optional<CampaignCurves> curves;  // likewise
   std::vector<std::string> remarks;      // what a reader of the table should know of it
+  std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
 };
 
 // The test in a line and in curves.
@@ -41,11 +42,12 @@ CampaignTest failed_test(const std::string& name, const std::string& file, const
 
 // A parameter that several tests share, estimated from all of them.
 struct SharedParameter {
-  std::string name;  // "modulus", "bending_stiffness"
+  std::string name;  // "modulus"
   std::string unit;  // of the estimate, SI
   ParameterEstimate estimate;
-  std::size_t tests;
-  double scatter;  // [1] of the tests about it, over what their errors explain
+  std::size_t tests;   // whose records tell it
+  double chi_squared;  // [1] of them about one value
+  double agreement;    // [1] probability that tests that do share it would differ as much
 };
 
 struct Campaign {

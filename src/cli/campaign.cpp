@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cases/campaign_run.h"
+#include "cases/shared_parameters.h"
 #include "cli/analysis_flags.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -49,7 +50,8 @@ void write_test(const CampaignRequest& request, const FittedTest& test, const st
   if (request.test_reports) write_report(folder, test);
 }
 
-constexpr std::array shareables{Shareable::modulus, Shareable::bending_stiffness};
+constexpr std::array shareables{Shareable::modulus,   Shareable::bending_stiffness,  Shareable::wavelength,
+                                Shareable::roughness, Shareable::correlation_length, Shareable::mu0};
 
 std::vector<std::string> shareable_names() {
   std::vector<std::string> names;
@@ -103,12 +105,12 @@ DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
 void run_campaign_command(const CampaignRequest& request) {
   const auto plan = plan_campaign(request.path, request.common);
   if (!request.report.empty()) make_folder(request.report);
-  CampaignOptions options = options_of(request);
+  const CampaignOptions options = options_of(request);
   const auto run = [&] {
     const WhileInterruptible guard;
-    const auto shared = share_parameters(plan, options.analysis, shared_in(request), request.jobs, &interrupted());
-    CampaignRun computed = run_campaign(shared.plan, options);
-    computed.campaign.shared = shared.parameters;
+    CampaignRun computed = run_campaign(plan, options);
+    if (computed.status == CampaignStatus::ok)
+      computed.campaign.shared = share_parameters(computed.campaign.tests, shared_in(request));
     return computed;
   }();
   if (run.status == CampaignStatus::stopped)
@@ -160,8 +162,7 @@ void add_campaign_command(CLI::App& app) {
       ->default_str("the number of cores");
   command
       ->add_option("--share", request->shared,
-                   "Estimate one value for all tests, and hold it in each; may "
-                   "be repeated")
+                   "Estimate one value for all tests from what their records say together; may be repeated")
       ->type_name("PARAMETER")
       ->check(CLI::IsMember(shareable_names()));
   add_analysis_options(*command, request->flags);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fibre/elementary.h"
+
 namespace flexslip {
 namespace {
 
@@ -44,6 +46,37 @@ CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs
   return {count, mu0.spread(), amplitude.spread(), wavelength.spread()};
 }
 
+// With nearly equal parts made one, and moved to another unit.
+Marginal kept(const Marginal& marginal, double by) {
+  return shifted({merged(marginal.posterior), marginal.prior_mean, marginal.prior_deviation}, by);
+}
+
+TestMarginals marginals_of(const FrictionFit& fit, const Scales& scales) {
+  const double log_span = elementary::log(scales.span());
+  TestMarginals known{.mu0 = kept(fit.of_mu0, 0),
+                      .log_roughness = kept(fit.of_log_roughness, 0),
+                      .log_length = kept(fit.of_log_length, log_span),
+                      .log_stiffness = kept(fit.of_log_stiffness, elementary::log(scales.bending_stiffness())),
+                      .log_wavelength = {}};
+  if (fit.wave_claimed) known.log_wavelength = shifted(of_logarithm(fit.waves.front().wavelength), log_span);
+  return known;
+}
+
+std::optional<BetweenSpecimens> between_specimens(const std::vector<const TestSummary*>& tests,
+                                                  Marginal TestMarginals::*parameter) {
+  BetweenSpecimens between;
+  std::vector<Marginal> marginals;
+  for (const TestSummary* test : tests) {
+    const Marginal& marginal = test->known.*parameter;
+    if (!tells(marginal)) continue;
+    between.tests.push_back(test->name);
+    marginals.push_back(marginal);
+  }
+  if (marginals.size() < 2) return std::nullopt;
+  between.population = population_of(marginals, prior_told_to(marginals));
+  return between;
+}
+
 }  // namespace
 
 TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
@@ -70,7 +103,8 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
       .drops = analysis.drops.drops.size(),
       .friction_share = analysis.energy.friction_share,
       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
-      .failed_checks = {}};
+      .failed_checks = {},
+      .known = marginals_of(fit, scales)};
   if (!fit.waves.empty()) {
     const WaveEstimate& wave = fit.waves.front();
     summary.amplitude = wave.amplitude;
@@ -86,7 +120,15 @@ std::vector<CategorySummary> summarise(std::span<const TestSummary> tests) {
   const auto summary = [&](std::optional<SawtoothCategory> category) {
     const auto belongs = [&](const TestSummary& test) { return !category || test.category == *category; };
     const auto trusted = [&](const TestSummary& test) { return belongs(test) && !test.suspect; };
-    return CategorySummary{category, spread_over(tests, trusted), spread_over(tests, belongs)};
+    std::vector<const TestSummary*> of_specimens;
+    for (const auto& test : tests)
+      if (trusted(test)) of_specimens.push_back(&test);
+    return CategorySummary{category,
+                           spread_over(tests, trusted),
+                           spread_over(tests, belongs),
+                           between_specimens(of_specimens, &TestMarginals::mu0),
+                           between_specimens(of_specimens, &TestMarginals::log_roughness),
+                           between_specimens(of_specimens, &TestMarginals::log_length)};
   };
   return {summary(SawtoothCategory::clear), summary(SawtoothCategory::nominal), summary(SawtoothCategory::none),
           summary(std::nullopt)};

@@ -8,8 +8,15 @@
 #include <vector>
 
 #include "inference/analysis.h"
+#include "inference/population.h"
 
 namespace flexslip {
+
+// What a record says of each parameter, and what was known beforehand; no parts where the fit has no such parameter, or claims no such
+// wave. Logarithms are those of numbers in SI.
+struct TestMarginals {
+  Marginal mu0, log_roughness, log_length, log_stiffness, log_wavelength;
+};
 
 // A test in a line. Units: SI.
 struct TestSummary {
@@ -34,6 +41,7 @@ struct TestSummary {
   double friction_share;    // [1] of the measured work of fracture: friction and snaps
   double work_of_fracture;  // [J]
   std::vector<CheckKind> failed_checks;
+  TestMarginals known;
 };
 
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
@@ -52,10 +60,17 @@ struct CategorySpread {
   Spread wavelength;  // [m] likewise
 };
 
+// A parameter between the specimens of some tests: what they have in common, and how they differ.
+struct BetweenSpecimens {
+  std::vector<std::string> tests;  // two or more, whose records tell it
+  Population population;           // its specimens are those of the tests
+};
+
 // A category of tests; none: all tests.
 struct CategorySummary {
   std::optional<SawtoothCategory> category;
   CategorySpread without_suspects, with_suspects;
+  std::optional<BetweenSpecimens> mu0, log_roughness, log_length;  // [1], ln of [1], ln of [m]; without suspects
 };
 
 // The categories clear, nominal and none, then all tests together.

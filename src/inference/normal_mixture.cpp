@@ -33,8 +33,9 @@ double probability_below(const NormalMixture& mixture, double x) {
   for (const auto& part : mixture) {
     weight += part.weight;
     const double away = x - part.mean;
-    const double below = part.deviation > 0 ? elementary::exp(elementary::gaussian_below(away / part.deviation).log_probability)
-                                            : (away > 0 ? 1.0 : 0.0);
+    const double below = part.deviation > 0
+                             ? elementary::exp(elementary::gaussian_below(away / part.deviation).log_probability)
+                             : (away > 0 ? 1.0 : 0.0);
     sum += part.weight * below;
   }
   return sum / weight;
@@ -52,6 +53,26 @@ double quantile_of(const NormalMixture& mixture, double probability) {
     (probability_below(mixture, middle) < probability ? low : high) = middle;
   }
   return std::midpoint(low, high);
+}
+
+NormalMixture merged(const NormalMixture& mixture) {
+  constexpr double near =
+      0.7;  // deviations between means: two such parts alike and their one differ by 0.002 of a probability
+  constexpr double alike = 1.3;  // ratio of deviations
+  NormalMixture result;
+  for (const auto& part : mixture) {
+    const auto same = std::find_if(result.begin(), result.end(), [&](const NormalPart& other) {
+      const auto [narrow, wide] = std::minmax(part.deviation, other.deviation);
+      return std::abs(part.mean - other.mean) <= near * narrow && wide <= alike * narrow;
+    });
+    if (same == result.end()) {
+      result.push_back(part);
+      continue;
+    }
+    const NormalMixture two{*same, part};
+    *same = {same->weight + part.weight, mean_of(two), deviation_of(two)};
+  }
+  return result;
 }
 
 }  // namespace flexslip

@@ -2,58 +2,115 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "fibre/elementary.h"
+#include "inference/likelihood.h"
+#include "inference/line_density.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double two_sided = 1.95996;  // standard deviations to either end of a 95 % interval
+// ln of a likelihood where it is greatest.
+double greatest_log(const Likelihood& likelihood) {
+  const auto middle = [](const Bell& bell) {
+    return bell.curvature > 0 ? bell.at + bell.slope / bell.curvature : bell.at;
+  };
+  const auto best = std::max_element(likelihood.begin(), likelihood.end(), [&](const Bell& a, const Bell& b) {
+    return log_of(likelihood, middle(a)) < log_of(likelihood, middle(b));
+  });
+  return log_of(likelihood, climbed({&likelihood, 1}, middle(*best)));
+}
 
-double weight(const OwnEstimate& own) {
-  if (!(own.error > 0 && std::isfinite(own.error) && std::isfinite(own.value)))
-    throw std::invalid_argument("an estimate needs a value and an error above 0, not " + std::to_string(own.value) +
-                                " ± " + std::to_string(own.error));
-  return 1 / (own.error * own.error);
+// Twice ln of how much less likely the records are at one value than each at its own.
+double chi_squared_of(const std::vector<Likelihood>& records) {
+  constexpr double step = 0.25;
+  const auto product = density_of_product(records, step).density;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < product.size(); ++i)
+    if (product.at(i) > product.at(best)) best = i;
+  double apart = -log_of_product(records, climbed(records, product.place(best)));
+  for (const auto& record : records) apart += greatest_log(record);
+  return std::max(2 * apart, 0.0);
 }
 
 }  // namespace
 
-std::optional<OwnEstimate> of_the_record(const OwnEstimate& fitted, const OwnEstimate& stated) {
-  constexpr double least_share = 0.1;
-  const double told = weight(stated);
-  const double left = weight(fitted) - told;
-  if (!(left > least_share * told)) return std::nullopt;
-  return OwnEstimate{(fitted.value * weight(fitted) - stated.value * told) / left, 1 / std::sqrt(left)};
+PriorKnowledge prior_told_to(std::span<const Marginal> tests) {
+  PriorKnowledge prior{0, 0};
+  for (const auto& test : tests) {
+    prior.mean += test.prior_mean;
+    prior.deviation += test.prior_deviation;
+  }
+  const auto n = static_cast<double>(tests.size());
+  return {prior.mean / n, prior.deviation / n};
 }
 
-SharedEstimate estimate_shared(std::span<const OwnEstimate> tests, const std::optional<OwnEstimate>& stated) {
-  if (tests.size() < 2 && !stated) throw std::invalid_argument("a shared value needs two tests");
-  double weights = 0;
-  double sum = 0;
+bool tells(const Marginal& test) {
+  constexpr double least_weight = 0.1;
+  const bool sought = std::all_of(test.posterior.begin(), test.posterior.end(), [](const NormalPart& part) {
+    return part.deviation > 0 && std::isfinite(part.mean);
+  });
+  if (test.posterior.empty() || !sought) return false;
+  const double deviation = deviation_of(test.posterior);
+  return (1 + least_weight) * deviation * deviation < test.prior_deviation * test.prior_deviation;
+}
+
+SharedValue share(std::span<const Marginal> tests, const PriorKnowledge& prior) {
+  constexpr double step = 0.25;
+  SharedValue shared{{}, 0, 0, 1};
+  std::vector<Likelihood> factors, telling;
   for (const auto& test : tests) {
-    weights += weight(test);
-    sum += weight(test) * test.value;
+    factors.push_back(likelihood_of(test));
+    if (tells(test)) telling.push_back(factors.back());
   }
-  double scatter = 0;
-  if (tests.size() > 1) {
-    double squares = 0;
-    for (const auto& test : tests) squares += weight(test) * std::pow(test.value - sum / weights, 2);
-    scatter = std::sqrt(squares / static_cast<double>(tests.size() - 1));
+  if (std::isfinite(prior.deviation)) factors.push_back(likelihood_of_normal(prior.mean, prior.deviation));
+  const auto density = density_of_product(factors, step).density;
+  shared.estimate = {density.quantile(0.5), density.deviation(), density.quantile(0.025), density.quantile(0.975)};
+  shared.telling = telling.size();
+  if (telling.size() > 1) {
+    shared.chi_squared = chi_squared_of(telling);
+    shared.agreement = chi_squared_beyond(shared.chi_squared, telling.size() - 1);
   }
-  if (scatter > 1) {
-    weights /= scatter * scatter;
-    sum /= scatter * scatter;
+  return shared;
+}
+
+Marginal shifted(Marginal marginal, double by) {
+  for (auto& part : marginal.posterior) part.mean += by;
+  marginal.prior_mean += by;
+  return marginal;
+}
+
+Marginal of_logarithm(const ParameterEstimate& estimate) {
+  if (!(0 < estimate.low && estimate.low < estimate.value && estimate.value < estimate.high))
+    throw std::invalid_argument("no logarithm of " + std::to_string(estimate.value) + " within " +
+                                std::to_string(estimate.low) + " to " + std::to_string(estimate.high));
+  constexpr double width = 2 * 1.959964;  // standard deviations of a 95 % interval
+  const double deviation = (elementary::log(estimate.high) - elementary::log(estimate.low)) / width;
+  return {{{1, elementary::log(estimate.value), deviation}}, 0, std::numeric_limits<double>::infinity()};
+}
+
+double chi_squared_beyond(double x, std::size_t freedoms) {
+  if (!(x > 0)) return 1;
+  // Abramowitz and Stegun 26.4.4 and 26.4.5, term by term, logarithms taken lest a great x leave nothing.
+  const double log_half = elementary::log(0.5 * x);
+  const bool odd = freedoms % 2 == 1;
+  double sum = odd ? 2 * elementary::exp(elementary::gaussian_below(-std::sqrt(x)).log_probability) : 0;
+  double log_term = -0.5 * x;  // of (x/2)^k e^(-x/2)/Γ(k + 1)
+  double k = 0;
+  if (odd) {
+    k = 0.5;
+    log_term += 0.5 * log_half - elementary::log(0.5 * std::sqrt(std::numbers::pi));
   }
-  if (stated) {
-    weights += weight(*stated);
-    sum += weight(*stated) * stated->value;
+  for (; 2 * k < static_cast<double>(freedoms); ++k) {
+    sum += elementary::exp(log_term);
+    log_term += log_half - elementary::log(k + 1);
   }
-  const double value = sum / weights;
-  const double error = 1 / std::sqrt(weights);
-  return {
-      {.value = value, .standard_error = error, .low = value - two_sided * error, .high = value + two_sided * error},
-      scatter};
+  return std::min(sum, 1.0);
 }
 
 }  // namespace flexslip

@@ -1,30 +1,50 @@
 // One value of a parameter for several tests, each weighing as much as its own record says.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <span>
 
 #include "inference/fit.h"
 
 namespace flexslip {
 
-struct OwnEstimate {
-  double value, error;  // unit of the parameter; standard error
+// What is known of a number beforehand: a normal distribution; infinitely wide if nothing is.
+struct PriorKnowledge {
+  double mean, deviation;  // unit of the number
 };
 
-// What a record alone says of a parameter, of which the fit was told `stated` beforehand; none if that is next to nothing: less
-// than a tenth of the weight of what was stated. Normal distributions throughout.
-// Domain:     errors > 0; std::invalid_argument otherwise.
-std::optional<OwnEstimate> of_the_record(const OwnEstimate& fitted, const OwnEstimate& stated);
+// What the tests were told on average: it errs in all of them alike. Domain: tests not empty.
+PriorKnowledge prior_told_to(std::span<const Marginal> tests);
 
-struct SharedEstimate {
-  ParameterEstimate estimate;  // unit of the parameter
-  double scatter;              // [1] of the tests about the shared value, over what their errors explain
+// Whether a record says of a parameter more than next to nothing: a tenth of the weight of what was known beforehand, or more. None of a number that was
+// not sought: without parts, or exact.
+bool tells(const Marginal& test);
+
+struct SharedValue {
+  ParameterEstimate estimate;
+  std::size_t telling;  // tests whose records tell it
+  double chi_squared;   // [1] of the tests about one value, with telling - 1 freedoms
+  double agreement;     // [1] probability that tests that do share it would differ as much
 };
 
-// The mean weighted by the errors; its own error is taken larger by the scatter where that exceeds 1 (Birge's ratio). What was
-// stated beforehand counts once, however many tests were told it.
-// Domain:     at least two tests or one statement, errors > 0 and finite; std::invalid_argument otherwise.
-SharedEstimate estimate_shared(std::span<const OwnEstimate> tests, const std::optional<OwnEstimate>& stated);
+// Domain:     as likelihood_of; either a test or the prior bounds the parameter; std::invalid_argument otherwise.
+// Max error:  1e-3 of the standard error.
+// Method:     the product of what each record alone says (likelihood_of) and of the prior, which so counts once however many tests were
+//             told it. chi_squared is twice how much ln of the product of the records' likelihoods lies below the sum of what each reaches
+//             at its own best value: the weighted sum of squares where they are normal.
+SharedValue share(std::span<const Marginal> tests, const PriorKnowledge& prior);
+
+// The number plus a constant, as ln of a length in another unit.
+Marginal shifted(Marginal marginal, double by);
+
+// What a record says of the logarithm of a positive number, of which nothing was known beforehand: a normal distribution of its median and
+// as wide as its 95 % interval.
+// Domain:     0 < low < value < high; std::invalid_argument otherwise.
+Marginal of_logarithm(const ParameterEstimate& estimate);
+
+// P(chi squared > x).
+// Domain:     freedoms >= 1, x >= 0.
+// Max error:  1e-12.
+double chi_squared_beyond(double x, std::size_t freedoms);
 
 }  // namespace flexslip

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "fibre/elementary.h"
 #include "report/campaign_table.h"
 
 namespace flexslip {
@@ -74,6 +75,24 @@ Json spreads_json(const CategorySpread& spreads) {
           {"wavelength", spread_json(spreads.wavelength)}};
 }
 
+Json between_specimens_json(const SpecimenLine& line) {
+  const auto& [tests, population] = *line.between;
+  Json out = {{"tests", tests.size()},
+              {"typical", parameter(line.typical, line.unit)},
+              {"differ_by", line.by_factors ? "factor" : "standard deviation"},
+              {"spread", parameter(line.spread, line.by_factors ? "1" : line.unit)}};
+  out["spread"]["bound"] = population.spread_is_bound;
+  Json specimens = Json::array();
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    const auto& [own, error] = population.specimens[i];
+    const double value = line.by_factors ? elementary::exp(own) : own;
+    specimens.push_back(
+        {{"test", tests[i]}, {"value", value}, {"standard_error", line.by_factors ? value * error : error}});
+  }
+  out["specimens"] = specimens;
+  return out;
+}
+
 }  // namespace
 
 Json campaign_json(const Campaign& campaign) {
@@ -88,14 +107,18 @@ Json campaign_json(const Campaign& campaign) {
   for (const auto& category : campaign.categories) {
     Json spreads = spreads_json(category.without_suspects);
     spreads["with_suspects"] = spreads_json(category.with_suspects);
+    spreads["between_specimens"] = Json::object();
     categories[key_of(category)] = spreads;
   }
+  for (const auto& line : specimen_lines(campaign))
+    categories[line.category]["between_specimens"][line.parameter] = between_specimens_json(line);
   Json shared = Json::array();
   for (const auto& one : campaign.shared) {
     Json estimate = parameter(one.estimate, one.unit);
     estimate["name"] = one.name;
     estimate["tests"] = one.tests;
-    estimate["scatter"] = one.scatter;
+    estimate["chi_squared"] = one.chi_squared;
+    estimate["agreement"] = one.agreement;
     shared.push_back(estimate);
   }
   return {{"tests", tests},

@@ -112,6 +112,44 @@ std::string categories_of(const Campaign& campaign) {
   return out + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
 }
 
+std::string with_interval(const ParameterEstimate& estimate, double factor) {
+  const MatchedDigits digits = matched_digits(estimate, factor);
+  return digits.low.empty() ? digits.value : fmt::format("{} ({}, {})", digits.value, digits.low, digits.high);
+}
+
+std::string specimens_of(const Campaign& campaign) {
+  const auto lines = specimen_lines(campaign);
+  if (lines.empty()) return "";
+  const TableUnit length = units_of(campaign).wavelength;
+  std::string out = fmt::format(
+      "\n\\begin{{table}}\n\\centering\\footnotesize\n\\caption{{Friction between specimens, suspects left out: mean "
+      "of "
+      "$\\mu_0$ and its standard deviation between specimens; middle roughness $\\sigma$ and correlation length "
+      "$\\ell$ ({}) "
+      "and the factor by which specimens differ; 95\\,\\% intervals.}}\n\\label{{tab:friction-specimens}}\n"
+      "\\begin{{tabular}}{{llrrr}}\n\\toprule\nSawtooth & & Tests & Typical & Differ by \\\\\n\\midrule\n",
+      latex_unit(length.name));
+  for (const auto& line : lines) {
+    const bool is_length = line.parameter == "correlation_length";
+    const char* symbol = is_length ? "$\\ell$" : line.by_factors ? "$\\sigma$" : "$\\mu_0$";
+    const std::string spread = line.between->population.spread_is_bound
+                                   ? fmt::format("$\\leq$ {}", significant(line.spread.high, 2))
+                                   : with_interval(line.spread, 1);
+    out += fmt::format("{} & {} & {} & {} & {}{} \\\\\n", line.by_factors ? "" : line.category, symbol,
+                       line.between->tests.size(), with_interval(line.typical, is_length ? length.factor : 1),
+                       line.by_factors ? "$\\times$ " : "$\\pm$ ", spread);
+  }
+  return out + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
+}
+
+std::string shared_of(const Campaign& campaign) {
+  std::string out;
+  for (const auto& shared : campaign.shared)
+    out += fmt::format("% {} shared by {} tests: {} {} ({} to {}), agreement {}\n", shared.name, shared.tests,
+                       shared.estimate.value, shared.unit, shared.estimate.low, shared.estimate.high, shared.agreement);
+  return out;
+}
+
 }  // namespace
 
 std::string latex_escaped(std::string_view text) {
@@ -162,8 +200,8 @@ std::string campaign_latex(const Campaign& campaign) {
   return fmt::format(
       "% FlexSlip {}. Needs \\usepackage{{booktabs,longtable}}; letters beyond those of the document's fonts, in "
       "names, "
-      "need others.\n{}\n{}",
-      FLEXSLIP_VERSION, tests_of(campaign), categories_of(campaign));
+      "need others.\n{}{}\n{}{}",
+      FLEXSLIP_VERSION, shared_of(campaign), tests_of(campaign), categories_of(campaign), specimens_of(campaign));
 }
 
 }  // namespace flexslip

@@ -67,6 +67,7 @@ std::string file_list() {
   std::string items;
   for (const auto& [file, what] : {std::pair{"tests.csv", "a row per test, SI"},
                                    {"categories.csv", "a row per category, SI"},
+                                   {"specimens.csv", "what the specimens of a category have in common, SI"},
                                    {"campaign.json", "all of it, for scripts"},
                                    {"campaign.xlsx", "for spreadsheets"},
                                    {"tables.tex", "for LaTeX, with booktabs and longtable"}})
@@ -111,6 +112,7 @@ void write_campaign_tables(const std::string& folder, const Campaign& campaign) 
   remove_from(base, is_unfinished);
   write_campaign_csv((base / "tests.csv").string(), test_table(campaign));
   write_campaign_csv((base / "categories.csv").string(), category_table(campaign));
+  write_campaign_csv((base / "specimens.csv").string(), specimen_table(campaign));
   write_json((base / "campaign.json").string(), campaign_json(campaign));
   write_campaign_xlsx((base / "campaign.xlsx").string(), campaign);
   write_text((base / "tables.tex").string(), campaign_latex(campaign));
@@ -140,11 +142,14 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   if (answered) {
     body += pictures.front() + section("By category") + html_table(category_rows(campaign));
     body += paragraph("Mean (smallest to largest). " + category_rule());
+    if (const auto specimens = specimen_rows(campaign); !specimens.rows.empty())
+      body += section("Between specimens") + html_table(specimens) + paragraph(specimen_rule());
     body += section("Test by test") + html_word_table(test_rows(campaign), links_to_tests(folder, campaign));
   }
   if (const auto failures = failure_rows(campaign); !failures.rows.empty())
     body += section("Not evaluated") + html_word_table(failures);
-  if (!campaign.shared.empty()) body += section("Shared by several tests") + html_table(shared_rows(campaign));
+  if (!campaign.shared.empty())
+    body += section("Shared by several tests") + html_table(shared_rows(campaign)) + paragraph(sharing_rule());
   if (pictures.size() > 1) {
     body += section("Force curves");
     for (std::size_t i = 1; i < pictures.size(); ++i) body += pictures[i];

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "fibre/elementary.h"
 #include "io/table.h"
 #include "io/text_table.h"
 
@@ -210,6 +211,53 @@ CampaignTable category_table(const Campaign& campaign) {
   return table.table();
 }
 
+std::vector<SpecimenLine> specimen_lines(const Campaign& campaign) {
+  std::vector<SpecimenLine> lines;
+  const auto exponential = [](const ParameterEstimate& log) {
+    const double value = elementary::exp(log.value);
+    return ParameterEstimate{value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
+  };
+  for (const auto& category : campaign.categories) {
+    const auto add = [&](const char* parameter, const char* unit, const std::optional<BetweenSpecimens>& between) {
+      if (!between) return;
+      const Population& found = between->population;
+      const bool by_factors = &between != &category.mu0;
+      lines.push_back({key_of(category), parameter, unit, by_factors, by_factors ? exponential(found.mean) : found.mean,
+                       by_factors ? exponential(found.spread) : found.spread, &*between});
+    };
+    add("mu0", "1", category.mu0);
+    add("roughness", "1", category.log_roughness);
+    add("correlation_length", "m", category.log_length);
+  }
+  return lines;
+}
+
+CampaignTable specimen_table(const Campaign& campaign) {
+  TableOf<SpecimenLine> table("specimens");
+  table.add(word_column("category", "of the sawtooth, suspects left out"),
+            [](const SpecimenLine& line) { return words(line.category); });
+  table.add(word_column("parameter", "of friction"), [](const SpecimenLine& line) { return words(line.parameter); });
+  table.add(word_column("unit", "of typical, low and high"), [](const SpecimenLine& line) { return words(line.unit); });
+  table.add(number_column("tests", kind::number, "", "whose records tell it"),
+            [](const SpecimenLine& line) { return number(line.between->tests.size()); });
+  const auto add = [&](const std::string& name, const std::string& meaning, ParameterEstimate SpecimenLine::*estimate,
+                       double ParameterEstimate::*part) {
+    table.add(number_column(name, kind::number, "", meaning),
+              [estimate, part](const SpecimenLine& line) { return number(line.*estimate.*part); });
+  };
+  add("typical", "mean of the specimens, of mu0; of the others the middle one", &SpecimenLine::typical,
+      &ParameterEstimate::value);
+  add("typical_low", "lower end of its 95 % interval", &SpecimenLine::typical, &ParameterEstimate::low);
+  add("typical_high", "upper end of its 95 % interval", &SpecimenLine::typical, &ParameterEstimate::high);
+  table.add(word_column("differ_by", "what spread is: a standard deviation, or a factor either way"),
+            [](const SpecimenLine& line) { return words(line.by_factors ? "factor" : "standard deviation"); });
+  add("spread", "between specimens", &SpecimenLine::spread, &ParameterEstimate::value);
+  add("spread_low", "lower end of its 95 % interval", &SpecimenLine::spread, &ParameterEstimate::low);
+  add("spread_high", "upper end of its 95 % interval", &SpecimenLine::spread, &ParameterEstimate::high);
+  for (const auto& line : specimen_lines(campaign)) table.add(line);
+  return table.table();
+}
+
 CampaignTable failure_table(const Campaign& campaign) {
   TableOf<CampaignTest> table("failures");
   table.add(word_column("test", "its name"), [](const CampaignTest& test) { return words(test.name); });
@@ -235,10 +283,12 @@ CampaignTable shared_table(const Campaign& campaign) {
   add("standard_error", "", &ParameterEstimate::standard_error);
   add("low", "lower end of its 95 % interval", &ParameterEstimate::low);
   add("high", "upper end of its 95 % interval", &ParameterEstimate::high);
-  table.add(number_column("tests", kind::number, "", "that share it"),
+  table.add(number_column("tests", kind::number, "", "whose records tell it"),
             [](const SharedParameter& shared) { return number(shared.tests); });
-  table.add(number_column("scatter", kind::number, "", "of the tests about it, over what their errors explain"),
-            [](const SharedParameter& shared) { return number(shared.scatter); });
+  table.add(number_column("chi_squared", kind::number, "", "of the tests about it, with one freedom less than tests"),
+            [](const SharedParameter& shared) { return number(shared.chi_squared); });
+  table.add(number_column("agreement", kind::number, "", "probability that tests that do share it differ as much"),
+            [](const SharedParameter& shared) { return number(shared.agreement); });
   for (const auto& shared : campaign.shared) table.add(shared);
   return table.table();
 }

@@ -29,10 +29,23 @@ struct CampaignTable {
   std::vector<std::vector<Cell>> rows;
 };
 
-// A row per test, those that failed among them; a category with its suspects and without, and all tests; a row per test
-// without an answer; a row per shared parameter. Units: SI.
+// What the specimens of a category have in common in one parameter, and how they differ.
+struct SpecimenLine {
+  std::string category;       // as key_of
+  std::string parameter;      // "mu0", "roughness", "correlation_length"
+  std::string unit;           // SI
+  bool by_factors;            // specimens differ by factors, exp of the spread; else by the spread itself
+  ParameterEstimate typical;  // the mean, or exp of the mean logarithm
+  ParameterEstimate spread;   // standard deviation, or exp of that of the logarithm
+  const BetweenSpecimens* between;
+};
+std::vector<SpecimenLine> specimen_lines(const Campaign& campaign);
+
+// A row per test, those that failed among them; a category with its suspects and without, and all tests; what specimens have in common,
+// a row per category and parameter; a row per test without an answer; a row per shared parameter. Units: SI.
 CampaignTable test_table(const Campaign& campaign);
 CampaignTable category_table(const Campaign& campaign);
+CampaignTable specimen_table(const Campaign& campaign);
 CampaignTable failure_table(const Campaign& campaign);
 CampaignTable shared_table(const Campaign& campaign);
 

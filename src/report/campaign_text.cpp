@@ -27,9 +27,12 @@ std::string campaign_text(const Campaign& campaign) {
   std::string text = wrapped(answer_of(campaign), "");
   text += titled("Tests", test_rows(campaign));
   text += titled("Categories: mean (min to max)", category_rows(campaign));
+  text += titled("Between specimens", specimen_rows(campaign));
   text += titled("Shared by the tests", shared_rows(campaign));
+  if (!campaign.shared.empty()) text += "\n" + wrapped(sharing_rule(), "");
   text += failures(campaign);
   text += "\n" + wrapped(category_rule(), "");
+  if (!specimen_rows(campaign).rows.empty()) text += "\n" + wrapped(specimen_rule(), "");
   if (const std::string suspects = suspects_in_words(campaign); !suspects.empty()) text += "\n" + wrapped(suspects, "");
   return text;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,19 @@ std::string of_spread(const Spread& spread, double factor, int decimals) {
   if (spread.count == 0) return "";
   return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", factor * spread.mean, decimals, factor * spread.min, decimals,
                      factor * spread.max, decimals);
+}
+
+// In which a number in SI reads best, and from SI to it.
+std::pair<std::string, double> print_unit(double value, const std::string& si_unit) {
+  if (si_unit == "1") return {"", 1};
+  const Unit si = parse_unit(si_unit);
+  for (const Kind* kind : {&kind::length, &kind::pressure, &kind::bending_stiffness})
+    if (kind->dimension == si.dimension) {
+      std::string unit(best_unit(std::abs(value), *kind));
+      const double factor = from_si(1, parse_unit(unit));
+      return {std::move(unit), factor};
+    }
+  return {si_unit, 1};
 }
 
 std::string enumerated(const std::vector<std::string>& names) {
@@ -188,23 +202,48 @@ PrintedTable failure_rows(const Campaign& campaign) {
 }
 
 PrintedTable shared_rows(const Campaign& campaign) {
-  PrintedTable table{{"Parameter", "Value", "95 % interval", "Unit", "Tests", "Scatter"}, {}};
+  PrintedTable table{{"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"}, {}};
   for (const auto& shared : campaign.shared) {
-    const Unit si = shared.unit == "1" ? Unit{} : parse_unit(shared.unit);
-    std::string unit;
-    double factor = 1;
-    for (const Kind* kind : {&kind::length, &kind::pressure, &kind::bending_stiffness})
-      if (kind->dimension == si.dimension) {
-        unit = best_unit(std::abs(shared.estimate.value), *kind);
-        factor = from_si(1, parse_unit(unit));
-      }
+    const auto [unit, factor] = print_unit(shared.estimate.value, shared.unit);
     const MatchedDigits digits = matched_digits(shared.estimate, factor);
     table.rows.push_back({shared.name,
                           digits.error.empty() ? digits.value : fmt::format("{} ± {}", digits.value, digits.error),
                           digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit),
-                          fmt::format("{}", shared.tests), fmt::format("{:.1f}", shared.scatter)});
+                          fmt::format("{}", shared.tests),
+                          shared.agreement < 1e-4 ? "none" : fmt::format("p = {}", significant(shared.agreement, 2))});
   }
   return table;
+}
+
+PrintedTable specimen_rows(const Campaign& campaign) {
+  PrintedTable table{{"Sawtooth", "Friction", "Tests", "Typical", "Specimens differ by"}, {}};
+  for (const auto& line : specimen_lines(campaign)) {
+    const auto [unit, factor] = print_unit(line.typical.value, line.unit);
+    const std::string sign = line.by_factors ? "a factor " : "± ";
+    const std::string typical = with_interval(line.typical, factor);
+    table.rows.push_back({line.category,
+                          line.parameter == "mu0"         ? "μ₀"
+                          : line.parameter == "roughness" ? "σ"
+                                                          : "ℓ",
+                          fmt::format("{}", line.between->tests.size()),
+                          unit.empty() ? typical : fmt::format("{} {}", typical, typeset(unit)),
+                          line.between->population.spread_is_bound
+                              ? fmt::format("{}{} at most", sign, significant(line.spread.high, 2))
+                              : sign + with_interval(line.spread, 1)});
+  }
+  return table;
+}
+
+std::string sharing_rule() {
+  return "Agreement is the probability that tests that do share the value would differ as much. Below 0.01 they hardly "
+         "do: the value is then a mean of different ones, and its error says nothing.";
+}
+
+std::string specimen_rule() {
+  return "Typical is the mean of μ₀ over specimens, and the middle specimen's σ and ℓ, with their 95 % intervals; "
+         "specimens differ by the "
+         "standard deviation of μ₀, and by a factor either way of σ and ℓ, what each record errs by taken off. "
+         "Suspects are left out.";
 }
 
 std::string category_rule() {

@@ -21,8 +21,13 @@ PrintedTable test_rows(const Campaign& campaign);
 // A row for each test without.
 PrintedTable failure_rows(const Campaign& campaign);
 
-// A row for each shared parameter.
+// A row for each shared parameter; what agreement means.
 PrintedTable shared_rows(const Campaign& campaign);
+std::string sharing_rule();
+
+// A row for each category and parameter of friction: what the specimens have in common, and how they differ; what its columns mean.
+PrintedTable specimen_rows(const Campaign& campaign);
+std::string specimen_rule();
 
 // The rule of the categories, and what parentheses mean in test_rows.
 std::string category_rule();

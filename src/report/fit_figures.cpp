@@ -70,12 +70,14 @@ Figure force_figure(const FittedTest& test) {
   const double w_max = *std::max_element(record.deflection.begin(), record.deflection.end());
   const double F_max = *std::max_element(record.force.begin(), record.force.end());
 
-  FigureData measured{"measured", {length, force, fmt::format("residual [{}]", units.force.unit)}, {}};
+  FigureData measured{
+      "measured", {length, force, fmt::format("residual [{}]", units.force.unit), "on the fibre that is fitted"}, {}};
   double largest_residual = 0;
   for (std::size_t i = 0; i < fit.force.size(); ++i) {
     const double residual = record.force[i] - fit.force[i];
     largest_residual = std::max(largest_residual, std::abs(residual));
-    measured.rows.push_back({x * record.deflection[i], y * record.force[i], y * residual});
+    const bool seen = i < analysis.model.path.size() && analysis.model.path[i].S >= fit.S_begin;
+    measured.rows.push_back({x * record.deflection[i], y * record.force[i], y * residual, seen ? 1.0 : 0.0});
   }
 
   FigureData sliding{"sliding", {length, force}, {}};
@@ -138,7 +140,8 @@ Figure force_figure(const FittedTest& test) {
   set xlabel '{length}' offset 0,0.4
   set ylabel 'Residual ({force_unit})' offset 0.8
   set xzeroaxis lw 0.75 lt 1 lc rgb 'black'
-  plot measured using 1:3 with points pt 7 ps 0.25 lc rgb blue
+  plot measured using ($4==1?$1:NaN):3 with points pt 7 ps 0.25 lc rgb blue, \
+       measured using ($4==0?$1:NaN):3 with points pt 7 ps 0.25 lc rgb grey
   unset multiplot; unset xzeroaxis; set ytics auto
 )",
       fmt::arg("x_max", x * w_max * 1.03), fmt::arg("y_max", y * F_max * 1.12),
@@ -215,7 +218,8 @@ Figure profile_figure(const FittedTest& test) {
     wave.rows.push_back({NAN, NAN});
   }
 
-  const double top = std::min(rounded_up(1.08 * highest), 2.0);
+  constexpr double step = 0.2;  // of the ticks of friction
+  const double top = std::min(step * std::ceil(1.05 * highest / step), 2.0);
   const std::string script = fmt::format(
       R"(  set lmargin at screen 0.095; set rmargin at screen 0.985; set tmargin at screen 0.86; set bmargin at screen 0.145
   set xrange [0:{x_max:.6g}]
@@ -227,11 +231,11 @@ Figure profile_figure(const FittedTest& test) {
   # 95 % of a normal distribution: 1.96 standard deviations
   plot band using 1:($2-2*$3):($2+2*$3) with filledcurves lc rgb '#909090' fs transparent solid 0.35 noborder \
             title 'Mean ± 2 deviations', \
-       profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured', \
+       band using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
+       wave using 1:2 with lines lw 0.9 lc rgb orange{wave_title}, \
        slips using 1:2 with lines lw 0.7 lc rgb vermillion{slips_title}, \
        profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue title '95 %: noise', \
-       band using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
-       wave using 1:2 with lines lw 1 lc rgb orange{wave_title}, \
+       profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured', \
        keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title 'Glass on steel, literature'
   unset object 1
 )",
@@ -269,33 +273,40 @@ Figure wavelength_figure(const FittedTest& test) {
   lowest = std::max(lowest, -highest);
   const double top = 1.08 * highest;
   FigureData likeliest{"likeliest", {wavelength, "gain of log-evidence"}, {}};
-  for (const auto& wave : fit.waves) {
-    likeliest.rows.push_back({units.per_small_length * wave.wavelength.value, lowest});
-    likeliest.rows.push_back({units.per_small_length * wave.wavelength.value, top});
+  std::vector<double> marked;
+  if (fit.wave_claimed) {
+    for (const auto& wave : fit.waves) marked.push_back(wave.wavelength.value);
+  } else {
+    const auto waved = std::find_if(fit.explanations.begin(), fit.explanations.end(),
+                                    [](const auto& each) { return each.wavelength.has_value(); });
+    if (waved != fit.explanations.end()) marked.push_back(*waved->wavelength);
+  }
+  for (const double at : marked) {
+    likeliest.rows.push_back({units.per_small_length * at, lowest});
+    likeliest.rows.push_back({units.per_small_length * at, top});
     likeliest.rows.emplace_back();
   }
-  const bool waved = !likeliest.rows.empty();
-  if (!waved) likeliest.rows.push_back({NAN, NAN});
+  if (marked.empty()) likeliest.rows.push_back({NAN, NAN});
   const std::string script = fmt::format(
-      R"(  set lmargin at screen 0.13; set rmargin at screen 0.96; set tmargin at screen 0.9; set bmargin at screen 0.2
+      R"(  set lmargin at screen 0.15; set rmargin at screen 0.96; set tmargin at screen 0.9; set bmargin at screen 0.2
   set logscale x
   set xrange [*:*] noextend
   set yrange [{bottom:.6g}:{top:.6g}]
   set xlabel '{label}' offset 0,0.4
-  set ylabel 'Gain of log-evidence' offset 0.8
+  set ylabel 'Gain of log-evidence' offset 0.2
   set key at screen 0.545,0.985 center top vertical Left reverse maxrows 1 samplen 1.8
   set xtics ({tics})
   plot likeliest using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{likeliest_title}, \
-       {claim} with lines lw 0.75 dt (2,3) lc rgb 'black' title 'a claim', \
+       {claim} with lines lw 0.75 dt (2,3) lc rgb 'black' title 'claimed above', \
        gains using 1:2 with lines lw 1 lc rgb blue
   unset logscale x; set xtics auto
 )",
       fmt::arg("bottom", lowest), fmt::arg("top", top), fmt::arg("claim", claim),
       fmt::arg("tics", logarithmic_tics(gains.rows.front()[0], gains.rows.back()[0])),
       fmt::arg("label", axis_label("Wavelength along the specimen", "{/:Italic λ}", units.small_length)),
-      fmt::arg("likeliest_title", !waved             ? ""
+      fmt::arg("likeliest_title", marked.empty()     ? ""
                                   : fit.wave_claimed ? " title 'the wave'"
-                                                     : " title 'indicative'"));
+                                                     : " title 'likeliest, not claimed'"));
   return {
       .name = "wavelengths",
       .title = "Wavelengths in the friction: " + test.name,

@@ -95,6 +95,20 @@ double weight_without_roughness(const FrictionFit& fit) {
   return fit.model == ProfileModel::roughness ? weight : 0;
 }
 
+std::string_view in_words(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::exponential:
+      return "exponential";
+    case Kernel::matern_3_2:
+      return "Matérn 3/2";
+    case Kernel::matern_5_2:
+      return "Matérn 5/2";
+    case Kernel::none:
+      break;
+  }
+  return "none";
+}
+
 // What a check came to, in a sentence.
 std::string check_in_words(const FittedTest& test, const Check& check) {
   const Print print(test);
@@ -271,8 +285,8 @@ PrintedTable explanation_table(const FittedTest& test) {
   constexpr std::size_t most = 8;
   for (std::size_t i = 0; i < std::min(most, explanations.size()); ++i) {
     const auto& each = explanations[i];
-    table.rows.push_back({std::string(name_of(each.kernel)), each.wavelength ? print.length(*each.wavelength) : "none",
-                          percent(each.weight),
+    table.rows.push_back({std::string(in_words(each.kernel)), each.wavelength ? print.length(*each.wavelength) : "none",
+                          each.weight < 0.0005 ? "< 0.1 %" : percent_of(each.weight, 1),
                           fmt::format("{:.1f}", each.log_evidence - explanations.front().log_evidence)});
   }
   return table;

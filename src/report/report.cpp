@@ -57,7 +57,8 @@ std::vector<Plate> plates_of(const FittedTest& test) {
                                 "snaps). Orange: Euler–Bernoulli (dashed) and the "
                                 "model without friction, both with the bending stiffness of the fit. Grey: load "
                                 "lines (slope: the stiffness of the load train) through the {} drops "
-                                "found. Below: measured less model.",
+                                "found. Below: measured less model; grey where the force tells too little of friction, "
+                                "and the mean is taken to go on as it begins.",
                                 analysis.drops.drops.size())});
   plates.push_back(
       {profile_figure(test),
