@@ -333,7 +333,7 @@ Figure distribution_figure(const Campaign& campaign) {
   const std::string length = typeset(unit.name);
 
   FigureData tests{"tests",
-                   {"test", "category (0 clear, 1 nominal, 2 none)", "suspect", "mu0", "mu0 (1 - A)", "mu0 (1 + A)",
+                   {"test", "category (0 clear, 1 nominal, 2 none)", "suspect", "mu0", "mu0 low", "mu0 high",
                     fmt::format("wavelength [{}]", length), fmt::format("low [{}]", length),
                     fmt::format("high [{}]", length), "wave claimed"},
                    {}};
@@ -344,16 +344,14 @@ Figure distribution_figure(const Campaign& campaign) {
     const TestSummary& test = *campaign.tests[i].summary;
     const bool has_wave = test.category != SawtoothCategory::none && test.wavelength && test.amplitude;
     const double mu0 = test.mu0.value;
-    const double swing = has_wave ? mu0 * std::abs(test.amplitude->value) : not_a_number;
     const double wavelength = has_wave ? unit.factor * test.wavelength->value : not_a_number;
     const double low = has_wave ? unit.factor * test.wavelength->low : not_a_number;
     const double high = has_wave ? unit.factor * test.wavelength->high : not_a_number;
     tests.rows.push_back({numbers.of_test[i], static_cast<double>(test.category), test.suspect ? 1.0 : 0.0, mu0,
-                          std::max(mu0 - swing, 0.0), mu0 + swing, wavelength, low, high,
-                          test.wave_claimed ? 1.0 : 0.0});
+                          test.mu0.low, test.mu0.high, wavelength, low, high, test.wave_claimed ? 1.0 : 0.0});
     along = {std::fmin(along.low, numbers.of_test[i]), std::fmax(along.high, numbers.of_test[i])};
     waves = {std::fmin(waves.low, wavelength), std::fmax(waves.high, wavelength)};
-    highest = std::max({highest, mu0, std::isfinite(swing) ? mu0 + swing : 0});
+    highest = std::max(highest, test.mu0.high);
   }
   const double space = std::max(1.0, 0.07 * (along.high - along.low));
   along = {along.low - space, along.high + space};
@@ -393,7 +391,7 @@ Figure distribution_figure(const Campaign& campaign) {
        fmt::format("Mean of all, likewise{}", std::isfinite(all) ? fmt::format(": {:.3f}", all) : "")},
       {column3, row1, "dt solid lw 8 lc rgb '#D6EFE7'", false,
        fmt::format("Glass on steel, {:g}–{:g}", glass_on_steel.low, glass_on_steel.high)},
-      {column3, row2, "dt solid lw 0.7 lc rgb 'black'", false, "{/:Italic μ}_0(1 ± {/:Italic A})"}};
+      {column3, row2, "dt solid lw 0.7 lc rgb 'black'", false, "95 % intervals"}};
   figure.script += legend(figure, entries);
   std::string after_first_panel = no_legend(entries.size());
   const auto panel_script = [&](double left, const CategoryLook& look, double mean, const std::string& words,

@@ -53,7 +53,7 @@ std::vector<std::string> links_to_tests(const std::string& folder, const Campaig
 std::string caption_of(const Figure& figure) {
   if (figure.name == "distributions")
     return "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
-           "where the wave is only indicative. B: mean friction; bars: from μ₀(1 − A) to μ₀(1 + A). Red crosses: "
+           "where the wave is only indicative. B: mean friction, with its 95 % interval. Red crosses: "
            "suspect tests, which the means leave out. Green: the literature's range for glass on steel.";
   return figure.title +
          ". Blue: measured force. Black: the mean of the fit run forward, in the corner its mean friction, and A and λ "

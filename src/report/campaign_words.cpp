@@ -163,7 +163,7 @@ PrintedTable category_rows(const Campaign& campaign) {
 
 PrintedTable test_rows(const Campaign& campaign) {
   const CampaignUnits units = units_of(campaign);
-  PrintedTable table{{"Test", "Sawtooth", "Suspect", "Model", "μ₀", "σ", titled("ℓ", units.wavelength), "A",
+  PrintedTable table{{"Test", "Sawtooth", "Suspect", "μ₀", "σ", titled("ℓ", units.wavelength), "A",
                       titled("λ", units.wavelength), titled("EI", units.bending_stiffness),
                       titled("Residual", units.residual), "Drops", titled("Work", units.work), "Friction", "Remarks"},
                      {}};
@@ -178,7 +178,6 @@ PrintedTable test_rows(const Campaign& campaign) {
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     table.rows.push_back({printable(test.name), name_of(summary.category), summary.suspect ? "yes" : "",
-                          std::string(name_of(summary.model)),
                           summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
                                                : with_interval(summary.mu0, 1),
                           is_rough ? with_error(summary.roughness, 1) : "",

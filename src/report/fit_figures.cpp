@@ -234,8 +234,8 @@ Figure profile_figure(const FittedTest& test) {
        band using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
        wave using 1:2 with lines lw 0.9 lc rgb orange{wave_title}, \
        slips using 1:2 with lines lw 0.7 lc rgb vermillion{slips_title}, \
-       profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue title '95 %: noise', \
-       profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured', \
+       profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue notitle, \
+       profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured, 95 %', \
        keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title 'Glass on steel, literature'
   unset object 1
 )",

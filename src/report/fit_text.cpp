@@ -23,8 +23,8 @@ std::string variables(const FittedTest& test) {
     for (std::size_t i = 0; i < 3; ++i) widths[i] = std::max(widths[i], width_of(row[i]));
   std::string out;
   for (const auto& row : table.rows) {
-    std::string line =
-        fmt::format("   {}  {}  [{}]", padded_right(row[0], widths[0]), padded_right(row[1], widths[1]), row[2]);
+    std::string line = fmt::format("   {}  {}", padded_right(row[0], widths[0]), row[1]);
+    if (!row[2].empty()) line += fmt::format("{}  [{}]", std::string(widths[1] - width_of(row[1]), ' '), row[2]);
     if (!row[3].empty()) line += fmt::format("{}  {}", std::string(widths[2] - width_of(row[2]), ' '), row[3]);
     out += line + '\n';
   }

@@ -229,9 +229,11 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
     rows.back().value = mean_friction(fit);
     rows.back().remark = "the record does not tell it from none";
   }
-  if (fit.model != ProfileModel::constant)
+  if (fit.model != ProfileModel::constant) {
     rows.push_back(row_of("drift", "dμ/dS", "of the mean along the length", fit.drift, 1 / scales.span(),
                           print.as(kind::inverse_length)));
+    rows.push_back({"reference_length", "", "where mu0 and drift hold", print.length(fit.S_middle), "", ""});
+  }
   if (fit.model == ProfileModel::roughness) {
     rows.push_back(row_of("roughness", "σ", "standard deviation of μ about its mean", fit.roughness, 1, kind::number));
     if (const double none = weight_without_roughness(fit); none > 0.5)

@@ -141,7 +141,7 @@ file = "draws.csv"
 length = "length [m]"
 mu = "draw_1"
 [stage]
-program = ["0 um", "640 um"]
+program = ["0 um", "850 um"]
 step = "2 um"
 ''')
             snaps.append(len(self.json("simulate", case)["snaps"]))
@@ -186,6 +186,48 @@ step = "2 um"
         # Over all rows here; in the answer over those that tell of friction.
         self.assertLess(abs(rms - fit["residual_rms"]), 0.5 * rms)
         self.assertEqual(numbers(profile.read_text(encoding="utf-8"), "mu"), [point["mu"] for point in fit["profile"]])
+
+
+class Words(InFolder):
+    """What the text says of tests with known truth."""
+
+    def answer(self, friction):
+        specimen = '[specimen]\nbending_stiffness = "2e-9 N m^2"\n[rig]\nspan = "1278 um"\nstiffness = "90 N/m"\n'
+        case = self.file("made.toml", f'{specimen}[friction]\n{friction}[stage]\nprogram = ["0 um", "640 um"]\nstep = "2 um"\n')
+        made = self.folder / "made.csv"
+        self.succeeds("simulate", case, "--noise", "40 uN", "--quiet", "-o", made)
+        test = self.file("test.toml", specimen + f'[record]\nfile = "{made}"\nstage = "w_s [m]"\nforce = "F [N]"\n')
+        return json.loads(self.succeeds("fit", test, "--json")), " ".join(self.succeeds("fit", test).split())
+
+    def test_a_wave_is_said_only_where_there_is_one(self):
+        fit, text = self.answer('model = "sinusoid"\nmu0 = 0.5\namplitude = 0.2\nwavelength = "14 um"\n')
+        self.assertTrue(fit["wave"]["claimed"])
+        self.assertIn("It repeats every 14 µm of the specimen", text)
+        fit, text = self.answer('model = "constant"\nmu0 = 0.5\n')
+        self.assertFalse(fit["wave"] and fit["wave"]["claimed"])
+        self.assertFalse(WAVE & set(fit["parameters"]))
+        self.assertIn("no periodicity beyond roughness", text)
+
+    def test_hardly_any_friction_is_an_upper_limit(self):
+        fit, text = self.answer('model = "constant"\nmu0 = 0.002\n')
+        mu0 = fit["parameters"]["mu0"]
+        self.assertTrue(mu0["bound"])
+        self.assertEqual(mu0["interval95"][0], 0)
+        self.assertTrue(0.002 < mu0["interval95"][1] < 0.3)
+        self.assertIn("Friction at the supports is at most", text)
+        self.assertEqual([check["name"] for check in fit["checks"] if check["passed"] is False], ["friction"])
+
+    def test_what_fit_prints_means_the_same_in_a_case(self):
+        fit, _ = self.answer('model = "drift"\nmu0 = 0.4\ndrift = "0.6 1/mm"\n')
+        p = fit["parameters"]
+        # The truth is 0.4 at the span, and 0.6 a millimetre from there.
+        for value, truth, error in ((p["mu0"]["value"], 0.4 + 600 * (p["reference_length"]["value"] - 1278e-6), p["mu0"]["standard_error"]),
+                                    (p["drift"]["value"], 600, p["drift"]["standard_error"])):
+            self.assertLess(abs(value - truth), 4 * error)
+        case = self.file("pasted.toml", '[specimen]\nbending_stiffness = "2e-9 N m^2"\n[rig]\nspan = "1278 um"\nstiffness = "90 N/m"\n'
+                         f'[friction]\nmodel = "drift"\nmu0 = {p["mu0"]["value"]!r}\ndrift = "{p["drift"]["value"]!r} 1/m"\n'
+                         f'reference = "{p["reference_length"]["value"]!r} m"\n[stage]\nprogram = ["0 um", "640 um"]\nstep = "2 um"\n')
+        self.succeeds("simulate", case)
 
 
 class Page(html.parser.HTMLParser):
