@@ -97,7 +97,6 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
 
 SearchOptions search_options(const FitOptions& options) {
   SearchOptions search;
-  search.wavelength = options.held.wavelength;
   if (options.model == ProfileModel::roughness) return search;
   search.kernels = {Kernel::none};
   search.waves = options.model == ProfileModel::sinusoid ? 1 : options.model == ProfileModel::sinusoids ? 2 : 0;

@@ -29,7 +29,6 @@ std::string_view name_of(ProfileModel model);
 
 struct FitOptions {
   ProfileModel model = ProfileModel::roughness;
-  HeldValues held{};
 };
 
 struct ParameterEstimate {

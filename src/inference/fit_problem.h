@@ -1,8 +1,6 @@
 // What is fitted: a record, the rig it was taken on, and what limits its accuracy.
 #pragma once
 
-#include <optional>
-
 #include "bending_test/rig.h"
 #include "data/record.h"
 #include "inference/profile.h"
@@ -23,12 +21,6 @@ FitProblem usable_part(const FitProblem& whole);
 
 // Every so many points, so that there are at most 1200.
 FitProblem thinned(const FitProblem& problem);
-
-// Values at which a fit is held; those of waves hold the first. What is not given is free.
-struct HeldValues {
-  std::optional<double> amplitude{};   // [1] A, relative to the mean in the middle of the data
-  std::optional<double> wavelength{};  // [L]
-};
 
 // Deflections below it [L] say hardly anything of friction.
 inline constexpr double friction_shows_from = 0.05;

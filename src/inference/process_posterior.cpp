@@ -23,7 +23,6 @@ using Eigen::VectorXd;
 
 constexpr double weighs_nothing = 4;  // of the logarithm of the evidence: 2 %
 constexpr std::size_t hyperparameter_points = 8;
-constexpr std::size_t profile_points = 240;
 constexpr std::size_t profiles_drawn = 20;
 
 double weight_of(const Component& component, const Component& best) {
@@ -229,11 +228,24 @@ class Posterior {
     result_.log_length.push_back(of_theta(3));
   }
 
+  // Other waves are other explanations, and no error of this one.
+  bool is_likeliest_wave(const Mode& mode) const {
+    const auto best = std::find_if(components_.begin(), components_.end(), [](const Component& other) { return other.mode.theta.waves > 0; });
+    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+      const double log_wavelength = best->mode.theta.log_wavelength(wave);
+      if (std::abs(mode.theta.log_wavelength(wave) - log_wavelength) > same_wave(log_wavelength)) return false;
+    }
+    return true;
+  }
+
+  // Half the distance at which the fibre seen tells two wavelengths apart.
+  double same_wave(double log_wavelength) const { return 0.5 * elementary::exp(log_wavelength) / process_.passages().range; }
+
   // How far a wavelength differs between the modes that have the same wave, however much they weigh: linearised elsewhere, it moves by more
   // than the curvature at one place knows.
   double scatter_of(const Component& component, std::size_t wave) const {
     const double log_wavelength = component.mode.theta.log_wavelength(wave);
-    const double same = 0.5 * elementary::exp(log_wavelength) / process_.passages().range;
+    const double same = same_wave(log_wavelength);
     double squares = 0;
     int others = 0;
     for (const auto& other : components_) {
@@ -262,6 +274,7 @@ class Posterior {
     covariance.bottomRightCorner(2 * waves, 2 * waves) = chain.covariance().block(first, first, 2 * waves, 2 * waves);
     const Eigen::LLT<MatrixXd> factor(covariance);
     if (factor.info() != Eigen::Success) return;
+    if (!is_likeliest_wave(mode)) return;
     std::array<double, most_waves> deviation{};
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const auto at = static_cast<Index>(4 + wave);
@@ -285,6 +298,7 @@ class Posterior {
   void add_profiles() {
     std::vector<double> places;
     auto& band = result_.band;
+    const std::size_t profile_points = points_of_profile();
     for (std::size_t i = 0; i < profile_points; ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(profile_points - 1);
       places.push_back(from_ + part * (to_ - from_));
@@ -317,6 +331,19 @@ class Posterior {
     for (std::size_t i = 0; i < profile_points; ++i)
       band.deviation[i] = std::sqrt(std::max(squares[i] - band.mean[i] * band.mean[i], 0.0));
     result_.profile = table_of(band.mean);
+  }
+
+  // So many that a wave and a correlation length are drawn smoothly, and the run forward meets their folds.
+  std::size_t points_of_profile() const {
+    double finest = process_.passages().range / 10;
+    for (const auto& component : components_) {
+      if (!weighs(component)) continue;
+      for (std::size_t wave = 0; wave < component.mode.theta.waves; ++wave)
+        finest = std::min(finest, elementary::exp(component.mode.theta.log_wavelength(wave)) / 2);
+      if (component.mode.kernel != Kernel::none) finest = std::min(finest, hyperparameters_of(component.mode.theta).length);
+    }
+    constexpr double for_each = 10, least = 240, most = 1000;
+    return static_cast<std::size_t>(std::clamp(for_each * (to_ - from_) / finest, least, most));
   }
 
   bool weighs(const Component& component) const {

@@ -33,7 +33,7 @@ struct ProcessPosterior {
   NormalMixture drift;    // [1/L] dμ/dS
   NormalMixture log_roughness, log_length, log_stiffness, log_noise;
   double noise_correlation;
-  std::vector<WavePosterior> waves;  // of the modes with waves, wave by wave
+  std::vector<WavePosterior> waves;  // of the modes with the likeliest waves, wave by wave
   double log_evidence_of_wave;       // with over without
   std::vector<Explanation> explanations;
   ProfileBand band;

@@ -122,8 +122,12 @@ class Search {
     Mode plain = without_wave(first);
     result.scan = scan_of(process_, plain);
     std::vector<Mode> waves;
-    if (options_.waves > 0) waves = with_wave(plain, result.scan);
-    if (!waves.empty()) improve(plain, waves.front());
+    if (options_.waves > 0) waves = with_one_more_wave(plain, result.scan);
+    for (std::size_t more = 1; more < options_.waves && !waves.empty(); ++more) {
+      auto with_more = with_one_more_wave(waves.front(), scan_of(process_, waves.front()));
+      if (!with_more.empty()) waves = std::move(with_more);
+    }
+    if (!waves.empty() && options_.without_wave) improve(plain, waves.front());
     mend(plain);
     auto& components = result.components;
     for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
@@ -225,9 +229,13 @@ class Search {
     return mode;
   }
 
-  std::vector<Mode> with_wave(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
+  std::vector<Mode> with_one_more_wave(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
     const double range = process_.passages().range;
-    const Mode raw = process_.start(plain.kernel, process_.usual(), rises_);
+    Theta usual = process_.usual();
+    usual.waves = plain.theta.waves;
+    std::copy(plain.theta.values.begin() + 4, plain.theta.values.end(), usual.values.begin() + 4);
+    const Mode raw = process_.start(plain.kernel, usual, rises_);
+    const std::size_t last = plain.theta.waves;  // the wave that is sought
     std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
     // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin.
     const bool blurred = blur_of(plain) > range / 1000;
@@ -272,7 +280,7 @@ class Search {
     for (auto& [mode, from] : found) {
       if (polished.size() == 3 || mode.merit < found.front().first.merit - near_best) break;
       const bool known = std::any_of(polished.begin(), polished.end(), [&](const Mode& other) {
-        return std::abs(mode.theta.log_wavelength(0) - other.theta.log_wavelength(0)) < 0.003 && mode.merit < other.merit + 0.5;
+        return std::abs(mode.theta.log_wavelength(last) - other.theta.log_wavelength(last)) < 0.003 && mode.merit < other.merit + 0.5;
       });
       if (known) continue;
       const Mode before = mode;
@@ -285,7 +293,7 @@ class Search {
     std::vector<Mode> different;
     for (auto& mode : polished)
       if (std::none_of(different.begin(), different.end(), [&](const Mode& other) {
-            return std::abs(mode.theta.log_wavelength(0) - other.theta.log_wavelength(0)) < 0.002;
+            return std::abs(mode.theta.log_wavelength(last) - other.theta.log_wavelength(last)) < 0.002;
           }))
         different.push_back(std::move(mode));
     return different;

@@ -3,7 +3,6 @@
 // Every mode found is a component of a mixture, weighed by its evidence (Laplace). Nothing is chosen but what the weights say.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "inference/process_mode.h"
@@ -14,7 +13,6 @@ struct SearchOptions {
   std::vector<Kernel> kernels{all_kernels.begin(), all_kernels.end()};
   bool without_wave = true;      // modes that have none
   std::size_t waves = 1;         // modes with so many; 0: none are looked for
-  std::optional<double> wavelength{};  // [L] of the first wave, held
 };
 
 struct Component {
