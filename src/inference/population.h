@@ -14,9 +14,9 @@ struct KnownSpecimen {
 };
 
 struct Population {
-  ParameterEstimate mean;          // M
-  ParameterEstimate spread;        // T: standard deviation of specimens about M, what their records err by taken off
-  bool spread_is_bound;            // the records do not tell the specimens apart: spread.low is 0
+  ParameterEstimate mean;    // M
+  ParameterEstimate spread;  // T: standard deviation of specimens about M, what their records err by taken off
+  bool spread_is_bound;      // the records do not tell the specimens apart: spread.low is 0
   std::vector<KnownSpecimen> specimens;  // in the order of the tests
 };
 

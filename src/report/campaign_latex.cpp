@@ -143,11 +143,18 @@ std::string specimens_of(const Campaign& campaign) {
 }
 
 std::string shared_of(const Campaign& campaign) {
-  std::string out;
-  for (const auto& shared : campaign.shared)
-    out += fmt::format("% {} shared by {} tests: {} {} ({} to {}), agreement {}\n", shared.name, shared.tests,
-                       shared.estimate.value, shared.unit, shared.estimate.low, shared.estimate.high, shared.agreement);
-  return out;
+  if (campaign.shared.empty()) return "";
+  std::string out =
+      "\n\\begin{table}\n\\centering\\footnotesize\n\\caption{One value for several tests, with its 95\\,\\% interval; "
+      "$p$: probability that tests that share it differ as much.}\n\\label{tab:friction-shared}\n"
+      "\\begin{tabular}{lrlrr}\n\\toprule\nParameter & Value & Unit & Tests & $p$ \\\\\n\\midrule\n";
+  for (const auto& shared : campaign.shared) {
+    const TableUnit unit = print_unit(shared.estimate.value, shared.unit);
+    out += fmt::format("{} & {} & {} & {} & {} \\\\\n", latex_escaped(shared.name),
+                       with_interval(shared.estimate, unit.factor), latex_unit(unit.name), shared.tests,
+                       shared.agreement < 1e-4 ? "$<$ 0.0001" : significant(shared.agreement, 2));
+  }
+  return out + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
 }
 
 }  // namespace
@@ -200,8 +207,8 @@ std::string campaign_latex(const Campaign& campaign) {
   return fmt::format(
       "% FlexSlip {}. Needs \\usepackage{{booktabs,longtable}}; letters beyond those of the document's fonts, in "
       "names, "
-      "need others.\n{}{}\n{}{}",
-      FLEXSLIP_VERSION, shared_of(campaign), tests_of(campaign), categories_of(campaign), specimens_of(campaign));
+      "need others.\n{}\n{}{}{}",
+      FLEXSLIP_VERSION, tests_of(campaign), categories_of(campaign), specimens_of(campaign), shared_of(campaign));
 }
 
 }  // namespace flexslip

@@ -303,6 +303,14 @@ TableUnit best_unit_of(std::vector<double> values, const Kind& kind) {
   return {std::string(unit), unit.empty() ? 1 : from_si(1, parse_unit(unit))};
 }
 
+TableUnit print_unit(double value, const std::string& si_unit) {
+  if (si_unit == "1") return {"", 1};
+  const Unit si = parse_unit(si_unit);
+  for (const Kind* kind : {&kind::length, &kind::pressure, &kind::bending_stiffness})
+    if (kind->dimension == si.dimension) return best_unit_of({value}, *kind);
+  return {si_unit, 1};
+}
+
 CampaignUnits units_of(const Campaign& campaign) {
   std::vector<double> wavelengths, stiffnesses, residuals, works;
   for (const auto& test : campaign.tests) {

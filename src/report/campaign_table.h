@@ -58,6 +58,9 @@ struct TableUnit {
 // That of the median, which a single odd test does not move. NaN is passed over.
 TableUnit best_unit_of(std::vector<double> values, const Kind& kind);
 
+// That of one number in an SI unit, or in "1".
+TableUnit print_unit(double value, const std::string& si_unit);
+
 // The units in which the tests of a campaign are printed.
 struct CampaignUnits {
   TableUnit wavelength, bending_stiffness, residual, work;

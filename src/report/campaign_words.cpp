@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -37,19 +36,6 @@ std::string of_spread(const Spread& spread, double factor, int decimals) {
   if (spread.count == 0) return "";
   return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", factor * spread.mean, decimals, factor * spread.min, decimals,
                      factor * spread.max, decimals);
-}
-
-// In which a number in SI reads best, and from SI to it.
-std::pair<std::string, double> print_unit(double value, const std::string& si_unit) {
-  if (si_unit == "1") return {"", 1};
-  const Unit si = parse_unit(si_unit);
-  for (const Kind* kind : {&kind::length, &kind::pressure, &kind::bending_stiffness})
-    if (kind->dimension == si.dimension) {
-      std::string unit(best_unit(std::abs(value), *kind));
-      const double factor = from_si(1, parse_unit(unit));
-      return {std::move(unit), factor};
-    }
-  return {si_unit, 1};
 }
 
 std::string enumerated(const std::vector<std::string>& names) {

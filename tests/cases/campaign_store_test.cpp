@@ -18,7 +18,8 @@ CampaignTest some_test() {
                     .file = "ss14.toml",
                     .summary = {},
                     .curves = {},
-                    .remarks = {"one", "tw\"o"}};
+                    .remarks = {"one", "tw\"o"},
+                    .section_moment = 1.0 / 3e20};
   test.summary = TestSummary{
       .name = "SS14",
       .category = SawtoothCategory::nominal,
@@ -41,7 +42,12 @@ CampaignTest some_test() {
       .drops = 7,
       .friction_share = 0.25,
       .work_of_fracture = 2e-9,
-      .failed_checks = {CheckKind::drops, CheckKind::friction}};
+      .failed_checks = {CheckKind::drops, CheckKind::friction},
+      .known = {.mu0 = {{{0.25, 1.0 / 3, 0.1}, {0.75, 0.4, 1.0 / 7}}, 0.55, 0.5},
+                .log_roughness = {},
+                .log_length = {},
+                .log_stiffness = {},
+                .log_wavelength = {{{1, -10.8, 0.01}}, 0, std::numeric_limits<double>::infinity()}}};
   test.curves = CampaignCurves{.span = 1278e-6,
                                .bending_stiffness = 2e-12,
                                .load_train_stiffness = std::numeric_limits<double>::infinity(),
@@ -67,6 +73,13 @@ TEST_CASE("identity: a kept test comes back to the last bit, and its text to the
   CHECK(std::isinf(back->curves->load_train_stiffness));
   CHECK(back->curves->force == some_test().curves->force);
   CHECK(back->remarks == some_test().remarks);
+  CHECK(back->section_moment == some_test().section_moment);
+  const auto& known = back->summary->known;
+  REQUIRE(known.mu0.posterior.size() == 2);
+  CHECK(known.mu0.posterior[1].deviation == 1.0 / 7);
+  CHECK(known.mu0.prior_deviation == 0.5);
+  CHECK(known.log_roughness.posterior.empty());
+  CHECK(std::isinf(known.log_wavelength.prior_deviation));
 }
 
 TEST_CASE("table: what was kept is found under its key alone, what is torn or foreign not at all") {

@@ -48,6 +48,33 @@ TEST_CASE("table: mean, least and greatest of each category, with and without su
   CHECK(summaries[3].without_suspects.wavelength.count == 2);
 }
 
+TEST_CASE(
+    "identity: what specimens have in common is the population of their category, suspects and records that tell "
+    "nothing left out") {
+  using enum SawtoothCategory;
+  std::vector<TestSummary> tests;
+  std::vector<Marginal> clear_ones;
+  for (const double mu0 : {0.4, 0.5, 0.65, 0.7}) {
+    tests.push_back(some_test(mu0 < 0.7 ? clear : none, mu0, {}, false));
+    tests.back().name = std::to_string(mu0);
+    tests.back().known.mu0 = {{{1, mu0, 0.05}}, 0.55, 0.5};
+    if (mu0 < 0.7) clear_ones.push_back(tests.back().known.mu0);
+  }
+  tests.push_back(some_test(clear, 1.5, {}, true));
+  tests.back().known.mu0 = {{{1, 1.5, 0.05}}, 0.55, 0.5};
+  tests.push_back(some_test(clear, 0.5, {}, false));
+  tests.back().known.mu0 = {{{1, 0.55, 0.5}}, 0.55, 0.5};
+  const auto summaries = summarise(tests);
+  REQUIRE(summaries[0].mu0);
+  CHECK(summaries[0].mu0->tests == std::vector<std::string>{tests[0].name, tests[1].name, tests[2].name});
+  const auto population = population_of(clear_ones, {0.55, 0.5});
+  CHECK(summaries[0].mu0->population.mean.value == population.mean.value);
+  CHECK(summaries[0].mu0->population.spread.high == population.spread.high);
+  CHECK(!summaries[2].mu0);  // one specimen
+  CHECK(summaries[3].mu0->tests.size() == 4);
+  CHECK(!summaries[3].log_roughness);
+}
+
 TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI") {
   const SimulatedTruth truth{
       .friction = Friction::sinusoid(0.6, 0.3, 14.0 / 1278, 1.0), .stiffness = 90, .noise = 0.01};

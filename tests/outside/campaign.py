@@ -117,20 +117,24 @@ step = "2 um"
         self.assertEqual(again.returncode, 0)
         self.assertIn("tests were kept by an earlier run", again.stderr)
 
-    def test_a_shared_stiffness_is_the_true_one_and_every_test_is_told_it(self):
+    def test_a_shared_stiffness_is_the_true_one_and_tells_more_than_each(self):
         folder = self.simulated(5)
-        answers = [self.json("campaign", folder, "--share", "bending_stiffness", "--quiet", "--jobs", jobs) for jobs in (1, 3)]
+        shares = ("--share", "bending_stiffness", "--share", "mu0")
+        answers = [self.json("campaign", folder, *shares, "--quiet", "--jobs", jobs) for jobs in (1, 3)]
         self.assertEqual(*answers)  # whatever the number of jobs
-        shared, = answers[0]["shared"]
-        self.assertEqual((shared["name"], shared["tests"]), ("bending_stiffness", 5))
-        low, high = shared["interval95"]
-        self.assertTrue(low <= 1e-9 <= high, shared)  # the truth
+        stiffness, mu0 = answers[0]["shared"]
+        self.assertEqual((stiffness["name"], mu0["name"], mu0["tests"]), ("bending_stiffness", "mu0", 5))
+        low, high = stiffness["interval95"]
+        self.assertTrue(low <= 1e-9 <= high, stiffness)  # the truth
+        for test in answers[0]["tests"]:
+            self.assertLess(stiffness["standard_error"], test["parameters"]["bending_stiffness"]["standard_error"])
+            self.assertLess(mu0["standard_error"], test["parameters"]["mu0"]["standard_error"])
         alone = self.json("campaign", folder, "--quiet")
-        for test, before in zip(answers[0]["tests"], alone["tests"]):
-            told, own = test["parameters"]["bending_stiffness"], before["parameters"]["bending_stiffness"]
-            self.assertLess(abs(told["value"] - shared["value"]), 3 * shared["standard_error"])
-            self.assertLess(told["standard_error"], own["standard_error"])
-            self.assertLess(shared["standard_error"], own["standard_error"])
+        self.assertEqual(alone["tests"], answers[0]["tests"])  # they stay as they are
+        between = alone["categories"]["all"]["between_specimens"]["mu0"]
+        self.assertEqual(between["tests"], len(between["specimens"]))
+        low, high = between["typical"]["interval95"]
+        self.assertTrue(low < between["typical"]["value"] < high)
 
     def test_whatever_the_names_there_is_a_report_and_no_formula_in_it(self):
         folder = self.simulated(1)
@@ -158,7 +162,7 @@ step = "2 um"
         self.refused("campaign", folder, "--report", self.file("taken", ""), says=["taken"])
         self.refused("campaign", folder, "--report", folder, says=["inputs outside", "--report"])
         self.refused("campaign", folder, "--share", "modulus", says=["--share modulus", "at least two tests"])
-        self.refused("campaign", folder, "--share", "modulus", "--share", "bending_stiffness", says=["not both"])
+        self.refused("campaign", folder, "--share", "mu0", "--share", "mu0", says=["once is enough"])
 
 
 @unittest.skipUnless(DATA.is_dir(), "skipped: no campaign data")

@@ -56,7 +56,9 @@ void check_syntax(const std::string& latex) {
     for (auto at = line.find("\\begin{"); at != std::string::npos; at = line.find("\\begin{", at + 1))
       open.push_back(line.substr(at + 7, line.find('}', at) - at - 7));
     if (line.find("\\begin{longtable}") != std::string::npos) columns = 8;
-    if (line.find("\\begin{tabular}") != std::string::npos) columns = 6;
+    const std::string tabular = "\\begin{tabular}{";
+    if (const auto at = line.find(tabular); at != std::string::npos)
+      columns = static_cast<std::ptrdiff_t>(line.find('}', at + tabular.size()) - at - tabular.size());
     if (const auto at = line.find("\\end{"); at != std::string::npos) {
       REQUIRE(!open.empty());
       CHECK(line.substr(at + 5, line.find('}', at) - at - 5) == open.back());

@@ -45,7 +45,8 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                                            .drops = wavelength ? 7U : 0U,
                                            .friction_share = 0.25,
                                            .work_of_fracture = 3.4e-6,
-                                           .failed_checks = {}},
+                                           .failed_checks = {},
+                                           .known = {}},
                     .curves = CampaignCurves{.span = scales.span(),
                                              .bending_stiffness = scales.bending_stiffness(),
                                              .load_train_stiffness = 90.6,
@@ -55,7 +56,11 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                                              .model_deflection = {},
                                              .model_force = {},
                                              .drops = {}},
-                    .remarks = {"fails after row 267"}};
+                    .remarks = {"fails after row 267"},
+                    .section_moment = {}};
+  test.summary->known.mu0 = {{{1, mu0, 0.0123}}, 0.55, 0.5};
+  test.summary->known.log_roughness = {{{0.7, -2.3, 0.2}, {0.3, -2.1, 0.3}}, -3.5, 1};
+  test.summary->known.log_length = {{{1, -12.4, 0.3}}, -11.5, 1.2};
   if (wavelength) {
     test.summary->amplitude = ParameterEstimate{0.15, 0.02, 0.11, 0.19};
     test.summary->wavelength = ParameterEstimate{*wavelength, 0.2e-6, *wavelength - 0.4e-6, *wavelength + 0.4e-6};
@@ -94,7 +99,7 @@ inline Campaign some_campaign() {
        some_test("SS5", SawtoothCategory::nominal, 0.75, 44.67e-6), some_test("SS13", SawtoothCategory::none, 0.3, {}),
        some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6),
        failed_test("SS99", "99.csv", "99.csv: expected numbers, found <nothing> & \"nothing\"")});
-  campaign.shared = {{"modulus", "Pa", {29.6e9, 1.2e9, 27.2e9, 32e9}, 5, 0.8}};
+  campaign.shared = {{"modulus", "Pa", {29.6e9, 1.2e9, 27.2e9, 32e9}, 5, 3.2, 0.52}};
   return campaign;
 }
 
