@@ -75,7 +75,8 @@ std::vector<double> bumps_of(bool smooth, double rms, Random& random) {
   }
   for (int i = 0; i < n; ++i) {
     double sum = 0;
-    for (int j = 0; j <= 2 * reach; ++j) sum += kernel[static_cast<std::size_t>(j)] * white[static_cast<std::size_t>(i + j)];
+    for (int j = 0; j <= 2 * reach; ++j)
+      sum += kernel[static_cast<std::size_t>(j)] * white[static_cast<std::size_t>(i + j)];
     bumps[static_cast<std::size_t>(i)] = rms * sum / std::sqrt(power);
   }
   return bumps;
@@ -98,7 +99,8 @@ Truth truth_of(const std::string& kind, Random& random) {
     t.waves = {{t.mu0 * A, lambda, phase}};
   }
   if (kind == "two_waves")
-    t.waves.push_back({t.mu0 * random.between(0.03, 0.2), lambda * (random.uniform() < 0.5 ? 0.4 : 1.9), random.between(0, 2 * pi)});
+    t.waves.push_back(
+        {t.mu0 * random.between(0.03, 0.2), lambda * (random.uniform() < 0.5 ? 0.4 : 1.9), random.between(0, 2 * pi)});
   if (kind == "exponential" || kind == "squared_exponential") t.roughness = 0.03;
   if (kind == "roughness") t.roughness = random.between(0.03, 0.06);
   const bool smooth = kind == "squared_exponential" || (kind == "roughness" && random.uniform() < 0.5);
@@ -140,9 +142,12 @@ int main(int count, char** arguments) {
   const int first = std::atoi(arguments[2]), tests = std::atoi(arguments[3]);
   std::uint64_t of_kind = 1469598103934665603u;
   for (const char c : kind) of_kind = (of_kind ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  std::printf("kind,test,mean,mean_covered,mean_estimate,mean_error,stiffness_covered,stiffness_z,roughness_covered,length_covered,noise_covered,"
-              "waves,log_evidence,claimed,wavelength,wavelength_estimate,wavelength_error,wavelength_covered,amplitude,amplitude_estimate,amplitude_covered,phase_covered,"
-              "k,noise,ms\n");
+  std::printf(
+      "kind,test,mean,mean_covered,mean_estimate,mean_error,stiffness_covered,stiffness_z,roughness_covered,length_"
+      "covered,noise_covered,"
+      "waves,log_evidence,claimed,wavelength,wavelength_estimate,wavelength_error,wavelength_covered,amplitude,"
+      "amplitude_estimate,amplitude_covered,phase_covered,"
+      "k,noise,ms\n");
   for (int test = first; test < first + tests; ++test) {
     Random random(of_kind + static_cast<std::uint64_t>(test) * 7919);
     const Truth t = truth_of(kind, random);
@@ -156,7 +161,8 @@ int main(int count, char** arguments) {
     }
     double mean = 0;
     constexpr int places = 2000;
-    for (int i = 0; i < places; ++i) mean += t.mu(fit.S_begin + (fit.S_end - fit.S_begin) * (i + 0.5) / places) / places;
+    for (int i = 0; i < places; ++i)
+      mean += t.mu(fit.S_begin + (fit.S_end - fit.S_begin) * (i + 0.5) / places) / places;
     std::printf("%s,%d,%.4f,%d,%.4f,%.4f,%d,%.3f,", kind.c_str(), test, mean, covers(fit.mu0, mean), fit.mu0.value,
                 fit.mu0.standard_error, covers(fit.bending_stiffness, t.stiffening),
                 (fit.bending_stiffness.value - t.stiffening) / fit.bending_stiffness.standard_error);
@@ -169,9 +175,10 @@ int main(int count, char** arguments) {
       const auto& found = fit.waves[0];
       const double phase = pi * fit.S_middle * span / wave.wavelength + wave.phase;
       const double turned = phase + 2 * pi * std::round((found.phase_at_middle.value - phase) / (2 * pi));
-      std::printf("%.3f,%.3f,%.4f,%d,%.4f,%.4f,%d,%d,", wave.wavelength, found.wavelength.value * span, found.wavelength.standard_error * span,
-                  covers(found.wavelength, wave.wavelength / span), wave.amplitude / mean, found.amplitude.value,
-                  covers(found.amplitude, wave.amplitude / mean), covers(found.phase_at_middle, turned));
+      std::printf("%.3f,%.3f,%.4f,%d,%.4f,%.4f,%d,%d,", wave.wavelength, found.wavelength.value * span,
+                  found.wavelength.standard_error * span, covers(found.wavelength, wave.wavelength / span),
+                  wave.amplitude / mean, found.amplitude.value, covers(found.amplitude, wave.amplitude / mean),
+                  covers(found.phase_at_middle, turned));
     }
     std::printf("%.2f,%.4f,%.1f\n", t.k, t.noise, ms);
     std::fflush(stdout);

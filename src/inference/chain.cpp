@@ -208,8 +208,8 @@ struct Regression {
   double log_likelihood, log_determinant;
 };
 
-Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared, double log_variances,
-                         double seen, const std::vector<double>& prior) {
+Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
+                         double log_variances, double seen, const std::vector<double>& prior) {
   Regression r;
   r.information = products;
   double log_prior = 0;
@@ -377,10 +377,14 @@ double NormalSource::operator()() {
 Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& at, NormalSource& normal) {
   require_domain(looks, kernel, at);
   const std::size_t n = looks.looks.size();
-  Drawn drawn{.beta = Coefficients(static_cast<Index>(looks.prior.size())), .f = std::vector<double>(n), .values = std::vector<double>(n)};
-  for (std::size_t j = 0; j < looks.prior.size(); ++j) drawn.beta[static_cast<Index>(j)] = std::sqrt(looks.prior[j]) * normal();
+  Drawn drawn{.beta = Coefficients(static_cast<Index>(looks.prior.size())),
+              .f = std::vector<double>(n),
+              .values = std::vector<double>(n)};
+  for (std::size_t j = 0; j < looks.prior.size(); ++j)
+    drawn.beta[static_cast<Index>(j)] = std::sqrt(looks.prior[j]) * normal();
   for (std::size_t k = 0; k < n; ++k) drawn.f[k] = looks.columns[k].dot(drawn.beta);
-  with_state_of<void>(kernel, [&](auto M) { draw_states<decltype(M)::value>(looks, numbers_of(kernel, at), normal, drawn); });
+  with_state_of<void>(kernel,
+                      [&](auto M) { draw_states<decltype(M)::value>(looks, numbers_of(kernel, at), normal, drawn); });
   return drawn;
 }
 
@@ -429,7 +433,8 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
         step.transition = covariances.transition().at_;
       }
       step.predicted = covariances.covariance().at_;
-      std::copy(states.all().begin(), states.all().end(), predicted_.begin() + static_cast<std::ptrdiff_t>(k * M * series));
+      std::copy(states.all().begin(), states.all().end(),
+                predicted_.begin() + static_cast<std::ptrdiff_t>(k * M * series));
       if (!is_seen(look)) {
         step.innovation = std::numeric_limits<double>::infinity();
         step.gain = {};
@@ -450,8 +455,8 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
   });
   const auto p = static_cast<Index>(columns);
   const Eigen::MatrixXd products = white_ * white_.transpose();
-  const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0), log_variances, seen,
-                               looks.prior);
+  const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0), log_variances,
+                               seen, looks.prior);
   log_likelihood_ = r.log_likelihood;
   log_determinant_ = r.log_determinant;
   beta_ = r.beta;

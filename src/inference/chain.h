@@ -33,16 +33,17 @@ struct Look {
 };
 
 struct Looks {
-  std::vector<Look> looks;                  // places not falling
-  std::vector<double> values;               // [1] y
-  std::vector<Coefficients> columns;        // h
-  std::vector<double> prior;                // [1] variances of β
+  std::vector<Look> looks;            // places not falling
+  std::vector<double> values;         // [1] y
+  std::vector<Coefficients> columns;  // h
+  std::vector<double> prior;          // [1] variances of β
 };
 
 struct LikelihoodGradient {
-  double value;                          // ln p(y)
+  double value;                           // ln p(y)
   std::array<double, 4> hyperparameters;  // its derivatives to ln σ, ρ, ln σ_g and ln ℓ
-  std::array<double, 2> log_wavelengths;  // and to ln λ of each wave: waves are the last pairs of columns, cos(2πx/λ) and sin(2πx/λ)
+  std::array<double, 2>
+      log_wavelengths;  // and to ln λ of each wave: waves are the last pairs of columns, cos(2πx/λ) and sin(2πx/λ)
 };
 
 // Domain:     as Chain; wavelengths: at most two [L], > 0.
@@ -80,7 +81,7 @@ namespace chain {
 // One step of the filter with a state of M numbers: g and its derivatives, each in units of the rate of the kernel, then e.
 template <int M>
 struct Step {
-  std::array<double, static_cast<std::size_t>(M) * M> predicted;  // covariance before the look
+  std::array<double, static_cast<std::size_t>(M) * M> predicted;   // covariance before the look
   std::array<double, static_cast<std::size_t>(M) * M> transition;  // to it from the look before
   std::array<double, M> gain;
   double innovation;  // variance of what the look adds; infinite: nothing is seen
@@ -126,7 +127,7 @@ class Chain {
   const Looks& looks_;
   Kernel kernel_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>> steps_;
-  Eigen::MatrixXd white_;       // a column for y and each column, C^(-1/2) of it
+  Eigen::MatrixXd white_;          // a column for y and each column, C^(-1/2) of it
   std::vector<double> predicted_;  // of the state at each look, series by series
   Coefficients beta_;
   CoefficientMatrix covariance_;

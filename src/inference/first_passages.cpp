@@ -49,7 +49,8 @@ struct InverseSlopes {
 InverseSlopes inverse_slopes(std::span<const double> S, std::span<const double> q) {
   const auto s = tabulated_states_slopes({S, q});
   const std::size_t n = S.size();
-  InverseSlopes slopes{s.F, std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  InverseSlopes slopes{s.F, std::vector<double>(n), std::vector<double>(n), std::vector<double>(n),
+                       std::vector<double>(n)};
   for (std::size_t i = 0; i < n; ++i) {
     const double jacobian = s.w_S[i] * s.F_q[i] - s.w_q[i] * s.F_S[i];
     // Positive for S < 1.6. Far beyond, and where the branch ends, deflection and force no longer tell S and q: slopes of 0 say so.
@@ -112,7 +113,8 @@ Passages passages_of(const FitProblem& problem) {
   }
   const auto states = tabulated_states_from_forces(w, F);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (!(states.q[k] > least_q && states.q[k] < greatest_q && states.S[k] > least_S && states.S[k] < greatest_S)) continue;
+    if (!(states.q[k] > least_q && states.q[k] < greatest_q && states.S[k] > least_S && states.S[k] < greatest_S))
+      continue;
     p.row.push_back(rows[k]);
     p.stage.push_back(record.stage[rows[k]]);
     p.force.push_back(F[k]);
@@ -145,10 +147,11 @@ void complete(Linearisation& at, const Passages& passages) {
   for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i].m, least_mu, greatest_mu);
   const auto slopes = inverse_slopes(at.S, at.mu);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
-  for (auto* column : {&at.S_seen, &at.S_force, &at.S_eta, &at.q_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
+  for (auto* column :
+       {&at.S_seen, &at.S_force, &at.S_eta, &at.q_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
     column->resize(n);
-  at.log_jacobian = -at.stiffness_jacobian * at.eta +
-                    0.5 * passages.stiffness_error * passages.stiffness_error * at.stiffness_jacobian * at.stiffness_jacobian;
+  at.log_jacobian = -at.stiffness_jacobian * at.eta + 0.5 * passages.stiffness_error * passages.stiffness_error *
+                                                          at.stiffness_jacobian * at.stiffness_jacobian;
   for (std::size_t i = 0; i < n; ++i) {
     constexpr double least_q_force = 0.02, least_fold = 0.1, least_fold_in_volume = 0.02;
     at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
@@ -166,8 +169,8 @@ void complete(Linearisation& at, const Passages& passages) {
   }
 }
 
-std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near, double compliance,
-                             double eta) {
+std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
+                             double compliance, double eta) {
   const std::size_t n = S.size();
   const double stiffer = compliance * elementary::exp(eta);
   std::vector<double> q(near.begin(), near.end());

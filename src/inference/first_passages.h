@@ -15,15 +15,15 @@ namespace flexslip {
 
 // The readings of a record that tell of friction, in its order.
 struct Passages {
-  std::vector<std::size_t> row;               // in the record
+  std::vector<std::size_t> row;                  // in the record
   std::vector<double> stage, force, deflection;  // [L], [EI/L^2], [L]
-  std::vector<double> S, q;                   // [L], [1] inverted at the nominal EI
-  std::vector<double> advance;                // [L] of S since the reading before, were friction constant
-  double compliance;                          // [L^3/EI] of the load train
-  double stiffness_error;                     // [1] standard deviation of ln EI beforehand
-  double contact_error;                       // [L]
-  double S_middle;                            // [L]
-  double range;                               // [L] of places on the fibre: (greatest S - least S)/2
+  std::vector<double> S, q;                      // [L], [1] inverted at the nominal EI
+  std::vector<double> advance;                   // [L] of S since the reading before, were friction constant
+  double compliance;                             // [L^3/EI] of the load train
+  double stiffness_error;                        // [1] standard deviation of ln EI beforehand
+  double contact_error;                          // [L]
+  double S_middle;                               // [L]
+  double range;                                  // [L] of places on the fibre: (greatest S - least S)/2
 
   std::size_t size() const { return row.size(); }
   double place(double S_at) const { return 0.5 * (S_at - S_middle); }  // [L] x of friction_process.h
@@ -43,10 +43,10 @@ struct Linearisation {
   std::vector<double> S_seen;          // [L] where the force read would put it
   std::vector<double> S_force, S_eta;  // dS/de at fixed stage, dS/dη at fixed force
   std::vector<double> q_eta;
-  std::vector<double> noise_gain;      // D, its factor G'/G_S not below 0.1
-  std::vector<double> fold;            // [1] κ = G'/G_S: 0 at a fold
+  std::vector<double> noise_gain;  // D, its factor G'/G_S not below 0.1
+  std::vector<double> fold;        // [1] κ = G'/G_S: 0 at a fold
   std::vector<double> y, h_stiffness, h_contact;
-  double log_jacobian;                 // Σ ln |dy/dF|
+  double log_jacobian;  // Σ ln |dy/dF|
 };
 
 // Completes eta, S and slope; mu need only be near.
@@ -62,8 +62,8 @@ struct Level {
 };
 
 // Domain:     S in (1, 2.1); `near` are frictions not far from those sought.
-std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near, double compliance,
-                             double eta);
+std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
+                             double compliance, double eta);
 
 // The nearest non-falling sequence, in least squares.
 std::vector<double> non_falling(std::span<const double> values);

@@ -67,7 +67,9 @@ MeanFriction mean_friction(const NormalMixture& mixture) {
   const double negative = probability_below(mixture, 0);
   if (negative < 0.025) return {estimate_of(mixture), false};
   // Given that it is not negative: the median, the deviation about it, and one-sided 95 %.
-  const auto quantile = [&](double probability) { return std::max(quantile_of(mixture, negative + probability * (1 - negative)), 0.0); };
+  const auto quantile = [&](double probability) {
+    return std::max(quantile_of(mixture, negative + probability * (1 - negative)), 0.0);
+  };
   const double median = quantile(0.5);
   return {{median, 0.5 * (quantile(0.84) - quantile(0.16)), 0, quantile(0.95)}, true};
 }
@@ -89,7 +91,8 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     amplitude.push_back({elementary::length(draw.cosine, draw.sine) / std::max(draw.mean, 0.02), draw.weight});
     wavelength.push_back({lambda, draw.weight});
     at_middle.push_back({angle, draw.weight});
-    phase.push_back({usual + (angle - about) - pi * S_middle * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
+    phase.push_back(
+        {usual + (angle - about) - pi * S_middle * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
   }
   return {estimate_of(std::move(amplitude)), estimate_of(std::move(wavelength)), estimate_of(std::move(phase)),
           estimate_of(std::move(at_middle))};
@@ -136,7 +139,8 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   const double s = problem.errors.bending_stiffness;
   fit.bending_stiffness = {1, s, 1 - two_sided * s, 1 + two_sided * s};
   fit.log_evidence_of_wave = not_a_number;
-  fit.band = {{fit.S_begin, fit.S_end}, {constant.mu0, constant.mu0}, {constant.standard_error, constant.standard_error}};
+  fit.band = {
+      {fit.S_begin, fit.S_end}, {constant.mu0, constant.mu0}, {constant.standard_error, constant.standard_error}};
   fit.mean = {fit.band.S, fit.band.mean};
   fit.force = run_forward(fit, whole.rig, whole.record.stage);
   fit.residual_rms = residual_rms(run_forward(fit, whole.rig, passages.stage), passages);
@@ -194,14 +198,16 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.bending_stiffness = estimate_of_exponential(posterior.log_stiffness);
   fit.noise = estimate_of_exponential(posterior.log_noise);
   fit.noise_correlation = posterior.noise_correlation;
-  for (const auto& wave : posterior.waves) fit.waves.push_back(wave_of(wave.draws, passages.S_middle, wave.log_wavelength));
+  for (const auto& wave : posterior.waves)
+    fit.waves.push_back(wave_of(wave.draws, passages.S_middle, wave.log_wavelength));
   std::stable_sort(fit.waves.begin(), fit.waves.end(),
                    [](const auto& a, const auto& b) { return a.amplitude.value > b.amplitude.value; });
   const bool either = asked.without_wave && asked.waves > 0;
   fit.log_evidence_of_wave = either && !fit.waves.empty() ? posterior.log_evidence_of_wave : not_a_number;
   constexpr double claim = 3;
-  fit.wave_claimed = !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claim &&
-                                                        fit.waves.front().wavelength.value < passages.range / 4));
+  fit.wave_claimed =
+      !fit.waves.empty() &&
+      (!either || (fit.log_evidence_of_wave > claim && fit.waves.front().wavelength.value < passages.range / 4));
   fit.explanations = posterior.explanations;
   for (const auto& at : found.scan) fit.scan.push_back({at.wavelength, at.gain});
   fit.band = posterior.band;

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "contact/friction.h"
-#include "inference/normal_mixture.h"
 #include "inference/fit_problem.h"
 #include "inference/friction_process.h"
+#include "inference/normal_mixture.h"
 
 namespace flexslip {
 
@@ -66,7 +66,7 @@ struct ScannedWave {
 
 // Friction along the fibre seen: at each of many lengths what is known of it.
 struct ProfileBand {
-  std::vector<double> S;               // [L] rising
+  std::vector<double> S;                // [L] rising
   std::vector<double> mean, deviation;  // [1]
 };
 
@@ -78,28 +78,30 @@ enum class FrictionFitStatus {
 struct FrictionFit {
   FrictionFitStatus status;
   ProfileModel model;
-  std::size_t readings;           // that tell of friction
-  double S_begin, S_end;          // [L] the fibre seen
-  double S_middle;                // [L] of it: where phase_at_middle is meant, and mu0 with drift and wave
-  ParameterEstimate mu0;          // [1] mean of μ over the fibre seen
-  bool mu0_is_bound;              // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
-  ParameterEstimate drift;        // [1/L] dμ/dS; 0 of a constant
-  ParameterEstimate roughness;    // [1] standard deviation of μ about its mean; 0 of the paper's models
-  ParameterEstimate length;       // [L] correlation length of it along the fibre; likewise
+  std::size_t readings;         // that tell of friction
+  double S_begin, S_end;        // [L] the fibre seen
+  double S_middle;              // [L] of it: where phase_at_middle is meant, and mu0 with drift and wave
+  ParameterEstimate mu0;        // [1] mean of μ over the fibre seen
+  bool mu0_is_bound;            // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
+  ParameterEstimate drift;      // [1/L] dμ/dS; 0 of a constant
+  ParameterEstimate roughness;  // [1] standard deviation of μ about its mean; 0 of the paper's models
+  ParameterEstimate length;     // [L] correlation length of it along the fibre; likewise
   ParameterEstimate bending_stiffness;  // [1] relative to the nominal one
-  ParameterEstimate noise;        // [EI/L^2] standard deviation of a force reading
-  double noise_correlation;       // [1] of readings one row apart
-  std::vector<WaveEstimate> waves;  // the likeliest, the largest first, claimed or not
-  double log_evidence_of_wave;    // ln of the evidence with a wave over that without; NaN of models that have a wave or cannot
-  bool wave_claimed;              // it exceeds 3, and the wave is shorter than a quarter of the fibre seen; true of models that have one
+  ParameterEstimate noise;              // [EI/L^2] standard deviation of a force reading
+  double noise_correlation;             // [1] of readings one row apart
+  std::vector<WaveEstimate> waves;      // the likeliest, the largest first, claimed or not
+  double
+      log_evidence_of_wave;  // ln of the evidence with a wave over that without; NaN of models that have a wave or cannot
+  bool
+      wave_claimed;  // it exceeds 3, and the wave is shorter than a quarter of the fibre seen; true of models that have one
   std::vector<Explanation> explanations;  // likeliest first
-  std::vector<ScannedWave> scan;  // λ rising
+  std::vector<ScannedWave> scan;          // λ rising
   ProfileBand band;
-  FrictionTable mean;                // the mean of μ(S), for runs forward: at the estimated bending stiffness
-  std::vector<FrictionTable> draws;  // profiles that explain the record as well, drawn at random (20), likewise
+  FrictionTable mean;                  // the mean of μ(S), for runs forward: at the estimated bending stiffness
+  std::vector<FrictionTable> draws;    // profiles that explain the record as well, drawn at random (20), likewise
   std::vector<double> draw_stiffness;  // [1] relative bending stiffness of each
-  std::vector<double> force;      // [EI/L^2] at each stage position of the record, `mean` run forward
-  double residual_rms;            // [EI/L^2] of it, over the readings that tell of friction
+  std::vector<double> force;           // [EI/L^2] at each stage position of the record, `mean` run forward
+  double residual_rms;                 // [EI/L^2] of it, over the readings that tell of friction
   Marginal of_mu0, of_log_stiffness, of_log_roughness, of_log_length;  // the latter two only of `roughness`
 };
 

@@ -36,7 +36,8 @@ MeanPath mean_path(const FrictionProcess& process, const ForwardRun& run, const 
     const double place = process.passages().place(S);
     while (k < seen.looks.size() && seen.looks[k].place <= place) take_seen();
     at.push_back(looks.looks.size());
-    looks.looks.push_back({.place = place, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
+    looks.looks.push_back(
+        {.place = place, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
     looks.values.push_back(0);
     looks.columns.push_back(process.columns_at(place, mode));
   }
@@ -197,7 +198,8 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
       Friction f = start;
       const auto turn = elementary::sine_and_cosine(turned);
       double &a = f.wave[2 * waves - 2], &b = f.wave[2 * waves - 1];
-      const double cosine = larger * (a * turn.cosine - b * turn.sine), sine = larger * (a * turn.sine + b * turn.cosine);
+      const double cosine = larger * (a * turn.cosine - b * turn.sine),
+                   sine = larger * (a * turn.sine + b * turn.cosine);
       const double size = elementary::length(cosine, sine);
       const double within = size > 0.35 ? 0.35 / size : 1;
       a = cosine * within;
@@ -209,7 +211,8 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
       }
     }
   // Steps along each number in turn, shorter where none helps.
-  std::array<double, 6> step{0.04, 0.04, 0.01, 0.1 * elementary::exp(start.log_wavelength) / passages.range, 0.03, 0.03};
+  std::array<double, 6> step{0.04, 0.04, 0.01, 0.1 * elementary::exp(start.log_wavelength) / passages.range,
+                             0.03, 0.03};
   for (int round = 0; round < 10; ++round) {
     bool moved = false;
     for (std::size_t i = 0; i < step.size(); ++i)

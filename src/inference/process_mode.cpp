@@ -17,8 +17,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double most_correlation = 0.95;
-constexpr double nugget = 0.002;        // [1] of μ, what no kernel follows
-constexpr double softness = 0.003;      // [1] of μ, of a bound in a gap
+constexpr double nugget = 0.002;         // [1] of μ, what no kernel follows
+constexpr double softness = 0.003;       // [1] of μ, of a bound in a gap
 constexpr double wave_deviation = 0.08;  // [1] of a wave's cosine and sine beforehand
 
 double median(std::vector<double> values) {
@@ -63,7 +63,8 @@ FrictionProcess::FrictionProcess(Passages passages, const ProcessOptions& option
 }
 
 void FrictionProcess::bound(Theta& theta) const {
-  for (std::size_t i = 0; i < 4; ++i) theta.values[i] = std::clamp(theta.values[i], theta_least_[i], theta_greatest_[i]);
+  for (std::size_t i = 0; i < 4; ++i)
+    theta.values[i] = std::clamp(theta.values[i], theta_least_[i], theta_greatest_[i]);
 }
 
 Theta FrictionProcess::usual(std::span<const double> log_wavelengths) const {
@@ -193,7 +194,8 @@ double FrictionProcess::log_prior_scale(Kernel kernel) const {
 FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, const Theta& theta) const {
   const Looks looks = looks_of(mode, nodes_of(mode), theta);
   std::array<double, most_waves> wavelengths{};
-  for (std::size_t wave = 0; wave < theta.waves; ++wave) wavelengths[wave] = elementary::exp(theta.log_wavelength(wave));
+  for (std::size_t wave = 0; wave < theta.waves; ++wave)
+    wavelengths[wave] = elementary::exp(theta.log_wavelength(wave));
   const auto p = hyperparameters_of(theta);
   const auto likelihood = likelihood_gradient(looks, mode.kernel, p, std::span(wavelengths).first(theta.waves));
   Objective result{.value = likelihood.value + mode.at.log_jacobian + log_prior(mode, theta), .gradient = {}};

@@ -30,9 +30,9 @@ Hyperparameters hyperparameters_of(const Theta& theta);
 
 // What a place in a gap, where friction must have been below a bound, is taken for: a Gaussian of the slack between the two.
 struct GapSite {
-  std::size_t reading;       // the first beyond the gap
-  std::size_t node, nodes;   // which of how many
-  double precision = 0;      // [1]
+  std::size_t reading;        // the first beyond the gap
+  std::size_t node, nodes;    // which of how many
+  double precision = 0;       // [1]
   double precision_mean = 0;  // [1]
 };
 
@@ -61,7 +61,7 @@ class FrictionProcess {
 
   const Passages& passages() const { return passages_; }
   const ColumnPlaces& columns() const { return columns_; }
-  double least_wavelength() const { return least_wavelength_; }        // [L] four advances of a reading
+  double least_wavelength() const { return least_wavelength_; }         // [L] four advances of a reading
   double greatest_wavelength() const { return passages_.range / 2.2; }  // [L]
 
   // Usual hyperparameters, for a start.
@@ -99,8 +99,10 @@ class FrictionProcess {
   struct NormalPrior {
     double mean, deviation;
   };
-  NormalPrior prior_of(std::size_t hyperparameter) const { return {theta_mean_[hyperparameter], theta_deviation_[hyperparameter]}; }
-  double log_prior_scale(Kernel kernel) const;        // what makes exp of the prior of θ in a merit a density
+  NormalPrior prior_of(std::size_t hyperparameter) const {
+    return {theta_mean_[hyperparameter], theta_deviation_[hyperparameter]};
+  }
+  double log_prior_scale(Kernel kernel) const;  // what makes exp of the prior of θ in a merit a density
 
  private:
   struct Node {
@@ -111,7 +113,8 @@ class FrictionProcess {
   Looks looks_of(const Mode& mode, const std::vector<Node>& nodes, const Theta& theta) const;
   void lay_sites(Mode& mode) const;
   double pass(Mode& mode, double fraction) const;
-  void update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks, const std::vector<SmoothedLook>& smoothed) const;
+  void update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
+                    const std::vector<SmoothedLook>& smoothed) const;
   void update_jacobian(Mode& mode) const;
   void maximise(Mode& mode, int iterations) const;
   double log_prior(const Mode& mode, const Theta& theta) const;

@@ -118,7 +118,8 @@ std::vector<Point> points_of(const FrictionProcess& process, const Component& co
 void temper(std::vector<Point>& points) {
   double greatest = -std::numeric_limits<double>::infinity(), mean = 0;
   for (const auto& point : points) greatest = std::max(greatest, point.log_weight);
-  for (const auto& point : points) mean += elementary::exp(point.log_weight - greatest) / static_cast<double>(points.size());
+  for (const auto& point : points)
+    mean += elementary::exp(point.log_weight - greatest) / static_cast<double>(points.size());
   const double most = greatest + elementary::log(4 * mean);
   for (auto& point : points) point.log_weight = std::min(point.log_weight, most);
 }
@@ -137,7 +138,8 @@ Profile profile_looks(const FrictionProcess& process, const Mode& mode, const st
   const auto unseen_to = [&](double place) {
     for (; next < places.size() && places[next] <= place; ++next) {
       profile.at.push_back(profile.looks.looks.size());
-      profile.looks.looks.push_back({.place = places[next], .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
+      profile.looks.looks.push_back(
+          {.place = places[next], .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
       profile.looks.values.push_back(0);
       profile.looks.columns.push_back(process.columns_at(places[next], mode));
     }
@@ -220,7 +222,8 @@ class Posterior {
     }
     const double weight = weight_of(component, components_.front());
     const auto of_theta = [&](Index j) {
-      return NormalPart{weight, component.mode.theta.values[static_cast<std::size_t>(j)], std::sqrt(component.spread(j, j))};
+      return NormalPart{weight, component.mode.theta.values[static_cast<std::size_t>(j)],
+                        std::sqrt(component.spread(j, j))};
     };
     result_.log_noise.push_back(of_theta(0));
     if (component.mode.kernel == Kernel::none) return;
@@ -230,7 +233,8 @@ class Posterior {
 
   // Other waves are other explanations, and no error of this one.
   bool is_likeliest_wave(const Mode& mode) const {
-    const auto best = std::find_if(components_.begin(), components_.end(), [](const Component& other) { return other.mode.theta.waves > 0; });
+    const auto best = std::find_if(components_.begin(), components_.end(),
+                                   [](const Component& other) { return other.mode.theta.waves > 0; });
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const double log_wavelength = best->mode.theta.log_wavelength(wave);
       if (std::abs(mode.theta.log_wavelength(wave) - log_wavelength) > same_wave(log_wavelength)) return false;
@@ -239,7 +243,9 @@ class Posterior {
   }
 
   // Half the distance at which the fibre seen tells two wavelengths apart.
-  double same_wave(double log_wavelength) const { return 0.5 * elementary::exp(log_wavelength) / process_.passages().range; }
+  double same_wave(double log_wavelength) const {
+    return 0.5 * elementary::exp(log_wavelength) / process_.passages().range;
+  }
 
   // How far a wavelength differs between the modes that have the same wave, however much they weigh: linearised elsewhere, it moves by more
   // than the curvature at one place knows.
@@ -258,7 +264,8 @@ class Posterior {
     return others > 0 ? std::sqrt(squares / others) : 0;
   }
 
-  void draw_waves(const Component& component, const Mode& mode, const Chain& chain, const Chain::Functional& mean, double weight) {
+  void draw_waves(const Component& component, const Mode& mode, const Chain& chain, const Chain::Functional& mean,
+                  double weight) {
     constexpr int draws = 60;
     const Index first = process_.columns().waves;
     const Index waves = static_cast<Index>(mode.theta.waves);
@@ -287,7 +294,8 @@ class Posterior {
       const VectorXd drawn = middle + factor.matrixL() * z;
       for (Index wave = 0; wave < waves; ++wave) {
         auto& posterior = result_.waves[static_cast<std::size_t>(wave)];
-        if (posterior.draws.empty()) posterior.log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave));
+        if (posterior.draws.empty())
+          posterior.log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave));
         const double log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave)) +
                                       deviation[static_cast<std::size_t>(wave)] * normal_();
         posterior.draws.push_back({weight, log_wavelength, drawn[1 + 2 * wave], drawn[2 + 2 * wave], drawn[0]});
@@ -340,7 +348,8 @@ class Posterior {
       if (!weighs(component)) continue;
       for (std::size_t wave = 0; wave < component.mode.theta.waves; ++wave)
         finest = std::min(finest, elementary::exp(component.mode.theta.log_wavelength(wave)) / 2);
-      if (component.mode.kernel != Kernel::none) finest = std::min(finest, hyperparameters_of(component.mode.theta).length);
+      if (component.mode.kernel != Kernel::none)
+        finest = std::min(finest, hyperparameters_of(component.mode.theta).length);
     }
     constexpr double for_each = 10, least = 240, most = 1000;
     return static_cast<std::size_t>(std::clamp(for_each * (to_ - from_) / finest, least, most));
@@ -368,7 +377,8 @@ class Posterior {
     for (const std::size_t k : profile.at) mu.push_back(FrictionProcess::mean_friction + drawn.f[k] + smoothed[k].f);
     result_.draws.push_back(table_of(mu));
     const Index stiffness = process_.columns().stiffness;
-    const double eta = stiffness >= 0 ? process_.expected_stiffness(mode) + drawn.beta[stiffness] + chain.mean()[stiffness] : 0;
+    const double eta =
+        stiffness >= 0 ? process_.expected_stiffness(mode) + drawn.beta[stiffness] + chain.mean()[stiffness] : 0;
     result_.draw_stiffness.push_back(elementary::exp(eta));
   }
 

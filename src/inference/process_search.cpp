@@ -40,7 +40,9 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
     turn_cosine[k] = turn.cosine;
     turn_sine[k] = turn.sine;
   }
-  const auto vector = [n](std::vector<double>& v) { return Eigen::Map<Eigen::VectorXd>(v.data(), static_cast<Index>(n)); };
+  const auto vector = [n](std::vector<double>& v) {
+    return Eigen::Map<Eigen::VectorXd>(v.data(), static_cast<Index>(n));
+  };
   std::vector<ScannedWavelength> scan;
   constexpr double prior = 1 / (0.08 * 0.08);
   for (std::size_t i = 0; i < count; ++i) {
@@ -135,11 +137,13 @@ class Search {
     // Where a wave is out of the question with one kernel, it is not asked for with the others; nor are waves far below the best.
     constexpr double out_of_question = -2, far_below = 4;
     const bool in_question =
-        !options_.without_wave || (!waves.empty() && components.front().log_evidence > components.back().log_evidence + out_of_question);
+        !options_.without_wave ||
+        (!waves.empty() && components.front().log_evidence > components.back().log_evidence + out_of_question);
     const std::size_t with_first = components.size();
     for (const Kernel kernel : options_.kernels) {
       if (kernel == first) continue;
-      if (options_.without_wave || waves.empty()) components.push_back(component_of(process_, continued(plain, kernel)));
+      if (options_.without_wave || waves.empty())
+        components.push_back(component_of(process_, continued(plain, kernel)));
       for (const Mode& wave : waves)
         if (in_question && wave.merit > waves.front().merit - far_below)
           components.push_back(component_of(process_, continued(wave, kernel)));
@@ -177,7 +181,9 @@ class Search {
     };
     for (int attempt = 0; attempt < 2; ++attempt) {
       const bool past_folds = is_past_a_fold(mode);
-      if (!(past_folds && better_from(projected(process_, run_, mode))) && !better_from(run_forward(process_, run_, mode))) return;
+      if (!(past_folds && better_from(projected(process_, run_, mode))) &&
+          !better_from(run_forward(process_, run_, mode)))
+        return;
     }
   }
 
@@ -245,7 +251,8 @@ class Search {
       if (blurred) found.emplace_back(tried(raw, raw.theta, log_wavelength), wavelength);
     }
     const auto rank = [&] {
-      std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return better(a.first, b.first); });
+      std::stable_sort(found.begin(), found.end(),
+                       [](const auto& a, const auto& b) { return better(a.first, b.first); });
     };
     rank();
     // The best two again from beside their wavelength: on soft rigs neighbouring peaks hide each other.
@@ -258,7 +265,8 @@ class Search {
         continue;
       done.push_back(wavelength);
       for (const double beside : {0.25, -0.25})
-        found.emplace_back(tried(raw, raw.theta, elementary::log(wavelength * (1 + beside * wavelength / range))), wavelength);
+        found.emplace_back(tried(raw, raw.theta, elementary::log(wavelength * (1 + beside * wavelength / range))),
+                           wavelength);
     }
     rank();
     done.clear();
@@ -280,7 +288,8 @@ class Search {
     for (auto& [mode, from] : found) {
       if (polished.size() == 3 || mode.merit < found.front().first.merit - near_best) break;
       const bool known = std::any_of(polished.begin(), polished.end(), [&](const Mode& other) {
-        return std::abs(mode.theta.log_wavelength(last) - other.theta.log_wavelength(last)) < 0.003 && mode.merit < other.merit + 0.5;
+        return std::abs(mode.theta.log_wavelength(last) - other.theta.log_wavelength(last)) < 0.003 &&
+               mode.merit < other.merit + 0.5;
       });
       if (known) continue;
       const Mode before = mode;
@@ -322,7 +331,8 @@ class Search {
     Mode other = mode;
     other.kernel = kernel;
     process_.polish(other, 2, 6, 0.3);
-    if (kernel == Kernel::none && mode.theta.waves > 0) {  // smooth friction has no roughness to make up for a wave too small
+    if (kernel == Kernel::none &&
+        mode.theta.waves > 0) {  // smooth friction has no roughness to make up for a wave too small
       Mode forward = fitted_forward(process_, run_, other);
       process_.burst(forward, 4, 0.3);
       process_.polish(forward, 3, 6, 0.3);
@@ -339,6 +349,8 @@ class Search {
 
 }  // namespace
 
-ProcessSearch search(const FrictionProcess& process, const SearchOptions& options) { return Search(process, options).run(); }
+ProcessSearch search(const FrictionProcess& process, const SearchOptions& options) {
+  return Search(process, options).run();
+}
 
 }  // namespace flexslip

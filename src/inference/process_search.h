@@ -11,8 +11,8 @@ namespace flexslip {
 
 struct SearchOptions {
   std::vector<Kernel> kernels{all_kernels.begin(), all_kernels.end()};
-  bool without_wave = true;      // modes that have none
-  std::size_t waves = 1;         // modes with so many; 0: none are looked for
+  bool without_wave = true;  // modes that have none
+  std::size_t waves = 1;     // modes with so many; 0: none are looked for
 };
 
 struct Component {
@@ -27,8 +27,8 @@ struct ScannedWavelength {
 };
 
 struct ProcessSearch {
-  std::vector<Component> components;      // likeliest first
-  std::vector<ScannedWavelength> scan;    // of the mode without a wave, λ rising
+  std::vector<Component> components;    // likeliest first
+  std::vector<ScannedWavelength> scan;  // of the mode without a wave, λ rising
 };
 
 // Domain:     options.kernels not empty.

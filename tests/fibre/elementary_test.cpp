@@ -45,7 +45,8 @@ TEST_CASE("oracle: a Gaussian below a bound against 50 digits") {
     CHECK(relative_error(at.hazard, density / below) < 1e-13);
   }
   // Far below, the hazard is that of Mills' ratio: -z (1 + 1/z^2 - 2/z^4).
-  for (const double z : {-1e2, -1e3, -1e5}) CHECK(elementary::gaussian_below(z).hazard == doctest::Approx(-z + -1 / z).epsilon(1e-7));
+  for (const double z : {-1e2, -1e3, -1e5})
+    CHECK(elementary::gaussian_below(z).hazard == doctest::Approx(-z + -1 / z).epsilon(1e-7));
 }
 
 }  // namespace flexslip

@@ -29,9 +29,13 @@ Looks some_looks(std::uint64_t seed, bool gaps) {
     const bool node = i % 7 == 3;
     const bool unseen = gaps && i % 11 == 5;
     looks.looks.push_back({.place = place,
-                           .rows = node ? 0.0 : i % 5 == 0 ? 3.0 : 1.0,
+                           .rows = node         ? 0.0
+                                   : i % 5 == 0 ? 3.0
+                                                : 1.0,
                            .noise_gain = node || unseen ? 0 : 0.3 + uniform(),
-                           .variance = unseen ? std::numeric_limits<double>::infinity() : node ? 0.003 : 4e-6});
+                           .variance = unseen ? std::numeric_limits<double>::infinity()
+                                       : node ? 0.003
+                                              : 4e-6});
     looks.values.push_back(uniform() - 0.5);
     Coefficients h(5);
     const double phase = 2 * std::numbers::pi * place / wavelength;
@@ -84,8 +88,9 @@ struct Dense {
     }
     for (Index i = 0; i < n; ++i)
       for (Index j = 0; j < n; ++j) {
-        K(i, j) = covariance_of(kernel, at, looks.looks[static_cast<std::size_t>(i)].place -
-                                                looks.looks[static_cast<std::size_t>(j)].place);
+        K(i, j) = covariance_of(
+            kernel, at,
+            looks.looks[static_cast<std::size_t>(i)].place - looks.looks[static_cast<std::size_t>(j)].place);
         E(i, j) = at.noise * at.noise * std::pow(at.correlation, std::abs(rows[i] - rows[j]));
       }
     VectorXd prior(H.cols());
@@ -181,7 +186,8 @@ TEST_CASE("oracle: the slope of a chain is the difference of its means at places
       for (const double away : {-h, 0.0, h}) {
         Look look = looks.looks[i];
         look.place += away;
-        if (away != 0) look = {.place = look.place, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()};
+        if (away != 0)
+          look = {.place = look.place, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()};
         around.looks.push_back(look);
         around.values.push_back(looks.values[i]);
         around.columns.push_back(looks.columns[i]);  // of f, so that only g has a slope

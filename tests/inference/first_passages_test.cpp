@@ -42,15 +42,19 @@ TEST_CASE("oracle: the readings' slopes are differences of exact inversions") {
     constexpr double of_the_table = 1e-9;
     REQUIRE(std::abs(state.w + force * passages.compliance - passages.stage[i]) < of_the_table);
     const auto y_at = [&](double F, double eta, double contact) {
-      const auto seen = fibre_state_from_force(passages.stage[i] - contact - F * passages.compliance, F * std::exp(-eta));
+      const auto seen =
+          fibre_state_from_force(passages.stage[i] - contact - F * passages.compliance, F * std::exp(-eta));
       return seen.q + at.slope[i] * (at.S[i] - seen.S);
     };
     const auto slope = [&](double up, double down) { return (up - down) / (2 * h); };
     const double eta = at.eta;
-    CHECK(at.noise_gain[i] == doctest::Approx(slope(y_at(force + h, eta, 0), y_at(force - h, eta, 0))).epsilon(truncation));
-    CHECK(at.h_stiffness[i] == doctest::Approx(-slope(y_at(force, eta + h, 0), y_at(force, eta - h, 0))).epsilon(truncation).scale(1));
+    CHECK(at.noise_gain[i] ==
+          doctest::Approx(slope(y_at(force + h, eta, 0), y_at(force - h, eta, 0))).epsilon(truncation));
+    CHECK(at.h_stiffness[i] ==
+          doctest::Approx(-slope(y_at(force, eta + h, 0), y_at(force, eta - h, 0))).epsilon(truncation).scale(1));
     // A contact taken too late by ξ: the reading shows a deflection larger by ξ.
-    CHECK(at.h_contact[i] == doctest::Approx(-slope(y_at(force, eta, h), y_at(force, eta, -h))).epsilon(truncation).scale(1));
+    CHECK(at.h_contact[i] ==
+          doctest::Approx(-slope(y_at(force, eta, h), y_at(force, eta, -h))).epsilon(truncation).scale(1));
     CHECK(at.y[i] == doctest::Approx(at.mu[i] + at.noise_gain[i] * (passages.force[i] - force)).epsilon(1e-9));
   }
 }
@@ -69,7 +73,8 @@ TEST_CASE("identity: at the friction of a level, the stage position is the one a
     constexpr double of_the_table = 1e-9;  // its 1e-12 of the stage, over its slope in μ
     CHECK(std::abs(levels[i].m - mu[i]) < of_the_table);
     constexpr double h = 1e-6, truncation = 1e-6;
-    CHECK(levels[i].m_stage == doctest::Approx(2 * h / (G(i, levels[i].m + h, eta) - G(i, levels[i].m - h, eta))).epsilon(truncation));
+    CHECK(levels[i].m_stage ==
+          doctest::Approx(2 * h / (G(i, levels[i].m + h, eta) - G(i, levels[i].m - h, eta))).epsilon(truncation));
     const double G_eta = (G(i, levels[i].m, eta + h) - G(i, levels[i].m, eta - h)) / (2 * h);
     CHECK(levels[i].m_eta == doctest::Approx(-G_eta * levels[i].m_stage).epsilon(truncation));
   }
@@ -91,7 +96,9 @@ TEST_CASE("oracle: the nearest non-falling sequence is no farther than any by br
     for (std::size_t i = 0; i < values.size();) {
       std::size_t j = i + 1;
       while (j < values.size() && !(cuts >> (j - 1) & 1)) ++j;
-      const double mean = std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(i), values.begin() + static_cast<std::ptrdiff_t>(j), 0.0) / static_cast<double>(j - i);
+      const double mean = std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                          values.begin() + static_cast<std::ptrdiff_t>(j), 0.0) /
+                          static_cast<double>(j - i);
       other.insert(other.end(), j - i, mean);
       i = j;
     }

@@ -107,8 +107,7 @@ TEST_CASE("identity: the paper's model finds the wave that it is made of") {
   CHECK(covers(sinusoid.drift, 0.8));
 }
 
-// The search adds one wave, so far: this is to be a plain test once it adds the second.
-TEST_CASE("identity: two waves are found as two" * doctest::should_fail()) {
+TEST_CASE("identity: two waves are found as two") {
   const SimulatedTruth two{
       .friction =
           Friction::waves({.mu0 = 0.6, .drift = 0, .terms = {{0.15, 0.03, 0.5}, {0.1, 0.009, 2.0}}, .S_reference = 1}),

@@ -76,13 +76,15 @@ TEST_CASE("oracle: the evidence of the gaps is that of many draws") {
       for (std::size_t i = 0; i < looks.looks.size(); ++i)
         if (looks.looks[i].noise_gain == 0) {
           constexpr double softness = 0.003;
-          log_below += elementary::gaussian_below((looks.values[i] - drawn.f[i] - moved[i].f) / softness).log_probability;
+          log_below +=
+              elementary::gaussian_below((looks.values[i] - drawn.f[i] - moved[i].f) / softness).log_probability;
         }
       sum += std::exp(log_below);
     }
     const double by_draws = std::log(sum / draws);
     const double by_sites = process.evidence(mode) - readings_alone;
-    CHECK(std::abs(by_sites - by_draws) < 0.25);  // what MODEL promises of expectation propagation; the draws' own error is below 0.1
+    CHECK(std::abs(by_sites - by_draws) <
+          0.25);  // what MODEL promises of expectation propagation; the draws' own error is below 0.1
   }
 }
 
