@@ -1,6 +1,8 @@
 // Compiled once for each instruction set (Highway's foreach_target.h).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "contact/friction.cpp"
+#include "contact/friction.h"
+
 #include <hwy/foreach_target.h>  // must come before highway.h
 
 #include "contact/waves-inl.h"

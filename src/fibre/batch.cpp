@@ -1,6 +1,8 @@
 // Compiled once for each instruction set (Highway's foreach_target.h).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fibre/batch.cpp"
+#include "fibre/batch.h"
+
 #include <cstddef>
 
 #include <hwy/foreach_target.h>  // must come before highway.h
@@ -43,7 +45,6 @@ HWY_AFTER_NAMESPACE();
 #include <stdexcept>
 #include <string>
 
-#include "fibre/batch.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {

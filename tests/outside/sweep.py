@@ -221,7 +221,7 @@ class Sweep(InFolder):
         while not any(self.folder.glob("map.h5.parts/part-??????")) and process.poll() is None:
             time.sleep(0.001)
         process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate()
         self.assertEqual((process.returncode, out), (130, ""), err)
         self.assertIn("the same command goes on from there", err)
         self.assertFalse(output.exists())
@@ -233,7 +233,7 @@ class Sweep(InFolder):
         process = subprocess.Popen([PROGRAM, "sweep", str(case), "--output", str(self.folder / "map.h5")],
                                    stdout=subprocess.DEVNULL, stderr=end)
         os.close(end)
-        process.wait(60)
+        process.wait()
         self.assertIn(b"400 of 400 designs", os.read(terminal, 10000))
         os.close(terminal)
 
@@ -277,7 +277,7 @@ class Sweep(InFolder):
         whole = self.sweep(case, "whole.h5")
         (self.folder / "map.h5.unfinished").symlink_to("/dev/full")
         # HDF5 1.10 does not free all that it had to write to a file that cannot be written.
-        result = subprocess.run([PROGRAM, "sweep", case, "--output", output], capture_output=True, text=True, timeout=60,
+        result = subprocess.run([PROGRAM, "sweep", case, "--output", output], capture_output=True, text=True, check=False,
                                 env={**os.environ, "ASAN_OPTIONS": "detect_leaks=0"})
         self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
         self.assertIn("map.h5.unfinished: expected a file that can be written, found No space left on device", result.stderr)
@@ -343,7 +343,7 @@ class Sweep(InFolder):
         whole = self.sweep(case, "whole.h5")
         both = [subprocess.Popen([PROGRAM, "sweep", str(case), "--output", str(self.folder / "map.h5"), "--threads", "1"],
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(2)]
-        codes = [process.wait(timeout=60) for process in both]
+        codes = [process.wait() for process in both]
         self.assertIn(0, codes)
         self.assertEqual(run("sweep", case, "--output", self.folder / "map.h5").returncode, 0)  # whatever the slower one left
         self.assertEqual((self.folder / "map.h5").read_bytes(), whole)
@@ -381,7 +381,7 @@ class Sweep(InFolder):
         line, = re.findall("^parallel flexslip .*$", (SOURCE / "docs/sweeps.md").read_text(encoding="utf-8"), re.MULTILINE)
         path = f"{pathlib.Path(PROGRAM).resolve().parent}:{os.environ['PATH']}"
         subprocess.run(["bash", "-c", line], cwd=self.folder, env={**os.environ, "PATH": path, "HOME": str(self.folder)}, check=True,
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.assertEqual((self.folder / "map.h5").read_bytes(), self.sweep(case, "whole.h5"))
 
     def test_what_cannot_be_is_refused_before_it_starts(self):
