@@ -95,9 +95,10 @@ Passages passages_of(const FitProblem& problem) {
   const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
   const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_shows_from);
   const auto within = within_drops(record.force, noise_of(record.force));
-  Passages p{.compliance = 1 / problem.rig.stiffness,
-             .stiffness_error = problem.errors.bending_stiffness,
-             .contact_error = problem.errors.contact};
+  Passages p{};
+  p.compliance = 1 / problem.rig.stiffness;
+  p.stiffness_error = problem.errors.bending_stiffness;
+  p.contact_error = problem.errors.contact;
   std::vector<std::size_t> rows;
   std::vector<double> w, F;
   double stage = -std::numeric_limits<double>::infinity();

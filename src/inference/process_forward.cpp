@@ -132,18 +132,18 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
   const auto& columns = process.columns();
   const std::size_t waves = mode.theta.waves;
   // mean, drift, η, ln λ of the last wave, then cosine and sine of each.
-  struct Friction {
+  struct Guess {
     double mean, drift, eta, log_wavelength;
     std::array<double, 2 * most_waves> wave;
   };
-  Friction start{.mean = FrictionProcess::mean_friction + beta[columns.mean],
+  Guess start{.mean = FrictionProcess::mean_friction + beta[columns.mean],
                  .drift = columns.drift >= 0 ? beta[columns.drift] : 0,
                  .eta = columns.stiffness >= 0 ? process.expected_stiffness(mode) + beta[columns.stiffness] : 0,
                  .log_wavelength = mode.theta.log_wavelength(waves - 1),
                  .wave = {}};
   start.eta = std::clamp(start.eta, -0.09, 0.09);
   for (std::size_t i = 0; i < 2 * waves; ++i) start.wave[i] = beta[columns.waves + static_cast<Index>(i)];
-  const auto path = [&](const Friction& f) {
+  const auto path = [&](const Guess& f) {
     std::vector<double> mu;
     mu.reserve(run.lengths().size());
     std::array<double, most_waves> rate{};
@@ -172,7 +172,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
   };
   const double scale = 3 * std::max(elementary::exp(mode.theta.values[0]), 0.005);
   // Like squares where the run is close, like distances where it is on another tooth.
-  const auto misfit = [&](const Friction& f) {
+  const auto misfit = [&](const Guess& f) {
     const auto states = run.states(path(f), f.eta);
     double sum = 0;
     for (std::size_t i = 0; i < passages.size(); ++i) {
@@ -182,7 +182,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
     const double stiffness = f.eta / std::max(passages.stiffness_error, 1e-3);
     return sum + 0.5 * stiffness * stiffness + 0.5 * f.drift * f.drift / 0.04;
   };
-  const auto levelled = [&](Friction f) {
+  const auto levelled = [&](Guess f) {
     for (int round = 0; round < 2; ++round) {
       const auto states = run.states(path(f), f.eta);
       double sum = 0;
@@ -191,11 +191,11 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
     }
     return f;
   };
-  Friction best = start;
+  Guess best = start;
   double least = std::numeric_limits<double>::infinity();
   for (const double larger : {1.0, 1.5, 2.2})
     for (const double turned : {0.0, 0.9, -0.9}) {
-      Friction f = start;
+      Guess f = start;
       const auto turn = elementary::sine_and_cosine(turned);
       double &a = f.wave[2 * waves - 2], &b = f.wave[2 * waves - 1];
       const double cosine = larger * (a * turn.cosine - b * turn.sine),
@@ -217,7 +217,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
     bool moved = false;
     for (std::size_t i = 0; i < step.size(); ++i)
       for (const double sign : {1.0, -1.0}) {
-        Friction f = best;
+        Guess f = best;
         double* const number = i == 0   ? &f.mean
                                : i == 1 ? &f.drift
                                : i == 2 ? &f.eta
