@@ -137,10 +137,10 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
     std::array<double, 2 * most_waves> wave;
   };
   Guess start{.mean = FrictionProcess::mean_friction + beta[columns.mean],
-                 .drift = columns.drift >= 0 ? beta[columns.drift] : 0,
-                 .eta = columns.stiffness >= 0 ? process.expected_stiffness(mode) + beta[columns.stiffness] : 0,
-                 .log_wavelength = mode.theta.log_wavelength(waves - 1),
-                 .wave = {}};
+              .drift = columns.drift >= 0 ? beta[columns.drift] : 0,
+              .eta = columns.stiffness >= 0 ? process.expected_stiffness(mode) + beta[columns.stiffness] : 0,
+              .log_wavelength = mode.theta.log_wavelength(waves - 1),
+              .wave = {}};
   start.eta = std::clamp(start.eta, -0.09, 0.09);
   for (std::size_t i = 0; i < 2 * waves; ++i) start.wave[i] = beta[columns.waves + static_cast<Index>(i)];
   const auto path = [&](const Guess& f) {
