@@ -44,7 +44,7 @@ void Drops::end() {
   largest_ = std::max(largest_, top_ - last_);
 }
 
-std::vector<Reading> record_of(const BendingTest& test, double travel, double step) {
+std::vector<RecordedForce> record_of(const BendingTest& test, double travel, double step) {
   constexpr double most = 20000;
   constexpr int points_of_stretch = 60;
   const auto path = [&] {
@@ -56,7 +56,7 @@ std::vector<Reading> record_of(const BendingTest& test, double travel, double st
     for (int i = 1; i < readings.count(); ++i) stages.push_back(readings.position(i));
     return follow_in_steps(test, stages).path;
   }();
-  std::vector<Reading> record{{0, 0}};
+  std::vector<RecordedForce> record{{0, 0}};
   record.reserve(path.size() + 1);
   for (const auto& point : path) record.push_back({point.stage, point.F});
   return record;

@@ -43,7 +43,7 @@ class Drops {
   double largest_ = 0;
 };
 
-struct Reading {
+struct RecordedForce {
   double stage;  // [L]
   double F;      // [EI/L^2]
 };
@@ -51,6 +51,6 @@ struct Reading {
 // What is recorded in a loading up to a stage position, from the straight fibre on: a reading each step, all of the curve if it is 0
 // or if there are more readings than a figure can tell apart, 20000. It ends where the fibre slips through.
 // Domain:     travel at least 1e-6, step >= 0, both finite; std::invalid_argument otherwise.
-std::vector<Reading> record_of(const BendingTest& test, double travel, double step);
+std::vector<RecordedForce> record_of(const BendingTest& test, double travel, double step);
 
 }  // namespace flexslip
