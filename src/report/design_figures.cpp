@@ -20,7 +20,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-FigureData line_of(std::string name, const std::vector<RecordedForce>& readings, double x, double y, bool falling_only) {
+FigureData line_of(std::string name, const std::vector<RecordedForce>& readings, double x, double y,
+                   bool falling_only) {
   FigureData data{std::move(name), {"stage", "force"}, {}};
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const bool falls = i > 0 && readings[i].F < readings[i - 1].F;
