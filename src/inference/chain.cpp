@@ -463,16 +463,6 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
   covariance_ = r.factor.solve(CoefficientMatrix::Identity(p, p));
 }
 
-std::vector<double> Chain::whitened_residual() const {
-  std::vector<double> residual(looks_.looks.size());
-  const auto p = static_cast<Index>(looks_.prior.size());
-  for (std::size_t k = 0; k < residual.size(); ++k) {
-    const auto column = white_.col(static_cast<Index>(k));
-    residual[k] = column[0] - column.tail(p).dot(beta_);
-  }
-  return residual;
-}
-
 void Chain::whiten(std::span<const double> given, std::span<double> out) const {
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {

@@ -119,8 +119,7 @@ class Chain {
   };
   Functional functional(const Coefficients& a, std::span<const double> covariance, double variance) const;
 
-  // The residual y - H E(β), and columns, whitened: for scans over more columns.
-  std::vector<double> whitened_residual() const;
+  // What y and the columns became in the filter, for scans over more columns.
   const Eigen::MatrixXd& whitened_columns() const { return white_; }  // first y, then the columns
 
  private:

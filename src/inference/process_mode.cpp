@@ -212,7 +212,6 @@ FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, const Th
 // One round of expectation propagation, all sites at once.
 void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
                                    const std::vector<SmoothedLook>& smoothed) const {
-  static_cast<void>(nodes);
   const double to_expected = mode.at.eta - expected_stiffness(mode);
   std::size_t j = 0;
   for (std::size_t k = 0; k < looks.looks.size() && j < mode.sites.size(); ++k) {
