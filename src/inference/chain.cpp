@@ -21,12 +21,13 @@ constexpr double log_two_pi = 1.8378770664093454836;
 
 // A number with its derivatives to ln σ, ρ, ln σ_g and ln ℓ.
 struct Dual {
-  double value = 0;
-  Eigen::Array4d d = Eigen::Array4d::Zero();
+  double value;
+  Eigen::Array4d d;
 
-  Dual() = default;
-  Dual(double number) : value(number) {}  // NOLINT(google-explicit-constructor): a number is one with no derivative
-  Dual(double number, Index of) : value(number) { d[of] = 1; }
+  Dual() = default;  // of no value, as a double
+  Dual(double number)  // NOLINT(google-explicit-constructor): a number is one with no derivative
+      : value(number), d(Eigen::Array4d::Zero()) {}
+  Dual(double number, Index of) : Dual(number) { d[of] = 1; }
   Dual(double number, const Eigen::Array4d& derivatives) : value(number), d(derivatives) {}
 
   friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.d + b.d}; }
@@ -82,6 +83,8 @@ class Covariances {
 
   explicit Covariances(const Parameters<T>& p) : p_(p) {
     const T variance = p.roughness * p.roughness;
+    A_.at_.fill(T(0));
+    limit_.at_.fill(T(0));
     if constexpr (G > 0) {
       constexpr auto P = matern::stationary<G>();
       for (int i = 0; i < G; ++i)
@@ -93,7 +96,6 @@ class Covariances {
 
   // To a look from the one before.
   void advance(double distance, double rows) {
-    A_ = {};
     if constexpr (G > 0) {
       const auto A = matern::transition_over<(G > 0 ? G : 1), T>(p_.rate * distance);
       for (int i = 0; i < G; ++i)
@@ -151,7 +153,7 @@ class States {
  public:
   static constexpr int G = M - 1;
 
-  explicit States(std::size_t series) : n_(series), m_(static_cast<std::size_t>(M) * series), next_(m_.size()) {}
+  explicit States(std::size_t series) : n_(series), m_(static_cast<std::size_t>(M) * series, T(0)), next_(m_) {}
 
   void advance(const Square<M, T>& A) {
     for (int i = 0; i < G; ++i)
@@ -236,8 +238,8 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
   States<M, Dual> states(series);
   std::array<Dual, M> gain;
   std::vector<Dual> v(series);
-  std::vector<Dual> products(series * series);  // upper triangle
-  Dual log_variances;
+  std::vector<Dual> products(series * series, Dual(0));  // upper triangle
+  Dual log_variances(0);
   double seen = 0;
   for (std::size_t k = 0; k < looks.looks.size(); ++k) {
     const Look& look = looks.looks[k];
@@ -508,82 +510,97 @@ std::vector<SmoothedLook> Chain::smoothed() const {
   const std::size_t n = looks_.looks.size();
   const std::size_t series = 1 + looks_.prior.size();
   std::vector<SmoothedLook> result(n);
+  std::size_t first_place = 0;  // that is no reading: before it no variance is asked for
+  while (first_place < n && looks_.looks[first_place].is_reading()) ++first_place;
+  std::array<double, most_columns + 1> together{};  // y less what the columns explain
+  together[0] = 1;
+  for (std::size_t c = 1; c < series; ++c) together[c] = -beta_[static_cast<Index>(c - 1)];
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
         constexpr int G = M - 1;
         using Vector = Eigen::Matrix<double, M, 1>;
         using Matrix = Eigen::Matrix<double, M, M, Eigen::RowMajor>;
-        // What the looks from here on say, series by series, a row for each number of the state; and of its precision.
-        std::array<std::array<double, most_columns + 1>, M> r{}, carried{};
+        // What the looks from here on say of the state: together, column by column, and how precisely.
+        std::array<double, M> r{};
+        std::array<std::array<double, most_columns + 1>, M> of_columns{}, carried{};
         std::array<double, most_columns + 1> u{}, left{};
         Matrix N = Matrix::Zero();
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
           const Look& look = looks_.looks[k];
+          const bool variances = k >= first_place;
+          const double* const white = white_.data() + k * series;
+          const double* const predicted = predicted_.data() + k * M * series;
           if (is_seen(look)) {
             // r <- H v/s + (1 - K H)' r, and so for N
             const double scale = 1 / std::sqrt(step.innovation);
-            const double* const white = white_.data() + k * series;
-            for (std::size_t c = 0; c < series; ++c) u[c] = white[c] * scale;
-            for (std::size_t i = 0; i < M; ++i)
-              for (std::size_t c = 0; c < series; ++c) u[c] -= step.gain[i] * r[i][c];
-            for (std::size_t c = 0; c < series; ++c) {
-              if (G > 0) r[0][c] += u[c];
-              r[G][c] += look.noise_gain * u[c];
+            double sum = 0;
+            for (std::size_t c = 0; c < series; ++c) sum += white[c] * together[c];
+            sum *= scale;
+            for (std::size_t i = 0; i < M; ++i) sum -= step.gain[i] * r[i];
+            if (G > 0) r[0] += sum;
+            r[G] += look.noise_gain * sum;
+            if (variances) {
+              for (std::size_t c = 1; c < series; ++c) u[c] = white[c] * scale;
+              for (std::size_t i = 0; i < M; ++i)
+                for (std::size_t c = 1; c < series; ++c) u[c] -= step.gain[i] * of_columns[i][c];
+              for (std::size_t c = 1; c < series; ++c) {
+                if (G > 0) of_columns[0][c] += u[c];
+                of_columns[G][c] += look.noise_gain * u[c];
+              }
+              Vector H = Vector::Zero();
+              if (G > 0) H[0] = 1;
+              H[G] = look.noise_gain;  // of e, which is all there is without a kernel
+              const Eigen::Map<const Vector> gain(step.gain.data());
+              const Vector Ng = N * gain;
+              const double g = gain.dot(Ng) + 1 / step.innovation;
+              for (int i = 0; i < M; ++i)
+                for (int j = 0; j < M; ++j) N(i, j) += g * H[i] * H[j] - H[i] * Ng[j] - Ng[i] * H[j];
             }
-            Vector H = Vector::Zero();
-            if (G > 0) H[0] = 1;
-            H[G] = look.noise_gain;  // of e, which is all there is without a kernel
-            const Eigen::Map<const Vector> gain(step.gain.data());
-            const Vector Ng = N * gain;
-            const double g = gain.dot(Ng) + 1 / step.innovation;
-            for (int i = 0; i < M; ++i)
-              for (int j = 0; j < M; ++j) N(i, j) += g * H[i] * H[j] - H[i] * Ng[j] - Ng[i] * H[j];
           }
-          const double* const predicted = predicted_.data() + k * M * series;
-          const auto smoothed_at = [&](std::size_t i, std::size_t c) {
-            double sum = predicted[i * series + c];
-            for (std::size_t j = 0; j < M; ++j) sum += step.predicted[i * M + j] * r[j][c];
-            return sum;
-          };
-          // The series together: y less what the columns explain.
           const auto mean_of = [&](std::size_t i) {
-            double sum = smoothed_at(i, 0);
-            for (std::size_t c = 1; c < series; ++c) sum -= smoothed_at(i, c) * beta_[static_cast<Index>(c - 1)];
+            double sum = 0;
+            for (std::size_t c = 0; c < series; ++c) sum += predicted[i * series + c] * together[c];
+            for (std::size_t j = 0; j < M; ++j) sum += step.predicted[i * M + j] * r[j];
             return sum;
           };
           const Coefficients& h = looks_.columns[k];
           result[k].e = mean_of(G);
-          double own = 0;  // variance at given β
-          result[k].f = 0;
-          for (std::size_t c = 1; c < series; ++c) left[c] = h[static_cast<Index>(c - 1)];
-          if constexpr (G > 0) {
-            const Eigen::Map<const Matrix> P(step.predicted.data());
-            const Vector Pg = P.col(0);
-            own = P(0, 0) - Pg.dot(N * Pg);
-            result[k].f = smoothed_at(0, 0);
-            for (std::size_t c = 1; c < series; ++c) {
-              const double part = smoothed_at(0, c);
-              left[c] -= part;
-              result[k].f -= part * beta_[static_cast<Index>(c - 1)];
+          result[k].f = h.dot(beta_) + (G > 0 ? mean_of(0) : 0);
+          if constexpr (G > 1) result[k].slope = steps.rate * mean_of(1);
+          result[k].variance = std::numeric_limits<double>::quiet_NaN();
+          if (!look.is_reading()) {
+            double own = 0;  // variance at given β
+            for (std::size_t c = 1; c < series; ++c) left[c] = h[static_cast<Index>(c - 1)];
+            if constexpr (G > 0) {
+              const Eigen::Map<const Matrix> P(step.predicted.data());
+              const Vector Pg = P.col(0);
+              own = P(0, 0) - Pg.dot(N * Pg);
+              for (std::size_t c = 1; c < series; ++c) {
+                left[c] -= predicted[c];
+                for (std::size_t j = 0; j < M; ++j) left[c] -= step.predicted[j] * of_columns[j][c];
+              }
             }
-            if constexpr (G > 1) result[k].slope = steps.rate * mean_of(1);
+            for (std::size_t c = 1; c < series; ++c)
+              for (std::size_t d = 1; d < series; ++d)
+                own += left[c] * left[d] * covariance_(static_cast<Index>(c - 1), static_cast<Index>(d - 1));
+            result[k].variance = own;
           }
-          for (std::size_t c = 1; c < series; ++c) {
-            result[k].f += h[static_cast<Index>(c - 1)] * beta_[static_cast<Index>(c - 1)];
-            for (std::size_t d = 1; d < series; ++d)
-              own += left[c] * left[d] * covariance_(static_cast<Index>(c - 1), static_cast<Index>(d - 1));
-          }
-          result[k].variance = own;
           if (k == 0) break;
           const Eigen::Map<const Matrix> A(step.transition.data());
-          for (std::size_t i = 0; i < M; ++i)
-            for (std::size_t c = 0; c < series; ++c) {
-              double sum = 0;
-              for (std::size_t j = 0; j < M; ++j) sum += step.transition[j * M + i] * r[j][c];
-              carried[i][c] = sum;
+          const Eigen::Map<Vector> all(r.data());
+          const Vector before = A.transpose() * all;
+          std::copy(before.begin(), before.end(), r.begin());
+          if (k <= first_place) continue;
+          for (std::size_t i = 0; i < M; ++i) {
+            carried[i].fill(0);
+            for (std::size_t j = 0; j < M; ++j) {
+              const double a = step.transition[j * M + i];
+              if (a == 0) continue;  // g and e do not mix
+              for (std::size_t c = 1; c < series; ++c) carried[i][c] += a * of_columns[j][c];
             }
-          std::swap(r, carried);
+          }
+          std::swap(of_columns, carried);
           N = (A.transpose() * N * A).eval();
         }
       },

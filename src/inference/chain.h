@@ -30,6 +30,8 @@ struct Look {
   double rows;        // rows of the record since the last look; 0 where this one is no reading
   double noise_gain;  // [L^2/EI] D; 0 where it is no reading
   double variance;    // [1] of ε; infinite where nothing is seen
+
+  bool is_reading() const { return noise_gain != 0; }
 };
 
 struct Looks {
@@ -72,7 +74,7 @@ Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& 
 // What all looks together say of one.
 struct SmoothedLook {
   double f;         // [1] mean of h'β + g
-  double variance;  // [1] of it
+  double variance;  // [1] of it, where it is no reading; NaN of readings
   double slope;     // [1/L] dg/dx of the mean of g; of an exponential kernel, which has none, the mean of both sides
   double e;         // [EI/L^2] mean of e
 };
@@ -106,7 +108,8 @@ class Chain {
   const Coefficients& mean() const { return beta_; }                   // of β
   const CoefficientMatrix& covariance() const { return covariance_; }  // of β
 
-  // Of each look, given all of them. Bryson and Frazier's backward pass.
+  // Of each look, given all of them.
+  // Method:     Bryson and Frazier's backward pass, of y less what the columns explain; the columns pass along for the variances.
   std::vector<SmoothedLook> smoothed() const;
 
   // What a further series becomes in the filter: C^(-1/2) of it, C being the covariance of y at given β. 0 where nothing is seen.

@@ -10,10 +10,10 @@
 
 namespace flexslip::matern {
 
-// A square matrix of a few numbers, of whatever kind.
+// A square matrix of a few numbers, of whatever kind; of no value until it is given one.
 template <int M, class T>
 struct Square {
-  std::array<T, static_cast<std::size_t>(M) * M> at_{};
+  std::array<T, static_cast<std::size_t>(M) * M> at_;
   constexpr T& operator()(int i, int j) { return at_[static_cast<std::size_t>(i * M + j)]; }
   constexpr const T& operator()(int i, int j) const { return at_[static_cast<std::size_t>(i * M + j)]; }
 };
@@ -65,7 +65,7 @@ Square<G, T> transition_over(const T& a) {
 // The covariance of a stationary process of variance 1 and its derivatives.
 template <int G>
 constexpr Square<G, double> stationary() {
-  Square<G, double> P;
+  Square<G, double> P{};
   P(0, 0) = 1;
   if constexpr (G == 2) P(1, 1) = 1;
   if constexpr (G == 3) {

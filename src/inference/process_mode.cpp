@@ -82,13 +82,17 @@ Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
   Coefficients h = Coefficients::Zero(columns_.waves + 2 * static_cast<Index>(mode.theta.waves));
   h[columns_.mean] = 1;
   if (columns_.drift >= 0) h[columns_.drift] = place / passages_.range;
-  for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
-    const auto [sine, cosine] =
-        elementary::sine_and_cosine(2 * std::numbers::pi * place * elementary::exp(-mode.theta.log_wavelength(wave)));
+  set_waves(mode.theta, place, h);
+  return h;
+}
+
+void FrictionProcess::set_waves(const Theta& theta, double place, Coefficients& h) const {
+  for (std::size_t wave = 0; wave < theta.waves; ++wave) {
+    const double rate = 2 * std::numbers::pi * elementary::exp(-theta.log_wavelength(wave));
+    const auto [sine, cosine] = elementary::sine_and_cosine(rate * place);
     h[columns_.waves + 2 * static_cast<Index>(wave)] = cosine;
     h[columns_.waves + 2 * static_cast<Index>(wave) + 1] = sine;
   }
-  return h;
 }
 
 // Where the fibre advanced by far more than friction that stays would let it, it jumped.
@@ -129,50 +133,56 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
   return nodes;
 }
 
-Looks FrictionProcess::looks_of(const Mode& mode) const { return looks_of(mode, nodes_of(mode), mode.theta); }
+// What friction at a node is below, less what is expected of it.
+double FrictionProcess::bound_at(const Node& node, const Mode& mode) const {
+  return node.level.m - node.level.m_eta * (mode.at.eta - expected_stiffness(mode)) - mean_friction;
+}
 
-Looks FrictionProcess::looks_of(const Mode& mode, const std::vector<Node>& nodes, const Theta& theta) const {
+Looks FrictionProcess::looks_of(const Mode& mode) const { return looks_of(mode, nodes_of(mode)); }
+
+Looks FrictionProcess::looks_of(const Mode& mode, const std::vector<Node>& nodes) const {
   const auto& at = mode.at;
   const double to_expected = at.eta - expected_stiffness(mode);
+  const std::size_t n = passages_.size();
   Looks looks;
   looks.prior = prior_;
-  looks.prior.insert(looks.prior.end(), 2 * theta.waves, wave_deviation * wave_deviation);
-  Mode waves{.kernel = mode.kernel, .theta = theta, .at = {}, .sites = {}, .merit = 0};
-  std::size_t j = 0;
-  const std::size_t n = passages_.size();
+  looks.prior.insert(looks.prior.end(), 2 * mode.theta.waves, wave_deviation * wave_deviation);
   looks.looks.reserve(n + nodes.size());
   looks.values.reserve(n + nodes.size());
   looks.columns.reserve(n + nodes.size());
+  const auto add = [&](const Look& look, double value, double by_stiffness, double by_contact) {
+    looks.looks.push_back(look);
+    looks.values.push_back(value);
+    Coefficients& h = looks.columns.emplace_back(columns_at(look.place, mode));
+    if (columns_.stiffness >= 0) h[columns_.stiffness] = by_stiffness;
+    if (columns_.contact >= 0) h[columns_.contact] = by_contact;
+  };
+  std::size_t j = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    for (; j < nodes.size() && mode.sites[j].reading == i; ++j) {
-      const GapSite& site = mode.sites[j];
-      const Node& node = nodes[j];
-      const double place = passages_.place(node.S);
-      Coefficients h = columns_at(place, waves);
-      if (columns_.stiffness >= 0) h[columns_.stiffness] = -node.level.m_eta;
-      if (columns_.contact >= 0) h[columns_.contact] = node.level.m_stage;
-      // The bound less the slack, which the site says.
-      const bool seen = site.precision > 0;
-      const double bound = node.level.m - node.level.m_eta * to_expected - mean_friction;
-      looks.looks.push_back({.place = place,
-                             .rows = 0,
-                             .noise_gain = 0,
-                             .variance = seen ? 1 / site.precision : std::numeric_limits<double>::infinity()});
-      looks.values.push_back(seen ? bound - site.precision_mean / site.precision : bound);
-      looks.columns.push_back(h);
-    }
-    const double place = passages_.place(at.S[i]);
-    Coefficients h = columns_at(place, waves);
-    if (columns_.stiffness >= 0) h[columns_.stiffness] = at.h_stiffness[i];
-    if (columns_.contact >= 0) h[columns_.contact] = at.h_contact[i];
-    looks.looks.push_back({.place = place,
-                           .rows = i == 0 ? 0.0 : static_cast<double>(passages_.row[i] - passages_.row[i - 1]),
-                           .noise_gain = at.noise_gain[i],
-                           .variance = nugget * nugget});
-    looks.values.push_back(at.y[i] - mean_friction + at.h_stiffness[i] * to_expected);
-    looks.columns.push_back(h);
+    for (; j < nodes.size() && mode.sites[j].reading == i; ++j)
+      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0, -nodes[j].level.m_eta,
+          nodes[j].level.m_stage);
+    add({.place = passages_.place(at.S[i]),
+         .rows = i == 0 ? 0.0 : static_cast<double>(passages_.row[i] - passages_.row[i - 1]),
+         .noise_gain = at.noise_gain[i],
+         .variance = nugget * nugget},
+        at.y[i] - mean_friction + at.h_stiffness[i] * to_expected, at.h_stiffness[i], at.h_contact[i]);
   }
+  say_sites(mode, nodes, looks);
   return looks;
+}
+
+// The bound less the slack, which the site says.
+void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes, Looks& looks) const {
+  std::size_t j = 0;
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    if (looks.looks[k].is_reading()) continue;
+    const GapSite& site = mode.sites[j];
+    const double bound = bound_at(nodes[j++], mode);
+    const bool seen = site.precision > 0;
+    looks.looks[k].variance = seen ? 1 / site.precision : std::numeric_limits<double>::infinity();
+    looks.values[k] = seen ? bound - site.precision_mean / site.precision : bound;
+  }
 }
 
 double FrictionProcess::log_prior(const Mode& mode, const Theta& theta) const {
@@ -191,8 +201,9 @@ double FrictionProcess::log_prior_scale(Kernel kernel) const {
   return sum;
 }
 
-FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, const Theta& theta) const {
-  const Looks looks = looks_of(mode, nodes_of(mode), theta);
+FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Looks& looks, const Theta& theta) const {
+  if (theta.waves > 0)
+    for (std::size_t k = 0; k < looks.looks.size(); ++k) set_waves(theta, looks.looks[k].place, looks.columns[k]);
   std::array<double, most_waves> wavelengths{};
   for (std::size_t wave = 0; wave < theta.waves; ++wave)
     wavelengths[wave] = elementary::exp(theta.log_wavelength(wave));
@@ -212,14 +223,11 @@ FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, const Th
 // One round of expectation propagation, all sites at once.
 void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
                                    const std::vector<SmoothedLook>& smoothed) const {
-  const double to_expected = mode.at.eta - expected_stiffness(mode);
   std::size_t j = 0;
-  for (std::size_t k = 0; k < looks.looks.size() && j < mode.sites.size(); ++k) {
-    if (looks.looks[k].noise_gain != 0) continue;  // a reading
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    if (looks.looks[k].is_reading()) continue;
     GapSite& site = mode.sites[j];
-    const double bound = nodes[j].level.m - nodes[j].level.m_eta * to_expected - mean_friction;
-    ++j;
-    const double mean = bound - smoothed[k].f;
+    const double mean = bound_at(nodes[j++], mode) - smoothed[k].f;
     const double precision = 1 / std::max(smoothed[k].variance, 1e-12) - site.precision;
     if (!(precision > 1e-10)) continue;
     const double variance = 1 / precision;
@@ -260,21 +268,19 @@ double log_weight(const GapSite& site, double mean, double variance) {
 void FrictionProcess::settle(Mode& mode) const {
   lay_sites(mode);
   const auto nodes = nodes_of(mode);
-  const double to_expected = mode.at.eta - expected_stiffness(mode);
+  Looks looks = looks_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
   double before = 0;
   constexpr int most_rounds = 30;
   for (int round = 0; round < most_rounds; ++round) {
-    const Looks looks = looks_of(mode, nodes, mode.theta);
     const Chain chain(looks, mode.kernel, p);
     double evidence = chain.log_likelihood();
     if (!mode.sites.empty()) {
       const auto smoothed = chain.smoothed();
       std::size_t j = 0;
       for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-        if (looks.looks[k].noise_gain != 0) continue;
-        const double bound = nodes[j].level.m - nodes[j].level.m_eta * to_expected - mean_friction;
-        evidence += log_weight(mode.sites[j], bound - smoothed[k].f, smoothed[k].variance);
+        if (looks.looks[k].is_reading()) continue;
+        evidence += log_weight(mode.sites[j], bound_at(nodes[j], mode) - smoothed[k].f, smoothed[k].variance);
         ++j;
       }
       constexpr double negligible = 0.02;  // of the evidence
@@ -282,6 +288,7 @@ void FrictionProcess::settle(Mode& mode) const {
         before = evidence;
         mode.merit = evidence + mode.at.log_jacobian + log_prior(mode, mode.theta);
         update_sites(mode, nodes, looks, smoothed);
+        say_sites(mode, nodes, looks);
         continue;
       }
     }
@@ -294,7 +301,7 @@ void FrictionProcess::settle(Mode& mode) const {
 double FrictionProcess::pass(Mode& mode, double fraction) const {
   lay_sites(mode);
   const auto nodes = nodes_of(mode);
-  const Looks looks = looks_of(mode, nodes, mode.theta);
+  const Looks looks = looks_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
   const Chain chain(looks, mode.kernel, p);
   const auto smoothed = chain.smoothed();
@@ -308,7 +315,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   double moved = 0;
   std::size_t i = 0;
   for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    if (looks.looks[k].noise_gain == 0) continue;
+    if (!looks.looks[k].is_reading()) continue;
     const Coefficients& h = looks.columns[k];
     double slope = smoothed[k].slope;
     if (columns_.drift >= 0) slope += beta[columns_.drift] / passages_.range;
@@ -349,7 +356,7 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
   if (columns_.stiffness < 0 || passages_.stiffness_error < 1e-3) return;
   constexpr double h = 0.01;
   const auto p = hyperparameters_of(mode.theta);
-  const auto nodes = nodes_of(mode);
+  const Looks here = looks_of(mode);
   struct Volume {
     std::vector<double> log_gain;
     double log_determinant;
@@ -361,11 +368,11 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
     for (std::size_t i = 0; i < passages_.size(); ++i) other.at.S[i] += mode.at.S_eta[i] * (eta - mode.at.eta);
     complete(other.at, passages_);
     // Of the covariance alone: at the looks of the mode, with the other gains.
-    Looks looks = looks_of(mode, nodes, mode.theta);
+    Looks looks = here;
     Volume volume{{}, 0};
     std::size_t i = 0;
     for (auto& look : looks.looks) {
-      if (look.noise_gain == 0) continue;
+      if (!look.is_reading()) continue;
       volume.log_gain.push_back(elementary::log(other.at.noise_gain[i]));
       // What no kernel follows stands for errors of the force as well: it grows with the gain.
       const double grown = other.at.noise_gain[i] / look.noise_gain;
@@ -407,7 +414,8 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
   };
   Vector x(n);
   for (Index i = 0; i < n; ++i) x[i] = std::clamp(mode.theta.values[static_cast<std::size_t>(i)], low[i], high[i]);
-  auto now = objective(mode, theta_at(x));
+  Looks looks = looks_of(mode);
+  auto now = objective(mode, looks, theta_at(x));
   const auto gradient_of = [&](const Objective& at) {
     Vector g(n);
     for (Index i = 0; i < n; ++i) g[i] = at.gradient[static_cast<std::size_t>(i)];
@@ -427,7 +435,7 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
     Objective then{};
     for (int halving = 0; halving < 6 && !risen; ++halving, step *= 0.3) {
       next = (x + step).cwiseMax(low).cwiseMin(high);
-      then = objective(mode, theta_at(next));
+      then = objective(mode, looks, theta_at(next));
       risen = then.value > now.value;
     }
     if (!risen) break;
@@ -450,6 +458,7 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
   settle(mode);
+  double before = mode.merit;
   Mode best;  // only of states that have followed their hyperparameters: the merit of others means nothing
   for (int round = 0; round < rounds; ++round) {
     constexpr int iterations = 8;
@@ -457,8 +466,11 @@ void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction)
     burst(mode, steps, fraction);
     update_jacobian(mode);
     settle(mode);
-    const double gain = round > 0 ? mode.merit - best.merit : std::numeric_limits<double>::infinity();
-    if (gain > 0) best = mode;
+    const double gain = mode.merit - before;
+    if (round == 0 || gain > 0) {
+      best = mode;
+      before = mode.merit;
+    }
     constexpr double negligible = 0.05;
     if (std::abs(gain) < negligible) break;
   }

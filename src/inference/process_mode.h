@@ -80,11 +80,12 @@ class FrictionProcess {
   Coefficients columns_at(double place, const Mode& mode) const;
 
   // ln p(θ) + ln p(readings, gaps | θ) at the linearisation and the sites of a mode, and its gradient in θ.
+  // Domain:     looks are looks_of(mode); they are left with the waves of θ.
   struct Objective {
     double value;
     std::array<double, 4 + most_waves> gradient;
   };
-  Objective objective(const Mode& mode, const Theta& theta) const;
+  Objective objective(const Mode& mode, Looks& looks, const Theta& theta) const;
 
   // Into the bounds within which hyperparameters are sought.
   void bound(Theta& theta) const;
@@ -110,7 +111,10 @@ class FrictionProcess {
     Level level;
   };
   std::vector<Node> nodes_of(const Mode& mode) const;
-  Looks looks_of(const Mode& mode, const std::vector<Node>& nodes, const Theta& theta) const;
+  double bound_at(const Node& node, const Mode& mode) const;
+  Looks looks_of(const Mode& mode, const std::vector<Node>& nodes) const;
+  void say_sites(const Mode& mode, const std::vector<Node>& nodes, Looks& looks) const;
+  void set_waves(const Theta& theta, double place, Coefficients& h) const;
   void lay_sites(Mode& mode) const;
   double pass(Mode& mode, double fraction) const;
   void update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,

@@ -83,6 +83,7 @@ std::vector<ScannedWavelength> peaks_of(const std::vector<ScannedWavelength>& sc
 Component component_of(const FrictionProcess& process, const Mode& mode) {
   const auto n = static_cast<Index>(mode.theta.size());
   MatrixXd H = MatrixXd::Identity(n, n);
+  Looks looks = process.looks_of(mode);
   const auto free = [&](Index i) { return !(mode.kernel == Kernel::none && (i == 2 || i == 3)); };
   for (Index i = 0; i < n; ++i) {
     if (!free(i)) continue;
@@ -90,7 +91,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
     Theta up = mode.theta, down = mode.theta;
     up.values[static_cast<std::size_t>(i)] += h;
     down.values[static_cast<std::size_t>(i)] -= h;
-    const auto a = process.objective(mode, up), b = process.objective(mode, down);
+    const auto a = process.objective(mode, looks, up), b = process.objective(mode, looks, down);
     for (Index j = 0; j < n; ++j)
       if (free(j))
         H(i, j) = -(a.gradient[static_cast<std::size_t>(j)] - b.gradient[static_cast<std::size_t>(j)]) / (2 * h);
@@ -170,9 +171,10 @@ class Search {
 
   // The mode from readings past a fold moved back, and from where its own mean runs: kept where that is better.
   void mend(Mode& mode) const {
+    // Where noise blurs the places of readings, a polish makes up for more.
+    const double hopeless = mode.theta.waves > 0 && is_blurred(mode) ? 3 : 0;
     const auto better_from = [&](Mode other) {
       process_.burst(other, 8, 0.3);
-      constexpr double hopeless = 3;
       if (other.merit < mode.merit - hopeless) return false;
       process_.polish(other, 2, 6, 0.2);
       if (!(other.merit > mode.merit + 0.1)) return false;
@@ -244,7 +246,7 @@ class Search {
     const std::size_t last = plain.theta.waves;  // the wave that is sought
     std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
     // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin.
-    const bool blurred = blur_of(plain) > range / 1000;
+    const bool blurred = is_blurred(plain);
     for (const double wavelength : candidates(plain, scan)) {
       const double log_wavelength = elementary::log(wavelength);
       found.emplace_back(tried(plain, plain.theta, log_wavelength), wavelength);
@@ -286,7 +288,9 @@ class Search {
     rank();
     std::vector<Mode> polished;
     for (auto& [mode, from] : found) {
-      if (polished.size() == 3 || mode.merit < found.front().first.merit - near_best) break;
+      // Where the best gains nothing, no other does.
+      const bool gains = polished.empty() || polished.front().merit > plain.merit;
+      if (polished.size() == 3 || !gains || mode.merit < found.front().first.merit - near_best) break;
       const bool known = std::any_of(polished.begin(), polished.end(), [&](const Mode& other) {
         return std::abs(mode.theta.log_wavelength(last) - other.theta.log_wavelength(last)) < 0.003 &&
                mode.merit < other.merit + 0.5;
@@ -308,14 +312,14 @@ class Search {
     return different;
   }
 
-  // How far noise moves the place of a reading [L], on the whole.
-  static double blur_of(const Mode& mode) {
+  // Whether noise moves the place of a reading by as much as tells waves apart.
+  bool is_blurred(const Mode& mode) const {
     std::vector<double> blur;
     const double noise = elementary::exp(mode.theta.values[0]);
     for (const double by_force : mode.at.S_force) blur.push_back(0.5 * std::abs(by_force) * noise);
     const auto middle = blur.begin() + static_cast<std::ptrdiff_t>(blur.size() / 2);
     std::nth_element(blur.begin(), middle, blur.end());
-    return *middle;
+    return *middle > process_.passages().range / 1000;
   }
 
   // The mode without a wave also from where the best with one ended.

@@ -135,7 +135,8 @@ TEST_CASE("oracle: likelihood, means and variances of a chain are those of dense
         const auto& look = smoothed[static_cast<std::size_t>(i)];
         CHECK(std::abs(look.f - f[i]) < rounding);
         CHECK(std::abs(look.e - e[i]) < rounding);
-        CHECK(std::abs(look.variance - variance[i]) < rounding);
+        CHECK(looks.looks[static_cast<std::size_t>(i)].is_reading() == std::isnan(look.variance));
+        if (!std::isnan(look.variance)) CHECK(std::abs(look.variance - variance[i]) < rounding);
       }
     }
 }
@@ -215,7 +216,7 @@ TEST_CASE("identity: a functional that is the process at a look is that look") {
       const auto f = chain.functional(looks.columns[i], covariance, covariance[i]);
       constexpr double rounding = 1e-11;
       CHECK(std::abs(f.mean - smoothed[i].f) < rounding);
-      CHECK(std::abs(f.variance - smoothed[i].variance) < rounding);
+      if (!looks.looks[i].is_reading()) CHECK(std::abs(f.variance - smoothed[i].variance) < rounding);
     }
   }
 }

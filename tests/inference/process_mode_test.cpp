@@ -37,7 +37,8 @@ TEST_CASE("oracle: the gradient of the merit is its differences") {
     for (const bool wave : {false, true}) {
       CAPTURE(name_of(kernel));
       const Mode mode = some_mode(process, kernel, wave);
-      const auto exact = process.objective(mode, mode.theta);
+      Looks looks = process.looks_of(mode);
+      const auto exact = process.objective(mode, looks, mode.theta);
       for (std::size_t i = 0; i < mode.theta.size(); ++i) {
         if (kernel == Kernel::none && (i == 2 || i == 3)) continue;
         CAPTURE(i);
@@ -45,7 +46,8 @@ TEST_CASE("oracle: the gradient of the merit is its differences") {
         Theta up = mode.theta, down = mode.theta;
         up.values[i] += h;
         down.values[i] -= h;
-        const double difference = (process.objective(mode, up).value - process.objective(mode, down).value) / (2 * h);
+        const double difference =
+            (process.objective(mode, looks, up).value - process.objective(mode, looks, down).value) / (2 * h);
         CHECK(exact.gradient[i] == doctest::Approx(difference).epsilon(truncation).scale(10));
       }
     }
@@ -74,7 +76,7 @@ TEST_CASE("oracle: the evidence of the gaps is that of many draws") {
       const auto moved = Chain(rest, kernel, p).smoothed();
       double log_below = 0;
       for (std::size_t i = 0; i < looks.looks.size(); ++i)
-        if (looks.looks[i].noise_gain == 0) {
+        if (!looks.looks[i].is_reading()) {
           constexpr double softness = 0.003;
           log_below +=
               elementary::gaussian_below((looks.values[i] - drawn.f[i] - moved[i].f) / softness).log_probability;
