@@ -1,5 +1,6 @@
 // How often 95 % intervals hold the truth, on simulated tests: bench/coverage KIND FIRST COUNT prints a line of CSV for each test.
 // Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -171,8 +172,14 @@ int main(int count, char** arguments) {
     if (t.waves.empty() || fit.waves.empty()) {
       std::printf("0,%.3f,0,0,0,0,0,0,", fit.waves.empty() ? 0 : fit.waves[0].wavelength.value * span);
     } else {
+      // The wave found that is nearest the first of the truth.
       const auto& wave = t.waves[0];
-      const auto& found = fit.waves[0];
+      const auto& found = *std::min_element(fit.waves.begin(), fit.waves.end(), [&](const auto& a, const auto& b) {
+        const auto away = [&](const WaveEstimate& each) {
+          return std::abs(std::log(each.wavelength.value * span / wave.wavelength));
+        };
+        return away(a) < away(b);
+      });
       const double phase = pi * fit.S_middle * span / wave.wavelength + wave.phase;
       const double turned = phase + 2 * pi * std::round((found.phase_at_middle.value - phase) / (2 * pi));
       std::printf("%.3f,%.3f,%.4f,%d,%.4f,%.4f,%d,%d,", wave.wavelength, found.wavelength.value * span,

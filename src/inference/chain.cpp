@@ -24,7 +24,7 @@ struct Dual {
   double value;
   Eigen::Array4d d;
 
-  Dual() = default;  // of no value, as a double
+  Dual() = default;    // of no value, as a double
   Dual(double number)  // NOLINT(google-explicit-constructor): a number is one with no derivative
       : value(number), d(Eigen::Array4d::Zero()) {}
   Dual(double number, Index of) : Dual(number) { d[of] = 1; }

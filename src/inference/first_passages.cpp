@@ -154,7 +154,7 @@ void complete(Linearisation& at, const Passages& passages) {
   at.log_jacobian = -at.stiffness_jacobian * at.eta + 0.5 * passages.stiffness_error * passages.stiffness_error *
                                                           at.stiffness_jacobian * at.stiffness_jacobian;
   for (std::size_t i = 0; i < n; ++i) {
-    constexpr double least_q_force = 0.02, least_fold = 0.1, least_fold_in_volume = 0.02;
+    constexpr double least_q_force = 0.02, least_fold = 0.05;
     at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
     const double q_force = std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, least_q_force);
     at.S_eta[i] = -slopes.F[i] * slopes.S_F[i];
@@ -166,7 +166,7 @@ void complete(Linearisation& at, const Passages& passages) {
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;
     at.h_stiffness[i] = -(at.q_eta[i] - at.slope[i] * at.S_eta[i]);
     at.h_contact[i] = slopes.q_w[i] - at.slope[i] * slopes.S_w[i];
-    at.log_jacobian += elementary::log(q_force * std::max(at.fold[i], least_fold_in_volume));
+    at.log_jacobian += elementary::log(q_force * std::max(at.fold[i], least_fold));
   }
 }
 

@@ -103,7 +103,6 @@ SearchOptions search_options(const FitOptions& options) {
   if (options.model == ProfileModel::roughness) return search;
   search.kernels = {Kernel::none};
   search.waves = options.model == ProfileModel::sinusoid ? 1 : options.model == ProfileModel::sinusoids ? 2 : 0;
-  search.without_wave = search.waves == 0;
   return search;
 }
 
@@ -202,9 +201,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
     fit.waves.push_back(wave_of(wave.draws, passages.S_middle, wave.log_wavelength));
   std::stable_sort(fit.waves.begin(), fit.waves.end(),
                    [](const auto& a, const auto& b) { return a.amplitude.value > b.amplitude.value; });
-  const bool either = asked.without_wave && asked.waves > 0;
+  const bool either = !asked.waves;
   fit.log_evidence_of_wave = either && !fit.waves.empty() ? posterior.log_evidence_of_wave : not_a_number;
-  constexpr double claim = 3;
   fit.wave_claimed =
       !fit.waves.empty() &&
       (!either || (fit.log_evidence_of_wave > claim && fit.waves.front().wavelength.value < passages.range / 4));

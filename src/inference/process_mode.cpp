@@ -297,23 +297,12 @@ void FrictionProcess::settle(Mode& mode) const {
   }
 }
 
-// One Gauss-Newton step; returns how far the fitted lengths moved, in standard deviations of their noise.
-double FrictionProcess::pass(Mode& mode, double fraction) const {
-  lay_sites(mode);
-  const auto nodes = nodes_of(mode);
-  const Looks looks = looks_of(mode, nodes);
-  const auto p = hyperparameters_of(mode.theta);
-  const Chain chain(looks, mode.kernel, p);
-  const auto smoothed = chain.smoothed();
+// dμ/dS of the friction fitted, at the readings.
+std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Looks& looks, const Chain& chain,
+                                               const std::vector<SmoothedLook>& smoothed) const {
   const Coefficients& beta = chain.mean();
-  auto& at = mode.at;
-  const double stiffness_part = columns_.stiffness >= 0 ? beta[columns_.stiffness] : 0;
-  const double eta = std::clamp(expected_stiffness(mode) + stiffness_part, -0.15 - 5 * passages_.stiffness_error,
-                                0.15 + 5 * passages_.stiffness_error);
-  const double eta_step = eta - at.eta;
-  std::vector<double> target(passages_.size());
-  double moved = 0;
-  std::size_t i = 0;
+  std::vector<double> slopes;
+  slopes.reserve(passages_.size());
   for (std::size_t k = 0; k < looks.looks.size(); ++k) {
     if (!looks.looks[k].is_reading()) continue;
     const Coefficients& h = looks.columns[k];
@@ -324,11 +313,35 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
       const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
       slope += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
     }
+    slopes.push_back(0.5 * slope);  // of x to S
+  }
+  return slopes;
+}
+
+// One Gauss-Newton step; returns how far the fitted lengths moved, in standard deviations of their noise.
+double FrictionProcess::pass(Mode& mode, double fraction) const {
+  lay_sites(mode);
+  const auto nodes = nodes_of(mode);
+  const Looks looks = looks_of(mode, nodes);
+  const auto p = hyperparameters_of(mode.theta);
+  const Chain chain(looks, mode.kernel, p);
+  const auto smoothed = chain.smoothed();
+  const auto slopes = slopes_of(mode, looks, chain, smoothed);
+  auto& at = mode.at;
+  const double stiffness_part = columns_.stiffness >= 0 ? chain.mean()[columns_.stiffness] : 0;
+  const double eta = std::clamp(expected_stiffness(mode) + stiffness_part, -0.15 - 5 * passages_.stiffness_error,
+                                0.15 + 5 * passages_.stiffness_error);
+  const double eta_step = eta - at.eta;
+  std::vector<double> target(passages_.size());
+  double moved = 0;
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    if (!looks.looks[k].is_reading()) continue;
     const double reach = 4 * std::abs(at.S_force[i]) * p.noise;
     const double by_noise = std::clamp(-at.S_force[i] * smoothed[k].e, -reach, reach);
     target[i] = at.S_seen[i] + by_noise + at.S_eta[i] * eta_step;
     moved = std::max(moved, std::abs(target[i] - at.S[i]));
-    at.slope[i] += fraction * (0.5 * slope - at.slope[i]);
+    at.slope[i] += fraction * (slopes[i] - at.slope[i]);
     ++i;
   }
   update_sites(mode, nodes, looks, smoothed);
@@ -351,41 +364,41 @@ void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
   settle(mode);
 }
 
-// d/dη of the noise's volume in the readings and in their covariance, by central differences along the fitted states.
+Looks FrictionProcess::at_one_stiffness(Looks looks) const {
+  constexpr double known = 1e-12;
+  looks.prior[static_cast<std::size_t>(columns_.stiffness)] = known;
+  return looks;
+}
+
+// How the slope of the fitted friction changes with η, the readings being given.
+std::vector<double> FrictionProcess::slope_by_stiffness(const Mode& mode) const {
+  Looks looks = at_one_stiffness(looks_of(mode));
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) looks.values[k] = -looks.columns[k][columns_.stiffness];
+  const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+  return slopes_of(mode, looks, chain, chain.smoothed());
+}
+
+// d/dη of the volume of the readings and of their covariance, by central differences along the fitted states.
 void FrictionProcess::update_jacobian(Mode& mode) const {
   if (columns_.stiffness < 0 || passages_.stiffness_error < 1e-3) return;
   constexpr double h = 0.01;
   const auto p = hyperparameters_of(mode.theta);
-  const Looks here = looks_of(mode);
-  struct Volume {
-    std::vector<double> log_gain;
-    double log_determinant;
-  };
-  const auto volume_at = [&](double eta) {
+  const auto slope_by_eta = slope_by_stiffness(mode);
+  const auto log_volume_at = [&](double step) {
     Mode other = mode;
     other.at.stiffness_jacobian = 0;
-    other.at.eta = eta;
-    for (std::size_t i = 0; i < passages_.size(); ++i) other.at.S[i] += mode.at.S_eta[i] * (eta - mode.at.eta);
-    complete(other.at, passages_);
-    // Of the covariance alone: at the looks of the mode, with the other gains.
-    Looks looks = here;
-    Volume volume{{}, 0};
-    std::size_t i = 0;
-    for (auto& look : looks.looks) {
-      if (!look.is_reading()) continue;
-      volume.log_gain.push_back(elementary::log(other.at.noise_gain[i]));
-      // What no kernel follows stands for errors of the force as well: it grows with the gain.
-      const double grown = other.at.noise_gain[i] / look.noise_gain;
-      look.variance *= grown * grown;
-      look.noise_gain = other.at.noise_gain[i++];
+    other.at.eta += step;
+    for (std::size_t i = 0; i < passages_.size(); ++i) {
+      other.at.S[i] += mode.at.S_eta[i] * step;
+      other.at.slope[i] += slope_by_eta[i] * step;
     }
-    volume.log_determinant = Chain(looks, mode.kernel, p).log_determinant();
+    complete(other.at, passages_);
+    const Looks looks = at_one_stiffness(looks_of(other));
+    double volume = -0.5 * Chain(looks, mode.kernel, p).log_determinant();
+    for (const double gain : other.at.noise_gain) volume += elementary::log(gain);
     return volume;
   };
-  const Volume up = volume_at(mode.at.eta + h), down = volume_at(mode.at.eta - h);
-  double J = -0.5 * (up.log_determinant - down.log_determinant) / (2 * h);
-  for (std::size_t i = 0; i < up.log_gain.size(); ++i) J += (up.log_gain[i] - down.log_gain[i]) / (2 * h);
-  mode.at.stiffness_jacobian = J;
+  mode.at.stiffness_jacobian = (log_volume_at(h) - log_volume_at(-h)) / (2 * h);
   complete(mode.at, passages_);
 }
 

@@ -119,6 +119,10 @@ class FrictionProcess {
   double pass(Mode& mode, double fraction) const;
   void update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
                     const std::vector<SmoothedLook>& smoothed) const;
+  std::vector<double> slopes_of(const Mode& mode, const Looks& looks, const Chain& chain,
+                                const std::vector<SmoothedLook>& smoothed) const;
+  Looks at_one_stiffness(Looks looks) const;
+  std::vector<double> slope_by_stiffness(const Mode& mode) const;
   void update_jacobian(Mode& mode) const;
   void maximise(Mode& mode, int iterations) const;
   double log_prior(const Mode& mode, const Theta& theta) const;

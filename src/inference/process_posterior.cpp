@@ -220,10 +220,18 @@ class Posterior {
                                           : NormalPart{weight, 0, 0});
       if (mode.theta.waves > 0) draw_waves(component, mode, chain, mean, weight);
     }
+    // Hyperparameters by the moments of the points: their logarithms are skewed about the mode.
     const double weight = weight_of(component, components_.front());
-    const auto of_theta = [&](Index j) {
-      return NormalPart{weight, component.mode.theta.values[static_cast<std::size_t>(j)],
-                        std::sqrt(component.spread(j, j))};
+    const auto of_theta = [&](std::size_t j) {
+      double total = 0, mean = 0, squares = 0;
+      for (const auto& point : points) total += elementary::exp(point.log_weight);
+      for (const auto& point : points) mean += elementary::exp(point.log_weight) * point.mode.theta.values[j] / total;
+      for (const auto& point : points) {
+        const double away = point.mode.theta.values[j] - mean;
+        squares += elementary::exp(point.log_weight) * away * away / total;
+      }
+      const auto at = static_cast<Index>(j);
+      return NormalPart{weight, mean, std::sqrt(std::max(squares, component.spread(at, at)))};
     };
     result_.log_noise.push_back(of_theta(0));
     if (component.mode.kernel == Kernel::none) return;
@@ -235,6 +243,7 @@ class Posterior {
   bool is_likeliest_wave(const Mode& mode) const {
     const auto best = std::find_if(components_.begin(), components_.end(),
                                    [](const Component& other) { return other.mode.theta.waves > 0; });
+    if (mode.theta.waves != best->mode.theta.waves) return false;
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const double log_wavelength = best->mode.theta.log_wavelength(wave);
       if (std::abs(mode.theta.log_wavelength(wave) - log_wavelength) > same_wave(log_wavelength)) return false;

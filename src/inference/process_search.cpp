@@ -121,32 +121,31 @@ class Search {
 
   ProcessSearch run() {
     ProcessSearch result;
-    const Kernel first = first_kernel();
-    Mode plain = without_wave(first);
+    Mode plain = without_wave(first_kernel());
     result.scan = scan_of(process_, plain);
+    const std::size_t asked = options_.waves.value_or(1);
     std::vector<Mode> waves;
-    if (options_.waves > 0) waves = with_one_more_wave(plain, result.scan);
-    for (std::size_t more = 1; more < options_.waves && !waves.empty(); ++more) {
-      auto with_more = with_one_more_wave(waves.front(), scan_of(process_, waves.front()));
-      if (!with_more.empty()) waves = std::move(with_more);
+    for (std::size_t count = 1; count <= asked; ++count) {
+      auto more = count == 1 ? with_one_more_wave(plain, result.scan)
+                             : with_one_more_wave(waves.front(), scan_of(process_, waves.front()));
+      if (more.empty()) break;
+      waves = std::move(more);
     }
-    if (!waves.empty() && options_.without_wave) improve(plain, waves.front());
+    const bool with_plain = !options_.waves || waves.empty();
+    if (with_plain && !waves.empty()) improve(plain, waves.front());
     mend(plain);
     auto& components = result.components;
     for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
-    if (options_.without_wave || waves.empty()) components.push_back(component_of(process_, plain));
-    // Where a wave is out of the question with one kernel, it is not asked for with the others; nor are waves far below the best.
-    constexpr double out_of_question = -2, far_below = 4;
-    const bool in_question =
-        !options_.without_wave ||
-        (!waves.empty() && components.front().log_evidence > components.back().log_evidence + out_of_question);
+    if (with_plain) components.push_back(component_of(process_, plain));
+    const double gain = with_plain ? components.front().log_evidence - components.back().log_evidence : claim;
+    if (!options_.waves && !waves.empty() && gain > claim) add_second_wave(waves, components);
     const std::size_t with_first = components.size();
+    // Where a wave is out of the question with its kernel, it is not asked for with the others; nor are waves far below the best.
+    constexpr double out_of_question = -2, far_below = 4;
     for (const Kernel kernel : options_.kernels) {
-      if (kernel == first) continue;
-      if (options_.without_wave || waves.empty())
-        components.push_back(component_of(process_, continued(plain, kernel)));
+      if (with_plain && kernel != plain.kernel) components.push_back(component_of(process_, continued(plain, kernel)));
       for (const Mode& wave : waves)
-        if (in_question && wave.merit > waves.front().merit - far_below)
+        if (gain > out_of_question && kernel != wave.kernel && wave.merit > waves.front().merit - far_below)
           components.push_back(component_of(process_, continued(wave, kernel)));
     }
     double best = components.front().log_evidence;
@@ -163,6 +162,18 @@ class Search {
   }
 
  private:
+  // Modes with two waves, where the second is claimed as well: they take the place of those with one.
+  void add_second_wave(std::vector<Mode>& waves, std::vector<Component>& components) const {
+    const auto two = with_one_more_wave(waves.front(), scan_of(process_, waves.front()));
+    if (two.empty()) return;
+    const Component best = component_of(process_, two.front());
+    if (best.log_evidence < components.front().log_evidence + claim) return;
+    std::erase_if(components, [](const Component& component) { return component.mode.theta.waves == 1; });
+    components.insert(components.begin(), best);
+    for (std::size_t i = 1; i < two.size(); ++i) components.push_back(component_of(process_, two[i]));
+    waves = two;
+  }
+
   Kernel first_kernel() const {
     for (const Kernel kernel : options_.kernels)
       if (kernel == Kernel::matern_3_2) return kernel;

@@ -3,16 +3,20 @@
 // Every mode found is a component of a mixture, weighed by its evidence (Laplace). Nothing is chosen but what the weights say.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "inference/process_mode.h"
 
 namespace flexslip {
 
+inline constexpr double claim = 3;  // of the logarithm of the evidence: what one wave more must bring to be claimed
+
 struct SearchOptions {
   std::vector<Kernel> kernels{all_kernels.begin(), all_kernels.end()};
-  bool without_wave = true;  // modes that have none
-  std::size_t waves = 1;     // modes with so many; 0: none are looked for
+  std::optional<std::size_t>
+      waves;  // modes with so many; not given: with none, with one, and with two where both are claimed
 };
 
 struct Component {
