@@ -134,6 +134,7 @@ class Search {
     const bool with_plain = !options_.waves || waves.empty();
     if (with_plain && !waves.empty()) improve(plain, waves.front());
     mend(plain);
+    process_.polish(plain, 8, 10, 0.3);
     auto& components = result.components;
     for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
     if (with_plain) components.push_back(component_of(process_, plain));
@@ -141,7 +142,7 @@ class Search {
     if (!options_.waves && !waves.empty() && gain > claim) add_second_wave(waves, components);
     const std::size_t with_first = components.size();
     // Where a wave is out of the question with its kernel, it is not asked for with the others; nor are waves far below the best.
-    constexpr double out_of_question = -2, far_below = 4;
+    constexpr double out_of_question = -2, far_below = 3;
     for (const Kernel kernel : options_.kernels) {
       if (with_plain && kernel != plain.kernel) components.push_back(component_of(process_, continued(plain, kernel)));
       for (const Mode& wave : waves)
@@ -308,7 +309,7 @@ class Search {
       });
       if (known) continue;
       const Mode before = mode;
-      process_.polish(mode, 4, 8, 0.2);
+      process_.polish(mode, polished.empty() ? 4 : 2, 8, 0.2);
       if (before.merit > mode.merit) mode = before;
       mend(mode);
       polished.push_back(mode);
