@@ -1,16 +1,18 @@
 // How often 95 % intervals hold the truth, on simulated tests: bench/coverage KIND FIRST COUNT prints a line of CSV for each test.
-// Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet.
+// Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet, measured.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "inference/chain.h"
 #include "inference/fit.h"
 #include "inference/sliding_ladder.h"
 
@@ -36,14 +38,15 @@ struct Wave {
 };
 
 struct Truth {
-  double mu0 = 0, stiffening = 1, k = 0, noise = 0, correlation = 0, roughness = 0;
+  double mu0 = 0, stiffening = 1, k = 0, noise = 0, correlation = 0, roughness = 0, length = 30;
   std::vector<Wave> waves;
-  std::vector<double> bumps;  // each µm of the fibre
+  std::vector<double> bumps;  // of the fibre, so many µm apart
+  double spacing = 1;
   double mu(double S) const {
     double mu = mu0;
     for (const auto& wave : waves) mu += wave.amplitude * std::cos(pi * S * span / wave.wavelength + wave.phase);
     if (!bumps.empty()) {
-      const double x = std::min(0.5 * (S - 1) * span, static_cast<double>(bumps.size() - 2));
+      const double x = std::min(0.5 * (S - 1) * span / spacing, static_cast<double>(bumps.size() - 2));
       const auto i = static_cast<std::size_t>(x);
       const double part = x - static_cast<double>(i);
       mu += (1 - part) * bumps[i] + part * bumps[i + 1];
@@ -51,6 +54,18 @@ struct Truth {
     return std::max(mu, 0.01);
   }
 };
+
+// Roughness with a Matérn kernel of ν = 3/2, each quarter of a µm.
+std::vector<double> matern_bumps(double rms, double length, Random& random) {
+  Looks looks;
+  for (int i = 0; i < 1680; ++i) {
+    looks.looks.push_back({.place = 0.25 * i / span, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
+    looks.values.push_back(0);
+    looks.columns.emplace_back(Coefficients::Zero(0));
+  }
+  NormalSource normal(static_cast<std::uint64_t>(random.uniform() * 1e15));
+  return draw_from_prior(looks, Kernel::matern_3_2, {.noise = 1, .correlation = 0, .roughness = rms, .length = length / span}, normal).f;
+}
 
 // Gaussian roughness a µm apart: exponentially correlated, or smooth as exp(-(x/30)^2/2) by a moving average.
 std::vector<double> bumps_of(bool smooth, double rms, Random& random) {
@@ -96,6 +111,14 @@ Truth truth_of(const std::string& kind, Random& random) {
   if (kind == "soft") {
     t.correlation = 0;
     t.waves = {{t.mu0 * std::min(A, 0.24 / t.mu0), random.between(8, 16), phase}};
+  } else if (kind == "measured") {  // as rough and as quiet as the authors' specimens
+    t.noise = random.between(0.005, 0.015);
+    t.k = random.between(18, 35);
+    t.correlation = 0.3;
+    t.roughness = random.between(0.04, 0.2);
+    t.length = random.between(4, 15);
+    t.bumps = matern_bumps(t.roughness, t.length, random);
+    t.spacing = 0.25;
   } else if (kind != "roughness" && kind != "constant") {
     t.waves = {{t.mu0 * A, lambda, phase}};
   }
@@ -105,7 +128,7 @@ Truth truth_of(const std::string& kind, Random& random) {
   if (kind == "exponential" || kind == "squared_exponential") t.roughness = 0.03;
   if (kind == "roughness") t.roughness = random.between(0.03, 0.06);
   const bool smooth = kind == "squared_exponential" || (kind == "roughness" && random.uniform() < 0.5);
-  if (t.roughness > 0) t.bumps = bumps_of(smooth, t.roughness, random);
+  if (t.roughness > 0 && t.bumps.empty()) t.bumps = bumps_of(smooth, t.roughness, random);
   return t;
 }
 
@@ -167,7 +190,7 @@ int main(int count, char** arguments) {
     std::printf("%s,%d,%.4f,%d,%.4f,%.4f,%d,%.3f,", kind.c_str(), test, mean, covers(fit.mu0, mean), fit.mu0.value,
                 fit.mu0.standard_error, covers(fit.bending_stiffness, t.stiffening),
                 (fit.bending_stiffness.value - t.stiffening) / fit.bending_stiffness.standard_error);
-    std::printf("%d,%d,%d,%zu,%.2f,%d,", covers(fit.roughness, t.roughness), covers(fit.length, 30 / span),
+    std::printf("%d,%d,%d,%zu,%.2f,%d,", covers(fit.roughness, t.roughness), covers(fit.length, t.length / span),
                 covers(fit.noise, t.noise), t.waves.size(), fit.log_evidence_of_wave, fit.wave_claimed);
     if (t.waves.empty() || fit.waves.empty()) {
       std::printf("0,%.3f,0,0,0,0,0,0,", fit.waves.empty() ? 0 : fit.waves[0].wavelength.value * span);

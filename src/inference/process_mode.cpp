@@ -398,7 +398,10 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
     for (const double gain : other.at.noise_gain) volume += elementary::log(gain);
     return volume;
   };
-  mode.at.stiffness_jacobian = (log_volume_at(h) - log_volume_at(-h)) / (2 * h);
+  // Half way: J moves η, η the hyperparameters, and these J, back and forth.
+  double& J = mode.at.stiffness_jacobian;
+  const double found = (log_volume_at(h) - log_volume_at(-h)) / (2 * h);
+  J = J == 0 ? found : 0.5 * (J + found);
   complete(mode.at, passages_);
 }
 
