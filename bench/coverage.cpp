@@ -59,12 +59,15 @@ struct Truth {
 std::vector<double> matern_bumps(double rms, double length, Random& random) {
   Looks looks;
   for (int i = 0; i < 1680; ++i) {
-    looks.looks.push_back({.place = 0.25 * i / span, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
+    looks.looks.push_back(
+        {.place = 0.25 * i / span, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
     looks.values.push_back(0);
     looks.columns.emplace_back(Coefficients::Zero(0));
   }
   NormalSource normal(static_cast<std::uint64_t>(random.uniform() * 1e15));
-  return draw_from_prior(looks, Kernel::matern_3_2, {.noise = 1, .correlation = 0, .roughness = rms, .length = length / span}, normal).f;
+  return draw_from_prior(looks, Kernel::matern_3_2,
+                         {.noise = 1, .correlation = 0, .roughness = rms, .length = length / span}, normal)
+      .f;
 }
 
 // Gaussian roughness a µm apart: exponentially correlated, or smooth as exp(-(x/30)^2/2) by a moving average.

@@ -187,7 +187,8 @@ std::vector<Level> levels_of(std::span<const double> S, std::span<const double> 
       if (!std::isfinite(next)) next = q[j] + 0.25;
       next = std::clamp(next, least_q, greatest_q);
       moved = std::max(moved, std::abs(next - q[j]));
-      levels[j] = {.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q};
+      const double G_S = s.w_S[j] + s.F_S[j] * stiffer;
+      levels[j] = {.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q, .m_S = -G_S / G_q};
       q[j] = next;
     }
     constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square

@@ -59,6 +59,7 @@ struct Level {
   double m;        // [1]
   double m_stage;  // [1/L] dm/dW
   double m_eta;    // [1]
+  double m_S;      // [1/L] dm/dS
 };
 
 // Domain:     S in (1, 2.1); `near` are frictions not far from those sought.

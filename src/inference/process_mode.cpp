@@ -129,13 +129,19 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
   }
   const auto levels = levels_of(S, stage, near, passages_.compliance, mode.at.eta);
   std::vector<Node> nodes;
-  for (std::size_t j = 0; j < S.size(); ++j) nodes.push_back({S[j], levels[j]});
+  for (std::size_t j = 0; j < S.size(); ++j) {
+    const GapSite& site = mode.sites[j];
+    const double part = static_cast<double>(site.node) / static_cast<double>(site.nodes + 1);
+    const double before = mode.at.S_eta[site.reading - 1];
+    const double S_eta = before + part * (mode.at.S_eta[site.reading] - before);
+    nodes.push_back({S[j], levels[j], levels[j].m_eta + (levels[j].m_S - site.slope) * S_eta});
+  }
   return nodes;
 }
 
 // What friction at a node is below, less what is expected of it.
 double FrictionProcess::bound_at(const Node& node, const Mode& mode) const {
-  return node.level.m - node.level.m_eta * (mode.at.eta - expected_stiffness(mode)) - mean_friction;
+  return node.level.m - node.by_stiffness * (mode.at.eta - expected_stiffness(mode)) - mean_friction;
 }
 
 Looks FrictionProcess::looks_of(const Mode& mode) const { return looks_of(mode, nodes_of(mode)); }
@@ -160,7 +166,7 @@ Looks FrictionProcess::looks_of(const Mode& mode, const std::vector<Node>& nodes
   std::size_t j = 0;
   for (std::size_t i = 0; i < n; ++i) {
     for (; j < nodes.size() && mode.sites[j].reading == i; ++j)
-      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0, -nodes[j].level.m_eta,
+      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0, -nodes[j].by_stiffness,
           nodes[j].level.m_stage);
     add({.place = passages_.place(at.S[i]),
          .rows = i == 0 ? 0.0 : static_cast<double>(passages_.row[i] - passages_.row[i - 1]),
@@ -297,14 +303,13 @@ void FrictionProcess::settle(Mode& mode) const {
   }
 }
 
-// dμ/dS of the friction fitted, at the readings.
+// dμ/dS of the friction fitted, at each look.
 std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Looks& looks, const Chain& chain,
                                                const std::vector<SmoothedLook>& smoothed) const {
   const Coefficients& beta = chain.mean();
   std::vector<double> slopes;
-  slopes.reserve(passages_.size());
+  slopes.reserve(looks.looks.size());
   for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    if (!looks.looks[k].is_reading()) continue;
     const Coefficients& h = looks.columns[k];
     double slope = smoothed[k].slope;
     if (columns_.drift >= 0) slope += beta[columns_.drift] / passages_.range;
@@ -334,14 +339,18 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   const double eta_step = eta - at.eta;
   std::vector<double> target(passages_.size());
   double moved = 0;
-  std::size_t i = 0;
+  std::size_t i = 0, j = 0;
   for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    if (!looks.looks[k].is_reading()) continue;
+    if (!looks.looks[k].is_reading()) {
+      double& slope = mode.sites[j++].slope;
+      slope += fraction * (slopes[k] - slope);
+      continue;
+    }
     const double reach = 4 * std::abs(at.S_force[i]) * p.noise;
     const double by_noise = std::clamp(-at.S_force[i] * smoothed[k].e, -reach, reach);
     target[i] = at.S_seen[i] + by_noise + at.S_eta[i] * eta_step;
     moved = std::max(moved, std::abs(target[i] - at.S[i]));
-    at.slope[i] += fraction * (slopes[i] - at.slope[i]);
+    at.slope[i] += fraction * (slopes[k] - at.slope[i]);
     ++i;
   }
   update_sites(mode, nodes, looks, smoothed);
@@ -364,36 +373,57 @@ void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
   settle(mode);
 }
 
-Looks FrictionProcess::at_one_stiffness(Looks looks) const {
-  constexpr double known = 1e-12;
-  looks.prior[static_cast<std::size_t>(columns_.stiffness)] = known;
+// The looks of a mode whose EI is known.
+Looks FrictionProcess::at_its_stiffness(const Mode& mode) const {
+  Looks looks = looks_of(mode);
+  const double to_expected = mode.at.eta - expected_stiffness(mode);
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    double& h = looks.columns[k][columns_.stiffness];
+    looks.values[k] -= h * to_expected;
+    h = 0;
+  }
   return looks;
 }
 
-// How the slope of the fitted friction changes with η, the readings being given.
-std::vector<double> FrictionProcess::slope_by_stiffness(const Mode& mode) const {
-  Looks looks = at_one_stiffness(looks_of(mode));
-  for (std::size_t k = 0; k < looks.looks.size(); ++k) looks.values[k] = -looks.columns[k][columns_.stiffness];
-  const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
-  return slopes_of(mode, looks, chain, chain.smoothed());
+// A mode at another EI, its lengths along, its slopes by so much.
+Mode FrictionProcess::stiffer(const Mode& mode, double step, std::span<const double> slope_by_eta) const {
+  Mode other = mode;
+  other.at.stiffness_jacobian = 0;
+  other.at.eta += step;
+  for (std::size_t i = 0; i < passages_.size(); ++i) {
+    other.at.S[i] += mode.at.S_eta[i] * step;
+    if (!slope_by_eta.empty()) other.at.slope[i] += slope_by_eta[i] * step;
+  }
+  complete(other.at, passages_);
+  return other;
 }
 
 // d/dη of the volume of the readings and of their covariance, by central differences along the fitted states.
 void FrictionProcess::update_jacobian(Mode& mode) const {
   if (columns_.stiffness < 0 || passages_.stiffness_error < 1e-3) return;
-  constexpr double h = 0.01;
+  constexpr double h = 0.005;
   const auto p = hyperparameters_of(mode.theta);
-  const auto slope_by_eta = slope_by_stiffness(mode);
+  const auto slopes_at = [&](double step) {
+    const Mode other = stiffer(mode, step, {});
+    const Looks looks = at_its_stiffness(other);
+    const Chain chain(looks, mode.kernel, p);
+    const auto slopes = slopes_of(other, looks, chain, chain.smoothed());
+    std::vector<double> at_readings;
+    for (std::size_t k = 0; k < looks.looks.size(); ++k)
+      if (looks.looks[k].is_reading()) at_readings.push_back(slopes[k]);
+    return at_readings;
+  };
+  auto slope_by_eta = slopes_at(h);
+  const auto below = slopes_at(-h);
+  // Where places coincide, slopes mean nothing: D changes by no more than so much of itself.
+  constexpr double most_of_gain = 20;
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    const double most = most_of_gain * mode.at.noise_gain[i] / std::max(std::abs(mode.at.S_force[i]), 1e-9);
+    slope_by_eta[i] = std::clamp((slope_by_eta[i] - below[i]) / (2 * h), -most, most);
+  }
   const auto log_volume_at = [&](double step) {
-    Mode other = mode;
-    other.at.stiffness_jacobian = 0;
-    other.at.eta += step;
-    for (std::size_t i = 0; i < passages_.size(); ++i) {
-      other.at.S[i] += mode.at.S_eta[i] * step;
-      other.at.slope[i] += slope_by_eta[i] * step;
-    }
-    complete(other.at, passages_);
-    const Looks looks = at_one_stiffness(looks_of(other));
+    const Mode other = stiffer(mode, step, slope_by_eta);
+    const Looks looks = at_its_stiffness(other);
     double volume = -0.5 * Chain(looks, mode.kernel, p).log_determinant();
     for (const double gain : other.at.noise_gain) volume += elementary::log(gain);
     return volume;

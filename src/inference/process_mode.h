@@ -34,6 +34,7 @@ struct GapSite {
   std::size_t node, nodes;    // which of how many
   double precision = 0;       // [1]
   double precision_mean = 0;  // [1]
+  double slope = 0;           // [1/L] dμ/dS of the friction fitted
 };
 
 struct Mode {
@@ -109,6 +110,7 @@ class FrictionProcess {
   struct Node {
     double S;
     Level level;
+    double by_stiffness;  // [1] d/dη of the slack, the node going with its gap
   };
   std::vector<Node> nodes_of(const Mode& mode) const;
   double bound_at(const Node& node, const Mode& mode) const;
@@ -121,8 +123,8 @@ class FrictionProcess {
                     const std::vector<SmoothedLook>& smoothed) const;
   std::vector<double> slopes_of(const Mode& mode, const Looks& looks, const Chain& chain,
                                 const std::vector<SmoothedLook>& smoothed) const;
-  Looks at_one_stiffness(Looks looks) const;
-  std::vector<double> slope_by_stiffness(const Mode& mode) const;
+  Looks at_its_stiffness(const Mode& mode) const;
+  Mode stiffer(const Mode& mode, double step, std::span<const double> slope_by_eta) const;
   void update_jacobian(Mode& mode) const;
   void maximise(Mode& mode, int iterations) const;
   double log_prior(const Mode& mode, const Theta& theta) const;
