@@ -54,8 +54,8 @@ int main(int count, char** arguments) {
       least = std::min(least, 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     }
     const TestAnalysis& analysis = test.analysis;
-    const FrictionProcess process(passages_of(thinned(usable_part({analysis.reduced, analysis.rig, analysis.errors}))),
-                                  {});
+    const FrictionProcess process(
+        passages_of(thinned(usable_part({analysis.reduced, analysis.rig, analysis.errors}))));
     const Linearisation rises = rises_of(process.passages());
     NormalSource normal(1);
     std::vector<Optimum> optima;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "data/line.h"
+#include "data/order.h"
 
 namespace flexslip {
 namespace {
@@ -49,13 +50,6 @@ std::vector<double> mapped(std::span<const double> values, Operation operation) 
   std::vector<double> result(values.size());
   std::transform(values.begin(), values.end(), result.begin(), operation);
   return result;
-}
-
-double median_of(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 // The slope of the force over one step of the stage, and what it weighs: a step of no travel tells nothing.

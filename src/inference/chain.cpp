@@ -618,7 +618,8 @@ std::vector<SmoothedLook> Chain::smoothed() const {
       std::size_t before = k, after = k;
       while (before > 0 && looks_.looks[before].place == looks_.looks[k].place) --before;
       while (after + 1 < n && looks_.looks[after].place == looks_.looks[k].place) ++after;
-      const double sides = (before < k) + (after > k);
+      const double place = looks_.looks[k].place;
+      const double sides = (looks_.looks[before].place < place) + (looks_.looks[after].place > place);
       result[k].slope = sides > 0 ? (slope_at(k, before) + slope_at(k, after)) / sides : 0;
     }
   }

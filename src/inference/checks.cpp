@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "data/order.h"
 #include "inference/chain.h"
 #include "inference/process_posterior.h"
 
@@ -23,12 +24,6 @@ Falls falls_beyond(double threshold, std::span<const Drop> drops) {
       sum += drop.force_fall;
     }
   return {number, sum / number};
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // Stage positions of which none lies behind the one before: readings of the stage jitter.
@@ -108,10 +103,10 @@ Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropO
           {{"threshold", threshold, true},
            {"record", record.number, false},
            {"draws_low", *low, false},
-           {"draws_median", median(numbers), false},
+           {"draws_median", median_of(numbers), false},
            {"draws_high", *high, false},
            {"record_fall", record.mean, true},
-           {"draws_fall", means.empty() ? std::nan("") : median(means), true}}};
+           {"draws_fall", means.empty() ? std::nan("") : median_of(means), true}}};
 }
 
 Check check_friction(const FrictionFit& fit) {

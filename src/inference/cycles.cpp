@@ -7,9 +7,11 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <Eigen/Dense>
 
+#include "data/order.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {
@@ -64,12 +66,7 @@ void require(bool holds, const char* what, double value) {
   if (!holds) throw std::invalid_argument(std::string(what) + ": " + std::to_string(value));
 }
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+double median_or_zero(std::vector<double> values) { return values.empty() ? 0 : median_of(std::move(values)); }
 
 // Standard deviation of one reading, from second differences within the legs: no smooth curve passes for noise.
 double reading_noise(const ReducedRecord& record, std::span<const Leg> legs) {
@@ -77,7 +74,7 @@ double reading_noise(const ReducedRecord& record, std::span<const Leg> legs) {
   for (const auto& leg : legs)
     for (std::size_t i = leg.first + 1; i + 1 < leg.last; ++i)
       bends.push_back(std::abs(record.force[i - 1] - 2 * record.force[i] + record.force[i + 1]));
-  return median_of(bends) / (0.6745 * std::sqrt(6.0));
+  return median_or_zero(bends) / (0.6745 * std::sqrt(6.0));
 }
 
 std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
@@ -171,7 +168,7 @@ void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double fo
     const double rate = turn.stick_rate;
     std::vector<double> steps;
     for (std::size_t i = first + 1; i < last; ++i) steps.push_back(std::abs(points[i].stage - points[i - 1].stage));
-    const double step = median_of(steps);
+    const double step = median_or_zero(steps);
     // Points in a window whose slope is known to an eighth of the rate: its standard error is σ/step √(12/m³).
     const double needed = std::cbrt(12 * std::pow(8 * force_noise * std::abs(turn.q_force) / (rate * step), 2));
     const auto window =
@@ -235,7 +232,7 @@ Pairs pair_directions(const Block& block) {
   std::vector<double> gaps;
   gaps.reserve(in.size());
   for (std::size_t i = 1; i < in.size(); ++i) gaps.push_back(in[i]->S - in[i - 1]->S);
-  const double widest = 8 * median_of(gaps);  // wider ones are snaps, within which nothing was measured
+  const double widest = 8 * median_or_zero(gaps);  // wider ones are snaps, within which nothing was measured
 
   const double low = std::max(in.front()->S, out.front()->S);
   const double high = std::min(in.back()->S, out.back()->S);
@@ -818,7 +815,7 @@ BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const doubl
   squares.reserve(2 * n);
   for (const double value : a) squares.push_back(value * value);
   for (const double value : b) squares.push_back(value * value);
-  const double spread = median_of(squares) / 0.455;  // 0.455 is the median of the square of a standard normal
+  const double spread = median_or_zero(squares) / 0.455;  // 0.455 is the median of the square of a standard normal
   if (!(spread > 0)) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
   for (std::size_t i = 0; i < n; ++i) weights[i] = spread / (spread + noise[i]);
   a = without_trend(S, in, weights);

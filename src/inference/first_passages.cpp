@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "data/order.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elementary.h"
 #include "fibre/state_table.h"
@@ -18,19 +19,13 @@ constexpr double least_q = -1.5, greatest_q = 2.2;
 constexpr double greatest_w = 0.8;
 constexpr double usually_from = 0.08;  // below, 1 % in EI is 0.06 in μ
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Of one reading, from second differences: those of a smooth curve hold noise alone.
 double noise_of(std::span<const double> force) {
   std::vector<double> seconds;
   for (std::size_t i = 2; i < force.size(); ++i)
     seconds.push_back(std::abs(force[i] - 2 * force[i - 1] + force[i - 2]));
   constexpr double of_median = 1.4826;  // standard deviation over median absolute deviation
-  return of_median * median(seconds) / std::sqrt(6.0);
+  return of_median * median_of(seconds) / std::sqrt(6.0);
 }
 
 // Readings at the end of a run of falls show where the fibre came to rest; those before it, what the loop of a recorder caught.
@@ -67,28 +62,6 @@ InverseSlopes inverse_slopes(std::span<const double> S, std::span<const double> 
 }
 
 }  // namespace
-
-std::vector<double> non_falling(std::span<const double> values) {
-  struct Block {
-    double mean;
-    std::size_t size;
-  };
-  std::vector<Block> blocks;
-  for (const double value : values) {
-    blocks.push_back({value, 1});
-    while (blocks.size() > 1 && blocks[blocks.size() - 2].mean > blocks.back().mean) {
-      const Block last = blocks.back();
-      blocks.pop_back();
-      Block& before = blocks.back();
-      const auto a = static_cast<double>(before.size), b = static_cast<double>(last.size);
-      before = {(before.mean * a + last.mean * b) / (a + b), before.size + last.size};
-    }
-  }
-  std::vector<double> result;
-  result.reserve(values.size());
-  for (const auto& block : blocks) result.insert(result.end(), block.size, block.mean);
-  return result;
-}
 
 Passages passages_of(const FitProblem& problem) {
   const auto& record = problem.record;
@@ -166,7 +139,7 @@ void complete(Linearisation& at, const Passages& passages) {
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;
     at.h_stiffness[i] = -(at.q_eta[i] - at.slope[i] * at.S_eta[i]);
     at.h_contact[i] = slopes.q_w[i] - at.slope[i] * slopes.S_w[i];
-    at.log_jacobian += elementary::log(q_force * std::max(at.fold[i], least_fold));
+    at.log_jacobian += elementary::log(at.noise_gain[i]);
   }
 }
 
@@ -188,7 +161,9 @@ std::vector<Level> levels_of(std::span<const double> S, std::span<const double> 
       next = std::clamp(next, least_q, greatest_q);
       moved = std::max(moved, std::abs(next - q[j]));
       const double G_S = s.w_S[j] + s.F_S[j] * stiffer;
-      levels[j] = {.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q, .m_S = -G_S / G_q};
+      levels[j] = std::isfinite(G_q)
+                      ? Level{.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q, .m_S = -G_S / G_q}
+                      : Level{.m = next, .m_stage = 0, .m_eta = 0, .m_S = 0};
       q[j] = next;
     }
     constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
@@ -208,7 +183,7 @@ Linearisation rises_of(const Passages& passages) {
   const double noise = std::max(noise_of(passages.force), 0.002);
   std::vector<double> deviation(n);
   for (std::size_t i = 0; i < n; ++i) deviation[i] = std::max(std::abs(at.S_force[i]) * noise, 3e-5);
-  const double cap = 4 * median(deviation);
+  const double cap = 4 * median_of(deviation);
   // Sums from the beginning: of the weights, and of their moments with the stage x and the length y.
   struct Sums {
     double w = 0, x = 0, xx = 0, y = 0, xy = 0, yy = 0;

@@ -29,8 +29,8 @@ struct Passages {
   double place(double S_at) const { return 0.5 * (S_at - S_middle); }  // [L] x of friction_process.h
 };
 
-// Method:     Deflections from friction_shows_from (or half the greatest, if that is less than 0.08) to 0.8 that some friction in [-1.5, 2.2]
-//             explains, where the stage advances; those within a drop of several readings are left out.
+// Method:     Deflections from 0.08, or half the greatest if that is less, never below friction_shows_from, to 0.8, that some friction in
+//             [-1.5, 2.2] explains, where the stage advances; those within a drop of several readings are left out.
 Passages passages_of(const FitProblem& problem);
 
 // The readings linearised: y_i = μ(x_i) + h_E (η - η0) + h_contact ξ + D e_i, e_i being the error of the force, η = ln EI/nominal, ξ the error
@@ -46,7 +46,7 @@ struct Linearisation {
   std::vector<double> noise_gain;  // D, its factor G'/G_S not below 0.05
   std::vector<double> fold;        // [1] κ = G'/G_S: 0 at a fold
   std::vector<double> y, h_stiffness, h_contact;
-  double log_jacobian;  // Σ ln |dy/dF|
+  double log_jacobian;  // Σ ln |dy/dF| - J η0 + ½ s² J², s being the deviation of η beforehand
 };
 
 // Completes eta, S and slope; mu need only be near.
@@ -65,9 +65,6 @@ struct Level {
 // Domain:     S in (1, 2.1); `near` are frictions not far from those sought.
 std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
                              double compliance, double eta);
-
-// The nearest non-falling sequence, in least squares.
-std::vector<double> non_falling(std::span<const double> values);
 
 // Where the search begins: S over the stage cut into the straight, non-falling pieces of least cost.
 // Method:     dynamic programming; a piece costs 1.5 ln n. Noise: second differences of the force.

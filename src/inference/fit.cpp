@@ -36,7 +36,7 @@ ParameterEstimate estimate_of_exponential(const NormalMixture& mixture) {
 
 ParameterEstimate none() { return {0, 0, 0, 0}; }
 
-// Of weighted draws, `about` being where an angle is cut open.
+// Of weighted draws.
 ParameterEstimate estimate_of(std::vector<WeightedDraw> draws) {
   std::stable_sort(draws.begin(), draws.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
   double total = 0, sum = 0, squares = 0;
@@ -131,10 +131,11 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   fit.S_begin = *least;
   fit.S_end = *greatest;
   fit.S_middle = passages.S_middle;
+  const auto mean = mean_friction({{1, constant.mu0, constant.standard_error}});
+  fit.mu0 = mean.estimate;
+  fit.mu0.value = constant.mu0;
+  fit.mu0_is_bound = mean.is_bound;
   constexpr double two_sided = 1.96;
-  const double reach = two_sided * constant.standard_error;
-  fit.mu0 = {constant.mu0, constant.standard_error, std::max(constant.mu0 - reach, 0.0), constant.mu0 + reach};
-  fit.mu0_is_bound = constant.mu0 < reach;
   const double s = problem.errors.bending_stiffness;
   fit.bending_stiffness = {1, s, 1 - two_sided * s, 1 + two_sided * s};
   fit.log_evidence_of_wave = not_a_number;
@@ -171,14 +172,14 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const FitProblem problem = thinned(usable);
   FrictionFit fit{};
   fit.model = options.model;
-  const Passages passages = problem.record.force.empty() ? Passages{} : passages_of(problem);
+  const Passages passages = problem.record.force.size() < 3 ? Passages{} : passages_of(problem);
   fit.readings = passages.size();
   if (passages.size() < 20) {
     fit.status = FrictionFitStatus::too_few_points;
     return fit;
   }
   if (options.model == ProfileModel::constant) return constant_fit_of(whole, problem, passages);
-  const FrictionProcess process(passages, {});
+  const FrictionProcess process(passages);
   const SearchOptions asked = search_options(options);
   const ProcessSearch found = search(process, asked);
   const ProcessPosterior posterior = posterior_of(process, found.components);
@@ -196,7 +197,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.length = rough ? estimate_of_exponential(posterior.log_length) : none();
   fit.bending_stiffness = estimate_of_exponential(posterior.log_stiffness);
   fit.noise = estimate_of_exponential(posterior.log_noise);
-  fit.noise_correlation = posterior.noise_correlation;
+  const double rows = static_cast<double>(thinning_of(usable.record.force.size()));  // from one fitted to the next
+  fit.noise_correlation = elementary::exp(elementary::log(posterior.noise_correlation) / rows);
   for (const auto& wave : posterior.waves)
     fit.waves.push_back(wave_of(wave.draws, passages.S_middle, wave.log_wavelength));
   std::stable_sort(fit.waves.begin(), fit.waves.end(),

@@ -107,7 +107,7 @@ struct FrictionFit {
 
 // Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
 // Fails:      too_few_points. Of more than 1200 points every so many are fitted.
-// Cost:       0.1 s for 300 points.
+// Cost:       0.1 s at most for 200 points (bench/analyses).
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options = {});
 
 }  // namespace flexslip

@@ -47,11 +47,14 @@ FitProblem usable_part(const FitProblem& whole) {
   return {every(1, size, whole.record), whole.rig, whole.errors};
 }
 
-FitProblem thinned(const FitProblem& problem) {
+std::size_t thinning_of(std::size_t points) {
   constexpr std::size_t most_points = 1200;
+  return std::max<std::size_t>((points + most_points - 1) / most_points, 1);
+}
+
+FitProblem thinned(const FitProblem& problem) {
   const std::size_t size = problem.record.stage.size();
-  return {every(std::max<std::size_t>((size + most_points - 1) / most_points, 1), size, problem.record), problem.rig,
-          problem.errors};
+  return {every(thinning_of(size), size, problem.record), problem.rig, problem.errors};
 }
 
 }  // namespace flexslip

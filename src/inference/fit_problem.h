@@ -19,7 +19,8 @@ struct FitProblem {
 //             std::invalid_argument otherwise.
 FitProblem usable_part(const FitProblem& whole);
 
-// Every so many points, so that there are at most 1200.
+// Of a record of so many points, which are fitted: every so many, so that there are at most 1200.
+std::size_t thinning_of(std::size_t points);
 FitProblem thinned(const FitProblem& problem);
 
 // Deflections below it [L] say hardly anything of friction.

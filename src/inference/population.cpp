@@ -56,9 +56,12 @@ class Specimens {
     std::vector<double> weights;
     for (std::size_t i = 0; i < spreads; ++i)
       weights.push_back(elementary::exp(slices[i].log_density - greatest) * cosh(axis.v(i)));
+    const LineDensity density(axis.begin, axis.step, weights);
+    if (axis.begin == 0) weights.front() *= 0.5;  // the axis begins at T = 0, in the middle of its first cell
     // Where T = 0 is hardly less likely than the likeliest: 1.92 = 1.96²/2.
     const bool bound = axis.begin == 0 && slices.front().log_density > greatest - 1.92;
-    return {mean_of(slices, weights), spread_of(axis, slices, weights, bound), bound, specimens(slices, weights)};
+    return {mean_of(slices, weights), spread_of(axis, density, slices, weights, bound), bound,
+            specimens(slices, weights)};
   }
 
  private:
@@ -95,16 +98,14 @@ class Specimens {
     return {unit, begin, (asinh(at[before] / unit) - begin) / (spreads - 1)};
   }
 
-  static ParameterEstimate spread_of(const SpreadAxis& axis, const std::vector<Slice>& slices,
-                                     const std::vector<double>& weights, bool bound) {
-    const LineDensity density(axis.begin, axis.step, weights);
+  static ParameterEstimate spread_of(const SpreadAxis& axis, const LineDensity& density,
+                                     const std::vector<Slice>& slices, const std::vector<double>& weights, bool bound) {
     const auto quantile = [&](double probability) { return axis.spread(density.quantile(probability)); };
     double total = 0, sum = 0, squares = 0;
     for (std::size_t i = 0; i < slices.size(); ++i) {
-      const double weight = i == 0 ? 0.5 * weights[i] : weights[i];  // it counts where the axis begins at T = 0
-      total += weight;
-      sum += weight * slices[i].spread;
-      squares += weight * slices[i].spread * slices[i].spread;
+      total += weights[i];
+      sum += weights[i] * slices[i].spread;
+      squares += weights[i] * slices[i].spread * slices[i].spread;
     }
     const double mean = sum / total;
     return {quantile(0.5), std::sqrt(squares / total - mean * mean), bound ? 0 : quantile(0.025), quantile(0.975)};

@@ -21,27 +21,9 @@ struct MeanPath {
 };
 
 MeanPath mean_path(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
-  const Looks seen = process.looks_of(mode);
-  Looks looks;
-  looks.prior = seen.prior;
-  std::vector<std::size_t> at;
-  std::size_t k = 0;
-  const auto take_seen = [&] {
-    looks.looks.push_back(seen.looks[k]);
-    looks.values.push_back(seen.values[k]);
-    looks.columns.push_back(seen.columns[k]);
-    ++k;
-  };
-  for (const double S : run.lengths()) {
-    const double place = process.passages().place(S);
-    while (k < seen.looks.size() && seen.looks[k].place <= place) take_seen();
-    at.push_back(looks.looks.size());
-    looks.looks.push_back(
-        {.place = place, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
-    looks.values.push_back(0);
-    looks.columns.push_back(process.columns_at(place, mode));
-  }
-  while (k < seen.looks.size()) take_seen();
+  std::vector<double> places;
+  for (const double S : run.lengths()) places.push_back(process.passages().place(S));
+  const auto [looks, at] = process.profile_of(mode, places);
   const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
   const auto smoothed = chain.smoothed();
   MeanPath path;
@@ -82,15 +64,14 @@ ForwardStates ForwardRun::states(std::span<const double> mu, double eta) const {
   const auto stage = [&](std::size_t i) { return curve.w[i] + stiffer * curve.F[i] * passages_.compliance; };
   ForwardStates states;
   std::size_t i = 0;
-  double G = stage(0), G_next = stage(1), passed = G;
+  double G = stage(0), G_next = stage(1);
   for (const double W : passages_.stage) {
     while (i + 2 < n && G_next < W) {
       ++i;
       G = G_next;
       G_next = stage(i + 1);
-      passed = std::max(passed, G);
     }
-    // On the rise from i to i + 1, from where it is above all before.
+    // On the rise from i to i + 1: the stage has passed all before.
     const double part = G_next > G ? std::clamp((W - G) / (G_next - G), 0.0, 1.0) : 1.0;
     states.S.push_back(S_[i] + part * (S_[i + 1] - S_[i]));
     states.mu.push_back(q[i] + part * (q[i + 1] - q[i]));
@@ -137,7 +118,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
     std::array<double, 2 * most_waves> wave;
   };
   Guess start{.mean = FrictionProcess::mean_friction + beta[columns.mean],
-              .drift = columns.drift >= 0 ? beta[columns.drift] : 0,
+              .drift = beta[columns.drift],
               .eta = columns.stiffness >= 0 ? process.expected_stiffness(mode) + beta[columns.stiffness] : 0,
               .log_wavelength = mode.theta.log_wavelength(waves - 1),
               .wave = {}};
@@ -215,7 +196,8 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
                              0.03, 0.03};
   for (int round = 0; round < 10; ++round) {
     bool moved = false;
-    for (std::size_t i = 0; i < step.size(); ++i)
+    for (std::size_t i = 0; i < step.size(); ++i) {
+      if (i == 2 && columns.stiffness < 0) continue;  // EI is exact
       for (const double sign : {1.0, -1.0}) {
         Guess f = best;
         double* const number = i == 0   ? &f.mean
@@ -231,6 +213,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
           break;
         }
       }
+    }
     if (!moved)
       for (double& length : step) length *= 0.4;
   }

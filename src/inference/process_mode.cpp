@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "data/order.h"
 #include "fibre/elementary.h"
 
 namespace flexslip {
@@ -17,15 +18,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double most_correlation = 0.95;
-constexpr double nugget = 0.002;         // [1] of μ, what no kernel follows
+constexpr double nugget = 0.0007;        // [1] of μ, what no kernel follows
 constexpr double softness = 0.003;       // [1] of μ, of a bound in a gap
-constexpr double wave_deviation = 0.08;  // [1] of a wave's cosine and sine beforehand
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -36,16 +30,11 @@ Hyperparameters hyperparameters_of(const Theta& theta) {
           .length = elementary::exp(theta.values[3])};
 }
 
-FrictionProcess::FrictionProcess(Passages passages, const ProcessOptions& options)
-    : passages_(std::move(passages)), options_(options) {
+FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passages)) {
   if (passages_.size() < 20) throw std::invalid_argument("fewer than 20 readings tell of friction");
   const double range = passages_.range;
-  prior_ = {0.5 * 0.5};
-  Index next = 1;
-  if (options_.drift) {
-    columns_.drift = next++;
-    prior_.push_back(0.2 * 0.2);
-  }
+  prior_ = {0.5 * 0.5, 0.2 * 0.2};  // of the mean and the drift
+  Index next = 2;
   if (passages_.stiffness_error > 0) {
     columns_.stiffness = next++;
     prior_.push_back(passages_.stiffness_error * passages_.stiffness_error);
@@ -55,7 +44,7 @@ FrictionProcess::FrictionProcess(Passages passages, const ProcessOptions& option
     prior_.push_back(passages_.contact_error * passages_.contact_error);
   }
   columns_.waves = next;
-  least_wavelength_ = 2 * median({passages_.advance.begin() + 1, passages_.advance.end()});
+  least_wavelength_ = 2 * median_of({passages_.advance.begin() + 1, passages_.advance.end()});
   theta_mean_ = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)};
   theta_deviation_ = {1, 1.5, 1, 1.2};
   theta_least_ = {elementary::log(0.0005), -6, elementary::log(0.001), elementary::log(range) - 6};
@@ -81,7 +70,7 @@ double FrictionProcess::expected_stiffness(const Mode& mode) const {
 Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
   Coefficients h = Coefficients::Zero(columns_.waves + 2 * static_cast<Index>(mode.theta.waves));
   h[columns_.mean] = 1;
-  if (columns_.drift >= 0) h[columns_.drift] = place / passages_.range;
+  h[columns_.drift] = place / passages_.range;
   set_waves(mode.theta, place, h);
   return h;
 }
@@ -178,6 +167,31 @@ Looks FrictionProcess::looks_of(const Mode& mode, const std::vector<Node>& nodes
   return looks;
 }
 
+Profile FrictionProcess::profile_of(const Mode& mode, std::span<const double> places) const {
+  const Looks seen = looks_of(mode);
+  Profile profile;
+  auto& looks = profile.looks;
+  looks.prior = seen.prior;
+  std::size_t next = 0;
+  const auto unseen_to = [&](double end) {
+    for (; next < places.size() && places[next] < end; ++next) {
+      profile.at.push_back(looks.looks.size());
+      looks.looks.push_back(
+          {.place = places[next], .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
+      looks.values.push_back(0);
+      looks.columns.push_back(columns_at(places[next], mode));
+    }
+  };
+  for (std::size_t k = 0; k < seen.looks.size(); ++k) {
+    unseen_to(seen.looks[k].place);
+    looks.looks.push_back(seen.looks[k]);
+    looks.values.push_back(seen.values[k]);
+    looks.columns.push_back(seen.columns[k]);
+  }
+  unseen_to(std::numeric_limits<double>::infinity());
+  return profile;
+}
+
 // The bound less the slack, which the site says.
 void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes, Looks& looks) const {
   std::size_t j = 0;
@@ -271,6 +285,14 @@ double log_weight(const GapSite& site, double mean, double variance) {
 
 }  // namespace
 
+// What the evidence would gain by an EI away from that of the linearisation: no gain, since there it does not hold.
+double FrictionProcess::by_moving_stiffness(const Mode& mode, const Chain& chain) const {
+  const Index at = columns_.stiffness;
+  if (at < 0) return 0;
+  const double away = expected_stiffness(mode) + chain.mean()[at] - mode.at.eta;
+  return 0.5 * away * away / chain.covariance()(at, at);
+}
+
 void FrictionProcess::settle(Mode& mode) const {
   lay_sites(mode);
   const auto nodes = nodes_of(mode);
@@ -280,7 +302,7 @@ void FrictionProcess::settle(Mode& mode) const {
   constexpr int most_rounds = 30;
   for (int round = 0; round < most_rounds; ++round) {
     const Chain chain(looks, mode.kernel, p);
-    double evidence = chain.log_likelihood();
+    double evidence = chain.log_likelihood() - by_moving_stiffness(mode, chain);
     if (!mode.sites.empty()) {
       const auto smoothed = chain.smoothed();
       std::size_t j = 0;
@@ -311,8 +333,7 @@ std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Looks& lo
   slopes.reserve(looks.looks.size());
   for (std::size_t k = 0; k < looks.looks.size(); ++k) {
     const Coefficients& h = looks.columns[k];
-    double slope = smoothed[k].slope;
-    if (columns_.drift >= 0) slope += beta[columns_.drift] / passages_.range;
+    double slope = smoothed[k].slope + beta[columns_.drift] / passages_.range;
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const Index c = columns_.waves + 2 * static_cast<Index>(wave);
       const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
@@ -323,7 +344,7 @@ std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Looks& lo
   return slopes;
 }
 
-// One Gauss-Newton step; returns how far the fitted lengths moved, in standard deviations of their noise.
+// One Gauss-Newton step; returns how far the fitted lengths had to go, the greatest of them [L].
 double FrictionProcess::pass(Mode& mode, double fraction) const {
   lay_sites(mode);
   const auto nodes = nodes_of(mode);
@@ -334,9 +355,10 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   const auto slopes = slopes_of(mode, looks, chain, smoothed);
   auto& at = mode.at;
   const double stiffness_part = columns_.stiffness >= 0 ? chain.mean()[columns_.stiffness] : 0;
-  const double eta = std::clamp(expected_stiffness(mode) + stiffness_part, -0.15 - 5 * passages_.stiffness_error,
-                                0.15 + 5 * passages_.stiffness_error);
-  const double eta_step = eta - at.eta;
+  const double most = 0.15 + 5 * passages_.stiffness_error;
+  constexpr double longest = 0.01;   // J holds near where it was taken
+  const double eta = std::clamp(expected_stiffness(mode) + stiffness_part, -most, most);
+  const double eta_step = std::clamp(eta - at.eta, -longest / fraction, longest / fraction);
   std::vector<double> target(passages_.size());
   double moved = 0;
   std::size_t i = 0, j = 0;
@@ -354,8 +376,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
     ++i;
   }
   update_sites(mode, nodes, looks, smoothed);
-  const double eta_moved = fraction * eta_step;
-  at.eta += eta_moved;
+  at.eta += fraction * eta_step;
   for (std::size_t k = 0; k < target.size(); ++k) at.S[k] += fraction * (target[k] - at.S[k]);
   complete(at, passages_);
   return moved;
@@ -423,7 +444,14 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
   }
   const auto log_volume_at = [&](double step) {
     const Mode other = stiffer(mode, step, slope_by_eta);
-    const Looks looks = at_its_stiffness(other);
+    Looks looks = at_its_stiffness(other);
+    // What no kernel follows stands for errors of the force: it grows with the gain.
+    std::size_t i = 0;
+    for (auto& look : looks.looks)
+      if (look.is_reading()) {
+        const double grown = look.noise_gain / mode.at.noise_gain[i++];
+        look.variance *= grown * grown;
+      }
     double volume = -0.5 * Chain(looks, mode.kernel, p).log_determinant();
     for (const double gain : other.at.noise_gain) volume += elementary::log(gain);
     return volume;
@@ -433,6 +461,20 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
   const double found = (log_volume_at(h) - log_volume_at(-h)) / (2 * h);
   J = J == 0 ? found : 0.5 * (J + found);
   complete(mode.at, passages_);
+}
+
+// The looks with what is known of EI beforehand, and J, as strong at η0 but narrow: far from there neither J nor the readings hold.
+Looks FrictionProcess::near_its_stiffness(Looks looks, const Mode& mode) const {
+  if (columns_.stiffness < 0) return looks;
+  double& prior = looks.prior[static_cast<std::size_t>(columns_.stiffness)];
+  constexpr double near = 0.01;
+  if (prior <= near * near) return looks;
+  // Of N(s² J, s²) the slope at η0 is (s² J - η0)/s²; the columns tell η from its middle.
+  const double middle = mode.at.eta + near * near * (expected_stiffness(mode) - mode.at.eta) / prior;
+  for (std::size_t k = 0; k < looks.looks.size(); ++k)
+    looks.values[k] += looks.columns[k][columns_.stiffness] * (expected_stiffness(mode) - middle);
+  prior = near * near;
+  return looks;
 }
 
 // Steps uphill in θ by BFGS, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
@@ -460,7 +502,7 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
   };
   Vector x(n);
   for (Index i = 0; i < n; ++i) x[i] = std::clamp(mode.theta.values[static_cast<std::size_t>(i)], low[i], high[i]);
-  Looks looks = looks_of(mode);
+  Looks looks = near_its_stiffness(looks_of(mode), mode);
   auto now = objective(mode, looks, theta_at(x));
   const auto gradient_of = [&](const Objective& at) {
     Vector g(n);
@@ -505,7 +547,7 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
   settle(mode);
   double before = mode.merit;
-  Mode best;  // only of states that have followed their hyperparameters: the merit of others means nothing
+  Mode best = mode;  // of states that have followed their hyperparameters: the merit of others means nothing
   for (int round = 0; round < rounds; ++round) {
     constexpr int iterations = 8;
     maximise(mode, iterations);

@@ -45,20 +45,21 @@ struct Mode {
   double merit;  // ln p(readings, gaps, θ)
 };
 
-struct ProcessOptions {
-  bool drift = true;  // a slope of the mean along the fibre
+struct Profile {
+  Looks looks;
+  std::vector<std::size_t> at;  // of the places, among the looks
 };
 
 // Columns of β in the order of a mode's looks. Waves come last.
 struct ColumnPlaces {
-  Eigen::Index mean = 0, drift = -1, stiffness = -1, contact = -1, waves = -1;  // -1: not there
+  Eigen::Index mean = 0, drift = 1, stiffness = -1, contact = -1, waves = -1;  // -1: not there
 };
 
 // The process of one record, whose readings it holds.
 class FrictionProcess {
  public:
   // Domain:     at least 20 readings; std::invalid_argument otherwise.
-  FrictionProcess(Passages passages, const ProcessOptions& options);
+  explicit FrictionProcess(Passages passages);
 
   const Passages& passages() const { return passages_; }
   const ColumnPlaces& columns() const { return columns_; }
@@ -79,6 +80,9 @@ class FrictionProcess {
   Looks looks_of(const Mode& mode) const;
   // Where a place at which nothing is seen belongs among the columns.
   Coefficients columns_at(double place, const Mode& mode) const;
+  // The looks of a mode with places between them at which nothing is seen.
+  // Domain:     places not falling [L].
+  Profile profile_of(const Mode& mode, std::span<const double> places) const;
 
   // ln p(θ) + ln p(readings, gaps | θ) at the linearisation and the sites of a mode, and its gradient in θ.
   // Domain:     looks are looks_of(mode); they are left with the waves of θ.
@@ -94,7 +98,8 @@ class FrictionProcess {
   // Sites that agree with the looks; the merit.
   void settle(Mode& mode) const;
 
-  static constexpr double mean_friction = 0.55;  // expected beforehand, 0.5 its standard deviation
+  static constexpr double mean_friction = 0.55;   // expected beforehand, 0.5 its standard deviation
+  static constexpr double wave_deviation = 0.08;  // [1] of a wave's cosine and sine beforehand
   // ln p(readings, gaps | θ) of a mode whose sites are settled, without the volume of the readings.
   double evidence(const Mode& mode) const { return mode.merit - mode.at.log_jacobian - log_prior(mode, mode.theta); }
   double expected_stiffness(const Mode& mode) const;  // of ln EI/nominal beforehand
@@ -118,6 +123,7 @@ class FrictionProcess {
   void say_sites(const Mode& mode, const std::vector<Node>& nodes, Looks& looks) const;
   void set_waves(const Theta& theta, double place, Coefficients& h) const;
   void lay_sites(Mode& mode) const;
+  double by_moving_stiffness(const Mode& mode, const Chain& chain) const;
   double pass(Mode& mode, double fraction) const;
   void update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
                     const std::vector<SmoothedLook>& smoothed) const;
@@ -126,11 +132,11 @@ class FrictionProcess {
   Looks at_its_stiffness(const Mode& mode) const;
   Mode stiffer(const Mode& mode, double step, std::span<const double> slope_by_eta) const;
   void update_jacobian(Mode& mode) const;
+  Looks near_its_stiffness(Looks looks, const Mode& mode) const;
   void maximise(Mode& mode, int iterations) const;
   double log_prior(const Mode& mode, const Theta& theta) const;
 
   Passages passages_;
-  ProcessOptions options_;
   ColumnPlaces columns_;
   std::vector<double> prior_;  // of the columns but waves
   double least_wavelength_;

@@ -124,36 +124,6 @@ void temper(std::vector<Point>& points) {
   for (auto& point : points) point.log_weight = std::min(point.log_weight, most);
 }
 
-// The looks of a mode with places between them where nothing is seen.
-struct Profile {
-  Looks looks;
-  std::vector<std::size_t> at;  // of the places, among the looks
-};
-
-Profile profile_looks(const FrictionProcess& process, const Mode& mode, const std::vector<double>& places) {
-  const Looks seen = process.looks_of(mode);
-  Profile profile;
-  profile.looks.prior = seen.prior;
-  std::size_t next = 0;
-  const auto unseen_to = [&](double place) {
-    for (; next < places.size() && places[next] <= place; ++next) {
-      profile.at.push_back(profile.looks.looks.size());
-      profile.looks.looks.push_back(
-          {.place = places[next], .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
-      profile.looks.values.push_back(0);
-      profile.looks.columns.push_back(process.columns_at(places[next], mode));
-    }
-  };
-  for (std::size_t k = 0; k < seen.looks.size(); ++k) {
-    unseen_to(seen.looks[k].place);
-    profile.looks.looks.push_back(seen.looks[k]);
-    profile.looks.values.push_back(seen.values[k]);
-    profile.looks.columns.push_back(seen.columns[k]);
-  }
-  unseen_to(std::numeric_limits<double>::infinity());
-  return profile;
-}
-
 class Posterior {
  public:
   Posterior(const FrictionProcess& process, std::span<const Component> components)
@@ -167,12 +137,7 @@ class Posterior {
 
   ProcessPosterior result() {
     list_explanations();
-    for (const auto& component : components_) {
-      const bool waves = component.mode.theta.waves > 0;
-      const auto best = std::find_if(components_.begin(), components_.end(),
-                                     [&](const Component& other) { return (other.mode.theta.waves > 0) == waves; });
-      if (component.log_evidence > best->log_evidence - weighs_nothing) add(component);
-    }
+    for (const auto& component : components_) add(component);
     result_.noise_correlation = hyperparameters_of(components_.front().mode.theta).correlation;
     add_profiles();
     return std::move(result_);
@@ -180,12 +145,8 @@ class Posterior {
 
  private:
   void list_explanations() {
-    double total = 0, with = 0, without = 0;
-    for (const auto& component : components_) {
-      const double weight = weight_of(component, components_.front());
-      total += weight;
-      (component.mode.theta.waves > 0 ? with : without) += weight;
-    }
+    double total = 0;
+    for (const auto& component : components_) total += weight_of(component, components_.front());
     for (const auto& component : components_) {
       const auto& theta = component.mode.theta;
       result_.explanations.push_back(
@@ -194,35 +155,65 @@ class Posterior {
            .log_evidence = component.log_evidence,
            .weight = weight_of(component, components_.front()) / total});
     }
-    result_.log_evidence_of_wave = elementary::log(std::max(with, 1e-300)) - elementary::log(std::max(without, 1e-300));
+    const Component* const with = best_of(has_waves);
+    const Component* const without = best_of([](const Component& each) { return !has_waves(each); });
+    if (!with || !without) return;
+    double sum_with = 0, sum_without = 0;
+    for (const auto& component : components_)
+      (has_waves(component) ? sum_with : sum_without) +=
+          weight_of(component, has_waves(component) ? *with : *without);
+    result_.log_evidence_of_wave = with->log_evidence - without->log_evidence + elementary::log(sum_with / sum_without);
   }
 
+  static bool has_waves(const Component& component) { return component.mode.theta.waves > 0; }
+  static bool is_rough(const Component& component) { return component.mode.kernel != Kernel::none; }
+
+  // The likeliest of a kind; null: there is none.
+  template <class Kind>
+  const Component* best_of(Kind kind) const {
+    const auto best = std::find_if(components_.begin(), components_.end(), kind);
+    return best == components_.end() ? nullptr : &*best;
+  }
+
+  // What a component weighs among those of a kind; 0 where that is nothing.
+  template <class Kind>
+  double weight_among(const Component& component, Kind kind) const {
+    if (!kind(component)) return 0;
+    const double weight = weight_of(component, *best_of(kind));
+    return weight > elementary::exp(-weighs_nothing) ? weight : 0;
+  }
+
+  // Waves are told by those that have them, roughness by those that are rough, however little these weigh among all.
   void add(const Component& component) {
+    const double weight = weight_among(component, [](const Component&) { return true; });
+    const double of_waves = weight_among(component, has_waves), of_roughness = weight_among(component, is_rough);
+    if (weight == 0 && of_waves == 0 && of_roughness == 0) return;
     auto points = points_of(process_, component);
     temper(points);
-    const double share = weight_of(component, components_.front()) / static_cast<double>(points.size());
     const auto& columns = process_.columns();
     for (const auto& point : points) {
       const Mode& mode = point.mode;
-      const double weight = share * elementary::exp(std::clamp(point.log_weight, -50.0, 3.0));
+      const double share =
+          elementary::exp(std::clamp(point.log_weight, -50.0, 3.0)) / static_cast<double>(points.size());
       const Looks looks = process_.looks_of(mode);
       const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
       const auto f = mean_over(from_, to_, process_, mode, looks);
       const auto mean = chain.functional(f.a, f.covariance, f.variance);
+      if (of_waves > 0) draw_waves(component, mode, chain, mean, of_waves * share);
+      if (weight == 0) continue;
       const double deviation = std::sqrt(std::max(mean.variance, 0.0));
-      result_.mean.push_back({weight, FrictionProcess::mean_friction + mean.mean, deviation});
+      result_.mean.push_back({weight * share, FrictionProcess::mean_friction + mean.mean, deviation});
       const auto of_beta = [&](Index j, double factor, double shift) {
-        return NormalPart{weight, shift + factor * chain.mean()[j], factor * std::sqrt(chain.covariance()(j, j))};
+        return NormalPart{weight * share, shift + factor * chain.mean()[j],
+                          factor * std::sqrt(chain.covariance()(j, j))};
       };
-      if (columns.drift >= 0) result_.drift.push_back(of_beta(columns.drift, 0.5 / process_.passages().range, 0));
+      result_.drift.push_back(of_beta(columns.drift, 0.5 / process_.passages().range, 0));
       result_.log_stiffness.push_back(columns.stiffness >= 0
                                           ? of_beta(columns.stiffness, 1, process_.expected_stiffness(mode))
-                                          : NormalPart{weight, 0, 0});
-      if (mode.theta.waves > 0) draw_waves(component, mode, chain, mean, weight);
+                                          : NormalPart{weight * share, 0, 0});
     }
     // Hyperparameters by the moments of the points: their logarithms are skewed about the mode.
-    const double weight = weight_of(component, components_.front());
-    const auto of_theta = [&](std::size_t j) {
+    const auto of_theta = [&](std::size_t j, double part) {
       double total = 0, mean = 0, squares = 0;
       for (const auto& point : points) total += elementary::exp(point.log_weight);
       for (const auto& point : points) mean += elementary::exp(point.log_weight) * point.mode.theta.values[j] / total;
@@ -231,18 +222,17 @@ class Posterior {
         squares += elementary::exp(point.log_weight) * away * away / total;
       }
       const auto at = static_cast<Index>(j);
-      return NormalPart{weight, mean, std::sqrt(std::max(squares, component.spread(at, at)))};
+      return NormalPart{part, mean, std::sqrt(std::max(squares, component.spread(at, at)))};
     };
-    result_.log_noise.push_back(of_theta(0));
-    if (component.mode.kernel == Kernel::none) return;
-    result_.log_roughness.push_back(of_theta(2));
-    result_.log_length.push_back(of_theta(3));
+    if (weight > 0) result_.log_noise.push_back(of_theta(0, weight));
+    if (of_roughness == 0) return;
+    result_.log_roughness.push_back(of_theta(2, of_roughness));
+    result_.log_length.push_back(of_theta(3, of_roughness));
   }
 
   // Other waves are other explanations, and no error of this one.
   bool is_likeliest_wave(const Mode& mode) const {
-    const auto best = std::find_if(components_.begin(), components_.end(),
-                                   [](const Component& other) { return other.mode.theta.waves > 0; });
+    const Component* const best = best_of(has_waves);
     if (mode.theta.waves != best->mode.theta.waves) return false;
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const double log_wavelength = best->mode.theta.log_wavelength(wave);
@@ -333,7 +323,7 @@ class Posterior {
       const double weight = weight_of(component, components_.front()) / total;
       const Mode& mode = component.mode;
       const auto p = hyperparameters_of(mode.theta);
-      Profile profile = profile_looks(process_, mode, places);
+      Profile profile = process_.profile_of(mode, places);
       const auto smoothed = Chain(profile.looks, mode.kernel, p).smoothed();
       for (std::size_t i = 0; i < profile_points; ++i) {
         const auto& at = smoothed[profile.at[i]];

@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include "data/order.h"
 #include "fibre/elementary.h"
 #include "inference/process_forward.h"
 
@@ -26,7 +27,6 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
   const std::size_t n = looks.looks.size();
   const auto& white = chain.whitened_columns();
   const auto p = white.rows() - 1;
-  const Eigen::LLT<CoefficientMatrix> factor(chain.covariance());
   const double range = process.passages().range;
   const double least = 1 / process.greatest_wavelength(), most = 1 / process.least_wavelength(), step = 1 / (8 * range);
   const std::size_t count = most > least ? static_cast<std::size_t>((most - least) / step) + 1 : 0;
@@ -44,7 +44,7 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
     return Eigen::Map<Eigen::VectorXd>(v.data(), static_cast<Index>(n));
   };
   std::vector<ScannedWavelength> scan;
-  constexpr double prior = 1 / (0.08 * 0.08);
+  constexpr double prior = 1 / (FrictionProcess::wave_deviation * FrictionProcess::wave_deviation);
   for (std::size_t i = 0; i < count; ++i) {
     chain.whiten(cosine, white_cosine);
     chain.whiten(sine, white_sine);
@@ -104,9 +104,10 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   for (Index i = 0; i < n; ++i) log_evidence -= 0.5 * elementary::log(values[i]);
   const double dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
   log_evidence += 0.5 * dimensions * elementary::log(2 * std::numbers::pi);
-  const double log_wavelengths =
-      elementary::log(elementary::log(process.greatest_wavelength() / process.least_wavelength()));
-  log_evidence -= static_cast<double>(mode.theta.waves) * log_wavelengths;
+  // Of waves, each ln λ is uniform, and which is called the first says nothing.
+  for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
+    log_evidence += elementary::log(static_cast<double>(wave + 1)) -
+                    elementary::log(elementary::log(process.greatest_wavelength() / process.least_wavelength()));
   return {.mode = mode,
           .log_evidence = log_evidence,
           .spread = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()};
@@ -212,7 +213,7 @@ class Search {
     return mode;
   }
 
-  std::vector<double> candidates(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
+  std::vector<double> candidates(const Mode& plain, Mode raw, const std::vector<ScannedWavelength>& scan) const {
     std::vector<double> found;
     const auto add = [&](const std::vector<ScannedWavelength>& in) {
       for (const auto& peak : peaks_of(in, 2)) {
@@ -228,7 +229,6 @@ class Search {
     smooth.theta.values[2] = elementary::log(0.03);
     smooth.theta.values[3] = elementary::log(range / 5);
     add(scan_of(process_, smooth));
-    Mode raw = process_.start(plain.kernel, process_.usual(), rises_);
     raw.theta.values[3] = elementary::log(range / 5);
     add(scan_of(process_, raw));
     return found;
@@ -251,15 +251,13 @@ class Search {
 
   std::vector<Mode> with_one_more_wave(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
     const double range = process_.passages().range;
-    Theta usual = process_.usual();
-    usual.waves = plain.theta.waves;
-    std::copy(plain.theta.values.begin() + 4, plain.theta.values.end(), usual.values.begin() + 4);
+    const Theta usual = process_.usual(std::span(plain.theta.values).subspan(4, plain.theta.waves));
     const Mode raw = process_.start(plain.kernel, usual, rises_);
     const std::size_t last = plain.theta.waves;  // the wave that is sought
     std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
     // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin.
     const bool blurred = is_blurred(plain);
-    for (const double wavelength : candidates(plain, scan)) {
+    for (const double wavelength : candidates(plain, raw, scan)) {
       const double log_wavelength = elementary::log(wavelength);
       found.emplace_back(tried(plain, plain.theta, log_wavelength), wavelength);
       if (blurred) found.emplace_back(tried(raw, raw.theta, log_wavelength), wavelength);
@@ -329,9 +327,7 @@ class Search {
     std::vector<double> blur;
     const double noise = elementary::exp(mode.theta.values[0]);
     for (const double by_force : mode.at.S_force) blur.push_back(0.5 * std::abs(by_force) * noise);
-    const auto middle = blur.begin() + static_cast<std::ptrdiff_t>(blur.size() / 2);
-    std::nth_element(blur.begin(), middle, blur.end());
-    return *middle > process_.passages().range / 1000;
+    return median_of(std::move(blur)) > process_.passages().range / 1000;
   }
 
   // The mode without a wave also from where the best with one ended.

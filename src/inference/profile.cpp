@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "data/order.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
 
@@ -28,35 +29,6 @@ double friction_on_load_line(double S, double stage, const Rig& rig, double star
     if (done) break;
   }
   return q;
-}
-
-// Least-squares non-decreasing sequence (pool adjacent violators).
-std::vector<double> isotonic(const std::vector<double>& values) {
-  struct Block {
-    double sum;
-    std::size_t size;
-    double mean() const { return sum / static_cast<double>(size); }
-  };
-  std::vector<Block> blocks;
-  for (const double value : values) {
-    blocks.push_back({value, 1});
-    while (blocks.size() > 1 && blocks[blocks.size() - 2].mean() > blocks.back().mean()) {
-      blocks[blocks.size() - 2].sum += blocks.back().sum;
-      blocks[blocks.size() - 2].size += blocks.back().size;
-      blocks.pop_back();
-    }
-  }
-  std::vector<double> result;
-  for (const auto& block : blocks) result.insert(result.end(), block.size, block.mean());
-  return result;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return not_a_number;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 }  // namespace
@@ -134,7 +106,7 @@ SlipSummary summarise(std::span<const Slip> slips) {
       spacings.empty() ? not_a_number
                        : std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
   return {
-      .count = slips.size(), .median_spacing = median(spacings), .mean_spacing = mean, .median_fall = median(falls)};
+      .count = slips.size(), .median_spacing = median_of(spacings), .mean_spacing = mean, .median_fall = median_of(falls)};
 }
 
 FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const FrictionProfile& profile,
@@ -146,7 +118,7 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
       points.push_back(point);
       lengths.push_back(point.S);
     }
-  lengths = isotonic(lengths);
+  lengths = non_falling(lengths);
   // Noise makes some lengths equal; the least distance is far below what a measurement resolves.
   constexpr double least_distance = 2e-6;
   for (std::size_t i = 1; i < lengths.size(); ++i) lengths[i] = std::max(lengths[i], lengths[i - 1] + least_distance);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "data/order.h"
 #include "fibre/elastica.h"
 #include "tests/inference/simulated_test.h"
 
@@ -62,10 +62,11 @@ TEST_CASE("oracle: the readings' slopes are differences of exact inversions") {
 TEST_CASE("identity: at the friction of a level, the stage position is the one asked for") {
   const std::vector<double> S{1.02, 1.1, 1.25, 1.4}, mu{0.3, 0.9, 0.05, 0.6}, near{0.5, 0.5, 0.5, 0.5};
   constexpr double eta = 0.05, compliance = 1 / k;
-  const auto G = [&](std::size_t i, double q, double with_eta) {
-    const auto state = fibre_state(S[i], q);
+  const auto at_length = [](double length, double q, double with_eta) {
+    const auto state = fibre_state(length, q);
     return state.w + std::exp(with_eta) * state.F * compliance;
   };
+  const auto G = [&](std::size_t i, double q, double with_eta) { return at_length(S[i], q, with_eta); };
   std::vector<double> stage;
   for (std::size_t i = 0; i < S.size(); ++i) stage.push_back(G(i, mu[i], eta));
   const auto levels = levels_of(S, stage, near, compliance, eta);
@@ -77,34 +78,9 @@ TEST_CASE("identity: at the friction of a level, the stage position is the one a
           doctest::Approx(2 * h / (G(i, levels[i].m + h, eta) - G(i, levels[i].m - h, eta))).epsilon(truncation));
     const double G_eta = (G(i, levels[i].m, eta + h) - G(i, levels[i].m, eta - h)) / (2 * h);
     CHECK(levels[i].m_eta == doctest::Approx(-G_eta * levels[i].m_stage).epsilon(truncation));
+    const double G_S = (at_length(S[i] + h, levels[i].m, eta) - at_length(S[i] - h, levels[i].m, eta)) / (2 * h);
+    CHECK(levels[i].m_S == doctest::Approx(-G_S * levels[i].m_stage).epsilon(truncation));
   }
-}
-
-TEST_CASE("oracle: the nearest non-falling sequence is no farther than any by brute force") {
-  const std::vector<double> values{1, 3, 2, 2.5, 0.5, 4, 3.9};
-  const auto fitted = non_falling(values);
-  CHECK(std::is_sorted(fitted.begin(), fitted.end()));
-  const auto misfit = [&](const std::vector<double>& other) {
-    double sum = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) sum += (values[i] - other[i]) * (values[i] - other[i]);
-    return sum;
-  };
-  // Every block of it is a mean, and every cut of the sequence into blocks whose means rise is no better.
-  double least = 1e300;
-  for (unsigned cuts = 0; cuts < 64; ++cuts) {
-    std::vector<double> other;
-    for (std::size_t i = 0; i < values.size();) {
-      std::size_t j = i + 1;
-      while (j < values.size() && !(cuts >> (j - 1) & 1)) ++j;
-      const double mean = std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(i),
-                                          values.begin() + static_cast<std::ptrdiff_t>(j), 0.0) /
-                          static_cast<double>(j - i);
-      other.insert(other.end(), j - i, mean);
-      i = j;
-    }
-    if (std::is_sorted(other.begin(), other.end())) least = std::min(least, misfit(other));
-  }
-  CHECK(misfit(fitted) == doctest::Approx(least).epsilon(1e-14));
 }
 
 TEST_CASE("oracle: the rises of a noisy record are where the fibre was") {

@@ -32,7 +32,7 @@ Mode some_mode(const FrictionProcess& process, Kernel kernel, bool wave) {
 }  // namespace
 
 TEST_CASE("oracle: the gradient of the merit is its differences") {
-  const FrictionProcess process(some_passages(), {});
+  const FrictionProcess process(some_passages());
   for (const Kernel kernel : all_kernels)
     for (const bool wave : {false, true}) {
       CAPTURE(name_of(kernel));
@@ -54,7 +54,7 @@ TEST_CASE("oracle: the gradient of the merit is its differences") {
 }
 
 TEST_CASE("oracle: the evidence of the gaps is that of many draws") {
-  const FrictionProcess process(some_passages(), {});
+  const FrictionProcess process(some_passages());
   for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2}) {
     CAPTURE(name_of(kernel));
     Mode mode = some_mode(process, kernel, true);
@@ -111,7 +111,7 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
         problem.errors = {.force = 0.02, .bending_stiffness = stiffness_error, .contact = 2e-4};
         return problem;
       };
-      const FrictionProcess process(passages_of(problem_at(0, 0.03)), {});
+      const FrictionProcess process(passages_of(problem_at(0, 0.03)));
       Mode mode = some_mode(process, kernel, with_wave);
       process.polish(mode, 6, 12, 0.3);
       process.polish(mode, 6, 12, 0.3);
@@ -124,7 +124,7 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
       double weight = 0, sum = 0, squares = 0;
       for (int i = -6; i <= 6; ++i) {
         const double at = eta + 0.6 * i * error;
-        const FrictionProcess here(passages_of(problem_at(at, 0)), {});
+        const FrictionProcess here(passages_of(problem_at(at, 0)));
         REQUIRE(here.passages().size() == process.passages().size());
         Mode other = here.start(mode.kernel, mode.theta, mode.at);
         other.theta.values[0] -= at;
@@ -153,7 +153,7 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
 }
 
 TEST_CASE("limit: fewer than 20 readings are no record of friction") {
-  CHECK_THROWS_AS(FrictionProcess(Passages{}, {}), std::invalid_argument);
+  CHECK_THROWS_AS(FrictionProcess(Passages{}), std::invalid_argument);
 }
 
 }  // namespace flexslip
