@@ -32,7 +32,8 @@ Optimum optimum_from(const FrictionProcess& process, const Linearisation& rises,
   Mode mode = process.start(Kernel::matern_3_2, theta, rises);
   process.polish(mode, 20, 10, 0.3);
   const Looks looks = process.looks_of(mode);
-  return {mode.merit, Chain(looks, mode.kernel, hyperparameters_of(mode.theta)).mean()[process.columns().mean]};
+  return {mode.merit, FrictionProcess::mean_friction +
+                          Chain(looks, mode.kernel, hyperparameters_of(mode.theta)).mean()[process.columns().mean]};
 }
 
 }  // namespace
@@ -54,8 +55,7 @@ int main(int count, char** arguments) {
       least = std::min(least, 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     }
     const TestAnalysis& analysis = test.analysis;
-    const FrictionProcess process(
-        passages_of(thinned(usable_part({analysis.reduced, analysis.rig, analysis.errors}))));
+    const FrictionProcess process(passages_of(thinned(usable_part({analysis.reduced, analysis.rig, analysis.errors}))));
     const Linearisation rises = rises_of(process.passages());
     NormalSource normal(1);
     std::vector<Optimum> optima;

@@ -1,6 +1,7 @@
 // How often 95 % intervals hold the truth, on simulated tests: bench/coverage KIND FIRST COUNT prints a line of CSV for each test.
 // Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet, measured.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -166,6 +167,13 @@ int main(int count, char** arguments) {
     return 2;
   }
   const std::string kind = arguments[1];
+  constexpr std::array kinds{"independent", "correlated", "exponential", "squared_exponential",
+                             "roughness",   "two_waves",  "constant",    "soft",
+                             "quiet",       "measured"};
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    std::fprintf(stderr, "%s is no kind of test\n", kind.c_str());
+    return 2;
+  }
   const int first = std::atoi(arguments[2]), tests = std::atoi(arguments[3]);
   std::uint64_t of_kind = 1469598103934665603u;
   for (const char c : kind) of_kind = (of_kind ^ static_cast<unsigned char>(c)) * 1099511628211u;

@@ -1,5 +1,6 @@
 #include "fibre/elementary.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -57,6 +58,15 @@ SineAndCosine sine_and_cosine(double x) {
 
 double length(double a, double b) { return std::sqrt(a * a + b * b); }
 
+double angle(double y, double x) {
+  const double a = std::abs(x), b = std::abs(y);
+  if (a == 0 && b == 0) return 0;
+  const One tag;
+  const double within = hn::GetLane(hn::Atan(tag, hn::Set(tag, std::min(a, b) / std::max(a, b))));
+  const double first = b > a ? 0.5 * std::numbers::pi - within : within;  // in the first quadrant
+  return std::copysign(x < 0 ? std::numbers::pi - first : first, y);
+}
+
 GaussianBelow gaussian_below(double z) {
   const double x = std::abs(z) / std::numbers::sqrt2;
   const double log_scaled = log_scaled_complement(x);
@@ -65,6 +75,18 @@ GaussianBelow gaussian_below(double z) {
   if (z <= 0) return {log_tail, root_two_over_pi * exp(-log_scaled)};
   const double tail = exp(log_tail);
   return {log(1 - tail), 0.5 * root_two_over_pi * exp(-x * x) / (1 - tail)};
+}
+
+double gaussian_quantile(double probability) {
+  // By the tail that is the smaller: there the logarithm loses no digits.
+  const double wanted = log(std::min(probability, 1 - probability));
+  double low = -10, high = 0;
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (gaussian_below(middle).log_probability < wanted ? low : high) = middle;
+  }
+  return probability < 0.5 ? low : -low;
 }
 
 }  // namespace flexslip::elementary

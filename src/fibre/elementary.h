@@ -24,6 +24,10 @@ SineAndCosine sine_and_cosine(double x);
 // sqrt(a^2 + b^2). Domain: no overflow of the squares.
 double length(double a, double b);
 
+// Of the point (x, y), from -π to π; 0 at the origin.
+// Max error:  4 ulp of π.
+double angle(double y, double x);
+
 // The standard Gaussian where a bound cuts it: ln P(z' < z), and the density at z over that probability.
 struct GaussianBelow {
   double log_probability;
@@ -32,5 +36,10 @@ struct GaussianBelow {
 
 // Max error:  relative 1e-13 of the hazard and, absolute, of the logarithm, for z > -1e5.
 GaussianBelow gaussian_below(double z);
+
+// z with Φ(z) = probability.
+// Domain:     1e-12 < probability < 1 - 1e-12.
+// Max error:  1e-12.
+double gaussian_quantile(double probability);
 
 }  // namespace flexslip::elementary

@@ -407,6 +407,8 @@ std::string_view name_of(Kernel kernel) {
 LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
                                        std::span<const double> wavelengths) {
   require_domain(looks, kernel, at);
+  require(wavelengths.size() <= 2 && 2 * wavelengths.size() <= looks.prior.size(), "number of waves",
+          static_cast<double>(wavelengths.size()));
   return with_state_of<LikelihoodGradient>(
       kernel, [&](auto M) { return gradient_with<decltype(M)::value>(looks, kernel, at, wavelengths); });
 }

@@ -97,8 +97,8 @@ struct Steps {
 
 class Chain {
  public:
-  // Domain:     noise >= 0, roughness > 0 and length > 0 where there is a kernel; variances > 0; at most most_columns columns;
-  //             std::invalid_argument otherwise. The looks outlive this.
+  // Domain:     noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, at most most_columns columns:
+  //             std::invalid_argument otherwise. Variances and priors > 0; the looks outlive this.
   // Method:     a Kalman filter whose state is g, its derivatives and e; the columns pass it as further series.
   // Cost:       linear in the looks and in the columns.
   Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at);

@@ -83,11 +83,11 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     cosine += draw.weight * draw.cosine;
     sine += draw.weight * draw.sine;
   }
-  const double about = -std::atan2(sine, cosine);  // a cos + b sin = A cos(2πx/λ + about)
+  const double about = -elementary::angle(sine, cosine);  // a cos + b sin = A cos(2πx/λ + about)
   const double usual = wrapped(about - pi * S_middle * elementary::exp(-log_wavelength));
   for (const auto& draw : draws) {
     const double lambda = elementary::exp(draw.log_wavelength);
-    const double angle = about + wrapped(-std::atan2(draw.sine, draw.cosine) - about);
+    const double angle = about + wrapped(-elementary::angle(draw.sine, draw.cosine) - about);
     amplitude.push_back({elementary::length(draw.cosine, draw.sine) / std::max(draw.mean, 0.02), draw.weight});
     wavelength.push_back({lambda, draw.weight});
     at_middle.push_back({angle, draw.weight});
@@ -182,6 +182,11 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const FrictionProcess process(passages);
   const SearchOptions asked = search_options(options);
   const ProcessSearch found = search(process, asked);
+  const auto& seen = found.components.front().mode.at.S;
+  if (!(seen.back() > seen.front())) {  // the fibre passes nothing: whatever is read is no sliding
+    fit.status = FrictionFitStatus::too_few_points;
+    return fit;
+  }
   const ProcessPosterior posterior = posterior_of(process, found.components);
 
   fit.status = FrictionFitStatus::ok;

@@ -72,7 +72,7 @@ struct ProfileBand {
 
 enum class FrictionFitStatus {
   ok,
-  too_few_points,  // fewer than 20 readings tell of friction: nothing else is valid
+  too_few_points,  // fewer than 20 readings tell of friction, or the fibre passes nothing: nothing else is valid
 };
 
 struct FrictionFit {

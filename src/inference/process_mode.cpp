@@ -18,8 +18,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double most_correlation = 0.95;
-constexpr double nugget = 0.0007;        // [1] of μ, what no kernel follows
-constexpr double softness = 0.003;       // [1] of μ, of a bound in a gap
+constexpr double nugget = 0.0007;   // [1] of μ, what no kernel follows
+constexpr double softness = 0.003;  // [1] of μ, of a bound in a gap
 
 }  // namespace
 
@@ -356,7 +356,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   auto& at = mode.at;
   const double stiffness_part = columns_.stiffness >= 0 ? chain.mean()[columns_.stiffness] : 0;
   const double most = 0.15 + 5 * passages_.stiffness_error;
-  constexpr double longest = 0.01;   // J holds near where it was taken
+  constexpr double longest = 0.01;  // J holds near where it was taken
   const double eta = std::clamp(expected_stiffness(mode) + stiffness_part, -most, most);
   const double eta_step = std::clamp(eta - at.eta, -longest / fraction, longest / fraction);
   std::vector<double> target(passages_.size());
@@ -552,7 +552,7 @@ void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction)
     constexpr int iterations = 8;
     maximise(mode, iterations);
     burst(mode, steps, fraction);
-    update_jacobian(mode);
+    if (rounds > 1) update_jacobian(mode);  // what is tried once keeps that of where it comes from
     settle(mode);
     const double gain = mode.merit - before;
     if (round == 0 || gain > 0) {

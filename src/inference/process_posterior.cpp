@@ -9,7 +9,6 @@
 
 #include <Eigen/Dense>
 
-#include "data/distributions.h"
 #include "fibre/elementary.h"
 #include "inference/matern.h"
 #include "inference/sliding_ladder.h"
@@ -41,7 +40,7 @@ std::vector<VectorXd> normal_points(Index dimensions) {
     for (Index j = 0; j < dimensions; ++j) {
       power /= golden;
       const double turned = 0.5 + static_cast<double>(i + 1) * power;
-      z[j] = gaussian_quantile(std::clamp(turned - std::floor(turned), 0.02, 0.98));
+      z[j] = elementary::gaussian_quantile(std::clamp(turned - std::floor(turned), 0.02, 0.98));
     }
     points.push_back(z);
     points.push_back(-z);
@@ -160,8 +159,7 @@ class Posterior {
     if (!with || !without) return;
     double sum_with = 0, sum_without = 0;
     for (const auto& component : components_)
-      (has_waves(component) ? sum_with : sum_without) +=
-          weight_of(component, has_waves(component) ? *with : *without);
+      (has_waves(component) ? sum_with : sum_without) += weight_of(component, has_waves(component) ? *with : *without);
     result_.log_evidence_of_wave = with->log_evidence - without->log_evidence + elementary::log(sum_with / sum_without);
   }
 

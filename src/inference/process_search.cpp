@@ -135,7 +135,7 @@ class Search {
     const bool with_plain = !options_.waves || waves.empty();
     if (with_plain && !waves.empty()) improve(plain, waves.front());
     mend(plain);
-    process_.polish(plain, 8, 10, 0.3);
+    process_.polish(plain, 6, 10, 0.3);
     auto& components = result.components;
     for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
     if (with_plain) components.push_back(component_of(process_, plain));

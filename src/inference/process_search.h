@@ -36,8 +36,9 @@ struct ProcessSearch {
 };
 
 // Domain:     options.kernels not empty.
-// Method:     From the rises of the record, the modes without a wave; a scan over wavelengths; from each of its peaks the modes with a wave,
-//             from two linearisations. Those within 12 of the best are polished, and continued to the other kernels.
+// Method:     From the rises of the record, the mode without a wave; scans over wavelengths at three settings of the hyperparameters; from the
+//             best two peaks of each, modes with a wave. The best three within 12 of the first are polished, if the first gains anything, and
+//             those within 3 continued to the other kernels, unless no wave is likelier by more than 2. A second wave likewise.
 ProcessSearch search(const FrictionProcess& process, const SearchOptions& options);
 
 }  // namespace flexslip

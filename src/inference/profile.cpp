@@ -105,8 +105,10 @@ SlipSummary summarise(std::span<const Slip> slips) {
   const double mean =
       spacings.empty() ? not_a_number
                        : std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
-  return {
-      .count = slips.size(), .median_spacing = median_of(spacings), .mean_spacing = mean, .median_fall = median_of(falls)};
+  return {.count = slips.size(),
+          .median_spacing = median_of(spacings),
+          .mean_spacing = mean,
+          .median_fall = median_of(falls)};
 }
 
 FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const FrictionProfile& profile,

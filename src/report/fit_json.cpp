@@ -295,7 +295,7 @@ Json fit_json(const FittedTest& test) {
   const bool fitted = analysis.status == AnalysisStatus::ok;
   const FrictionFit& fit = analysis.fit;
   Json parameters = fitted ? parameters_json(fit, units) : Json::object();
-  if (fitted) parameters["reference_length"] = held_parameter(fit.S_middle, analysis.scales.span(), units.unit("m"));
+  if (fitted) parameters["reference"] = held_parameter(fit.S_middle, analysis.scales.span(), units.unit("m"));
   parameters["contact_offset"] = contact_parameter(test, units);
   Json energy = nullptr;
   if (fitted) {

@@ -232,7 +232,7 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
   if (fit.model != ProfileModel::constant) {
     rows.push_back(row_of("drift", "dμ/dS", "of the mean along the length", fit.drift, 1 / scales.span(),
                           print.as(kind::inverse_length)));
-    rows.push_back({"reference_length", "", "where mu0 and drift hold", print.length(fit.S_middle), "", ""});
+    rows.push_back({"reference", "", "where mu0 and drift hold", print.length(fit.S_middle), "", ""});
   }
   if (fit.model == ProfileModel::roughness) {
     rows.push_back(row_of("roughness", "σ", "standard deviation of μ about its mean", fit.roughness, 1, kind::number));

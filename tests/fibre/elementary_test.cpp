@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <boost/math/special_functions/erf.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -27,6 +28,24 @@ TEST_CASE("oracle: elementary functions against 50 digits") {
     const auto at = elementary::sine_and_cosine(x);
     CHECK(std::abs(static_cast<double>(Wide(at.sine) - sin(Wide(x)))) < 4 * ulp);
     CHECK(std::abs(static_cast<double>(Wide(at.cosine) - cos(Wide(x)))) < 4 * ulp);
+  }
+}
+
+TEST_CASE("oracle: angles against 50 digits, in every quadrant") {
+  for (int i = 0; i < 720; ++i) {
+    const double x = std::cos(0.0087 * i), y = 3.1 * std::sin(0.0087 * i);
+    CHECK(std::abs(static_cast<double>(Wide(elementary::angle(y, x)) - atan2(Wide(y), Wide(x)))) < 4 * 3.2 * ulp);
+  }
+  CHECK(elementary::angle(0, 1) == 0);
+  CHECK(elementary::angle(0, 0) == 0);
+  CHECK(elementary::angle(1, 0) == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));
+  CHECK(elementary::angle(0, -1) == doctest::Approx(std::numbers::pi).epsilon(1e-15));
+}
+
+TEST_CASE("oracle: quantiles of a Gaussian against 50 digits") {
+  for (double probability = 0.001; probability < 1; probability += 0.0371) {
+    const Wide below = erfc(-Wide(elementary::gaussian_quantile(probability)) / sqrt(Wide(2))) / 2;
+    CHECK(std::abs(static_cast<double>(below - Wide(probability))) < 1e-12);
   }
 }
 

@@ -19,7 +19,7 @@ TRUTH = tomllib.loads((EXAMPLE / "truth.toml").read_text(encoding="utf-8"))
 FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
 KEYS = ["status", "model", "category", "parameters", "residual_rms", "friction_read", "checks", "wave", "explanations", "band", "scan", "snaps",
         "suspects", "profile", "energy", "provenance"]
-ALWAYS = {"mu0", "drift", "roughness", "correlation_length", "bending_stiffness", "force_noise", "reference_length"}
+ALWAYS = {"mu0", "drift", "roughness", "correlation_length", "bending_stiffness", "force_noise", "reference"}
 WAVE = {"amplitude", "wavelength", "phase", "phase_at_middle"}
 CRACKED = SOURCE / "../shared/data/cracked"
 SNAP_KEYS = {"stage", "deflection_before", "deflection_after", "force_before", "force_after", "length_before", "length_after"}
@@ -62,7 +62,7 @@ class Json(InFolder):
         self.assertAlmostEqual(sum(each["weight"] for each in self.fit["explanations"]), 1, delta=1e-12)  # roundings
 
     def test_band_and_reference_lie_on_the_fibre_seen(self):
-        band, middle = self.fit["band"], self.fit["parameters"]["reference_length"]["value"]
+        band, middle = self.fit["band"], self.fit["parameters"]["reference"]["value"]
         self.assertEqual(len(band["length"]), len(band["mean"]))
         self.assertTrue(1278e-6 < band["length"][0] < middle < band["length"][-1])
 
@@ -221,12 +221,12 @@ class Words(InFolder):
         fit, _ = self.answer('model = "drift"\nmu0 = 0.4\ndrift = "0.6 1/mm"\n')
         p = fit["parameters"]
         # The truth is 0.4 at the span, and 0.6 a millimetre from there.
-        for value, truth, error in ((p["mu0"]["value"], 0.4 + 600 * (p["reference_length"]["value"] - 1278e-6), p["mu0"]["standard_error"]),
+        for value, truth, error in ((p["mu0"]["value"], 0.4 + 600 * (p["reference"]["value"] - 1278e-6), p["mu0"]["standard_error"]),
                                     (p["drift"]["value"], 600, p["drift"]["standard_error"])):
             self.assertLess(abs(value - truth), 4 * error)
         case = self.file("pasted.toml", '[specimen]\nbending_stiffness = "2e-9 N m^2"\n[rig]\nspan = "1278 um"\nstiffness = "90 N/m"\n'
                          f'[friction]\nmodel = "drift"\nmu0 = {p["mu0"]["value"]!r}\ndrift = "{p["drift"]["value"]!r} 1/m"\n'
-                         f'reference = "{p["reference_length"]["value"]!r} m"\n[stage]\nprogram = ["0 um", "640 um"]\nstep = "2 um"\n')
+                         f'reference = "{p["reference"]["value"]!r} m"\n[stage]\nprogram = ["0 um", "640 um"]\nstep = "2 um"\n')
         self.succeeds("simulate", case)
 
 
