@@ -413,7 +413,7 @@ LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const 
       kernel, [&](auto M) { return gradient_with<decltype(M)::value>(looks, kernel, at, wavelengths); });
 }
 
-Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : looks_(looks), kernel_(kernel) {
+Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : looks_(looks) {
   require_domain(looks, kernel, at);
   const std::size_t n = looks.looks.size();
   const std::size_t columns = looks.prior.size();

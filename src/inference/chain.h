@@ -127,7 +127,6 @@ class Chain {
 
  private:
   const Looks& looks_;
-  Kernel kernel_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>> steps_;
   Eigen::MatrixXd white_;          // a column for y and each column, C^(-1/2) of it
   std::vector<double> predicted_;  // of the state at each look, series by series

@@ -92,7 +92,6 @@ Passages passages_of(const FitProblem& problem) {
     p.row.push_back(rows[k]);
     p.stage.push_back(record.stage[rows[k]]);
     p.force.push_back(F[k]);
-    p.deflection.push_back(w[k]);
     p.S.push_back(states.S[k]);
     p.q.push_back(states.q[k]);
   }
@@ -122,7 +121,7 @@ void complete(Linearisation& at, const Passages& passages) {
   const auto slopes = inverse_slopes(at.S, at.mu);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
   for (auto* column :
-       {&at.S_seen, &at.S_force, &at.S_eta, &at.q_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
+       {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
     column->resize(n);
   at.log_jacobian = -at.stiffness_jacobian * at.eta + 0.5 * passages.stiffness_error * passages.stiffness_error *
                                                           at.stiffness_jacobian * at.stiffness_jacobian;
@@ -131,13 +130,13 @@ void complete(Linearisation& at, const Passages& passages) {
     at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
     const double q_force = std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, least_q_force);
     at.S_eta[i] = -slopes.F[i] * slopes.S_F[i];
-    at.q_eta[i] = -slopes.F[i] * slopes.q_F[i];
+    const double q_eta = -slopes.F[i] * slopes.q_F[i];
     at.fold[i] = 1 - at.slope[i] * at.S_force[i] / q_force;
     at.noise_gain[i] = q_force * std::max(at.fold[i], least_fold);
     const double error = slopes.F[i] > 0 ? passages.force[i] - stiffer * slopes.F[i] : 0;
     at.S_seen[i] = at.S[i] + at.S_force[i] * error;
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;
-    at.h_stiffness[i] = -(at.q_eta[i] - at.slope[i] * at.S_eta[i]);
+    at.h_stiffness[i] = -(q_eta - at.slope[i] * at.S_eta[i]);
     at.h_contact[i] = slopes.q_w[i] - at.slope[i] * slopes.S_w[i];
     at.log_jacobian += elementary::log(at.noise_gain[i]);
   }

@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <span>
-#include <stdexcept>
-
-#include <Eigen/Dense>
 
 #include "fibre/elementary.h"
 #include "inference/constant_fit.h"

@@ -52,6 +52,20 @@ TEST_CASE(
   CHECK(covered >= 13);  // of 16 intervals of 95 %: fewer once in 3000 times, were they independent
 }
 
+TEST_CASE("limit: a record of a few points is one of too few") {
+  for (std::size_t points = 0; points < 5; ++points) {
+    CAPTURE(points);
+    FitProblem problem{{}, {90}, {0.02, 0.03, 0}};
+    for (std::size_t i = 0; i < points; ++i) {
+      const double w = 0.1 + 0.01 * static_cast<double>(i);
+      problem.record.deflection.push_back(w);
+      problem.record.force.push_back(60 * w);
+      problem.record.stage.push_back(w + 60 * w / 90);
+    }
+    CHECK(fit_friction(problem).status == FrictionFitStatus::too_few_points);
+  }
+}
+
 TEST_CASE(
     "oracle: of simulated roughness mean, roughness and bending stiffness lie in their intervals, and hardly "
     "a wave is claimed") {
