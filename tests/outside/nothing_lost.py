@@ -9,7 +9,7 @@ import subprocess
 import sys
 import unittest
 
-from program import PROGRAM, SOURCE, InFolder, run
+from program import PROGRAM, SOURCE, WAVY, InFolder, run
 
 EXAMPLE = SOURCE / "examples/simulated"
 RECORD = '[record]\nfile = "test.csv"\nstage = "stage"\nforce = "force"\n'
@@ -26,22 +26,6 @@ mu = "mu"
 [stage]
 file = "stage.csv"
 stage = "w_s [um]"
-"""
-WAVY = """[specimen]
-diameter = "30 um"
-modulus = "30 GPa"
-[rig]
-span = "1 mm"
-stiffness = "90 N/m"
-[friction]
-model = "sinusoid"
-mu0 = 0.4
-amplitude = 0.3
-wavelength = "40 um"
-phase = 1
-[stage]
-program = ["0 um", "200 um"]
-step = "4 um"
 """
 AXES = '[sweep]\nmethod = "grid"\n[sweep.axes]\nmu0 = [0.3, 0.4]\n'
 

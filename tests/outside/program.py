@@ -10,6 +10,24 @@ import unittest
 PROGRAM = os.environ["FLEXSLIP"]
 SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
 
+# A case that runs at once: friction that is a wave, a short way.
+WAVY = """[specimen]
+diameter = "30 um"
+modulus = "30 GPa"
+[rig]
+span = "1 mm"
+stiffness = "90 N/m"
+[friction]
+model = "sinusoid"
+mu0 = 0.4
+amplitude = 0.3
+wavelength = "40 um"
+phase = 1
+[stage]
+program = ["0 um", "200 um"]
+step = "4 um"
+"""
+
 
 def run(*arguments, stdin=""):
     """What the program says: its exit code as .returncode, .stdout and .stderr."""

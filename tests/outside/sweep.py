@@ -13,7 +13,7 @@ import sys
 import time
 import unittest
 
-from program import PROGRAM, SOURCE, InFolder, run
+from program import PROGRAM, SOURCE, WAVY, InFolder, run
 
 try:
     import h5py
@@ -22,26 +22,9 @@ except ImportError:
     print("skipped: no python3-h5py")
     sys.exit(77)
 
-CASE = """[specimen]
-diameter = "30 um"
-modulus = "30 GPa"
-[rig]
-span = "1 mm"
-stiffness = "90 N/m"
-[friction]
-model = "sinusoid"
-mu0 = 0.4
-amplitude = 0.3
-wavelength = "40 um"
-phase = 1
-[stage]
-program = ["0 um", "200 um"]
-step = "4 um"
-"""
-
 
 def grid(stiffnesses, wavelengths):
-    return CASE + f"""[sweep]
+    return WAVY + f"""[sweep]
 method = "grid"
 [sweep.axes]
 stiffness = {{ from = "1 N/m", to = "100 N/m", points = {stiffnesses}, spacing = "log" }}
@@ -138,7 +121,7 @@ class Sweep(InFolder):
                          (0.53816883311213548, 0.23677890445156818))
         sweep = '[sweep]\nmethod = "latin hypercube"\nsamples = 200\nseed = 7\n[sweep.axes]\n'
         axes = "mu0 = { from = 0, to = 1 }\namplitude = { from = 0, to = 1 }\n"
-        self.sweep(self.file("sample.toml", CASE + sweep + axes), "sample.h5")
+        self.sweep(self.file("sample.toml", WAVY + sweep + axes), "sample.h5")
         with h5py.File(self.folder / "sample.h5") as file:
             for parameter, name in enumerate(("mu0", "amplitude")):
                 self.assertEqual(list(file["inputs"][name]), [hypercube_point(200, 7, parameter, row) for row in range(200)])
@@ -149,7 +132,7 @@ class Sweep(InFolder):
             rows = list(zip(file["inputs/stiffness"], file["inputs/wavelength"]))
             outcomes = {name: column[:] for name, column in file["outcomes"].items()}
         for i, (stiffness, wavelength) in enumerate(rows):
-            text = CASE.replace('"90 N/m"', f'"{float(stiffness)!r} N/m"').replace('"40 um"', f'"{float(wavelength)!r} m"')
+            text = WAVY.replace('"90 N/m"', f'"{float(stiffness)!r} N/m"').replace('"40 um"', f'"{float(wavelength)!r} m"')
             answer = self.json("simulate", self.file("one.toml", text.replace('step = "4 um"', 'step = "continuous"')))
             snaps = answer["snaps"]
             self.assertEqual(outcomes["snaps"][i], len(snaps))
@@ -392,7 +375,7 @@ class Sweep(InFolder):
         case = self.file("map.toml", grid(5, 4))
         for shard in ("0/3", "4/3", "1", "a/b", "1/3/4", "-1/3"):
             self.refused("sweep", case, f"--shard={shard}", "--output", self.folder / "map.h5", says=["--shard", "I/N"])
-        self.refused("sweep", self.file("plain.toml", CASE), says=["plain.toml", "[sweep]", "add [sweep]"])
+        self.refused("sweep", self.file("plain.toml", WAVY), says=["plain.toml", "[sweep]", "add [sweep]"])
         self.refused("sweep", "-", stdin=grid(5, 4), says=["--output"])
         self.refused("merge", self.folder / "none.parts", says=["none.parts", "no such folder"])
         self.refused("merge", self.folder, says=["--output"])
@@ -401,7 +384,7 @@ class Sweep(InFolder):
     @unittest.skipUnless(os.environ.get("FLEXSLIP_CONFIG", "Release") == "Release", "sanitizers keep memory")
     def test_memory_does_not_grow_with_the_designs(self):
         # Shorter paths: it is not they that are measured.
-        short = CASE.replace('"200 um"', '"20 um"').replace("0.3\n", "0.01\n")
+        short = WAVY.replace('"200 um"', '"20 um"').replace("0.3\n", "0.01\n")
         sweep = '[sweep]\nmethod = "latin hypercube"\nsamples = {}\nseed = 1\n[sweep.axes]\nmu0 = {{ from = 0.1, to = 0.9 }}\n'
         peaks = [peak_memory("sweep", self.file(f"{rows}.toml", short + sweep.format(rows)), "--quiet", "--output",
                              self.folder / f"{rows}.h5") for rows in (10_000, 100_000)]
