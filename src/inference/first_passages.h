@@ -15,15 +15,15 @@ namespace flexslip {
 
 // The readings of a record that tell of friction, in its order.
 struct Passages {
-  std::vector<std::size_t> row;                  // in the record
+  std::vector<std::size_t> row;      // in the record
   std::vector<double> stage, force;  // [L], [EI/L^2]
-  std::vector<double> S, q;                      // [L], [1] inverted at the nominal EI
-  std::vector<double> advance;                   // [L] of S since the reading before, were friction constant
-  double compliance;                             // [L^3/EI] of the load train
-  double stiffness_error;                        // [1] standard deviation of ln EI beforehand
-  double contact_error;                          // [L]
-  double S_middle;                               // [L]
-  double range;                                  // [L] of places on the fibre: (greatest S - least S)/2
+  std::vector<double> S, q;          // [L], [1] inverted at the nominal EI
+  std::vector<double> advance;       // [L] of S since the reading before, were friction constant
+  double compliance;                 // [L^3/EI] of the load train
+  double stiffness_error;            // [1] standard deviation of ln EI beforehand
+  double contact_error;              // [L]
+  double S_middle;                   // [L]
+  double range;                      // [L] of places on the fibre: (greatest S - least S)/2
 
   std::size_t size() const { return row.size(); }
   double place(double S_at) const { return 0.5 * (S_at - S_middle); }  // [L] x of friction_process.h
@@ -42,8 +42,8 @@ struct Linearisation {
   std::vector<double> mu;              // [1] the friction at which the fibre passes S at the stage position read
   std::vector<double> S_seen;          // [L] where the force read would put it
   std::vector<double> S_force, S_eta;  // dS/de at fixed stage, dS/dη at fixed force
-  std::vector<double> noise_gain;  // D, its factor G'/G_S not below 0.05
-  std::vector<double> fold;        // [1] κ = G'/G_S: 0 at a fold
+  std::vector<double> noise_gain;      // D, its factor G'/G_S not below 0.05
+  std::vector<double> fold;            // [1] κ = G'/G_S: 0 at a fold
   std::vector<double> y, h_stiffness, h_contact;
   double log_jacobian;  // Σ ln |dy/dF| - J η0 + ½ s² J², s being the deviation of η beforehand
 };

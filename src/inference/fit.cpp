@@ -205,9 +205,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
                    [](const auto& a, const auto& b) { return a.amplitude.value > b.amplitude.value; });
   const bool either = !asked.waves;
   fit.log_evidence_of_wave = either && !fit.waves.empty() ? posterior.log_evidence_of_wave : not_a_number;
-  fit.wave_claimed =
-      !fit.waves.empty() &&
-      (!either || (fit.log_evidence_of_wave > claim && fit.waves.front().wavelength.value < passages.range / 4));
+  fit.wave_claimed = !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claiming_gain &&
+                                                        fit.waves.front().wavelength.value < passages.range / 4));
   fit.explanations = posterior.explanations;
   for (const auto& at : found.scan) fit.scan.push_back({at.wavelength, at.gain});
   fit.band = posterior.band;

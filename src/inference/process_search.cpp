@@ -139,8 +139,8 @@ class Search {
     auto& components = result.components;
     for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
     if (with_plain) components.push_back(component_of(process_, plain));
-    const double gain = with_plain ? components.front().log_evidence - components.back().log_evidence : claim;
-    if (!options_.waves && !waves.empty() && gain > claim) add_second_wave(waves, components);
+    const double gain = with_plain ? components.front().log_evidence - components.back().log_evidence : claiming_gain;
+    if (!options_.waves && !waves.empty() && gain > claiming_gain) add_second_wave(waves, components);
     const std::size_t with_first = components.size();
     // Where a wave is out of the question with its kernel, it is not asked for with the others; nor are waves far below the best.
     constexpr double out_of_question = -2, far_below = 3;
@@ -169,7 +169,7 @@ class Search {
     const auto two = with_one_more_wave(waves.front(), scan_of(process_, waves.front()));
     if (two.empty()) return;
     const Component best = component_of(process_, two.front());
-    if (best.log_evidence < components.front().log_evidence + claim) return;
+    if (best.log_evidence < components.front().log_evidence + claiming_gain) return;
     std::erase_if(components, [](const Component& component) { return component.mode.theta.waves == 1; });
     components.insert(components.begin(), best);
     for (std::size_t i = 1; i < two.size(); ++i) components.push_back(component_of(process_, two[i]));

@@ -11,8 +11,6 @@
 
 namespace flexslip {
 
-inline constexpr double claim = 3;  // of the logarithm of the evidence: what one wave more must bring to be claimed
-
 struct SearchOptions {
   std::vector<Kernel> kernels{all_kernels.begin(), all_kernels.end()};
   std::optional<std::size_t>

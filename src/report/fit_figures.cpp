@@ -263,8 +263,7 @@ Figure wavelength_figure(const FittedTest& test) {
   const TestUnits units = units_of(test);
   const std::string wavelength = fmt::format("wavelength [{}]", units.small_length.unit);
   FigureData gains{"gains", {wavelength, "gain of log-evidence"}, {}};
-  constexpr double claim = 3;
-  double highest = 1.5 * claim, lowest = 0;
+  double highest = 1.5 * claiming_gain, lowest = 0;
   for (const auto& at : fit.scan) {
     gains.rows.push_back({units.per_small_length * at.wavelength, at.gain});
     highest = std::max(highest, at.gain);
@@ -301,12 +300,12 @@ Figure wavelength_figure(const FittedTest& test) {
        gains using 1:2 with lines lw 1 lc rgb blue
   unset logscale x; set xtics auto
 )",
-      fmt::arg("bottom", lowest), fmt::arg("top", top), fmt::arg("claim", claim),
+      fmt::arg("bottom", lowest), fmt::arg("top", top), fmt::arg("claim", claiming_gain),
       fmt::arg("tics", logarithmic_tics(gains.rows.front()[0], gains.rows.back()[0])),
       fmt::arg("label", axis_label("Wavelength along the specimen", "{/:Italic λ}", units.small_length)),
       fmt::arg("likeliest_title", marked.empty()     ? ""
                                   : fit.wave_claimed ? " title 'the wave'"
-                                                     : " title 'likeliest, not claimed'"));
+                                                     : " title 'the likeliest'"));
   return {
       .name = "wavelengths",
       .title = "Wavelengths in the friction: " + test.name,

@@ -414,7 +414,8 @@ std::string wave_in_words(const FittedTest& test) {
   if (fit.waves.empty() || !std::isfinite(fit.log_evidence_of_wave))
     return "There is no periodicity beyond roughness: no wave explains more than none.";
   const auto& wave = fit.waves.front();
-  const std::string evidence = fmt::format("ln B = {:.1f}, where 3 makes a claim", fit.log_evidence_of_wave);
+  const std::string evidence =
+      fmt::format("ln B = {:.1f}, where {} makes a claim", fit.log_evidence_of_wave, claiming_gain);
   const double unit = test.analysis.scales.span();
   const std::string wavelength =
       readable(unit * wave.wavelength.value, unit * wave.wavelength.standard_error, Print(test).as(kind::length));
@@ -422,8 +423,7 @@ std::string wave_in_words(const FittedTest& test) {
   if (fit.wave_claimed)
     return fmt::format("Friction repeats along the specimen every {}, rising and falling by {} of its mean ({}).",
                        wavelength, amplitude, evidence);
-  constexpr double claim = 3;
-  if (fit.log_evidence_of_wave > claim)
+  if (fit.log_evidence_of_wave > claiming_gain)
     return fmt::format(
         "There is no periodicity beyond roughness. The likeliest wave ({}), {} long, is longer than a quarter of the "
         "fibre "

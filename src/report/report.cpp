@@ -70,8 +70,8 @@ std::vector<Plate> plates_of(const FittedTest& test) {
   if (!analysis.fit.scan.empty())
     plates.push_back(
         {wavelength_figure(test),
-         "What a wave of friction adds to the logarithm of the evidence, for every wavelength, beside what "
-         "explains the record without one. Dotted: 3, beyond which a wave is claimed."});
+         "What a wave of friction adds to the logarithm of the evidence, for every wavelength, roughness left as it is "
+         "without one; ln B is that of both fitted anew. Dotted: 3, beyond which a wave is claimed."});
   return plates;
 }
 
