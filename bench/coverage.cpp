@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "inference/chain.h"
+#include "inference/checks.h"
 #include "inference/fit.h"
 #include "inference/sliding_ladder.h"
 
@@ -182,7 +183,7 @@ int main(int count, char** arguments) {
       "covered,noise_covered,"
       "waves,log_evidence,claimed,wavelength,wavelength_estimate,wavelength_error,wavelength_covered,amplitude,"
       "amplitude_estimate,amplitude_covered,phase_covered,"
-      "k,noise,ms\n");
+      "k,noise,whiteness_p,nesting_below,ms\n");
   for (int test = first; test < first + tests; ++test) {
     Random random(of_kind + static_cast<std::uint64_t>(test) * 7919);
     const Truth t = truth_of(kind, random);
@@ -221,7 +222,9 @@ int main(int count, char** arguments) {
                   wave.amplitude / mean, found.amplitude.value, covers(found.amplitude, wave.amplitude / mean),
                   covers(found.phase_at_middle, turned));
     }
-    std::printf("%.2f,%.4f,%.1f\n", t.k, t.noise, ms);
+    const Check nesting = check_nesting(problem, fit);
+    std::printf("%.2f,%.4f,%.2g,%.1f,%.1f\n", t.k, t.noise, number_of(check_whiteness(fit), "p_value"),
+                nesting.numbers.empty() ? std::nan("") : number_of(nesting, "most_below"), ms);
     std::fflush(stdout);
   }
 }

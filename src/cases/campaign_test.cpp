@@ -28,7 +28,7 @@ CampaignCurves curves_of(const TestAnalysis& analysis) {
 
 std::string reason_of(const std::string& status) {
   if (status == "too_few_points") return "fewer than 20 rows with a deflection beyond a twentieth of the span";
-  if (status == "not_explained") return "no sliding with friction gives this record";
+  if (status == "not_explained") return "no sliding with a friction of 0 to 2 gives this record";
   if (status == "no_initial_slope")
     return "the force does not rise where the record begins: state the bending stiffness";
   return "";
@@ -51,6 +51,10 @@ std::vector<std::string> remarks_of(const FittedTest& test) {
       remarks.push_back(fmt::format("{:.0f} drops, where profiles drawn from the fit show {:.0f} to {:.0f}",
                                     number_of(check, "record"), number_of(check, "draws_low"),
                                     number_of(check, "draws_high")));
+    if (check.kind == CheckKind::whiteness)
+      remarks.emplace_back("what the readings add to those before them is not noise");
+    if (check.kind == CheckKind::nesting)
+      remarks.emplace_back("the likeliest explanation fits worse than one that it contains");
     if (check.kind == CheckKind::stability)
       remarks.emplace_back("the answer moves when the force changes in its ninth digit");
   }

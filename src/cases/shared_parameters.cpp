@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "fibre/elementary.h"
 #include "inference/shared_parameter.h"
-#include "io/input_error.h"
 
 namespace flexslip {
 namespace {
@@ -52,12 +50,6 @@ std::optional<Marginal> marginal_of(const CampaignTest& test, Shareable paramete
   return known.mu0;
 }
 
-std::string remedy_for(Shareable parameter) {
-  if (parameter == Shareable::modulus) return "state the section of each";
-  if (parameter == Shareable::wavelength) return "only waves that the evidence claims can be shared";
-  return "";
-}
-
 ParameterEstimate of_exponential(const ParameterEstimate& log) {
   const double value = elementary::exp(log.value);
   return {value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
@@ -68,11 +60,10 @@ SharedParameter shared_by(std::span<const CampaignTest> tests, Shareable paramet
   for (const auto& test : tests)
     if (const auto marginal = marginal_of(test, parameter); marginal && tells(*marginal))
       marginals.push_back(*marginal);
-  if (marginals.size() < 2)
-    throw InputError({.field = "--share " + name_of(parameter),
-                      .expected = "at least two tests whose records tell this parameter",
-                      .found = fmt::format("{}", marginals.size()),
-                      .remedy = remedy_for(parameter)});
+  if (marginals.size() < 2) {
+    constexpr double untold = std::numeric_limits<double>::quiet_NaN();
+    return {name_of(parameter), unit_of(parameter), {untold, untold, untold, untold}, marginals.size(), untold, untold};
+  }
   const SharedValue shared = share(marginals, prior_told_to(marginals));
   return {name_of(parameter),
           unit_of(parameter),
@@ -83,6 +74,12 @@ SharedParameter shared_by(std::span<const CampaignTest> tests, Shareable paramet
 }
 
 }  // namespace
+
+std::string_view needed_for(Shareable parameter) {
+  if (parameter == Shareable::modulus) return "state the section of each";
+  if (parameter == Shareable::wavelength) return "only waves that the evidence claims can be shared";
+  return "the others say less than was known beforehand";
+}
 
 std::string name_of(Shareable parameter) {
   switch (parameter) {

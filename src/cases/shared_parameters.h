@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/campaign_test.h"
@@ -20,9 +21,12 @@ enum class Shareable {
 
 std::string name_of(Shareable parameter);
 
+// Why fewer than two tests of a campaign may tell it.
+std::string_view needed_for(Shareable parameter);
+
 // Suspects have no part in it. What the cases state of a stiffness, or their initial slopes say, counts once: it errs in all of them alike.
 // Domain:     parameters different; std::invalid_argument otherwise.
-// Fails:      InputError if fewer than two records tell one of them.
+// Fails:      the estimate is not a number where fewer than two records tell it.
 std::vector<SharedParameter> share_parameters(std::span<const CampaignTest> tests,
                                               const std::vector<Shareable>& parameters);
 

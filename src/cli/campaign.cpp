@@ -129,6 +129,13 @@ void run_campaign_command(const CampaignRequest& request) {
     write_text(request.output.path, campaign_text(run.campaign));
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
                                             [](const CampaignTest& test) { return !test.summary; });
+  for (const Shareable parameter : shared_in(request))
+    for (const auto& shared : run.campaign.shared)
+      if (shared.name == name_of(parameter) && shared.tests < 2)
+        throw CalculationFailed(
+            fmt::format("--share {}: expected at least two tests whose records tell this parameter, "
+                        "found {}; {}",
+                        shared.name, shared.tests, needed_for(parameter)));
   if (without_answer > 0)
     throw CalculationFailed(fmt::format("{}: {} of {} tests gave no answer; the reasons are listed", request.path,
                                         without_answer, plan.size()));

@@ -36,7 +36,8 @@ std::string what_failed(const FittedTest& test, const std::string& status) {
                        test.measurement.file);
   if (status == "not_explained")
     return fmt::format(
-        "{}: no sliding with friction gives this record: check the columns, their units, the span and the section",
+        "{}: no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "
+        "section",
         test.measurement.file);
   return fmt::format("{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
                      test.measurement.file);

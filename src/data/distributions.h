@@ -37,11 +37,4 @@ inline double student_quantile(double z, double nu) {
   return std::sqrt(nu * std::expm1(x * x / nu));
 }
 
-// P(chi squared > x), by Wilson and Hilferty's cube root.
-// Max error:  0.01, and 0.03 for nu = 1.
-inline double chi_squared_tail(double x, double nu) {
-  const double spread = 2 / (9 * nu);
-  return 0.5 * std::erfc((std::cbrt(x / nu) - 1 + spread) / std::sqrt(2 * spread));
-}
-
 }  // namespace flexslip

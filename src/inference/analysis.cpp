@@ -141,7 +141,7 @@ FrictionRead friction_read_of(const FrictionProfile& profile) {
 
 std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, const AnalysisOptions& options) {
   std::vector<Check> checks{check_residuals(problem, fit), check_drops(problem, fit, options.drops),
-                            check_friction(fit)};
+                            check_whiteness(fit), check_nesting(problem, fit), check_friction(fit)};
   if (options.check_stability) checks.push_back(check_stability(problem, fit, options.fit));
   return checks;
 }
@@ -248,11 +248,9 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   analysis.errors = errors;
   const FitProblem problem{analysis.reduced, analysis.rig, errors};
   analysis.fit = fit_friction(problem, options.fit);
-  if (analysis.fit.status == FrictionFitStatus::too_few_points) {
-    const auto tell = std::count_if(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end(),
-                                    [](double w) { return w > friction_shows_from; });
-    constexpr std::ptrdiff_t least_readings = 20;  // of the fit
-    analysis.status = tell < least_readings ? AnalysisStatus::too_few_points : AnalysisStatus::not_explained;
+  if (analysis.fit.status != FrictionFitStatus::ok) {
+    analysis.status = analysis.fit.status == FrictionFitStatus::too_few_points ? AnalysisStatus::too_few_points
+                                                                               : AnalysisStatus::not_explained;
     return analysis;
   }
   analysis.profile_at_fit = profile_at_fit(analysis);

@@ -53,11 +53,15 @@ Marginal kept(const Marginal& marginal, double by) {
 
 TestMarginals marginals_of(const FrictionFit& fit, const Scales& scales) {
   const double log_span = elementary::log(scales.span());
+  double smooth = 0;  // weight of the explanations without roughness
+  for (const auto& each : fit.explanations)
+    if (each.kernel == Kernel::none) smooth += each.weight;
   TestMarginals known{.mu0 = kept(fit.of_mu0, 0),
                       .log_roughness = kept(fit.of_log_roughness, 0),
                       .log_length = kept(fit.of_log_length, log_span),
                       .log_stiffness = kept(fit.of_log_stiffness, elementary::log(scales.bending_stiffness())),
                       .log_wavelength = {}};
+  if (smooth > 0.5) known.log_length = {};  // what is likely not there has no length
   if (fit.wave_claimed) known.log_wavelength = shifted(of_logarithm(fit.waves.front().wavelength), log_span);
   return known;
 }

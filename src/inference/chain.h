@@ -15,7 +15,7 @@
 
 #include <Eigen/Core>
 
-#include "inference/friction_process.h"
+#include "inference/kernel.h"
 
 namespace flexslip {
 

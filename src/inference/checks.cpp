@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
 #include "data/order.h"
 #include "inference/chain.h"
+#include "inference/chi_squared.h"
 #include "inference/process_posterior.h"
 
 namespace flexslip {
@@ -43,6 +46,10 @@ std::string_view name_of(CheckKind kind) {
       return "residuals";
     case CheckKind::drops:
       return "drops";
+    case CheckKind::whiteness:
+      return "whiteness";
+    case CheckKind::nesting:
+      return "nesting";
     case CheckKind::friction:
       return "friction";
     case CheckKind::stability:
@@ -107,6 +114,48 @@ Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropO
            {"draws_high", *high, false},
            {"record_fall", record.mean, true},
            {"draws_fall", means.empty() ? std::nan("") : median_of(means), true}}};
+}
+
+Check check_whiteness(const FrictionFit& fit) {
+  if (fit.innovations.empty()) return {CheckKind::whiteness, CheckOutcome::not_possible, {}};
+  // About their mean, which is above 0: a fibre rests where friction is high, and passes over where it is low.
+  auto r = fit.innovations;
+  const double mean = std::accumulate(r.begin(), r.end(), 0.0) / static_cast<double>(r.size());
+  for (double& value : r) value -= mean;
+  const std::size_t n = r.size(), lags = std::min<std::size_t>(20, n / 5);
+  double squares = 0, sum = 0;
+  for (const double value : r) squares += value * value;
+  for (std::size_t lag = 1; lag <= lags; ++lag) {
+    double products = 0;
+    for (std::size_t i = lag; i < n; ++i) products += r[i] * r[i - lag];
+    const double correlation = products / squares;
+    sum += correlation * correlation / static_cast<double>(n - lag);
+  }
+  const double statistic = static_cast<double>(n) * static_cast<double>(n + 2) * sum;
+  const double p_value = chi_squared_beyond(statistic, lags - 1);  // one is spent on ρ
+  constexpr double rare = 1e-4;  // a campaign of a hundred has one false alarm in a hundred
+  return {CheckKind::whiteness,
+          passed_if(p_value > rare),
+          {{"ljung_box", statistic, false}, {"lags", static_cast<double>(lags), false}, {"p_value", p_value, false}}};
+}
+
+Check check_nesting(const FitProblem& problem, const FrictionFit& fit) {
+  std::vector<Explanation> others = fit.explanations;
+  if (fit.model == ProfileModel::sinusoids) others = fit_friction(problem, {ProfileModel::sinusoid}).explanations;
+  if (fit.model == ProfileModel::sinusoid) others = fit_friction(problem, {ProfileModel::drift}).explanations;
+  double most_below = -std::numeric_limits<double>::infinity();
+  if (!fit.explanations.empty()) {
+    const Explanation& likeliest = fit.explanations.front();
+    for (const auto& other : others) {
+      const std::size_t waves = likeliest.wavelengths.size(), fewer = other.wavelengths.size();
+      const bool simpler_kernel = other.kernel == Kernel::none && likeliest.kernel != Kernel::none;
+      const bool is_contained = simpler_kernel ? fewer <= waves : other.kernel == likeliest.kernel && fewer < waves;
+      if (is_contained) most_below = std::max(most_below, other.log_likelihood - likeliest.log_likelihood);
+    }
+  }
+  if (!std::isfinite(most_below)) return {CheckKind::nesting, CheckOutcome::not_possible, {}};
+  constexpr double by_priors = 6;  // ln of the prior of roughness from where it is next to none to where it is expected
+  return {CheckKind::nesting, passed_if(most_below < by_priors), {{"most_below", most_below, false}}};
 }
 
 Check check_friction(const FrictionFit& fit) {

@@ -12,6 +12,8 @@ namespace flexslip {
 enum class CheckKind {
   residuals,  // the mean profile run forward gives the measured force back
   drops,      // profiles that explain the record as well show about as many drops as it does
+  whiteness,  // what the readings add to those before them is noise
+  nesting,    // the likeliest explanation fits no worse than one that it contains
   friction,   // the record tells friction from none
   stability,  // the answer stays when the force changes in its ninth digit
 };
@@ -47,6 +49,19 @@ Check check_residuals(const FitProblem& problem, const FrictionFit& fit);
 // Numbers:    threshold; record, draws_low, draws_median, draws_high (numbers of drops); record_fall, draws_fall (mean falls).
 // Fails:      not possible without draws (a constant), or with a record too short for drops.
 Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropOptions& options = {});
+
+// Ljung and Box's test of the innovations about their mean: the sum of the squares of their correlations over up to 20 readings. Passes if noise alone
+// would give as much in one of ten thousand records.
+// Numbers:    ljung_box, lags, p_value.
+// Fails:      not possible for a constant.
+Check check_whiteness(const FrictionFit& fit);
+
+// An explanation contains those with fewer waves, and those without roughness. Passes unless the likeliest one has a likelihood lower than
+// one it contains by more than priors can do: 6 in ln L. The paper's models are held against those with a wave less.
+// Numbers:    most_below: the greatest of ln L by which it lies below what it contains; negative: it does not.
+// Fails:      not possible where it contains no other.
+// Cost:       for the paper's models that of a fit.
+Check check_nesting(const FitProblem& problem, const FrictionFit& fit);
 
 // Fails if the interval of mu0 has no lower end above 0. Numbers: mu0_high.
 Check check_friction(const FrictionFit& fit);

@@ -85,6 +85,7 @@ Passages passages_of(const FitProblem& problem) {
     w.push_back(record.deflection[i]);
     F.push_back(record.force[i]);
   }
+  p.judged = rows.size();
   const auto states = tabulated_states_from_forces(w, F);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (!(states.q[k] > least_q && states.q[k] < greatest_q && states.S[k] > least_S && states.S[k] < greatest_S))

@@ -15,6 +15,7 @@ namespace flexslip {
 
 // The readings of a record that tell of friction, in its order.
 struct Passages {
+  std::size_t judged = 0;            // readings deep enough to tell of friction, whether any friction gives them or not
   std::vector<std::size_t> row;      // in the record
   std::vector<double> stage, force;  // [L], [EI/L^2]
   std::vector<double> S, q;          // [L], [1] inverted at the nominal EI
@@ -26,7 +27,7 @@ struct Passages {
   double range;                      // [L] of places on the fibre: (greatest S - least S)/2
 
   std::size_t size() const { return row.size(); }
-  double place(double S_at) const { return 0.5 * (S_at - S_middle); }  // [L] x of friction_process.h
+  double place(double S_at) const { return 0.5 * (S_at - S_middle); }  // [L] x of kernel.h
 };
 
 // Method:     Deflections from 0.08, or half the greatest if that is less, never below friction_shows_from, to 0.8, that some friction in

@@ -169,8 +169,10 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.model = options.model;
   const Passages passages = problem.record.force.size() < 3 ? Passages{} : passages_of(problem);
   fit.readings = passages.size();
-  if (passages.size() < 20) {
-    fit.status = FrictionFitStatus::too_few_points;
+  constexpr std::size_t least_readings = 20;
+  if (passages.size() < least_readings) {
+    fit.status =
+        passages.judged < least_readings ? FrictionFitStatus::too_few_points : FrictionFitStatus::not_explained;
     return fit;
   }
   if (options.model == ProfileModel::constant) return constant_fit_of(whole, problem, passages);
@@ -179,7 +181,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const ProcessSearch found = search(process, asked);
   const auto& seen = found.components.front().mode.at.S;
   if (!(seen.back() > seen.front())) {  // the fibre passes nothing: whatever is read is no sliding
-    fit.status = FrictionFitStatus::too_few_points;
+    fit.status = FrictionFitStatus::not_explained;
     return fit;
   }
   const ProcessPosterior posterior = posterior_of(process, found.components);
@@ -208,6 +210,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.wave_claimed = !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claiming_gain &&
                                                         fit.waves.front().wavelength.value < passages.range / 4));
   fit.explanations = posterior.explanations;
+  fit.innovations = posterior.innovations;
   for (const auto& at : found.scan) fit.scan.push_back({at.wavelength, at.gain});
   fit.band = posterior.band;
   fit.mean = posterior.profile;

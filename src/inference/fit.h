@@ -6,13 +6,12 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "contact/friction.h"
 #include "inference/fit_problem.h"
-#include "inference/friction_process.h"
+#include "inference/kernel.h"
 #include "inference/normal_mixture.h"
 
 namespace flexslip {
@@ -54,9 +53,10 @@ struct Marginal {
 // One explanation among those that the answer averages over.
 struct Explanation {
   Kernel kernel;
-  std::optional<double> wavelength;  // [L]
+  std::vector<double> wavelengths;  // [L] of its waves
   double log_evidence;
-  double weight;  // [1] of all; they add up to 1
+  double log_likelihood;  // where its posterior is greatest
+  double weight;          // [1] of all; they add up to 1
 };
 
 struct ScannedWave {
@@ -72,7 +72,8 @@ struct ProfileBand {
 
 enum class FrictionFitStatus {
   ok,
-  too_few_points,  // fewer than 20 readings tell of friction, or the fibre passes nothing: nothing else is valid
+  too_few_points,  // fewer than 20 readings are deep enough to tell of friction: nothing else is valid
+  not_explained,  // fewer than 20 of them are such as friction between 0 and 2 gives, or the fibre passes nothing: nothing else is valid
 };
 
 struct FrictionFit {
@@ -102,11 +103,13 @@ struct FrictionFit {
   std::vector<double> draw_stiffness;  // [1] relative bending stiffness of each
   std::vector<double> force;           // [EI/L^2] at each stage position of the record, `mean` run forward
   double residual_rms;                 // [EI/L^2] of it, over the readings that tell of friction
+  std::vector<double>
+      innovations;  // [1] what each reading adds to what those before it tell, over its standard deviation; empty of a constant
   Marginal of_mu0, of_log_stiffness, of_log_roughness, of_log_length;  // the latter two only of `roughness`
 };
 
 // Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
-// Fails:      too_few_points. Of more than 1200 points every so many are fitted.
+// Fails:      too_few_points, not_explained. Of more than 1200 points every so many are fitted.
 // Cost:       0.1 s at most for 200 points (bench/analyses).
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options = {});
 

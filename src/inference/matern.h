@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "fibre/elementary.h"
-#include "inference/friction_process.h"
+#include "inference/kernel.h"
 
 namespace flexslip::matern {
 

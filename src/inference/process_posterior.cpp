@@ -136,6 +136,7 @@ class Posterior {
 
   ProcessPosterior result() {
     list_explanations();
+    list_innovations();
     for (const auto& component : components_) add(component);
     result_.noise_correlation = hyperparameters_of(components_.front().mode.theta).correlation;
     add_profiles();
@@ -148,11 +149,14 @@ class Posterior {
     for (const auto& component : components_) total += weight_of(component, components_.front());
     for (const auto& component : components_) {
       const auto& theta = component.mode.theta;
-      result_.explanations.push_back(
-          {.kernel = component.mode.kernel,
-           .wavelength = theta.waves > 0 ? std::optional(elementary::exp(theta.log_wavelength(0))) : std::nullopt,
-           .log_evidence = component.log_evidence,
-           .weight = weight_of(component, components_.front()) / total});
+      std::vector<double> wavelengths;
+      for (std::size_t wave = 0; wave < theta.waves; ++wave)
+        wavelengths.push_back(elementary::exp(theta.log_wavelength(wave)));
+      result_.explanations.push_back({.kernel = component.mode.kernel,
+                                      .wavelengths = std::move(wavelengths),
+                                      .log_evidence = component.log_evidence,
+                                      .log_likelihood = log_likelihood_of(component.mode),
+                                      .weight = weight_of(component, components_.front()) / total});
     }
     const Component* const with = best_of(has_waves);
     const Component* const without = best_of([](const Component& each) { return !has_waves(each); });
@@ -161,6 +165,32 @@ class Posterior {
     for (const auto& component : components_)
       (has_waves(component) ? sum_with : sum_without) += weight_of(component, has_waves(component) ? *with : *without);
     result_.log_evidence_of_wave = with->log_evidence - without->log_evidence + elementary::log(sum_with / sum_without);
+  }
+
+  // ln p(readings, gaps) at the hyperparameters and the coefficients of a mode.
+  double log_likelihood_of(const Mode& mode) const {
+    const Looks looks = process_.looks_of(mode);
+    const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+    double value = process_.evidence(mode) + mode.at.log_jacobian;
+    // p(y) = p(y | β) p(β)/p(β | y), at the mean of β.
+    for (std::size_t j = 0; j < looks.prior.size(); ++j) {
+      const double beta = chain.mean()[static_cast<Index>(j)];
+      value += 0.5 * (beta * beta / looks.prior[j] + elementary::log(looks.prior[j]));
+    }
+    const Eigen::LLT<CoefficientMatrix> factor(chain.covariance());
+    const CoefficientMatrix L = factor.matrixL();
+    for (Index j = 0; j < L.rows(); ++j) value -= elementary::log(L(j, j));
+    return value;
+  }
+
+  void list_innovations() {
+    const Mode& mode = components_.front().mode;
+    const Looks looks = process_.looks_of(mode);
+    const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+    const auto& white = chain.whitened_columns();
+    const VectorXd rest = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
+    for (std::size_t k = 0; k < looks.looks.size(); ++k)
+      if (looks.looks[k].is_reading()) result_.innovations.push_back(rest[static_cast<Index>(k)]);
   }
 
   static bool has_waves(const Component& component) { return component.mode.theta.waves > 0; }

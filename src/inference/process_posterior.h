@@ -36,6 +36,7 @@ struct ProcessPosterior {
   std::vector<WavePosterior> waves;  // of the modes with the likeliest waves, wave by wave
   double log_evidence_of_wave;       // with over without
   std::vector<Explanation> explanations;
+  std::vector<double> innovations;  // [1] of the readings, by the likeliest mode
   ProfileBand band;
   FrictionTable profile;             // the mean of the band, not negative
   std::vector<FrictionTable> draws;  // 20

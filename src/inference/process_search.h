@@ -11,6 +11,9 @@
 
 namespace flexslip {
 
+// Of the logarithm of the evidence: what one wave more must bring to be claimed.
+inline constexpr double claiming_gain = 3;
+
 struct SearchOptions {
   std::vector<Kernel> kernels{all_kernels.begin(), all_kernels.end()};
   std::optional<std::size_t>

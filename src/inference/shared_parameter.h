@@ -42,9 +42,4 @@ Marginal shifted(Marginal marginal, double by);
 // Domain:     0 < low < value < high; std::invalid_argument otherwise.
 Marginal of_logarithm(const ParameterEstimate& estimate);
 
-// P(chi squared > x).
-// Domain:     freedoms >= 1, x >= 0.
-// Max error:  1e-12.
-double chi_squared_beyond(double x, std::size_t freedoms);
-
 }  // namespace flexslip

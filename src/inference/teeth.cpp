@@ -12,6 +12,7 @@
 #include "data/distributions.h"
 #include "data/line.h"
 #include "fibre/elastica.h"
+#include "inference/chi_squared.h"
 
 namespace flexslip {
 namespace {
@@ -224,7 +225,7 @@ SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig, st
   });
   result.chi_squared = chi_squared_of(middles, C);
   result.freedom = middles.size() - 1;
-  result.p_value = chi_squared_tail(result.chi_squared, static_cast<double>(result.freedom));
+  result.p_value = chi_squared_beyond(result.chi_squared, result.freedom);
   return result;
 }
 

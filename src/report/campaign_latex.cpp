@@ -149,6 +149,10 @@ std::string shared_of(const Campaign& campaign) {
       "$p$: probability that tests that share it differ as much.}\n\\label{tab:friction-shared}\n"
       "\\begin{tabular}{lrlrr}\n\\toprule\nParameter & Value & Unit & Tests & $p$ \\\\\n\\midrule\n";
   for (const auto& shared : campaign.shared) {
+    if (!std::isfinite(shared.estimate.value)) {
+      out += fmt::format("{} & not told & & {} & \\\\\n", latex_escaped(shared.name), shared.tests);
+      continue;
+    }
     const TableUnit unit = print_unit(shared.estimate.value, shared.unit);
     out += fmt::format("{} & {} & {} & {} & {} \\\\\n", latex_escaped(shared.name),
                        with_interval(shared.estimate, unit.factor), latex_unit(unit.name), shared.tests,

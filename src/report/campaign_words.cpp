@@ -189,6 +189,10 @@ PrintedTable failure_rows(const Campaign& campaign) {
 PrintedTable shared_rows(const Campaign& campaign) {
   PrintedTable table{{"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"}, {}};
   for (const auto& shared : campaign.shared) {
+    if (!std::isfinite(shared.estimate.value)) {
+      table.rows.push_back({shared.name, "not told", "", "", fmt::format("{}", shared.tests), ""});
+      continue;
+    }
     const auto [unit, factor] = print_unit(shared.estimate.value, shared.unit);
     const MatchedDigits digits = matched_digits(shared.estimate, factor);
     table.rows.push_back({shared.name,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "bending_test/equilibrium.h"
+#include "inference/process_search.h"
 #include "report/fit_words.h"
 
 namespace flexslip {
@@ -277,8 +278,8 @@ Figure wavelength_figure(const FittedTest& test) {
     for (const auto& wave : fit.waves) marked.push_back(wave.wavelength.value);
   } else {
     const auto waved = std::find_if(fit.explanations.begin(), fit.explanations.end(),
-                                    [](const auto& each) { return each.wavelength.has_value(); });
-    if (waved != fit.explanations.end()) marked.push_back(*waved->wavelength);
+                                    [](const auto& each) { return !each.wavelengths.empty(); });
+    if (waved != fit.explanations.end()) marked.push_back(waved->wavelengths.front());
   }
   for (const double at : marked) {
     likeliest.rows.push_back({units.per_small_length * at, lowest});

@@ -72,11 +72,15 @@ Json wave_json(const FrictionFit& fit, const Units& units) {
 
 Json explanations_json(const FrictionFit& fit, const Units& units) {
   Json out = Json::array();
-  for (const auto& each : fit.explanations)
+  for (const auto& each : fit.explanations) {
+    Json wavelengths = Json::array();
+    for (const double wavelength : each.wavelengths) wavelengths.push_back(units.length(wavelength));
     out.push_back({{"kernel", name_of(each.kernel)},
-                   {"wavelength", each.wavelength ? Json(units.length(*each.wavelength)) : Json()},
+                   {"wavelengths", wavelengths},
                    {"weight", each.weight},
-                   {"log_evidence", each.log_evidence}});
+                   {"log_evidence", each.log_evidence},
+                   {"log_likelihood", each.log_likelihood}});
+  }
   return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "inference/process_search.h"
 #include "io/quantity.h"
 #include "report/cycles_words.h"
 #include "report/digits.h"
@@ -133,6 +134,23 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
         words += fmt::format("; by {} on average, the record by {}", print.force(draws_fall), print.force(record_fall));
       return words + fmt::format(" (drops of at least {}).", print.force(number("threshold")));
     }
+    case CheckKind::whiteness:
+      if (check.outcome == CheckOutcome::not_possible)
+        return "Not possible: one friction for the whole fibre predicts no reading from the one before.";
+      return fmt::format(
+          "{}: what each reading adds to those before it {} (Ljung and Box over {:.0f} readings: p = {}).", outcome,
+          check.outcome == CheckOutcome::passed ? "is noise"
+                                                : "is not noise: something in the record is not in the model",
+          number("lags"), number("p_value") < 1e-4 ? "< 0.0001" : significant(number("p_value"), 2));
+    case CheckKind::nesting:
+      if (check.outcome == CheckOutcome::not_possible)
+        return "Not possible: the likeliest explanation contains no other.";
+      return fmt::format(
+          "{}: {} (ln L differs by {:.1f} at most against it).", outcome,
+          check.outcome == CheckOutcome::passed
+              ? "the likeliest explanation fits no worse than those it contains"
+              : "the likeliest explanation fits worse than one that it contains: its best fit was not found",
+          std::max(number("most_below"), 0.0));
     case CheckKind::friction:
       return check.outcome == CheckOutcome::passed
                  ? "Passed: the record tells friction from none."
@@ -177,7 +195,8 @@ std::string answer_of(const FittedTest& test) {
     return "No answer: too few points lie beyond a deflection of a twentieth of the span, where friction shows.";
   if (analysis.status == AnalysisStatus::not_explained) {
     std::string answer =
-        "No answer: no sliding with friction gives this record. Check the columns, their units, the span and the "
+        "No answer: no sliding with a friction of 0 to 2 gives this record. Check the columns, their units, the span "
+        "and the "
         "section.";
     if (analysis.stiffness_implausible)
       answer += fmt::format(" The bending stiffness stated is {:.2g} times that of the record's initial slope.",
@@ -204,7 +223,8 @@ std::string answer_of(const FittedTest& test) {
                analysis.stiffness_over_slope) +
            answer;
   if (analysis.model_implausible)
-    return "No answer to trust: no sliding with friction gives this record. Check the columns, their units, the span "
+    return "No answer to trust: no sliding with a friction of 0 to 2 gives this record. Check the columns, their "
+           "units, the span "
            "and the section, and whether the specimen cracks. " +
            answer;
   const double share = analysis.energy.friction_share;
@@ -287,7 +307,9 @@ PrintedTable explanation_table(const FittedTest& test) {
   constexpr std::size_t most = 8;
   for (std::size_t i = 0; i < std::min(most, explanations.size()); ++i) {
     const auto& each = explanations[i];
-    table.rows.push_back({std::string(in_words(each.kernel)), each.wavelength ? print.length(*each.wavelength) : "none",
+    std::string waves;
+    for (const double wavelength : each.wavelengths) waves += (waves.empty() ? "" : ", ") + print.length(wavelength);
+    table.rows.push_back({std::string(in_words(each.kernel)), waves.empty() ? "none" : waves,
                           each.weight < 0.0005 ? "< 0.1 %" : percent_of(each.weight, 1),
                           fmt::format("{:.1f}", each.log_evidence - explanations.front().log_evidence)});
   }

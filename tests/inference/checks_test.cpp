@@ -1,6 +1,7 @@
 #include "inference/checks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <doctest/doctest.h>
 
@@ -30,6 +31,10 @@ TEST_CASE("identity: a fit of what the model says passes every check") {
   CHECK(number_of(drops, "draws_low") <= number_of(drops, "draws_median"));
   CHECK(number_of(drops, "draws_median") <= number_of(drops, "draws_high"));
   CHECK(number_of(drops, "draws_fall") == doctest::Approx(number_of(drops, "record_fall")).scale(0).epsilon(0.5));
+  CHECK(check_whiteness(fit).outcome == CheckOutcome::passed);
+  const Check nesting = check_nesting(problem, fit);
+  CHECK(nesting.outcome == CheckOutcome::passed);
+  CHECK(number_of(nesting, "most_below") < -20);  // of the explanations without roughness
   const Check stability = check_stability(problem, fit);
   CHECK(stability.outcome == CheckOutcome::passed);
   CHECK(number_of(stability, "mu0_moved") < 0.01);
@@ -41,7 +46,15 @@ TEST_CASE("identity: a fit that does not belong to its record fails") {
   REQUIRE(constant.status == FrictionFitStatus::ok);
   CHECK(check_drops(problem, constant).outcome == CheckOutcome::failed);  // a sawtooth, where its draws have none
 
+  // One wave, where friction is rough: what is left is not noise.
+  const auto sinusoid = fit_friction(problem, {.model = ProfileModel::sinusoid});
+  CHECK(check_whiteness(sinusoid).outcome == CheckOutcome::failed);
+  CHECK(number_of(check_whiteness(sinusoid), "p_value") < 1e-4);
+
   auto fit = fit_friction(problem);
+  auto ill_found = fit;
+  ill_found.explanations.front().log_likelihood -= 1000;
+  CHECK(check_nesting(problem, ill_found).outcome == CheckOutcome::failed);
   fit.residual_rms = 0.2 * *std::max_element(problem.record.force.begin(), problem.record.force.end());
   CHECK(check_residuals(problem, fit).outcome == CheckOutcome::failed);
   fit.mu0.value += 0.1 * fit.mu0.standard_error;
@@ -54,7 +67,25 @@ TEST_CASE("limit: a constant has no draws whose drops could be counted") {
   const auto problem = problem_of({.friction = Friction::constant(0.5), .noise = 0.01});
   const auto fit = fit_friction(problem, {.model = ProfileModel::constant});
   CHECK(check_drops(problem, fit).outcome == CheckOutcome::not_possible);
+  CHECK(check_whiteness(fit).outcome == CheckOutcome::not_possible);
+  CHECK(check_nesting(problem, fit).outcome == CheckOutcome::not_possible);
   CHECK(message_of([&] { number_of(check_friction(fit), "spam"); }) == "the check 'friction' has no number 'spam'");
+}
+
+TEST_CASE("oracle: Ljung and Box's statistic of a made series, worked out by hand") {
+  FrictionFit fit{};
+  fit.innovations = {1.5, -0.5, 0.5, -1.5, 0.5, 0.5, 1.5, -0.5, 0.5, -1.5};  // mean 0.1; of 10, two lags
+  const Check check = check_whiteness(fit);
+  CHECK(number_of(check, "lags") == 2);
+  double squares = 0, first = 0, second = 0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    squares += (fit.innovations[i] - 0.1) * (fit.innovations[i] - 0.1);
+    if (i > 0) first += (fit.innovations[i] - 0.1) * (fit.innovations[i - 1] - 0.1);
+    if (i > 1) second += (fit.innovations[i] - 0.1) * (fit.innovations[i - 2] - 0.1);
+  }
+  const double expected = 120 * (first * first / 9 + second * second / 8) / (squares * squares);
+  CHECK(std::abs(number_of(check, "ljung_box") / expected - 1) < 1e-14);
+  CHECK(check.outcome == CheckOutcome::passed);
 }
 
 TEST_CASE("identity: the same fit gives the same numbers") {

@@ -5,7 +5,6 @@
 #include <random>
 #include <vector>
 
-#include <boost/math/distributions/chi_squared.hpp>
 #include <doctest/doctest.h>
 
 #include "inference/likelihood.h"
@@ -139,14 +138,6 @@ TEST_CASE("oracle: one value shared is covered by its interval, and tests that s
   CHECK(covered <= 970);
   CHECK(disagree >= 30);  // 50 expected
   CHECK(disagree <= 70);
-}
-
-TEST_CASE("table: the tail of chi squared against Boost") {
-  for (const std::size_t freedoms : std::vector<std::size_t>{1, 2, 3, 7, 25, 200})
-    for (const double x : {1e-6, 0.1, 1.0, 3.84, 18.0, 120.0, 900.0}) {
-      const double expected = boost::math::cdf(complement(boost::math::chi_squared(static_cast<double>(freedoms)), x));
-      CHECK(std::abs(chi_squared_beyond(x, freedoms) - expected) < 1e-12);  // as promised
-    }
 }
 
 TEST_CASE(

@@ -57,7 +57,7 @@ class Json(InFolder):
     def test_the_wave_is_claimed_and_the_checks_pass(self):
         self.assertTrue(self.fit["wave"]["claimed"])
         self.assertGreater(self.fit["wave"]["log_evidence"], 3)
-        self.assertEqual([check["name"] for check in self.fit["checks"]], ["residuals", "drops", "friction"])
+        self.assertEqual([check["name"] for check in self.fit["checks"]], ["residuals", "drops", "whiteness", "nesting", "friction"])
         self.assertTrue(all(check["passed"] for check in self.fit["checks"]))
         self.assertAlmostEqual(sum(each["weight"] for each in self.fit["explanations"]), 1, delta=1e-12)  # roundings
 
@@ -153,7 +153,7 @@ step = "2 um"
         result = run("fit", CRACKED / "K12.csv", "--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m",
                      "--stage", "w_s_m [m]", "--force", "F_N [N]")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("no sliding with friction gives this record", " ".join(result.stdout.split()))
+        self.assertIn("no sliding with a friction of 0 to 2 gives this record", " ".join(result.stdout.split()))
 
     def test_suspect_limit(self):
         self.assertTrue(self.json("fit", CASE, "--suspect-limit", "0.4")["suspect"])

@@ -23,7 +23,4 @@ struct Hyperparameters {
   double length;       // [L] correlation length ℓ along the fibre; likewise
 };
 
-// Of the logarithm of the evidence: what one wave more must bring to be claimed.
-inline constexpr double claiming_gain = 3;
-
 }  // namespace flexslip
