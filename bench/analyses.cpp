@@ -13,9 +13,8 @@
 #include "cases/fitted_test.h"
 #include "inference/process_search.h"
 
+namespace flexslip {
 namespace {
-
-using namespace flexslip;
 
 struct Optimum {
   double merit, mean;  // ln p; [1] μ0
@@ -36,9 +35,7 @@ Optimum optimum_from(const FrictionProcess& process, const Linearisation& rises,
                           Chain(looks, mode.kernel, hyperparameters_of(mode.theta)).mean()[process.columns().mean]};
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
+int run(int count, char** arguments) {
   int starts = 0, first = 1;
   if (count > 2 && std::string_view(arguments[1]) == "--starts") {
     starts = std::atoi(arguments[2]);
@@ -59,6 +56,7 @@ int main(int count, char** arguments) {
     const Linearisation rises = rises_of(process.passages());
     NormalSource normal(1);
     std::vector<Optimum> optima;
+    optima.reserve(static_cast<std::size_t>(starts));
     for (int k = 0; k < starts; ++k) optima.push_back(optimum_from(process, rises, normal));
     double own = -std::numeric_limits<double>::infinity();
     for (const auto& component : search(process, {}).components)
@@ -78,4 +76,10 @@ int main(int count, char** arguments) {
                 reached > 0 ? high - low : 0.0, best - own);
     std::fflush(stdout);
   }
+  return 0;
 }
+
+}  // namespace
+}  // namespace flexslip
+
+int main(int count, char** arguments) { return flexslip::run(count, arguments); }

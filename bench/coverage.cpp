@@ -18,9 +18,9 @@
 #include "inference/fit.h"
 #include "inference/sliding_ladder.h"
 
+namespace flexslip {
 namespace {
 
-using namespace flexslip;
 constexpr double pi = std::numbers::pi;
 constexpr double span = 1278;  // µm, the authors'
 
@@ -91,13 +91,13 @@ std::vector<double> bumps_of(bool smooth, double rms, Random& random) {
   double power = 0;
   for (auto& value : white) value = random.normal();
   for (int j = -reach; j <= reach; ++j) {
-    kernel.push_back(std::exp(-j * j / (length * length)));
+    kernel.push_back(std::exp(-static_cast<double>(j) * j / (length * length)));
     power += kernel.back() * kernel.back();
   }
   for (int i = 0; i < n; ++i) {
     double sum = 0;
     for (int j = 0; j <= 2 * reach; ++j)
-      sum += kernel[static_cast<std::size_t>(j)] * white[static_cast<std::size_t>(i + j)];
+      sum += kernel[static_cast<std::size_t>(j)] * white[static_cast<std::size_t>(i) + static_cast<std::size_t>(j)];
     bumps[static_cast<std::size_t>(i)] = rms * sum / std::sqrt(power);
   }
   return bumps;
@@ -160,9 +160,7 @@ FitProblem simulated(const Truth& t, Random& random) {
 
 int covers(const ParameterEstimate& e, double truth) { return e.low <= truth && truth <= e.high; }
 
-}  // namespace
-
-int main(int count, char** arguments) {
+int run(int count, char** arguments) {
   if (count != 4) {
     std::fprintf(stderr, "usage: coverage KIND FIRST COUNT\n");
     return 2;
@@ -227,4 +225,10 @@ int main(int count, char** arguments) {
                 nesting.numbers.empty() ? std::nan("") : number_of(nesting, "most_below"), ms);
     std::fflush(stdout);
   }
+  return 0;
 }
+
+}  // namespace
+}  // namespace flexslip
+
+int main(int count, char** arguments) { return flexslip::run(count, arguments); }

@@ -28,7 +28,7 @@ struct Dual {
   Dual(double number)  // NOLINT(google-explicit-constructor): a number is one with no derivative
       : value(number), d(Eigen::Array4d::Zero()) {}
   Dual(double number, Index of) : Dual(number) { d[of] = 1; }
-  Dual(double number, const Eigen::Array4d& derivatives) : value(number), d(derivatives) {}
+  Dual(double number, Eigen::Array4d derivatives) : value(number), d(std::move(derivatives)) {}
 
   friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.d + b.d}; }
   friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.d - b.d}; }
@@ -129,7 +129,7 @@ class Covariances {
   T look(double D, double variance, std::array<T, M>& gain) {
     std::array<T, M> PH;
     for (int i = 0; i < M; ++i) PH[at(i)] = G > 0 ? P_(i, 0) + D * P_(i, G) : D * P_(i, G);
-    const T innovation = (G > 0 ? PH[0] + D * PH[at(G)] : D * PH[at(G)]) + variance;
+    T innovation = (G > 0 ? PH[0] + D * PH[at(G)] : D * PH[at(G)]) + variance;
     for (int i = 0; i < M; ++i) gain[at(i)] = PH[at(i)] / innovation;
     for (int i = 0; i < M; ++i)
       for (int j = i; j < M; ++j) P_(i, j) = P_(j, i) = P_(i, j) - gain[at(i)] * PH[at(j)];
@@ -303,7 +303,7 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
       d += r.beta[column] * product(0, derivative).value;
       for (std::size_t j = 0; j < columns; ++j) {
         const auto other = static_cast<Index>(j);
-        d -= (r.beta[column] * r.beta[other] + covariance(column, other)) * product(j + 1, derivative).value;
+        d -= (r.beta[column] * r.beta[other] + covariance(other, column)) * product(j + 1, derivative).value;
       }
     }
     result.log_wavelengths[wave] = d;
@@ -467,27 +467,27 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
   covariance_ = r.factor.solve(CoefficientMatrix::Identity(p, p));
 }
 
-void Chain::whiten(std::span<const double> given, std::span<double> out) const {
+void Chain::whiten(std::span<const double> series, std::span<double> out) const {
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
         constexpr int G = M - 1;
         std::array<double, M> m{};
-        for (std::size_t k = 0; k < given.size(); ++k) {
+        for (std::size_t k = 0; k < series.size(); ++k) {
           const auto& step = steps.steps[k];
           if (k > 0) {
             std::array<double, M> next{};
             for (int i = 0; i < G; ++i)
               for (int j = 0; j < G; ++j)
                 next[static_cast<std::size_t>(i)] +=
-                    step.transition[static_cast<std::size_t>(i * M + j)] * m[static_cast<std::size_t>(j)];
-            next[G] = step.transition[static_cast<std::size_t>(G * M + G)] * m[G];
+                    step.transition[Square<M, double>::place(i, j)] * m[static_cast<std::size_t>(j)];
+            next[G] = step.transition[Square<M, double>::place(G, G)] * m[G];
             m = next;
           }
           if (!is_seen(looks_.looks[k])) {
             out[k] = 0;
             continue;
           }
-          const double v = given[k] - (G > 0 ? m[0] : 0) - looks_.looks[k].noise_gain * m[G];
+          const double v = series[k] - (G > 0 ? m[0] : 0) - looks_.looks[k].noise_gain * m[G];
           for (std::size_t i = 0; i < M; ++i) m[i] += step.gain[i] * v;
           out[k] = v / std::sqrt(step.innovation);
         }

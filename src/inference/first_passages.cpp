@@ -32,7 +32,7 @@ double noise_of(std::span<const double> force) {
 std::vector<char> within_drops(std::span<const double> force, double noise) {
   std::vector<char> within(force.size(), 0);
   for (std::size_t i = 1; i + 1 < force.size(); ++i)
-    within[i] = force[i] - force[i - 1] < -3 * noise && force[i + 1] - force[i] < -3 * noise;
+    within[i] = force[i] - force[i - 1] < -3 * noise && force[i + 1] - force[i] < -3 * noise ? 1 : 0;
   return within;
 }
 

@@ -199,7 +199,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.length = rough ? estimate_of_exponential(posterior.log_length) : none();
   fit.bending_stiffness = estimate_of_exponential(posterior.log_stiffness);
   fit.noise = estimate_of_exponential(posterior.log_noise);
-  const double rows = static_cast<double>(thinning_of(usable.record.force.size()));  // from one fitted to the next
+  const auto rows = static_cast<double>(thinning_of(usable.record.force.size()));  // from one fitted to the next
   fit.noise_correlation = elementary::exp(elementary::log(posterior.noise_correlation) / rows);
   for (const auto& wave : posterior.waves)
     fit.waves.push_back(wave_of(wave.draws, passages.S_middle, wave.log_wavelength));

@@ -14,8 +14,11 @@ namespace flexslip::matern {
 template <int M, class T>
 struct Square {
   std::array<T, static_cast<std::size_t>(M) * M> at_;
-  constexpr T& operator()(int i, int j) { return at_[static_cast<std::size_t>(i * M + j)]; }
-  constexpr const T& operator()(int i, int j) const { return at_[static_cast<std::size_t>(i * M + j)]; }
+  constexpr T& operator()(int i, int j) { return at_[place(i, j)]; }
+  constexpr const T& operator()(int i, int j) const { return at_[place(i, j)]; }
+  static constexpr std::size_t place(int i, int j) {
+    return static_cast<std::size_t>(i) * M + static_cast<std::size_t>(j);
+  }
 };
 
 // The rate [1/L] of a kernel of correlation length 1.

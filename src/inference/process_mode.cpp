@@ -382,7 +382,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   return moved;
 }
 
-Mode FrictionProcess::start(Kernel kernel, const Theta& theta, const Linearisation& at) const {
+Mode FrictionProcess::start(Kernel kernel, const Theta& theta, const Linearisation& at) {
   return {.kernel = kernel, .theta = theta, .at = at, .sites = {}, .merit = -std::numeric_limits<double>::infinity()};
 }
 

@@ -68,7 +68,7 @@ class FrictionProcess {
 
   // Usual hyperparameters, for a start.
   Theta usual(std::span<const double> log_wavelengths = {}) const;
-  Mode start(Kernel kernel, const Theta& theta, const Linearisation& at) const;
+  static Mode start(Kernel kernel, const Theta& theta, const Linearisation& at);
 
   // Gauss-Newton steps by a fraction of their length, the sites along; the merit is that of the end.
   void burst(Mode& mode, int steps, double fraction) const;

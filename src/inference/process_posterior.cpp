@@ -43,7 +43,7 @@ std::vector<VectorXd> normal_points(Index dimensions) {
       z[j] = elementary::gaussian_quantile(std::clamp(turned - std::floor(turned), 0.02, 0.98));
     }
     points.push_back(z);
-    points.push_back(-z);
+    points.emplace_back(-z);
   }
   return points;
 }
@@ -295,7 +295,7 @@ class Posterior {
                   double weight) {
     constexpr int draws = 60;
     const Index first = process_.columns().waves;
-    const Index waves = static_cast<Index>(mode.theta.waves);
+    const auto waves = static_cast<Index>(mode.theta.waves);
     // Mean, then cosine and sine of each wave.
     MatrixXd covariance(1 + 2 * waves, 1 + 2 * waves);
     covariance(0, 0) = std::max(mean.variance, 1e-12);

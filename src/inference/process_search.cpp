@@ -102,7 +102,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least_curvature);
   double log_evidence = mode.merit + process.log_prior_scale(mode.kernel);
   for (Index i = 0; i < n; ++i) log_evidence -= 0.5 * elementary::log(values[i]);
-  const double dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
+  const auto dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
   log_evidence += 0.5 * dimensions * elementary::log(2 * std::numbers::pi);
   // Of waves, each ln λ is uniform, and which is called the first says nothing.
   for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
@@ -297,7 +297,8 @@ class Search {
     }
     rank();
     std::vector<Mode> polished;
-    for (auto& [mode, from] : found) {
+    for (auto& each : found) {
+      Mode& mode = each.first;
       // Where the best gains nothing, no other does.
       const bool gains = polished.empty() || polished.front().merit > plain.merit;
       if (polished.size() == 3 || !gains || mode.merit < found.front().first.merit - near_best) break;

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "inference/chain.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"
 
@@ -171,6 +172,35 @@ TEST_CASE("oracle: the force of a fit is the exact forward calculation with its 
 TEST_CASE("limit: too few readings tell no friction") {
   auto problem = problem_of({.friction = Friction::constant(0.5), .noise = 0.02, .deflection = 0.06});
   CHECK(fit_friction(problem).status == FrictionFitStatus::too_few_points);
+}
+
+TEST_CASE("limit: a fibre that passes nothing is not explained, with as many readings as there are") {
+  // As stuck as a fibre can be: at one length, whatever the force.
+  FitProblem problem{{}, {90}, {0.02, 0.03, 0}};
+  for (int i = 1; i < 200; ++i) {
+    const double w = 0.002 * i, F = 48 * w * (1 + 4 * w);
+    problem.record.deflection.push_back(w);
+    problem.record.force.push_back(F);
+    problem.record.stage.push_back(w + F / 90);
+  }
+  CHECK(fit_friction(problem).status == FrictionFitStatus::not_explained);
+}
+
+TEST_CASE("identity: the correlation of the noise is that of rows one apart, of a record that is thinned too") {
+  SimulatedTruth truth{.friction = Friction::constant(0.5), .step = 0.25 / 1278};
+  auto problem = problem_of(truth);
+  REQUIRE(problem.record.force.size() > 2500);  // every third row is fitted
+  NormalSource normal(7);
+  constexpr double rho = 0.9, noise = 0.02;
+  double error = normal();
+  for (std::size_t i = 0; i < problem.record.force.size(); ++i) {
+    problem.record.force[i] += noise * error;
+    problem.record.deflection[i] -= noise * error / problem.rig.stiffness;
+    error = rho * error + std::sqrt(1 - rho * rho) * normal();
+  }
+  problem.errors.force = noise;
+  const auto fit = fit_friction(problem);
+  CHECK(fit.noise_correlation == doctest::Approx(rho).scale(0).epsilon(0.03));
 }
 
 TEST_CASE("identity: what is no record is refused, with the value") {
