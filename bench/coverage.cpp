@@ -4,159 +4,17 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
-#include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "inference/chain.h"
+#include "bench/simulated_tests.h"
 #include "inference/checks.h"
 #include "inference/fit.h"
-#include "inference/sliding_ladder.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double span = 1278;  // µm, the authors'
-
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : generator_(seed) {}
-  double uniform() { return (static_cast<double>(generator_() >> 11) + 0.5) * 0x1p-53; }
-  double between(double a, double b) { return a + (b - a) * uniform(); }
-  double normal() { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * pi * uniform()); }
-
- private:
-  std::mt19937_64 generator_;
-};
-
-struct Wave {
-  double amplitude, wavelength, phase;  // [1] of μ, µm, rad at the straight fibre's support
-};
-
-struct Truth {
-  double mu0 = 0, stiffening = 1, k = 0, noise = 0, correlation = 0, roughness = 0, length = 30;
-  std::vector<Wave> waves;
-  std::vector<double> bumps;  // of the fibre, so many µm apart
-  double spacing = 1;
-  double mu(double S) const {
-    double mu = mu0;
-    for (const auto& wave : waves) mu += wave.amplitude * std::cos(pi * S * span / wave.wavelength + wave.phase);
-    if (!bumps.empty()) {
-      const double x = std::min(0.5 * (S - 1) * span / spacing, static_cast<double>(bumps.size() - 2));
-      const auto i = static_cast<std::size_t>(x);
-      const double part = x - static_cast<double>(i);
-      mu += (1 - part) * bumps[i] + part * bumps[i + 1];
-    }
-    return std::max(mu, 0.01);
-  }
-};
-
-// Roughness with a Matérn kernel of ν = 3/2, each quarter of a µm.
-std::vector<double> matern_bumps(double rms, double length, Random& random) {
-  Looks looks;
-  for (int i = 0; i < 1680; ++i) {
-    looks.looks.push_back(
-        {.place = 0.25 * i / span, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
-    looks.values.push_back(0);
-    looks.columns.emplace_back(Coefficients::Zero(0));
-  }
-  NormalSource normal(static_cast<std::uint64_t>(random.uniform() * 1e15));
-  return draw_from_prior(looks, Kernel::matern_3_2,
-                         {.noise = 1, .correlation = 0, .roughness = rms, .length = length / span}, normal)
-      .f;
-}
-
-// Gaussian roughness a µm apart: exponentially correlated, or smooth as exp(-(x/30)^2/2) by a moving average.
-std::vector<double> bumps_of(bool smooth, double rms, Random& random) {
-  constexpr int n = 420;
-  constexpr double length = 30;
-  std::vector<double> bumps(n);
-  if (!smooth) {
-    const double kept = std::exp(-1 / length);
-    double x = random.normal();
-    for (auto& value : bumps) {
-      value = rms * x;
-      x = kept * x + std::sqrt(1 - kept * kept) * random.normal();
-    }
-    return bumps;
-  }
-  constexpr int reach = 100;
-  std::vector<double> white(n + 2 * reach), kernel;
-  double power = 0;
-  for (auto& value : white) value = random.normal();
-  for (int j = -reach; j <= reach; ++j) {
-    kernel.push_back(std::exp(-static_cast<double>(j) * j / (length * length)));
-    power += kernel.back() * kernel.back();
-  }
-  for (int i = 0; i < n; ++i) {
-    double sum = 0;
-    for (int j = 0; j <= 2 * reach; ++j)
-      sum += kernel[static_cast<std::size_t>(j)] * white[static_cast<std::size_t>(i) + static_cast<std::size_t>(j)];
-    bumps[static_cast<std::size_t>(i)] = rms * sum / std::sqrt(power);
-  }
-  return bumps;
-}
-
-Truth truth_of(const std::string& kind, Random& random) {
-  Truth t;
-  t.mu0 = random.between(0.3, 0.9);
-  const double A = random.between(0.03, 0.33), lambda = random.between(8, 58), phase = random.between(0, 2 * pi);
-  t.noise = random.between(0.01, 0.05);
-  t.stiffening = std::exp(0.03 * random.normal());
-  t.k = 90 / std::exp(random.between(std::log(0.36), std::log(3.2)));
-  if (kind == "quiet") t.noise = random.between(0.001, 0.004);
-  if (kind == "soft") t.k = std::exp(random.between(std::log(6), std::log(44)));
-  t.correlation = kind == "independent" || kind == "constant" || kind == "quiet" ? 0 : 0.7;
-  if (kind == "soft") {
-    t.correlation = 0;
-    t.waves = {{t.mu0 * std::min(A, 0.24 / t.mu0), random.between(8, 16), phase}};
-  } else if (kind == "measured") {  // as rough and as quiet as the authors' specimens
-    t.noise = random.between(0.005, 0.015);
-    t.k = random.between(18, 35);
-    t.correlation = 0.3;
-    t.roughness = random.between(0.04, 0.2);
-    t.length = random.between(4, 15);
-    t.bumps = matern_bumps(t.roughness, t.length, random);
-    t.spacing = 0.25;
-  } else if (kind != "roughness" && kind != "constant") {
-    t.waves = {{t.mu0 * A, lambda, phase}};
-  }
-  if (kind == "two_waves")
-    t.waves.push_back(
-        {t.mu0 * random.between(0.03, 0.2), lambda * (random.uniform() < 0.5 ? 0.4 : 1.9), random.between(0, 2 * pi)});
-  if (kind == "exponential" || kind == "squared_exponential") t.roughness = 0.03;
-  if (kind == "roughness") t.roughness = random.between(0.03, 0.06);
-  const bool smooth = kind == "squared_exponential" || (kind == "roughness" && random.uniform() < 0.5);
-  if (t.roughness > 0 && t.bumps.empty()) t.bumps = bumps_of(smooth, t.roughness, random);
-  return t;
-}
-
-FitProblem simulated(const Truth& t, Random& random) {
-  const SlidingLadder ladder(1.58, 2e-4);
-  std::vector<double> mu, stages;
-  for (const double S : ladder.lengths()) mu.push_back(t.mu(S));
-  for (int i = 1; i < 2000; ++i) stages.push_back(i * 2 / span);
-  const auto curve = ladder.curve(mu);
-  const auto F = measured_curve(curve.w, curve.F, t.stiffening / t.k, stages).F;
-  FitProblem problem{.record = {}, .rig = {t.k}, .errors = {.force = t.noise, .bending_stiffness = 0.03, .contact = 0}};
-  double e = random.normal();
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    const double w = stages[i] - F[i] * t.stiffening / t.k;
-    if (w > 0.4) break;
-    const double force = F[i] * t.stiffening + t.noise * e;
-    e = t.correlation * e + std::sqrt(1 - t.correlation * t.correlation) * random.normal();
-    problem.record.stage.push_back(stages[i]);
-    problem.record.force.push_back(force);
-    problem.record.deflection.push_back(stages[i] - force / t.k);
-  }
-  return problem;
-}
 
 int covers(const ParameterEstimate& e, double truth) { return e.low <= truth && truth <= e.high; }
 
@@ -174,8 +32,6 @@ int run(int count, char** arguments) {
     return 2;
   }
   const int first = std::atoi(arguments[2]), tests = std::atoi(arguments[3]);
-  std::uint64_t of_kind = 1469598103934665603u;
-  for (const char c : kind) of_kind = (of_kind ^ static_cast<unsigned char>(c)) * 1099511628211u;
   std::printf(
       "kind,test,mean,mean_covered,mean_estimate,mean_error,stiffness_covered,stiffness_z,roughness_covered,length_"
       "covered,noise_covered,"
@@ -183,7 +39,7 @@ int run(int count, char** arguments) {
       "amplitude_estimate,amplitude_covered,phase_covered,"
       "k,noise,whiteness_p,nesting_below,ms\n");
   for (int test = first; test < first + tests; ++test) {
-    Random random(of_kind + static_cast<std::uint64_t>(test) * 7919);
+    Random random = random_of(kind, test);
     const Truth t = truth_of(kind, random);
     const FitProblem problem = simulated(t, random);
     const auto begin = std::chrono::steady_clock::now();

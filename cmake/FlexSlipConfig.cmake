@@ -1,4 +1,5 @@
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3)
 find_dependency(hwy)
+find_dependency(NLopt)
 include(${CMAKE_CURRENT_LIST_DIR}/FlexSlipTargets.cmake)

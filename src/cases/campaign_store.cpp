@@ -86,6 +86,8 @@ FrictionRead friction_read_from(const Json& json) {
 Json json_of(const TestSummary& summary) {
   return {{"category", summary.category},
           {"suspect", summary.suspect},
+          {"standing", summary.standing},
+          {"drops_verdict", summary.drops_verdict},
           {"model", summary.model},
           {"mu0", json_of(summary.mu0)},
           {"mu0_is_bound", summary.mu0_is_bound},
@@ -110,6 +112,8 @@ TestSummary summary_from(const std::string& name, const Json& json) {
   return {.name = name,
           .category = json.at("category").get<SawtoothCategory>(),
           .suspect = json.at("suspect").get<bool>(),
+          .standing = json.at("standing").get<Standing>(),
+          .drops_verdict = json.at("drops_verdict").get<CrackVerdict>(),
           .model = json.at("model").get<ProfileModel>(),
           .mu0 = estimate_of(json.at("mu0")),
           .mu0_is_bound = json.at("mu0_is_bound").get<bool>(),

@@ -34,35 +34,69 @@ std::string reason_of(const std::string& status) {
   return "";
 }
 
+std::string failed_checks_in_words(const TestAnalysis& analysis) {
+  std::string words;
+  for (const auto& check : analysis.checks) {
+    if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction) continue;
+    if (!words.empty()) words += "; ";
+    switch (check.kind) {
+      case CheckKind::residuals:
+        words += "the mean of the fit misses the force";
+        break;
+      case CheckKind::drops:
+        words += fmt::format("{:.0f} drops, where profiles drawn from the fit show {:.0f} to {:.0f}",
+                             number_of(check, "record"), number_of(check, "draws_low"), number_of(check, "draws_high"));
+        break;
+      case CheckKind::whiteness:
+        words += "what the readings add to those before them is not noise";
+        break;
+      case CheckKind::nesting:
+        words += "the likeliest explanation fits worse than one that it contains";
+        break;
+      case CheckKind::friction:
+        break;
+      case CheckKind::stability:
+        words += "the answer moves when the force changes in its ninth digit";
+        break;
+    }
+  }
+  return words;
+}
+
+std::string remark_on(Doubt doubt, const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  switch (doubt) {
+    case Doubt::wrong_stiffness:
+      return fmt::format("bending stiffness {:.2f} times that of the initial slope", analysis.stiffness_over_slope);
+    case Doubt::no_sliding:
+      return "no sliding explains the record";
+    case Doubt::softer_reload:
+      return fmt::format("a reload is {:.0f} % softer", 100 * test.judgement->loss);
+    case Doubt::cracks:
+      return "the drops are those of cracks";
+    case Doubt::impossible_drops:
+      return "drops that no slip explains";
+    case Doubt::implausible_friction:
+      return fmt::format("friction above {:g} in {} of {} points", analysis.suspects.limit,
+                         analysis.suspects.points.size(), analysis.suspects.points_judged);
+    case Doubt::failed_check:
+      return failed_checks_in_words(analysis);
+    case Doubt::falling_friction:
+      return "friction falls away along the record";
+    case Doubt::undecided_drops:
+      return "slips or cracks: cannot be told";
+    case Doubt::unexpected_stiffness:
+      break;
+  }
+  return fmt::format("bending stiffness {:+.1f} % from that {}", 100 * (analysis.fit.bending_stiffness.value - 1),
+                     analysis.stiffness_from_slope ? "of the initial slope" : "given");
+}
+
 std::vector<std::string> remarks_of(const FittedTest& test) {
   std::vector<std::string> remarks;
   const auto& analysis = test.analysis;
-  if (analysis.suspects.suspect)
-    remarks.push_back(fmt::format("friction above {:g} in {} of {} points", analysis.suspects.limit,
-                                  analysis.suspects.points.size(), analysis.suspects.points_judged));
-  if (analysis.model_implausible) remarks.emplace_back("no sliding explains the record");
-  if (analysis.stiffness_implausible)
-    remarks.push_back(
-        fmt::format("bending stiffness {:.2f} times that of the initial slope", analysis.stiffness_over_slope));
+  for (const Doubt doubt : test.judgement->doubts) remarks.push_back(remark_on(doubt, test));
   if (analysis.fit.mu0_is_bound) remarks.emplace_back("the record does not tell friction from none");
-  for (const auto& check : analysis.checks) {
-    if (check.outcome != CheckOutcome::failed) continue;
-    if (check.kind == CheckKind::drops)
-      remarks.push_back(fmt::format("{:.0f} drops, where profiles drawn from the fit show {:.0f} to {:.0f}",
-                                    number_of(check, "record"), number_of(check, "draws_low"),
-                                    number_of(check, "draws_high")));
-    if (check.kind == CheckKind::whiteness)
-      remarks.emplace_back("what the readings add to those before them is not noise");
-    if (check.kind == CheckKind::nesting)
-      remarks.emplace_back("the likeliest explanation fits worse than one that it contains");
-    if (check.kind == CheckKind::stability)
-      remarks.emplace_back("the answer moves when the force changes in its ninth digit");
-  }
-  const auto& stiffness = analysis.fit.bending_stiffness;
-  constexpr double surprising = 1.96;  // standard deviations of what was known beforehand
-  if (std::abs(stiffness.value - 1) > surprising * analysis.bending_stiffness_error)
-    remarks.push_back(fmt::format("bending stiffness {:+.1f} % from that {}", 100 * (stiffness.value - 1),
-                                  analysis.stiffness_from_slope ? "of the initial slope" : "given"));
   if (test.measurement.end == MeasurementEnd::failure)
     remarks.push_back(fmt::format("fails after row {}", last_row(test)));
   return remarks;
@@ -81,7 +115,7 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
                     .remarks = {},
                     .section_moment = test.section_moment};
   if (test.analysis.status != AnalysisStatus::ok) return kept;
-  kept.summary = summary_of(test.name, test.analysis);
+  kept.summary = summary_of(test.name, test.analysis, test.judgement.value());
   kept.curves = curves_of(test.analysis);
   kept.remarks = remarks_of(test);
   return kept;

@@ -120,6 +120,8 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
     if (source == StiffnessSource::stated) cycles_options.stiffness_error = description.bending_stiffness_error.value();
     cycles = analyse_cycles(*measurement.cycles, analysis.scales, analysis.rig, cycles_options);
   }
+  std::optional<Judgement> judgement;
+  if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis, cycles ? &*cycles : nullptr);
   const std::string& data = input.record.value().file;
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
@@ -134,6 +136,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
           .small_deflection = standard,
           .analysis = std::move(analysis),
           .cycles = std::move(cycles),
+          .judgement = std::move(judgement),
           .provenance = std::move(provenance)};
 }
 

@@ -211,6 +211,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .profile = {},
                         .slips = {},
                         .slip_summary = {},
+                        .slip_or_crack = {},
                         .teeth = {},
                         .suspects = {},
                         .fit = {},
@@ -239,8 +240,9 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                                  .bending_stiffness = analysis.bending_stiffness_error,
                                  .contact = scales.reduced_length(contact_error)};
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
-  analysis.slips = slips_of(analysis.profile, analysis.drops.drops);
+  analysis.slips = slips_of(analysis.profile, analysis.drops.drops, errors, options.suspect_limit);
   analysis.slip_summary = summarise(analysis.slips);
+  analysis.slip_or_crack = slip_or_crack(analysis.reduced, analysis.rig, analysis.drops.drops);
   if (analysis.drops.drops.size() >= 2 && std::isfinite(analysis.rig.stiffness))
     analysis.teeth = judge_teeth(analysis.reduced, analysis.rig, errors, analysis.drops.drops, options.teeth);
   analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);

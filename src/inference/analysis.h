@@ -13,6 +13,7 @@
 #include "inference/checks.h"
 #include "inference/fit.h"
 #include "inference/profile.h"
+#include "inference/slip_or_crack.h"
 #include "inference/teeth.h"
 
 namespace flexslip {
@@ -103,8 +104,9 @@ struct TestAnalysis {
   MeasurementErrors errors;  // as fitted with
   Drops drops;
   FrictionProfile profile;
-  std::vector<Slip> slips;
+  std::vector<Slip> slips;  // of each drop
   SlipSummary slip_summary;
+  SlipOrCrack slip_or_crack;
   std::optional<Teeth>
       teeth;  // stick or slide between the drops; none under displacement control, or with fewer than two drops
   SuspectReport suspects;

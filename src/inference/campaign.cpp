@@ -83,32 +83,33 @@ std::optional<BetweenSpecimens> between_specimens(const std::vector<const TestSu
 
 }  // namespace
 
-TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no summary");
   const Scales& scales = analysis.scales;
   const FrictionFit& fit = analysis.fit;
-  TestSummary summary{
-      .name = name,
-      .category = analysis.category,
-      .suspect = analysis.suspects.suspect || analysis.model_implausible || analysis.stiffness_implausible,
-      .model = fit.model,
-      .mu0 = fit.mu0,
-      .mu0_is_bound = fit.mu0_is_bound,
-      .friction_read = analysis.friction_read,
-      .roughness = fit.roughness,
-      .correlation_length = scaled(fit.length, scales.span()),
-      .amplitude = {},
-      .wavelength = {},
-      .phase = {},
-      .wave_claimed = fit.wave_claimed,
-      .log_evidence_of_wave = fit.log_evidence_of_wave,
-      .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
-      .residual_rms = scales.physical_force(fit.residual_rms),
-      .drops = analysis.drops.drops.size(),
-      .friction_share = analysis.energy.friction_share,
-      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
-      .failed_checks = {},
-      .known = marginals_of(fit, scales)};
+  TestSummary summary{.name = name,
+                      .category = analysis.category,
+                      .suspect = judgement.standing >= Standing::suspect,
+                      .standing = judgement.standing,
+                      .drops_verdict = judgement.drops,
+                      .model = fit.model,
+                      .mu0 = fit.mu0,
+                      .mu0_is_bound = fit.mu0_is_bound,
+                      .friction_read = analysis.friction_read,
+                      .roughness = fit.roughness,
+                      .correlation_length = scaled(fit.length, scales.span()),
+                      .amplitude = {},
+                      .wavelength = {},
+                      .phase = {},
+                      .wave_claimed = fit.wave_claimed,
+                      .log_evidence_of_wave = fit.log_evidence_of_wave,
+                      .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
+                      .residual_rms = scales.physical_force(fit.residual_rms),
+                      .drops = analysis.drops.drops.size(),
+                      .friction_share = analysis.energy.friction_share,
+                      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
+                      .failed_checks = {},
+                      .known = marginals_of(fit, scales)};
   if (!fit.waves.empty()) {
     const WaveEstimate& wave = fit.waves.front();
     summary.amplitude = wave.amplitude;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "inference/analysis.h"
+#include "inference/judgement.h"
 #include "inference/population.h"
 
 namespace flexslip {
@@ -22,8 +23,10 @@ struct TestMarginals {
 struct TestSummary {
   std::string name;
   SawtoothCategory category;
-  bool suspect;        // friction beyond the limit, see find_suspects; or no sliding, or no such stiffness, explains it
-  ProfileModel model;  // that was fitted
+  bool suspect;  // its standing is suspect or untrusted
+  Standing standing;
+  CrackVerdict drops_verdict;            // on its drops, of which there may be none
+  ProfileModel model;                    // that was fitted
   ParameterEstimate mu0;                 // [1] mean friction over the fibre seen
   bool mu0_is_bound;                     // the record does not tell it from none: mu0.high is its upper limit
   FrictionRead friction_read;            // [1]
@@ -45,7 +48,7 @@ struct TestSummary {
 };
 
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
-TestSummary summary_of(const std::string& name, const TestAnalysis& analysis);
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement);
 
 // Mean (min, max) of a parameter over tests, as the paper reports it.
 struct Spread {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 
 #include "data/order.h"
 #include "fibre/batch_inverse.h"
@@ -66,6 +65,7 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
     const double q_w = -slopes.F_S / jacobian;
     const double mu_force = q_F - q_w / rig.stiffness;  // at fixed stage position an error of F is one of w, too
     const double mu_log_stiffness = -F * q_F;           // EI enters through the scaling of the force
+    const double S_force = (-slopes.w_q - slopes.F_q / rig.stiffness) / jacobian;
     profile.points.push_back({.index = rows[row],
                               .S = states.S[row],
                               .mu = states.q[row],
@@ -73,29 +73,73 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
                               .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
                               .from_contact = errors.contact * std::abs(q_w),
                               .mu_log_stiffness = mu_log_stiffness,
-                              .mu_force = mu_force});
+                              .mu_force = mu_force,
+                              .S_force = S_force});
   }
   std::sort(profile.unexplained.begin(), profile.unexplained.end());
   return profile;
 }
 
-std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops) {
-  const auto find = [&](std::size_t index) -> std::optional<ProfilePoint> {
+std::string_view name_of(SlipVerdict verdict) {
+  switch (verdict) {
+    case SlipVerdict::possible:
+      return "possible";
+    case SlipVerdict::unexplained:
+      return "unexplained";
+    case SlipVerdict::implausible:
+      return "implausible";
+    case SlipVerdict::negative:
+      return "negative";
+    case SlipVerdict::moves_out:
+      return "moves_out";
+    case SlipVerdict::too_short:
+      break;
+  }
+  return "too_short";
+}
+
+std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops, const MeasurementErrors& errors,
+                           double limit) {
+  const auto find = [&](std::size_t index) -> const ProfilePoint* {
     const auto at = std::lower_bound(profile.points.begin(), profile.points.end(), index,
                                      [](const ProfilePoint& point, std::size_t i) { return point.index < i; });
-    if (at == profile.points.end() || at->index != index) return std::nullopt;
-    return *at;
+    return at == profile.points.end() || at->index != index ? nullptr : &*at;
   };
   std::vector<Slip> slips;
   for (const auto& drop : drops) {
-    const auto before = find(drop.before);
-    const auto after = find(drop.after);
-    if (before && after) slips.push_back({drop, before->S, after->S, before->mu, after->mu});
+    const ProfilePoint* const before = find(drop.before);
+    const ProfilePoint* const after = find(drop.after);
+    if (!before || !after) {
+      slips.push_back(
+          {drop, SlipVerdict::unexplained, not_a_number, not_a_number, not_a_number, not_a_number, not_a_number});
+      continue;
+    }
+    Slip slip{drop,
+              SlipVerdict::possible,
+              before->S,
+              after->S,
+              before->mu,
+              after->mu,
+              std::hypot(errors.force * before->S_force, errors.force * after->S_force)};
+    constexpr double two_sided = 1.96;
+    const double advance = slip.S_after - slip.S_before;
+    if (advance < -two_sided * slip.advance_error)
+      slip.verdict = SlipVerdict::moves_out;
+    else if (slip.mu_before - two_sided * standard_error(*before) > limit)
+      slip.verdict = SlipVerdict::implausible;
+    else if (slip.mu_after + two_sided * standard_error(*after) < 0)
+      slip.verdict = SlipVerdict::negative;
+    else if (advance < slip.advance_error)
+      slip.verdict = SlipVerdict::too_short;
+    slips.push_back(slip);
   }
   return slips;
 }
 
-SlipSummary summarise(std::span<const Slip> slips) {
+SlipSummary summarise(std::span<const Slip> all) {
+  std::vector<Slip> slips;
+  for (const auto& slip : all)
+    if (slip.verdict == SlipVerdict::possible) slips.push_back(slip);
   std::vector<double> spacings;
   std::vector<double> falls;
   for (std::size_t i = 0; i < slips.size(); ++i) {

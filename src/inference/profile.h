@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "bending_test/rig.h"
@@ -29,6 +30,7 @@ struct ProfilePoint {
   double from_force, from_bending_stiffness, from_contact;
   // Slopes of μ, for those who fit: with respect to ln EI at fixed deflection, and to the force at fixed stage position.
   double mu_log_stiffness, mu_force;
+  double S_force;  // [L^3/EI] of S with respect to the force, likewise
 };
 
 double standard_error(const ProfilePoint& point);
@@ -44,17 +46,32 @@ struct FrictionProfile {
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                                  double least_deflection = 0.02);
 
-// One drop of the force as a slip: how far the fibre moved over a support, and how friction fell.
-struct Slip {
-  Drop drop;
-  double S_before, S_after;    // [L]
-  double mu_before, mu_after;  // [1]
+// Can a drop of the force be a slip of the specimen over its supports?
+enum class SlipVerdict {
+  possible,     // length is drawn in, and friction stays between nothing and what is plausible
+  unexplained,  // no friction gives the force before or after
+  implausible,  // friction before it would be beyond the limit, by twice its error
+  negative,     // friction after it would be below 0, likewise
+  moves_out,    // length would be let out, likewise
+  too_short,    // what is drawn in is less than its error
 };
 
-// The drops of which both ends are points of the profile.
-std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops);
+std::string_view name_of(SlipVerdict verdict);
 
-// The model-free counterparts of the wavelength and the amplitude of a sawtooth.
+// One drop of the force as a slip: how far the fibre moved over its supports, and how friction fell.
+struct Slip {
+  Drop drop;
+  SlipVerdict verdict;
+  double S_before, S_after;    // [L] NaN where unexplained, as all that follows
+  double mu_before, mu_after;  // [1]
+  double advance_error;        // [L] standard error of S_after - S_before, by the noise of the force
+};
+
+// Each of the drops.
+std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops, const MeasurementErrors& errors,
+                           double limit);
+
+// The model-free counterparts of the wavelength and the amplitude of a sawtooth, from the slips that are possible.
 struct SlipSummary {
   std::size_t count;
   double

@@ -187,7 +187,7 @@ Figure profile_figure(const FittedTest& test) {
   }
 
   FigureData slips{"slips", {position, "mu"}, {}};
-  const auto slipped = slips_of(profile, analysis.drops.drops);
+  const auto slipped = slips_of(profile, analysis.drops.drops, analysis.errors, analysis.suspects.limit);
   for (const auto& slip : slipped) {
     slips.rows.push_back({drawn_in(slip.S_before), slip.mu_before});
     slips.rows.push_back({drawn_in(slip.S_after), slip.mu_after});

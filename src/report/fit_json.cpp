@@ -129,10 +129,11 @@ Json contact_parameter(const FittedTest& test, const Units& units) {
   return parameter({offset, error, offset - two_sided * error, offset + two_sided * error}, 1, units.unit("m"));
 }
 
-Json drops_json(const FittedTest& test) {
+Json drops_json(const FittedTest& test, const Units& units) {
   Json out = Json::array();
-  for (const auto& drop : test.analysis.drops.drops) {
+  for (const auto& slip : test.analysis.slips) {
     const auto& record = test.analysis.record;
+    const Drop& drop = slip.drop;
     out.push_back({{"row_before", file_row(test, drop.before)},
                    {"row_after", file_row(test, drop.after)},
                    {"stage", record.stage[drop.before]},
@@ -142,21 +143,58 @@ Json drops_json(const FittedTest& test) {
                    {"force_after", record.force[drop.after]},
                    {"force_fall", drop.force_fall},
                    {"significance", drop.significance},
-                   {"false_alarms", drop.false_alarms}});
+                   {"false_alarms", drop.false_alarms},
+                   {"slip", name_of(slip.verdict)},
+                   {"pulled_in", units.length(slip.S_after - slip.S_before)},
+                   {"pulled_in_error", units.length(slip.advance_error)}});
   }
   return out;
+}
+
+Json rise_explanation_json(const RiseExplanation& explanation) {
+  return {{"bic", explanation.bic}, {"friction", explanation.friction}, {"stiffness_left", explanation.left}};
+}
+
+// Null where there are too few drops.
+Json slip_or_crack_json(const SlipOrCrack& judged) {
+  if (!judged.judged) return nullptr;
+  return {{"verdict", name_of(judged.verdict)},
+          {"margin", judged.margin},
+          {"margin_arrested", judged.margin_arrested},
+          {"rises", judged.rises},
+          {"stiffer_rises", judged.stiffer_rises},
+          {"cracks", rise_explanation_json(judged.cracks)},
+          {"cracks_constant", rise_explanation_json(judged.cracks_constant)},
+          {"cracks_running", rise_explanation_json(judged.cracks_running)},
+          {"slip", rise_explanation_json(judged.slip)},
+          {"slip_and_cracks", rise_explanation_json(judged.slip_and_cracks)}};
+}
+
+Json judgement_json(const FittedTest& test) {
+  if (!test.judgement) return nullptr;
+  const Judgement& judgement = *test.judgement;
+  Json doubts = Json::array();
+  for (const Doubt doubt : judgement.doubts) doubts.push_back(name_of(doubt));
+  return {{"standing", name_of(judgement.standing)},
+          {"drops", test.analysis.drops.drops.empty() ? Json() : Json(name_of(judgement.drops))},
+          {"doubts", doubts},
+          {"next_step", name_of(judgement.next)},
+          {"stiffness_lost", judgement.loss},
+          {"stiffness_lost_error", judgement.loss_error},
+          {"stiffness_for_no_snap", test.analysis.scales.physical_stiffness(judgement.stiffness_for_all)}};
 }
 
 Json slips_json(const FittedTest& test, const Units& units) {
   const auto& summary = test.analysis.slip_summary;
   Json each = Json::array();
   for (const auto& slip : test.analysis.slips)
-    each.push_back({{"row_before", file_row(test, slip.drop.before)},
-                    {"row_after", file_row(test, slip.drop.after)},
-                    {"length_before", units.length(slip.S_before)},
-                    {"length_after", units.length(slip.S_after)},
-                    {"mu_before", slip.mu_before},
-                    {"mu_after", slip.mu_after}});
+    if (slip.verdict == SlipVerdict::possible)
+      each.push_back({{"row_before", file_row(test, slip.drop.before)},
+                      {"row_after", file_row(test, slip.drop.after)},
+                      {"length_before", units.length(slip.S_before)},
+                      {"length_after", units.length(slip.S_after)},
+                      {"mu_before", slip.mu_before},
+                      {"mu_after", slip.mu_after}});
   return {{"count", summary.count},
           {"median_spacing", units.length(summary.median_spacing)},
           {"mean_spacing", units.length(summary.mean_spacing)},
@@ -321,7 +359,7 @@ Json fit_json(const FittedTest& test) {
               {"units", units_json(test.reduced)},
               {"model", fitted ? Json(name_of(fit.model)) : Json()},
               {"category", name_of(analysis.category)},
-              {"suspect", analysis.suspects.suspect},
+              {"suspect", test.judgement && test.judgement->standing >= Standing::suspect},
               {"stiffness_over_initial_slope", analysis.stiffness_over_slope},
               {"model_implausible", analysis.model_implausible},
               {"stiffness_implausible", analysis.stiffness_implausible},
@@ -335,7 +373,9 @@ Json fit_json(const FittedTest& test) {
   out["wave"] = fitted ? wave_json(fit, units) : Json();
   out["explanations"] = explanations_json(fit, units);
   out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
-  out["drops"] = drops_json(test);
+  out["judgement"] = judgement_json(test);
+  out["slip_or_crack"] = slip_or_crack_json(analysis.slip_or_crack);
+  out["drops"] = drops_json(test, units);
   out["slips"] = slips_json(test, units);
   out["teeth"] = teeth_json(test);
   out["suspects"] = suspects_json(test, units);

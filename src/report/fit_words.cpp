@@ -20,15 +20,10 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// A drop that the specimen's sliding explains: length is drawn in, and friction stays between nothing and what is plausible.
-bool is_explained(const Slip& slip, double limit) {
-  return slip.S_after > slip.S_before && slip.mu_after >= 0 && slip.mu_before <= limit;
-}
-
-std::size_t explained_drops(const FittedTest& test) {
+std::size_t possible_slips(const FittedTest& test) {
   const auto& slips = test.analysis.slips;
   return static_cast<std::size_t>(std::count_if(
-      slips.begin(), slips.end(), [&](const Slip& slip) { return is_explained(slip, test.analysis.suspects.limit); }));
+      slips.begin(), slips.end(), [](const Slip& slip) { return slip.verdict == SlipVerdict::possible; }));
 }
 
 std::string percent_of(double part, double whole) {
@@ -41,26 +36,45 @@ std::string mean_friction(const FrictionFit& fit) {
                           : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
 }
 
+// What the rises between the drops, and a reload, say of slips and cracks; a clause that follows the drops.
+std::string cause_in_words(const FittedTest& test) {
+  const SlipOrCrack& rises = test.analysis.slip_or_crack;
+  const std::string margin =
+      fmt::format("D* = {:.1f}; {} of {} rises grow stiffer", rises.margin, rises.stiffer_rises, rises.rises);
+  switch (test.judgement->drops) {
+    case CrackVerdict::not_by_cracks_alone:
+      return rises.verdict == CrackVerdict::not_by_cracks_alone
+                 ? fmt::format("and cracks alone cannot ({})", margin)
+                 : "and cracks alone cannot: the reload lost less stiffness than they would need";
+    case CrackVerdict::cracks:
+      return rises.judged && rises.verdict == CrackVerdict::cracks
+                 ? fmt::format("but the rises between them are those of a specimen that cracks ({})", margin)
+                 : "but the specimen lost stiffness";
+    case CrackVerdict::cannot_be_told:
+      break;
+  }
+  return rises.judged ? fmt::format("but cracks may do so too: this record cannot tell ({})", margin)
+                      : "but cracks may do so too: there are too few drops to tell";
+}
+
 std::string drops_in_words(const FittedTest& test) {
   const auto& summary = test.analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
   const std::string spacing = summary.count < enough
                                   ? ""
-                                  : fmt::format(", every {} of the specimen",
+                                  : fmt::format(", one drop for every {} drawn over each support",
                                                 roughly(test.analysis.scales.physical_length(summary.median_spacing),
                                                         Print(test).as(kind::length)));
   const std::size_t drops = test.analysis.drops.drops.size();
-  const std::size_t slips = explained_drops(test);
+  const std::size_t slips = possible_slips(test);
   if (drops == 0) return "the force never drops by more than its noise";
-  if (drops == 1)
-    return slips == 1 ? "the force drops once, and a slip over the supports explains it"
-                      : "the force drops once, and no plausible slip over the supports explains it";
-  if (slips == drops)
-    return fmt::format("the force drops {} times{}, and slips over the supports explain every drop", drops, spacing);
+  const std::string times = drops == 1 ? "once" : drops == 2 ? "twice" : fmt::format("{} times", drops);
   if (slips == 0)
-    return fmt::format("the force drops {} times, and no plausible slip over the supports explains a drop", drops);
-  return fmt::format("the force drops {} times{}; plausible slips over the supports explain {} of the drops", drops,
-                     spacing, slips);
+    return fmt::format("the force drops {}, and no plausible slip over the supports explains {}", times,
+                       drops == 1 ? "it" : "a drop");
+  const std::string which = drops == 1 ? "it" : slips == drops ? "every drop" : fmt::format("{} of the drops", slips);
+  return fmt::format("the force drops {}{}; slips over the supports can explain {}, {}", times, spacing, which,
+                     cause_in_words(test));
 }
 
 ParameterRow row_of(std::string name, std::string symbol, std::string meaning, const ParameterEstimate& estimate,
@@ -110,6 +124,24 @@ std::string_view in_words(Kernel kernel) {
   return "none";
 }
 
+std::string_view in_words(SlipVerdict verdict) {
+  switch (verdict) {
+    case SlipVerdict::possible:
+      return "can be a slip";
+    case SlipVerdict::unexplained:
+      return "no slip: no friction explains it";
+    case SlipVerdict::implausible:
+      return "no slip: too much friction before";
+    case SlipVerdict::negative:
+      return "no slip: friction below none after";
+    case SlipVerdict::moves_out:
+      return "no slip: length would be let out";
+    case SlipVerdict::too_short:
+      break;
+  }
+  return "too short to judge";
+}
+
 // What a check came to, in a sentence.
 std::string check_in_words(const FittedTest& test, const Check& check) {
   const Print print(test);
@@ -138,10 +170,10 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
       if (check.outcome == CheckOutcome::not_possible)
         return "Not possible: one friction for the whole fibre predicts no reading from the one before.";
       return fmt::format(
-          "{}: what each reading adds to those before it {} (Ljung and Box over {:.0f} readings: p = {}).", outcome,
+          "{}: what each reading adds to those before it {} (Ljung and Box over {:.0f} readings: p {}).", outcome,
           check.outcome == CheckOutcome::passed ? "is noise"
                                                 : "is not noise: something in the record is not in the model",
-          number("lags"), number("p_value") < 1e-4 ? "< 0.0001" : significant(number("p_value"), 2));
+          number("lags"), number("p_value") < 1e-4 ? "< 0.0001" : "= " + significant(number("p_value"), 2));
     case CheckKind::nesting:
       if (check.outcome == CheckOutcome::not_possible)
         return "Not possible: the likeliest explanation contains no other.";
@@ -185,6 +217,102 @@ std::string friction_in_short(const FittedTest& test) {
   return words;
 }
 
+std::string_view sawtooth_in_words(const TestAnalysis& analysis) {
+  switch (analysis.category) {
+    case SawtoothCategory::clear:
+      return "A clear sawtooth";
+    case SawtoothCategory::nominal:
+      return "A faint sawtooth";
+    case SawtoothCategory::none:
+      break;
+  }
+  return analysis.drops.drops.empty() ? "No sawtooth" : "Hardly a sawtooth";
+}
+
+// A sentence of the answer; empty for a doubt that the words on the drops tell.
+std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& fit = analysis.fit;
+  switch (doubt) {
+    case Doubt::wrong_stiffness:
+      return fmt::format(
+          "No answer to trust: the bending stiffness stated is {:.2g} times that of the record's initial slope.",
+          analysis.stiffness_over_slope);
+    case Doubt::no_sliding:
+      return "No answer to trust: no sliding with a friction of 0 to 2 gives this record.";
+    case Doubt::softer_reload:
+      return fmt::format("The specimen lost stiffness: loaded again it is {:.0f} ± {:.0f} % softer.",
+                         100 * test.judgement->loss, 100 * test.judgement->loss_error);
+    case Doubt::cracks:
+      return "The drops are those of a specimen that cracks; what is said of friction takes them for slips.";
+    case Doubt::impossible_drops: {
+      const auto impossible = std::count_if(analysis.slips.begin(), analysis.slips.end(), [](const Slip& slip) {
+        return slip.verdict != SlipVerdict::possible && slip.verdict != SlipVerdict::too_short;
+      });
+      return fmt::format("{} of the {} drops can be no slip.", impossible, analysis.slips.size());
+    }
+    case Doubt::implausible_friction:
+      return fmt::format(
+          "It needs more friction than is plausible: above {:g} in {} of {} points past a tenth of the "
+          "span, {:.2f} on average.",
+          analysis.suspects.limit, analysis.suspects.points.size(), analysis.suspects.points_judged, fit.mu0.value);
+    case Doubt::failed_check: {
+      std::string words;
+      for (const auto& check : analysis.checks)
+        if (check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction)
+          words += (words.empty() ? "" : " ") + check_in_words(test, check);
+      return words;
+    }
+    case Doubt::falling_friction:
+      return "Friction falls away along the record, as the force of a specimen would that loses stiffness.";
+    case Doubt::undecided_drops:
+      return "";
+    case Doubt::unexpected_stiffness:
+      break;
+  }
+  return fmt::format("The bending stiffness that fits is {:+.1f} % from that {}, {:.1f} times its error.",
+                     100 * (fit.bending_stiffness.value - 1),
+                     analysis.stiffness_from_slope ? "of the initial slope" : "stated",
+                     std::abs(std::log(fit.bending_stiffness.value)) / analysis.bending_stiffness_error);
+}
+
+std::string_view standing_in_words(Standing standing) {
+  switch (standing) {
+    case Standing::sound:
+      return "No check speaks against this.";
+    case Standing::doubtful:
+      return "This is open to doubt.";
+    case Standing::suspect:
+      return "The test is suspect.";
+    case Standing::untrusted:
+      break;
+  }
+  return "None of this is to be trusted.";
+}
+
+std::string next_step_in_words(const FittedTest& test) {
+  const Judgement& judgement = test.judgement.value();
+  switch (judgement.next) {
+    case NextStep::none:
+      return "";
+    case NextStep::check_case:
+      return "Next: check the modulus, the section, the span, the columns and their units, and whether the specimen "
+             "cracks.";
+    case NextStep::reload:
+      return "Next: unload and load once more; a reload bounds the stiffness that cracks can have taken.";
+    case NextStep::finer_steps:
+      return "Next: record more rows; most rises between drops have fewer than four.";
+    case NextStep::stiffer_rig:
+      return fmt::format(
+          "Next: a stiffer rig; the fibre jumps over more than half of what it passes. From {} on, mean friction such "
+          "as this shows no drop.",
+          Print(test).own(test.analysis.scales.physical_stiffness(judgement.stiffness_for_all), kind::stiffness));
+    case NextStep::image_length:
+      break;
+  }
+  return "Next: image the supports; the length drawn in tells sliding from what is not.";
+}
+
 }  // namespace
 
 std::string answer_of(const FittedTest& test) {
@@ -196,46 +324,32 @@ std::string answer_of(const FittedTest& test) {
   if (analysis.status == AnalysisStatus::not_explained) {
     std::string answer =
         "No answer: no sliding with a friction of 0 to 2 gives this record. Check the columns, their units, the span "
-        "and the "
-        "section.";
+        "and the section.";
     if (analysis.stiffness_implausible)
       answer += fmt::format(" The bending stiffness stated is {:.2g} times that of the record's initial slope.",
                             analysis.stiffness_over_slope);
     return answer;
   }
-  const auto sawtooth = [&] {
-    switch (analysis.category) {
-      case SawtoothCategory::clear:
-        return "A clear sawtooth";
-      case SawtoothCategory::nominal:
-        return "A faint sawtooth";
-      case SawtoothCategory::none:
-        return analysis.drops.drops.empty() ? "No sawtooth" : "Hardly a sawtooth";
-    }
-    return "";
-  };
-  std::string answer = fmt::format("{}: {}. {}", sawtooth(), drops_in_words(test), friction_in_short(test));
-  if (analysis.stiffness_implausible)
-    return fmt::format(
-               "No answer to trust: the bending stiffness stated is {:.2g} times that of the record's initial slope. "
-               "Check the modulus, the "
-               "section, the span, the columns and the unit of the force. ",
-               analysis.stiffness_over_slope) +
-           answer;
-  if (analysis.model_implausible)
-    return "No answer to trust: no sliding with a friction of 0 to 2 gives this record. Check the columns, their "
-           "units, the span "
-           "and the section, and whether the specimen cracks. " +
-           answer;
+  const Judgement& judgement = test.judgement.value();
+  std::string answer;
+  for (const Doubt doubt : judgement.doubts) {
+    const std::string words = doubt_in_words(doubt, test);
+    if (!words.empty()) answer += words + " ";
+  }
+  answer += fmt::format("{}: {}. {}", sawtooth_in_words(analysis), drops_in_words(test), friction_in_short(test));
   const double share = analysis.energy.friction_share;
-  if (share > 0.005)
-    answer += fmt::format(" {} of the work on the specimen went into friction and should not be counted as toughness.",
-                          percent(share));
-  answer += analysis.suspects.suspect ? " The test is suspect: it needs more friction than is plausible."
-                                      : " Nothing about it is suspect.";
-  for (const auto& check : analysis.checks)
-    if (check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction)  // which the answer says already
-      answer += " " + check_in_words(test, check);
+  if (share > 0.005 && judgement.standing != Standing::untrusted && judgement.drops != CrackVerdict::cracks)
+    answer += analysis.drops.drops.empty() || judgement.drops == CrackVerdict::not_by_cracks_alone
+                  ? fmt::format(
+                        " {} of the work on the specimen went into friction and should not be counted as "
+                        "toughness.",
+                        percent(share))
+                  : fmt::format(
+                        " If the drops are slips, {} of the work on the specimen went into friction and should "
+                        "not be counted as toughness.",
+                        percent(share));
+  answer += fmt::format(" {}", standing_in_words(judgement.standing));
+  if (const std::string next = next_step_in_words(test); !next.empty()) answer += " " + next;
   return test.cycles ? answer + " " + cycles_in_short(test) : answer;
 }
 
@@ -322,25 +436,20 @@ PrintedTable drop_table(const FittedTest& test) {
   const auto length = print.as(kind::length);
   const auto force = print.as(kind::force);
   NumberColumn stage{"Stage", {}, length}, before{"Force before", {}, force}, fall{"Fall", {}, force, 3},
-      drawn_in{"Drawn in, both sides", {}, length, 3}, mu_before{"μ before", {}, kind::number, 3},
+      drawn_in{"Pulled in (both supports)", {}, length, 3}, mu_before{"μ before", {}, kind::number, 3},
       mu_after{"μ after", {}, kind::number, 3};
   std::vector<std::string> rows, significance, reading;
-  auto slip = analysis.slips.begin();
-  for (const auto& drop : analysis.drops.drops) {
-    while (slip != analysis.slips.end() && slip->drop.before < drop.before) ++slip;
-    const bool has_slip = slip != analysis.slips.end() && slip->drop.before == drop.before;
+  for (const auto& slip : analysis.slips) {
+    const Drop& drop = slip.drop;
     rows.push_back(fmt::format("{}–{}", file_row(test, drop.before), file_row(test, drop.after)));
     stage.values.push_back(analysis.record.stage[drop.before]);
     before.values.push_back(analysis.record.force[drop.before]);
     fall.values.push_back(drop.force_fall);
     significance.push_back(fmt::format("{:.1f}", drop.significance));
-    drawn_in.values.push_back(has_slip ? analysis.scales.physical_length(slip->S_after - slip->S_before)
-                                       : not_a_number);
-    mu_before.values.push_back(has_slip ? slip->mu_before : not_a_number);
-    mu_after.values.push_back(has_slip ? slip->mu_after : not_a_number);
-    reading.emplace_back(!has_slip                                      ? "no friction explains it"
-                         : is_explained(*slip, analysis.suspects.limit) ? "slip"
-                                                                        : "no plausible slip");
+    drawn_in.values.push_back(analysis.scales.physical_length(slip.S_after - slip.S_before));
+    mu_before.values.push_back(slip.mu_before);
+    mu_after.values.push_back(slip.mu_after);
+    reading.emplace_back(in_words(slip.verdict));
   }
   PrintedTable table = printed({stage, before, fall, drawn_in, mu_before, mu_after});
   table.head.insert(table.head.begin(), "Rows");

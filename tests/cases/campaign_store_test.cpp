@@ -24,6 +24,8 @@ CampaignTest some_test() {
       .name = "SS14",
       .category = SawtoothCategory::nominal,
       .suspect = true,
+      .standing = Standing::suspect,
+      .drops_verdict = CrackVerdict::not_by_cracks_alone,
       .model = ProfileModel::sinusoid,
       .mu0 = {.value = 0.1, .standard_error = 1.0 / 3, .low = -1e-300, .high = 5e-324},
       .mu0_is_bound = true,

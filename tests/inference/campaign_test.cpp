@@ -83,7 +83,7 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
                                     .bending_stiffness = scales.bending_stiffness()};
   const Record record = to_physical(simulated_record(truth), scales);
   const auto analysis = analyse(record, description);
-  const auto summary = summary_of("simulated", analysis);
+  const auto summary = summary_of("simulated", analysis, judge(analysis, nullptr));
   CHECK(summary.category == SawtoothCategory::clear);
   CHECK(summary.wave_claimed);
   CHECK(!summary.mu0_is_bound);
@@ -101,7 +101,7 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
 
   auto without = analysis;
   without.status = AnalysisStatus::too_few_points;
-  CHECK(message_of([&] { summary_of("simulated", without); }) == "a test without a fit has no summary");
+  CHECK(message_of([&] { summary_of("simulated", without, {}); }) == "a test without a fit has no summary");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "bending_test/history.h"
 #include "data/record.h"
+#include "inference/sliding_ladder.h"
 
 namespace flexslip {
 
@@ -38,6 +39,37 @@ inline ReducedRecord simulated_record(const SimulatedTruth& truth) {
     record.deflection.push_back(point.stage - force / truth.stiffness);
   }
   return record;
+}
+
+// Constant friction, and a bending stiffness that at some deflections falls to what is left of it: each loss is a drop along the load line.
+struct Crack {
+  double deflection, left;  // [L], [1]
+};
+inline ReducedRecord cracked_record(const SimulatedTruth& truth, const std::vector<Crack>& cracks) {
+  std::mt19937_64 generator(truth.seed);
+  const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
+  const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); };
+  const SlidingLadder ladder(1.58, 5e-4);
+  const auto curve = ladder.curve(truth.friction.at(ladder.lengths()).mu);
+  ReducedRecord record;
+  std::size_t cracked = 0;
+  for (int i = 1;; ++i) {
+    const double stage = i * truth.step;
+    double force = 0, deflection = 0;
+    for (bool settled = false; !settled;) {
+      const double stiffness = truth.stiffening * (cracked > 0 ? cracks[cracked - 1].left : 1);
+      const std::vector<double> stages{stage};
+      force = stiffness * measured_curve(curve.w, curve.F, stiffness / truth.stiffness, stages).F[0];
+      deflection = stage - force / truth.stiffness;
+      settled = cracked == cracks.size() || deflection < cracks[cracked].deflection;
+      if (!settled) ++cracked;
+    }
+    if (deflection > truth.deflection) return record;
+    force += truth.noise * normal();
+    record.stage.push_back(stage);
+    record.force.push_back(force);
+    record.deflection.push_back(stage - force / truth.stiffness);
+  }
 }
 
 }  // namespace flexslip

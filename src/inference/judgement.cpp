@@ -1,0 +1,189 @@
+#include "inference/judgement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "bending_test/critical_stiffness.h"
+#include "data/order.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double two_sided = 1.96;
+
+const LoadingStiffness* last_reload(const CyclicTest* cycles) {
+  if (!cycles) return nullptr;
+  for (std::size_t i = cycles->stiffness.size(); i-- > 1;)
+    if (cycles->stiffness[i].status == LoadingStatus::ok) return &cycles->stiffness[i];
+  return nullptr;
+}
+
+std::size_t impossible_drops(const TestAnalysis& analysis) {
+  return static_cast<std::size_t>(std::count_if(analysis.slips.begin(), analysis.slips.end(), [](const Slip& slip) {
+    return slip.verdict != SlipVerdict::possible && slip.verdict != SlipVerdict::too_short;
+  }));
+}
+
+// Along all that is seen, by a third of its mean or more, and surely.
+bool friction_falls(const FrictionFit& fit) {
+  constexpr double much = 1.0 / 3;
+  return fit.drift.high < 0 && -fit.drift.value * (fit.S_end - fit.S_begin) > much * fit.mu0.value;
+}
+
+// Part of the fibre seen that it jumped over.
+double jumped_part(const TestAnalysis& analysis) {
+  double jumped = 0;
+  for (const Slip& slip : analysis.slips)
+    if (slip.verdict == SlipVerdict::possible) jumped += slip.S_after - slip.S_before;
+  return jumped / (analysis.fit.S_end - analysis.fit.S_begin);
+}
+
+bool has_few_rows(const TestAnalysis& analysis) {
+  const auto& drops = analysis.drops.drops;
+  constexpr std::size_t least_drops = 3;
+  constexpr double least_rows = 4;  // as a rise needs to be judged
+  if (drops.size() < least_drops) return false;
+  std::vector<double> rows;
+  for (std::size_t i = 1; i < drops.size(); ++i)
+    rows.push_back(static_cast<double>(drops[i].before - drops[i - 1].after + 1));
+  return median_of(rows) < least_rows;
+}
+
+CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* reload) {
+  const SlipOrCrack& rises = analysis.slip_or_crack;
+  if (!reload) return rises.verdict;
+  if (reload->verdict == DamageVerdict::damaged) return CrackVerdict::cracks;
+  if (!rises.judged) return rises.verdict;
+  constexpr double one_sided = 1.645;
+  const double at_most = 1 - reload->ratio + one_sided * std::hypot(reload->ratio_error, reload->ratio_systematic);
+  const double needed = 1 - std::max({rises.cracks.left, rises.cracks_constant.left, rises.cracks_running.left});
+  if (needed > at_most) return CrackVerdict::not_by_cracks_alone;
+  return rises.verdict;
+}
+
+Standing standing_of(const std::vector<Doubt>& doubts, bool half_impossible) {
+  if (doubts.empty()) return Standing::sound;
+  if (doubts.front() <= Doubt::no_sliding) return Standing::untrusted;
+  const bool suspect = std::any_of(doubts.begin(), doubts.end(), [&](Doubt doubt) {
+    return doubt == Doubt::softer_reload || doubt == Doubt::cracks || doubt == Doubt::implausible_friction ||
+           (doubt == Doubt::impossible_drops && half_impossible);
+  });
+  return suspect ? Standing::suspect : Standing::doubtful;
+}
+
+}  // namespace
+
+std::string_view name_of(Doubt doubt) {
+  switch (doubt) {
+    case Doubt::wrong_stiffness:
+      return "wrong_stiffness";
+    case Doubt::no_sliding:
+      return "no_sliding";
+    case Doubt::softer_reload:
+      return "softer_reload";
+    case Doubt::cracks:
+      return "cracks";
+    case Doubt::impossible_drops:
+      return "impossible_drops";
+    case Doubt::implausible_friction:
+      return "implausible_friction";
+    case Doubt::failed_check:
+      return "failed_check";
+    case Doubt::falling_friction:
+      return "falling_friction";
+    case Doubt::undecided_drops:
+      return "undecided_drops";
+    case Doubt::unexpected_stiffness:
+      break;
+  }
+  return "unexpected_stiffness";
+}
+
+std::string_view name_of(Standing standing) {
+  switch (standing) {
+    case Standing::sound:
+      return "sound";
+    case Standing::doubtful:
+      return "doubtful";
+    case Standing::suspect:
+      return "suspect";
+    case Standing::untrusted:
+      break;
+  }
+  return "untrusted";
+}
+
+std::string_view name_of(NextStep step) {
+  switch (step) {
+    case NextStep::none:
+      return "none";
+    case NextStep::check_case:
+      return "check_case";
+    case NextStep::reload:
+      return "reload";
+    case NextStep::finer_steps:
+      return "finer_steps";
+    case NextStep::stiffer_rig:
+      return "stiffer_rig";
+    case NextStep::image_length:
+      break;
+  }
+  return "image_length";
+}
+
+Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles) {
+  if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
+  const LoadingStiffness* const reload = last_reload(cycles);
+  const std::size_t drops = analysis.drops.drops.size(), impossible = impossible_drops(analysis);
+  const FrictionFit& fit = analysis.fit;
+  Judgement judgement{.standing = Standing::sound,
+                      .drops = verdict_on(analysis, reload),
+                      .doubts = {},
+                      .next = NextStep::none,
+                      .loss = reload ? 1 - reload->ratio : not_a_number,
+                      .loss_error = reload ? std::hypot(reload->ratio_error, reload->ratio_systematic) : not_a_number,
+                      .stiffness_for_all = not_a_number};
+  const auto doubt_if = [&](bool doubtful, Doubt doubt) {
+    if (doubtful) judgement.doubts.push_back(doubt);
+  };
+  const bool softer = reload && reload->verdict == DamageVerdict::damaged;
+  doubt_if(analysis.stiffness_implausible, Doubt::wrong_stiffness);
+  doubt_if(analysis.model_implausible, Doubt::no_sliding);
+  doubt_if(softer, Doubt::softer_reload);
+  doubt_if(drops > 0 && !softer && judgement.drops == CrackVerdict::cracks, Doubt::cracks);
+  doubt_if(impossible > 0, Doubt::impossible_drops);
+  doubt_if(analysis.suspects.suspect || fit.mu0.low > analysis.suspects.limit, Doubt::implausible_friction);
+  doubt_if(std::any_of(analysis.checks.begin(), analysis.checks.end(),
+                       [](const Check& check) {
+                         return check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction;
+                       }),
+           Doubt::failed_check);
+  doubt_if(friction_falls(fit), Doubt::falling_friction);
+  doubt_if(drops > 0 && judgement.drops == CrackVerdict::cannot_be_told, Doubt::undecided_drops);
+  doubt_if(std::abs(std::log(fit.bending_stiffness.value)) > two_sided * analysis.bending_stiffness_error,
+           Doubt::unexpected_stiffness);
+  judgement.standing = standing_of(judgement.doubts, 2 * impossible >= drops);
+
+  const bool in_question = drops > 0 && judgement.drops != CrackVerdict::not_by_cracks_alone;
+  constexpr double most_jumped = 0.5;
+  if (judgement.standing == Standing::untrusted)
+    judgement.next = NextStep::check_case;
+  else if (in_question && !reload)
+    judgement.next = NextStep::reload;
+  else if (has_few_rows(analysis))
+    judgement.next = NextStep::finer_steps;
+  else if (judgement.standing == Standing::suspect)
+    judgement.next = NextStep::image_length;
+  else if (drops > 0 && jumped_part(analysis) > most_jumped) {
+    const double deflection = *std::max_element(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end());
+    judgement.stiffness_for_all =
+        critical_stiffness(Friction::table(fit.mean), deflection) * fit.bending_stiffness.value;
+    if (std::isfinite(judgement.stiffness_for_all)) judgement.next = NextStep::stiffer_rig;
+  }
+  return judgement;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,64 @@
+// What a test comes to when all is weighed: what stands against its answer, the weightiest first, and what to do next.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "inference/analysis.h"
+#include "inference/cyclic_test.h"
+
+namespace flexslip {
+
+// In the order of their weight.
+enum class Doubt {
+  wrong_stiffness,       // the bending stiffness stated is not that of the record's initial slope
+  no_sliding,            // no sliding with friction gives the record
+  softer_reload,         // a reload shows a loss of stiffness
+  cracks,                // the rises between the drops are those of a specimen that cracks
+  impossible_drops,      // drops that no slip explains
+  implausible_friction,  // more friction than is plausible
+  failed_check,          // the fit fails a check (of friction told from none the answer itself tells)
+  falling_friction,      // friction falls away along the record, as the force of a specimen that cracks would
+  undecided_drops,       // whether drops are slips or cracks cannot be told
+  unexpected_stiffness,  // the bending stiffness of the fit is not that stated, by twice its error
+};
+
+std::string_view name_of(Doubt doubt);
+
+enum class Standing {
+  sound,     // no doubt
+  doubtful,  // doubts that may not matter
+  suspect,  // a doubt that the conclusion does not survive: a softer reload, cracks, friction or half the drops impossible
+  untrusted,  // a wrong stiffness, or no sliding: the answer is none
+};
+
+std::string_view name_of(Standing standing);
+
+// What would tell most.
+enum class NextStep {
+  none,
+  check_case,   // columns, units, section
+  reload,       // unload and load once more
+  finer_steps,  // fewer than four rows on most rises
+  stiffer_rig,  // the fibre jumps over more than half of what it passes
+  image_length,
+};
+
+std::string_view name_of(NextStep step);
+
+struct Judgement {
+  Standing standing;
+  CrackVerdict drops;  // by the rises, and by the reload where there is one
+  std::vector<Doubt> doubts;
+  NextStep next;
+  double loss, loss_error;  // [1] of stiffness, that the last comparable reload shows; NaN without
+  double
+      stiffness_for_all;  // [EI/L^3] of a rig on which the mean of the fit does not snap; NaN unless next is stiffer_rig
+};
+
+// A reload that is softer says cracks; one that lost less, at 95 %, than cracks would need to make the drops says that these were not cracks
+// alone. Drops are not asked about where there are none.
+// Domain:     analysis.status is ok; std::invalid_argument otherwise. cycles null: it was loaded once.
+Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles);
+
+}  // namespace flexslip

@@ -1,0 +1,468 @@
+#include "inference/slip_or_crack.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <nlopt.h>
+
+#include "fibre/batch_inverse.h"
+#include "fibre/elementary.h"
+#include "fibre/state_table.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double impossible = 1e9;  // of minus ln L
+constexpr double stiffness_error = 0.05;
+constexpr double least_w = 0.06, greatest_w = 0.43;
+
+// Force and length at the deflection of a row, as functions of friction: Chebyshev series over [least_q, greatest_q], straight on beyond.
+constexpr double least_q = -0.2, greatest_q = 2;  // where the branch reaches greatest_w
+constexpr std::size_t terms = 14;
+using Series = std::array<double, terms>;
+
+struct WithSlope {
+  double value, slope;
+};
+
+WithSlope evaluate(const Series& series, double q) {
+  const double inside = std::clamp(q, least_q, greatest_q);
+  constexpr double half_width = 0.5 * (greatest_q - least_q);
+  const double x = (inside - 0.5 * (least_q + greatest_q)) / half_width;
+  double b1 = 0, b2 = 0, d1 = 0, d2 = 0;  // Clenshaw's, and its derivative
+  for (std::size_t k = terms; k-- > 1;) {
+    const double b = 2 * x * b1 - b2 + series[k];
+    const double d = 2 * x * d1 - d2 + 2 * b1;
+    b2 = b1, b1 = b;
+    d2 = d1, d1 = d;
+  }
+  const double value = x * b1 - b2 + series[0], slope = (b1 + x * d1 - d2) / half_width;
+  return {value + slope * (q - inside), slope};
+}
+
+struct Row {
+  double w, F;  // [L], [EI/L^2]
+  Series force, length;
+  double q;         // [1] friction that gives the force
+  double S_usual;   // [L] length at the deflection, at usual friction
+  double to_stage;  // [1] what an error of the force at given deflection is at given stage position
+  std::size_t rise;
+  double drops_before;
+};
+
+// Ψ at the deflection of each row and each node of the series.
+void expand(std::vector<Row>& rows) {
+  std::array<double, terms> nodes{};
+  for (std::size_t k = 0; k < terms; ++k) {
+    const double x =
+        elementary::sine_and_cosine(std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(terms))
+            .cosine;
+    nodes[k] = 0.5 * (least_q + greatest_q) + 0.5 * (greatest_q - least_q) * x;
+  }
+  std::vector<double> S, q;
+  for (const Row& row : rows)
+    for (const double node : nodes) {
+      S.push_back(1 + 2.4 * row.w * row.w);
+      q.push_back(node);
+    }
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    const auto at = tabulated_states_slopes({S, q});
+    for (std::size_t i = 0; i < S.size(); ++i) {  // Newton in w², which is nearly straight in S
+      const double w = rows[i / terms].w;
+      const double step = (w * w - at.w[i] * at.w[i]) / (2 * at.w[i] * at.w_S[i]);
+      S[i] += std::clamp(step, -0.5 * (S[i] - 1), 0.1);
+    }
+  }
+  const auto states = tabulated_states({S, q});
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t k = 0; k < terms; ++k) {
+      double force = 0, length = 0;
+      for (std::size_t j = 0; j < terms; ++j) {
+        const double angle =
+            std::numbers::pi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) / static_cast<double>(terms);
+        const double cosine = elementary::sine_and_cosine(angle).cosine;
+        force += states.F[r * terms + j] * cosine;
+        length += S[r * terms + j] * cosine;
+      }
+      const double share = (k == 0 ? 1.0 : 2.0) / static_cast<double>(terms);
+      rows[r].force[k] = share * force;
+      rows[r].length[k] = share * length;
+    }
+}
+
+double friction_at(const Row& row, double force, double from) {
+  double q = from;
+  for (int i = 0; i < 12; ++i) {
+    const auto at = evaluate(row.force, q);
+    const double step = std::clamp((force - at.value) / at.slope, -0.6, 0.6);
+    q = std::clamp(q + step, -3.0, 5.0);
+    if (std::abs(step) < 1e-6) break;
+  }
+  return q;
+}
+
+// Rows between the drops; of what lies before the first and after the last at most so many as tell of the same.
+std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drops) {
+  constexpr std::size_t most_outside = 15, least_rows = 3;
+  std::vector<Row> rows;
+  std::size_t rise = 0;
+  for (std::size_t c = 0; c <= drops.size(); ++c) {
+    const std::size_t first =
+        c > 0 ? drops[c - 1].after : drops[0].before - std::min(drops[0].before, most_outside - 1);
+    const std::size_t last =
+        c < drops.size() ? drops[c].before : std::min(drops[c - 1].after + most_outside - 1, record.force.size() - 1);
+    std::vector<Row> of_rise;
+    for (std::size_t i = first; i <= last; ++i) {
+      if (!(record.deflection[i] > least_w && record.deflection[i] < greatest_w)) continue;
+      Row row{};
+      row.w = record.deflection[i];
+      row.F = record.force[i];
+      row.rise = rise;
+      row.drops_before = static_cast<double>(c);
+      of_rise.push_back(row);
+    }
+    if (of_rise.size() < least_rows) continue;
+    rows.insert(rows.end(), of_rise.begin(), of_rise.end());
+    ++rise;
+  }
+  return rows;
+}
+
+// Where a function of a few numbers is least, found from several starts.
+struct Least {
+  std::vector<double> at;
+  double value = infinity;
+};
+using Function = std::function<double(std::span<const double>)>;
+
+Least least_of(const Function& f, const std::vector<std::vector<double>>& starts, const std::vector<double>& steps) {
+  Least best;
+  const auto call = [](unsigned n, const double* x, double*, void* data) {
+    return (*static_cast<const Function*>(data))(std::span(x, n));
+  };
+  for (const auto& start : starts) {
+    std::vector<double> x = start;
+    double value = f(x);
+    nlopt_opt optimiser = nlopt_create(NLOPT_LN_NELDERMEAD, static_cast<unsigned>(x.size()));
+    nlopt_set_min_objective(optimiser, call, const_cast<Function*>(&f));  // NOLINT: a C interface
+    nlopt_set_initial_step(optimiser, steps.data());
+    nlopt_set_ftol_abs(optimiser, 0.02);
+    nlopt_set_xtol_abs1(optimiser, 1e-3);
+    nlopt_set_maxeval(optimiser, 220);
+    nlopt_optimize(optimiser, x.data(), &value);
+    nlopt_destroy(optimiser);
+    if (value < best.value) best = {x, value};
+  }
+  return best;
+}
+
+// The rows of one test and what explains them.
+class Rises {
+ public:
+  Rises(const ReducedRecord& record, const Rig& rig, std::span<const Drop> drops) : rows_(rows_of(record, drops)) {
+    expand(rows_);
+    n_ = rows_.size();
+    for (std::size_t i = 0; i < n_; ++i)
+      if (i == 0 || rows_[i].rise != rows_[i - 1].rise) begin_.push_back(i);
+    std::vector<double> S, q;
+    for (Row& row : rows_) {
+      constexpr double usual = 0.5;
+      row.q = friction_at(row, row.F, usual);
+      row.S_usual = evaluate(row.length, usual).value;
+      S_mean_ += row.S_usual / static_cast<double>(n_);
+      S.push_back(evaluate(row.length, std::clamp(row.q, 0.0, 1.2)).value);
+      q.push_back(std::clamp(row.q, 0.0, 1.2));
+    }
+    const auto slopes = tabulated_states_slopes({S, q});
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double tangent = slopes.F_S[i] / slopes.w_S[i];  // dF/dw at constant friction
+      rows_[i].to_stage = 1 / (1 + std::max(tangent, -0.5 * rig.stiffness) / rig.stiffness);
+    }
+    x_.resize(n_), y_.resize(n_), z_.resize(n_);
+  }
+
+  std::size_t size() const { return begin_.size(); }
+
+  void judge(SlipOrCrack& out) {
+    const auto n = static_cast<double>(n_), m = static_cast<double>(size()), log_n = elementary::log(n);
+    const auto bic = [&](double minus_log_likelihood, double parameters) {
+      return 2 * minus_log_likelihood + parameters * log_n;
+    };
+    // μ, d, ρ
+    variance_ = 0.03 * 0.03;
+    Least best;
+    const Function cracked = [&](std::span<const double> p) { return cracks(p[0], p[1], p[2]); };
+    for (int round = 0; round < 2; ++round) {
+      best = least_of(cracked, {{0.3, 0, 0.3}, {0.8, 0, 0.3}, {0.6, 1, 0.6}, {0.05, 0, 0.3}}, {0.2, 1, 0.2});
+      cracked(best.at);
+      variance_ = squares_ / n;
+    }
+    cracked(best.at);
+    out.cracks = {bic(best.value, m + 4), best.at[0], left_};
+    const auto of_cracks = best.at;
+    const Function constant = [&](std::span<const double> p) { return cracks(p[0], 0, p[1]); };
+    best = least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2});
+    constant(best.at);
+    out.cracks_constant = {bic(best.value, m + 3), best.at[0], left_};
+    const double arrested_variance = variance_;
+    count_stiffer(out);
+
+    // μ, d, ρ, mean and logarithm of the spread of the slopes of e within a rise
+    const Function running = [&](std::span<const double> p) { return running_cracks(p); };
+    const std::vector<double> running_steps{0.15, 0.7, 0.15, 0.7, 1};
+    std::vector<std::vector<double>> starts{{of_cracks[0], of_cracks[1], std::max(of_cracks[2] - 0.2, 0.05), 0.3, -1},
+                                            {0.3, 0, 0.3, 1, 1},
+                                            {0.9, 0, 0.5, 0.1, 1}};
+    // e0, ρ, logarithm of the spread of b_j; loss at each drop
+    for (int round = 0; round < 3; ++round) {
+      best = least_of(running, starts, running_steps);
+      running(best.at);
+      variance_ = squares_ / n;
+      starts = {best.at};
+    }
+    running(best.at);
+    out.cracks_running = {bic(best.value, m + 6), best.at[0], left_};
+
+    for (const bool loses : {false, true}) {
+      variance_ = std::min(arrested_variance, 0.05 * 0.05);
+      const Function slips = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], loses ? p[3] : 0); };
+      std::vector<double> steps{0.03, 0.2, 1, 0.01};
+      starts = {{0, 0.3, 0, 0.01}, {0, 0.3, 2, 0.002}, {0.03, 0.6, -2, 0.03}};
+      steps.resize(loses ? 4 : 3);
+      for (auto& start : starts) start.resize(steps.size());
+      for (int round = 0; round < 3; ++round) {
+        best = least_of(slips, starts, steps);
+        slips(best.at);
+        variance_ = squares_ / n;
+        starts = {best.at};
+      }
+      slips(best.at);
+      (loses ? out.slip_and_cracks : out.slip) = {bic(best.value, m + (loses ? 5 : 4)), level_, left_};
+    }
+  }
+
+ private:
+  // The rows of a series made independent of those before, within each rise.
+  void whiten(std::vector<double>& series, double rho) const {
+    for (std::size_t j = size(); j-- > 0;) {
+      for (std::size_t i = end(j); i-- > begin_[j] + 1;) series[i] -= rho * series[i - 1];
+      series[begin_[j]] *= std::sqrt(1 - rho * rho);
+    }
+  }
+  std::size_t end(std::size_t rise) const { return rise + 1 < begin_.size() ? begin_[rise + 1] : n_; }
+  double sum(const std::vector<double>& a, const std::vector<double>& b, std::size_t rise) const {
+    double total = 0;
+    for (std::size_t i = begin_[rise]; i < end(rise); ++i) total += a[i] * b[i];
+    return total;
+  }
+  double minus_log_likelihood(double squares, double rho, double more) const {
+    const auto n = static_cast<double>(n_);
+    return 0.5 * n * (elementary::log(squares / n) + 1) -
+           0.5 * static_cast<double>(size()) * elementary::log(1 - rho * rho) + more;
+  }
+
+  // The force of a fibre with such friction, what it is measured against, and whether friction is possible.
+  bool forces(double mu, double d, double rho) {
+    constexpr double greatest = 1.3;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double q = mu + d * (rows_[i].S_usual - S_mean_);
+      if (!(q >= 0 && q <= greatest)) return false;
+      x_[i] = evaluate(rows_[i].force, q).value * rows_[i].to_stage;
+      z_[i] = rows_[i].F * rows_[i].to_stage;
+    }
+    return rho >= 0 && rho < 0.99;
+  }
+
+  // Levels of the rises that never rise, of least squares, and what is left.
+  double never_rising(double rho, double more) {
+    struct Block {
+      double product, square;
+      std::size_t rises;
+    };
+    std::vector<Block> blocks;
+    double left_over = 0;
+    for (std::size_t j = 0; j < size(); ++j) {
+      left_over += sum(z_, z_, j);
+      Block block{sum(x_, z_, j), sum(x_, x_, j), 1};
+      if (j == 0) {
+        const double known = variance_ / (stiffness_error * stiffness_error);
+        block.product += known;
+        block.square += known;
+      }
+      while (!blocks.empty() && block.product * blocks.back().square > blocks.back().product * block.square) {
+        block.product += blocks.back().product;
+        block.square += blocks.back().square;
+        block.rises += blocks.back().rises;
+        blocks.pop_back();
+      }
+      blocks.push_back(block);
+    }
+    const double first = blocks.front().product / blocks.front().square;
+    left_ = blocks.back().product / blocks.back().square / first;
+    std::size_t j = 0;
+    squares_ = left_over;
+    for (const Block& block : blocks) {
+      const double e = block.product / block.square;
+      for (std::size_t k = 0; k < block.rises; ++k, ++j) squares_ += e * (e * sum(x_, x_, j) - 2 * sum(x_, z_, j));
+    }
+    const double away = (first - 1) / stiffness_error;
+    return minus_log_likelihood(squares_, rho, 0.5 * away * away + more);
+  }
+
+  double cracks(double mu, double d, double rho) {
+    if (!forces(mu, d, rho)) return impossible;
+    whiten(x_, rho);
+    whiten(z_, rho);
+    return never_rising(rho, 0);
+  }
+
+  // Slopes of e within each rise, N(-c, spread²), integrated out.
+  double running_cracks(std::span<const double> p) {
+    const double mu = p[0], d = p[1], rho = p[2], c = p[3], log_spread = p[4];
+    if (!(c >= 0 && c < 40 && log_spread > -6 && log_spread < 4) || !forces(mu, d, rho)) return impossible;
+    for (std::size_t j = 0; j < size(); ++j) {
+      double middle = 0;
+      for (std::size_t i = begin_[j]; i < end(j); ++i) middle += rows_[i].w / static_cast<double>(end(j) - begin_[j]);
+      for (std::size_t i = begin_[j]; i < end(j); ++i) {
+        const double along = rows_[i].w - middle;
+        y_[i] = x_[i] * along;
+        x_[i] *= 1 - c * along;
+      }
+    }
+    whiten(x_, rho);
+    whiten(y_, rho);
+    whiten(z_, rho);
+    const double log_determinant = blur(elementary::exp(2 * log_spread) / variance_, y_, {&x_, &z_});
+    return never_rising(rho, log_determinant);
+  }
+
+  // Series whitened of one more term, a multiple of `of` in each rise with so much more variance than a row has.
+  double blur(double ratio, const std::vector<double>& of, std::initializer_list<std::vector<double>*> series) {
+    double log_determinant = 0;
+    for (std::size_t j = 0; j < size(); ++j) {
+      const double square = sum(of, of, j);
+      const double grown = 1 + ratio * square;
+      log_determinant += 0.5 * elementary::log(grown);
+      if (!(square > 0)) continue;
+      const double share = (1 - 1 / std::sqrt(grown)) / square;
+      for (auto* each : series) {
+        const double part = share * sum(of, *each, j);
+        for (std::size_t i = begin_[j]; i < end(j); ++i) (*each)[i] -= part * of[i];
+      }
+    }
+    return log_determinant;
+  }
+
+  // Friction of each rise free in level, its slope about one slope.
+  double slip(double by, double rho, double log_spread, double loss) {
+    const double e0 = 1 + by;
+    if (!(e0 > 0.7 && e0 < 1.4 && rho >= 0 && rho < 0.99 && log_spread > -6 && log_spread < 5 && loss >= 0 &&
+          loss < 0.2))
+      return impossible;
+    std::vector<double>&S = x_, &y = y_, &level = z_;
+    constexpr double greatest = 1.5;
+    double total = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Row& row = rows_[i];
+      const double e = e0 * elementary::exp(row.drops_before * std::log1p(-loss));
+      const double q = friction_at(row, row.F / e, row.q);
+      if (loss > 0 && q > std::max(greatest, row.q)) return impossible;
+      const double gain = e * evaluate(row.force, q).slope * row.to_stage;
+      S[i] = evaluate(row.length, q).value;
+      y[i] = gain * q;
+      level[i] = gain;
+      total += q / static_cast<double>(n_);
+    }
+    level_ = total;
+    left_ = elementary::exp((rows_.back().drops_before - rows_.front().drops_before) * std::log1p(-loss));
+    for (std::size_t j = 0; j < size(); ++j) {
+      double middle = 0;
+      for (std::size_t i = begin_[j]; i < end(j); ++i) middle += S[i] / static_cast<double>(end(j) - begin_[j]);
+      for (std::size_t i = begin_[j]; i < end(j); ++i) S[i] = (S[i] - middle) * level[i];
+    }
+    whiten(S, rho);
+    whiten(y, rho);
+    whiten(level, rho);
+    // The term that is integrated out goes last from its own series.
+    const std::vector<double> slope = S;
+    const double log_determinant = blur(elementary::exp(2 * log_spread) / variance_, slope, {&S, &y, &level});
+    double slope_product = 0, slope_square = 0, squares = 0;
+    for (std::size_t j = 0; j < size(); ++j) {
+      const double square = sum(level, level, j);
+      const double of_y = sum(level, y, j) / square, of_S = sum(level, S, j) / square;
+      for (std::size_t i = begin_[j]; i < end(j); ++i) {
+        y[i] -= of_y * level[i];
+        S[i] -= of_S * level[i];
+      }
+      slope_product += sum(S, y, j);
+      slope_square += sum(S, S, j);
+      squares += sum(y, y, j);
+    }
+    squares_ = squares - (slope_square > 1e-12 ? slope_product * slope_product / slope_square : 0);
+    const double away = elementary::log(e0) / stiffness_error;
+    return minus_log_likelihood(squares_, rho, 0.5 * away * away + log_determinant);
+  }
+
+  void count_stiffer(SlipOrCrack& out) const {
+    out.rises = size();
+    out.stiffer_rises = 0;
+    for (std::size_t j = 0; j < size(); ++j) {
+      double w = 0, e = 0, ww = 0, we = 0;
+      for (std::size_t i = begin_[j]; i < end(j); ++i) {
+        const double apparent = rows_[i].F / evaluate(rows_[i].force, out.cracks_constant.friction).value;
+        w += rows_[i].w, e += apparent;
+        ww += rows_[i].w * rows_[i].w, we += rows_[i].w * apparent;
+      }
+      const auto count = static_cast<double>(end(j) - begin_[j]);
+      out.stiffer_rises += (we - w * e / count) / (ww - w * w / count) > 0 ? 1 : 0;
+    }
+  }
+
+  std::vector<Row> rows_;
+  std::vector<std::size_t> begin_;  // of each rise
+  std::size_t n_ = 0;
+  double S_mean_ = 0;                          // [L]
+  double variance_ = 0;                        // of a row, as far as it is known from the round before
+  double squares_ = 0, left_ = 1, level_ = 0;  // of the last evaluation
+  std::vector<double> x_, y_, z_;
+};
+
+}  // namespace
+
+std::string_view name_of(CrackVerdict verdict) {
+  switch (verdict) {
+    case CrackVerdict::not_by_cracks_alone:
+      return "not_by_cracks_alone";
+    case CrackVerdict::cracks:
+      return "cracks";
+    case CrackVerdict::cannot_be_told:
+      break;
+  }
+  return "cannot_be_told";
+}
+
+SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span<const Drop> drops) {
+  constexpr std::size_t least = 3;
+  SlipOrCrack out{};
+  out.verdict = CrackVerdict::cannot_be_told;
+  if (drops.size() < least) return out;
+  Rises rises(record, rig, drops);
+  if (rises.size() < least) return out;
+  rises.judge(out);
+  out.judged = true;
+  const double slips = std::min(out.slip.bic, out.slip_and_cracks.bic);
+  out.margin_arrested = std::min(out.cracks.bic, out.cracks_constant.bic) - slips;
+  out.margin = std::min(out.margin_arrested, out.cracks_running.bic - slips);
+  constexpr double beyond_doubt = 12, for_cracks = -6;
+  if (out.margin > beyond_doubt && 2 * out.stiffer_rises > out.rises) out.verdict = CrackVerdict::not_by_cracks_alone;
+  if (out.margin < for_cracks) out.verdict = CrackVerdict::cracks;
+  return out;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,115 @@
+#include "inference/judgement.h"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "tests/inference/simulated_test.h"
+#include "tests/refusal.h"
+
+namespace flexslip {
+namespace {
+
+const Scales scales(1278e-6, 1.02 * 1278e-6 * 1278e-6 * 1278e-6);
+constexpr double k = 60;
+
+TestAnalysis analysed(const ReducedRecord& record) {
+  return analyse(to_physical(record, scales), {.span = scales.span(),
+                                               .load_train_stiffness = scales.physical_stiffness(k),
+                                               .bending_stiffness = scales.bending_stiffness()});
+}
+
+TestAnalysis slipping() {
+  return analysed(simulated_record(
+      {.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0), .stiffness = k, .noise = 0.01, .seed = 5}));
+}
+
+bool has(const Judgement& judgement, Doubt doubt) {
+  return std::find(judgement.doubts.begin(), judgement.doubts.end(), doubt) != judgement.doubts.end();
+}
+
+// Loaded twice, the second time so much softer.
+CyclicTest reloaded(double ratio, double error) {
+  CyclicTest cycles{};
+  LoadingStiffness first{};
+  first.status = LoadingStatus::ok;
+  first.ratio = 1;
+  first.verdict = DamageVerdict::not_damaged;
+  LoadingStiffness second = first;
+  second.ratio = ratio;
+  second.ratio_error = error;
+  second.verdict = ratio + 1.645 * error < 0.9   ? DamageVerdict::damaged
+                   : ratio - 1.645 * error > 0.9 ? DamageVerdict::not_damaged
+                                                 : DamageVerdict::undecided;
+  cycles.stiffness = {first, second};
+  return cycles;
+}
+
+}  // namespace
+
+TEST_CASE("identity: a test that slips is sound") {
+  const auto judgement = judge(slipping(), nullptr);
+  for (const Doubt doubt : judgement.doubts) MESSAGE(name_of(doubt));
+  CHECK(judgement.standing == Standing::sound);
+  CHECK(judgement.drops == CrackVerdict::not_by_cracks_alone);
+}
+
+TEST_CASE("identity: a test that cracks is suspect, and reloading comes next") {
+  const auto judgement = judge(
+      analysed(cracked_record({.friction = Friction::constant(0.5), .stiffness = k, .noise = 0.01},
+                              {{0.12, 0.94}, {0.17, 0.88}, {0.21, 0.8}, {0.26, 0.74}, {0.31, 0.66}, {0.35, 0.6}})),
+      nullptr);
+  CHECK(has(judgement, Doubt::cracks));
+  CHECK(judgement.standing == Standing::suspect);
+  CHECK(judgement.next == NextStep::reload);
+}
+
+TEST_CASE("identity: a softer reload comes first, whatever the rises say; a stiff one clears what they leave open") {
+  auto analysis = slipping();
+  const auto softer = reloaded(0.74, 0.02);
+  const auto judgement = judge(analysis, &softer);
+  CHECK(judgement.doubts.front() == Doubt::softer_reload);
+  CHECK(judgement.standing == Standing::suspect);
+  CHECK(judgement.drops == CrackVerdict::cracks);
+  CHECK(judgement.loss == doctest::Approx(0.26));
+
+  analysis.slip_or_crack.verdict = CrackVerdict::cannot_be_told;
+  CHECK(judge(analysis, nullptr).drops == CrackVerdict::cannot_be_told);
+  const auto as_stiff = reloaded(0.99, 0.01);
+  CHECK(judge(analysis, &as_stiff).drops == CrackVerdict::not_by_cracks_alone);
+  analysis.slip_or_crack.cracks.left = 0.99;  // cracks would need no more than was lost
+  CHECK(judge(analysis, &as_stiff).drops == CrackVerdict::cannot_be_told);
+}
+
+TEST_CASE("identity: what is sound has no doubt, and what has one is not sound") {
+  const auto sound = slipping();
+  const auto standing_with = [&](auto change) {
+    TestAnalysis analysis = sound;
+    change(analysis);
+    return judge(analysis, nullptr).standing;
+  };
+  CHECK(standing_with([](auto& analysis) { analysis.stiffness_implausible = true; }) == Standing::untrusted);
+  CHECK(standing_with([](auto& analysis) { analysis.model_implausible = true; }) == Standing::untrusted);
+  CHECK(standing_with([](auto& analysis) { analysis.suspects.suspect = true; }) == Standing::suspect);
+  CHECK(standing_with([](auto& analysis) { analysis.fit.mu0.low = 1.01; }) == Standing::suspect);
+  CHECK(standing_with([](auto& analysis) { analysis.checks.front().outcome = CheckOutcome::failed; }) ==
+        Standing::doubtful);
+  CHECK(standing_with([](auto& analysis) { analysis.slips.front().verdict = SlipVerdict::unexplained; }) ==
+        Standing::doubtful);
+  CHECK(standing_with([](auto& analysis) {
+          for (auto& slip : analysis.slips) slip.verdict = SlipVerdict::negative;
+        }) == Standing::suspect);
+  CHECK(standing_with([](auto& analysis) { analysis.fit.bending_stiffness.value = 1.1; }) == Standing::doubtful);
+  CHECK(standing_with([](auto& analysis) {
+          analysis.fit.drift.value = -0.5 * analysis.fit.mu0.value / (analysis.fit.S_end - analysis.fit.S_begin);
+          analysis.fit.drift.high = 0.9 * analysis.fit.drift.value;
+        }) == Standing::doubtful);
+}
+
+TEST_CASE("limit: a test without an answer is not judged") {
+  auto analysis = slipping();
+  analysis.status = AnalysisStatus::not_explained;
+  CHECK(message_of([&] { judge(analysis, nullptr); }).find("without an answer") != std::string::npos);
+}
+
+}  // namespace flexslip
