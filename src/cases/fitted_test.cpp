@@ -52,7 +52,7 @@ void move_contact(Measurement& measurement, const Measured& contact) {
     column->erase(column->begin(), column->begin() + skipped);
   for (double& stage : record.stage) stage -= contact.value;
   for (double& deflection : record.deflection) deflection -= contact.value;
-  measurement.first += static_cast<std::size_t>(skipped) * measurement.rows_per_point;
+  measurement.first += static_cast<std::size_t>(skipped);
   measurement.contact = ContactSource::found;
   measurement.contact_offset += contact.value;
   measurement.contact_error = contact.standard_error;
@@ -61,7 +61,8 @@ void move_contact(Measurement& measurement, const Measured& contact) {
        .changed = true,
        .done = "displacements of the first loading count from the contact that the loops tell",
        .value = PreparedValue{contact.value, contact.standard_error, kind},
-       .rows = skipped > 0 ? std::optional(RowRange{1, measurement.first}) : std::nullopt,
+       .rows =
+           skipped > 0 ? std::optional(RowRange{1, cyclic_file_row(measurement, measurement.first) - 1}) : std::nullopt,
        .key = "[record] contact = \"0 um\""});
 }
 

@@ -143,6 +143,32 @@ Record first_rise(const Record& record) {
   return first_points(record, static_cast<std::size_t>(greatest - record.force.begin()) + 1);
 }
 
+// The last row, counted from 1, before that of the point after so many.
+std::size_t rows_of_points(const Sampling& sampling, std::size_t rows, std::size_t points) {
+  return points < sampling.rows.size() ? sampling.rows[points] : rows;
+}
+
+void note_sampling(const Sampling& sampling, std::size_t rows, Steps& steps) {
+  if (sampling.repeated > 0)
+    steps.add("repeated", true,
+              fmt::format("{} of the {} rows repeat the row before and count once", sampling.repeated, rows), "");
+  if (sampling.held > 0)
+    steps.add("held", true,
+              fmt::format("in {} of the {} rows the force is held over from the row before: they do not count",
+                          sampling.held, rows),
+              "");
+  if (sampling.interpolated > 0)
+    steps.add(
+        "interpolated", true,
+        fmt::format("{} of the {} rows lie straight between readings: they do not count", sampling.interpolated, rows),
+        "");
+  if (sampling.stride > 1)
+    steps.add("thinning", true,
+              fmt::format("one in {} of the {} rows is used", sampling.stride,
+                          rows - sampling.repeated - sampling.held - sampling.interpolated),
+              "");
+}
+
 ForceZero zero_of(const Record& record) {
   const Record rise = first_rise(record);
   if (rise.force.size() < least_noise_points) return {ForceZeroStatus::no_free_rows, 0, 0, 0};
@@ -156,8 +182,8 @@ Record with_force_zero(const Record& record, double offset, bool stage_is_read, 
                        : record_from_deflection_and_force(record.deflection, force, stiffness);
 }
 
-Record zeroed(const Case& input, const Record& record, bool stage_is_read, double stiffness, std::size_t rows_per_point,
-              Steps& steps) {
+Record zeroed(const Case& input, const Record& record, bool stage_is_read, double stiffness, const Sampling& sampling,
+              std::size_t rows, Steps& steps) {
   const ForceZeroRule& rule = input.record->zero;
   if (std::holds_alternative<ToKeep>(rule)) {
     steps.add("zero", false, "the force counts from the zero of the file, as stated", "[record] zero = \"find\"");
@@ -179,7 +205,7 @@ Record zeroed(const Case& input, const Record& record, bool stage_is_read, doubl
             changed ? "the mean force before the contact is taken off"
                     : "the mean force before the contact is zero within four standard errors and left alone",
             "[record] zero = \"keep\"", steps.value(zero.offset, zero.error, kind::force),
-            RowRange{1, zero.points * rows_per_point});
+            RowRange{1, rows_of_points(sampling, rows, zero.points)});
   return changed ? with_force_zero(record, zero.offset, stage_is_read, stiffness) : record;
 }
 
@@ -218,7 +244,7 @@ void require_stiff_enough(const Case& input, const Record& record, double stiffn
 
 // Holds the stage where it runs back by no more than its noise.
 // Fails: InputError where it runs back farther.
-void hold_stage(const Case& input, const Table& table, Record& record, std::size_t rows_per_point, bool turns,
+void hold_stage(const Case& input, const Table& table, Record& record, const Sampling& sampling, bool turns,
                 Steps& steps) {
   std::vector<double>& stage = record.stage;
   double farthest = stage.front();
@@ -230,12 +256,12 @@ void hold_stage(const Case& input, const Table& table, Record& record, std::size
     if (farthest - stage[i] > allowed)
       throw InputError(
           {.file = table.source,
-           .line = table.line_of(i * rows_per_point),
+           .line = table.line_of(sampling.rows[i]),
            .field = "the stage",
            .expected =
                fmt::format("a position not behind that of the row before, {}", readable_length(input, stage[i - 1])),
            .found = readable_length(input, stage[i]),
-           .remedy = fmt::format("keep the loading only: write until = {} into [record]", i * rows_per_point)});
+           .remedy = fmt::format("keep the loading only: write until = {} into [record]", sampling.rows[i])});
     if (stage[i] < farthest) {
       ++held;
       largest = std::max(largest, farthest - stage[i]);
@@ -291,7 +317,9 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
     if (*until > rows)
       throw wrong_value(input, "record.until", fmt::format("a row of {}, which has {}", result.file, rows),
                         std::to_string(*until));
-    points = std::min(points, *until / result.rows_per_point);
+    const auto& counted = result.sampling.rows;
+    points = std::min(
+        points, static_cast<std::size_t>(std::lower_bound(counted.begin(), counted.end(), *until) - counted.begin()));
     result.end = MeasurementEnd::until;
     const bool changed = *until < rows;
     steps.add("end", changed, fmt::format("the record ends with row {}, as stated", *until),
@@ -307,7 +335,7 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
   const Failure failure = find_failure(all);
   if (failure.status == FailureStatus::found && (legs.size() < 2 || failure.points <= legs.front().last)) {
     result.end = MeasurementEnd::failure;
-    const std::size_t last = failure.points * result.rows_per_point;
+    const std::size_t last = rows_of_points(result.sampling, rows, failure.points);
     steps.add("end", true, fmt::format("the specimen fails after row {}, as found: what follows is left out", last),
               "[record] failure = \"none\"", {}, RowRange{last + 1, rows});
     return failure.points;
@@ -334,8 +362,9 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
     result.contact_error = contact.offset_error;
     steps.add("contact", true, "displacements count from where the straight beginning of the curve meets zero force",
               "[record] contact = \"first row\"", steps.value(contact.offset, contact.offset_error, kind::length),
-              contact.points_before > 0 ? std::optional(RowRange{1, contact.points_before * result.rows_per_point})
-                                        : std::nullopt);
+              contact.points_before > 0
+                  ? std::optional(RowRange{1, rows_of_points(result.sampling, result.rows, contact.points_before)})
+                  : std::nullopt);
     return;
   }
   if (std::holds_alternative<WhereFree>(rule)) {
@@ -369,7 +398,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
                      .preparation = std::move(readings.preparation),
                      .file = table.source,
                      .rows = table.rows(),
-                     .rows_per_point = 1,
+                     .sampling = {},
                      .first = 0,
                      .record = {},
                      .cycles = {},
@@ -387,13 +416,10 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   Record every = columns.record(stiffness);
   require_finite(every, table);
   const std::size_t most_points = find_legs(every.stage).size() > 1 ? most_cyclic_points : most_record_points;
-  result.rows_per_point = (result.rows + most_points - 1) / most_points;
-  if (result.rows_per_point > 1) {
-    steps.add("thinning", true, fmt::format("one in {} of the {} rows is used", result.rows_per_point, result.rows),
-              "");
-    every = every_so_many(every, result.rows_per_point);
-  }
-  const Record all = zeroed(input, every, columns.has(Reading::stage), stiffness, result.rows_per_point, steps);
+  result.sampling = sampling_of(columns.displacement(), every.force, most_points);
+  note_sampling(result.sampling, result.rows, steps);
+  every = picked(every, result.sampling.rows);
+  const Record all = zeroed(input, every, columns.has(Reading::stage), stiffness, result.sampling, result.rows, steps);
   note_compliance(columns, stiffness, input.rig && input.rig->stiffness, steps);
 
   const std::vector<Leg> legs = find_legs(all.stage);
@@ -407,20 +433,20 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
         "turn", true,
         fmt::format("the stage turns back after row {}: the first loading ends there; the rows after it belong to "
                     "{} further loadings and unloadings",
-                    points * result.rows_per_point, legs.size() - 1),
-        fmt::format("[record] until = {}", points * result.rows_per_point));
+                    rows_of_points(result.sampling, result.rows, points), legs.size() - 1),
+        fmt::format("[record] until = {}", rows_of_points(result.sampling, result.rows, points)));
   }
   Record whole = first_points(all, points);
   require_points(table, whole, least_points);
   if (columns.has(Reading::stage) && columns.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
-  hold_stage(input, table, whole, result.rows_per_point, result.cycles.has_value(), steps);
+  hold_stage(input, table, whole, result.sampling, result.cycles.has_value(), steps);
   result.force_noise = force_noise(whole);
   find_zero_displacement(input, whole, result, steps);
 
   const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
   const std::size_t skipped =
       result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - whole.stage.begin());
-  result.first = skipped * result.rows_per_point;
+  result.first = skipped;
   if (points - skipped < least_points)
     throw wrong_value(input, "record.contact",
                       fmt::format("at least {} rows of readings after the contact", least_points),
@@ -436,11 +462,15 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
 }
 
 std::size_t file_row(const Measurement& measurement, std::size_t point) {
-  return measurement.first + point * measurement.rows_per_point + 1;
+  return cyclic_file_row(measurement, measurement.first + point);
+}
+
+std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point) {
+  return measurement.sampling.rows[point] + 1;
 }
 
 std::size_t last_file_row(const Measurement& measurement, std::size_t point) {
-  return std::min(file_row(measurement, point + 1) - 1, measurement.rows);
+  return rows_of_points(measurement.sampling, measurement.rows, measurement.first + point + 1);
 }
 
 }  // namespace flexslip

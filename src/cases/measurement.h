@@ -8,10 +8,11 @@
 #include "cases/case_file.h"
 #include "cases/preparation.h"
 #include "data/record.h"
+#include "data/sampling.h"
 
 namespace flexslip {
 
-// Of records of more rows every so many are used: a test has a few hundred features, whatever the readings of them.
+// Of records of more rows that count every so many are used: a test has a few hundred features, whatever the readings of them.
 inline constexpr std::size_t most_record_points = 2000;
 inline constexpr std::size_t most_cyclic_points = 10000;  // of a test that is unloaded
 
@@ -30,8 +31,8 @@ struct Measurement {
   Preparation preparation;  // how the file became the record
   std::string file;
   std::size_t rows;              // of the file
-  std::size_t rows_per_point;    // from one point of the record to the next; 1 up to most_record_points rows
-  std::size_t first;             // row of the file, counted from 0, of the first point of the record
+  Sampling sampling;             // which of them are points, from the first row of the file on
+  std::size_t first;             // of these the first that is a point of the record
   Record record;                 // stage and deflection counted from the contact
   std::optional<Record> cycles;  // from the first row of the file, if the stage turns back before the failure; contact
                                  // taken off as well
@@ -42,8 +43,9 @@ struct Measurement {
   double force_noise;     // [N] standard deviation of one point
 };
 
-// Row of the file, counted from 1, at which a point of the record begins.
+// Row of the file, counted from 1, at which a point of the record begins; and one of the cycles.
 std::size_t file_row(const Measurement& measurement, std::size_t point);
+std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point);
 
 // Row of the file, counted from 1, before that at which the next point begins, or its last row.
 std::size_t last_file_row(const Measurement& measurement, std::size_t point);

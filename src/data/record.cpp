@@ -155,15 +155,14 @@ Record first_points(const Record& record, std::size_t points) {
   return {head(record.stage), head(record.deflection), head(record.force)};
 }
 
-Record every_so_many(const Record& record, std::size_t count) {
-  if (count == 0) throw std::invalid_argument("every 0th point of a record is asked for; the least is every 1st");
-  const auto picked = [count](const std::vector<double>& values) {
+Record picked(const Record& record, std::span<const std::size_t> points) {
+  const auto of = [points](const std::vector<double>& values) {
     std::vector<double> result;
-    result.reserve(values.size() / count + 1);
-    for (std::size_t i = 0; i < values.size(); i += count) result.push_back(values[i]);
+    result.reserve(points.size());
+    for (const std::size_t point : points) result.push_back(values[point]);
     return result;
   };
-  return {picked(record.stage), picked(record.deflection), picked(record.force)};
+  return {of(record.stage), of(record.deflection), of(record.force)};
 }
 
 RecordCheck check_record(const Record& record, std::size_t least_points) {

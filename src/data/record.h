@@ -39,9 +39,9 @@ Record record_from_stage_and_deflection(std::span<const double> stage, std::span
 // The first points of a record: with find_failure, the part before the specimen broke.
 Record first_points(const Record& record, std::size_t points);
 
-// Every count-th point, the first one among them. (Means would smear the drops.)
-// Domain: count >= 1; std::invalid_argument otherwise.
-Record every_so_many(const Record& record, std::size_t count);
+// Some of its points. (Means would smear the drops.)
+// Domain: points of the record.
+Record picked(const Record& record, std::span<const std::size_t> points);
 
 enum class RecordFault {
   none,

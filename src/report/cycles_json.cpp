@@ -147,9 +147,7 @@ Json points_json(const FittedTest& test) {
 
 }  // namespace
 
-std::size_t cyclic_row(const FittedTest& test, std::size_t point) {
-  return point * test.measurement.rows_per_point + 1;
-}
+std::size_t cyclic_row(const FittedTest& test, std::size_t point) { return cyclic_file_row(test.measurement, point); }
 
 std::string name_of(CyclesStatus status) {
   switch (status) {

@@ -281,7 +281,10 @@ Json measurement_json(const FittedTest& test) {
   return {{"rows", measurement.rows},
           {"first_row", file_row(test, 0)},
           {"last_row", last_row(test)},
-          {"rows_per_point", measurement.rows_per_point},
+          {"rows_repeated", measurement.sampling.repeated},
+          {"rows_held", measurement.sampling.held},
+          {"rows_interpolated", measurement.sampling.interpolated},
+          {"rows_per_point", measurement.sampling.stride},
           {"ends_with", end()}};
 }
 

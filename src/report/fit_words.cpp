@@ -704,9 +704,6 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
         fmt::format("A line through the first part of the curve meets zero force at {} from there; this is reported, "
                     "not corrected.",
                     readable(analysis.contact.offset, analysis.contact.offset_error, print.as(kind::length))));
-  if (measurement.rows_per_point > 1)
-    list.push_back(fmt::format("The file has {0} rows, of which every {1}th is used.", measurement.rows,
-                               measurement.rows_per_point));
   const std::size_t last = last_row(test);
   switch (measurement.end) {
     case MeasurementEnd::until:

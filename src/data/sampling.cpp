@@ -1,0 +1,122 @@
+#include "data/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "data/order.h"
+
+namespace flexslip {
+namespace {
+
+double greatest_of(std::span<const double> force) {
+  double greatest = 0;
+  for (const double value : force) greatest = std::max(greatest, std::abs(value));
+  return greatest;
+}
+
+// Are changes other than those of a coarse converter, which are a few of its steps?
+bool are_fine(const std::vector<double>& changes) {
+  if (changes.empty()) return false;
+  const double least = *std::min_element(changes.begin(), changes.end());
+  if (median_of(changes) > 4 * least) return true;
+  const auto is_whole = [&](double change) {
+    constexpr double rounding = 0.01;
+    return std::abs(change / least - std::round(change / least)) < rounding;
+  };
+  return 2 * std::count_if(changes.begin(), changes.end(), is_whole) < static_cast<std::ptrdiff_t>(changes.size());
+}
+
+// Whether equal forces one after the other are held values; all of them are where a specimen bears a load.
+bool holds_values(std::span<const double> force, double loaded) {
+  std::vector<double> changes;
+  std::size_t steps = 0, equal = 0;
+  for (std::size_t i = 1; i < force.size(); ++i) {
+    if (!(std::abs(force[i]) > loaded)) continue;
+    ++steps;
+    const double change = std::abs(force[i] - force[i - 1]);
+    if (change > 0)
+      changes.push_back(change);
+    else
+      ++equal;
+  }
+  return 4 * equal >= steps && are_fine(changes);
+}
+
+// Where a record goes straight on from row to row, to the last digits, there is no noise: its readings are where it bends, or the row
+// beside. Empty: it does not.
+std::vector<std::size_t> readings_of(const std::vector<double>& force, double greatest) {
+  constexpr double straight = 1e-7;  // [greatest force] less than converters tell, more than files round
+  const auto bends_at = [&](std::size_t i) {
+    return std::abs(force[i - 1] - 2 * force[i] + force[i + 1]) > straight * greatest;
+  };
+  std::vector<std::size_t> readings{0};
+  std::vector<double> bends;
+  std::size_t rows_straight = 0;
+  for (std::size_t i = 1; i + 1 < force.size(); ++i) {
+    if (!bends_at(i)) {
+      ++rows_straight;
+      continue;
+    }
+    // A reading between two rows bends both: the one that is not on the way of a fall counts.
+    bends.push_back(std::abs(force[i - 1] - 2 * force[i] + force[i + 1]));
+    const bool bends_next = i + 2 < force.size() && bends_at(i + 1);
+    const bool falls_then = bends_next && force[i + 2] < force[i + 1];
+    readings.push_back(bends_next && !falls_then ? i + 1 : i);
+    if (bends_next) ++i;
+  }
+  constexpr std::size_t least_readings = 100;  // what bends more rarely may be straight by itself
+  constexpr std::size_t of_rows = 10;          // by chance far fewer lie straight
+  if (readings.size() < least_readings || of_rows * rows_straight < force.size() || !are_fine(bends)) return {};
+  readings.push_back(force.size() - 1);
+  return readings;
+}
+
+}  // namespace
+
+Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most) {
+  Sampling sampling{{}, 0, 0, 0, 1};
+  const double greatest = greatest_of(force);
+  constexpr double of_greatest = 0.05;
+  const double loaded = of_greatest * greatest;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const bool repeats = i > 0 && force[i] == force[i - 1] && displacement[i] == displacement[i - 1];
+    if (repeats)
+      ++sampling.repeated;
+    else
+      sampling.rows.push_back(i);
+  }
+  const auto forces_of_rows = [&] {
+    std::vector<double> values;
+    for (const std::size_t row : sampling.rows) values.push_back(force[row]);
+    return values;
+  };
+  auto forces = forces_of_rows();
+  if (holds_values(forces, loaded)) {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const bool is_held = i > 0 && forces[i] == forces[i - 1] && std::abs(forces[i]) > loaded;
+      if (is_held)
+        ++sampling.held;
+      else
+        kept.push_back(sampling.rows[i]);
+    }
+    sampling.rows = kept;
+    forces = forces_of_rows();
+  }
+  if (const auto readings = readings_of(forces, greatest); !readings.empty()) {
+    std::vector<std::size_t> kept;
+    for (const std::size_t reading : readings) kept.push_back(sampling.rows[reading]);
+    sampling.interpolated = sampling.rows.size() - kept.size();
+    sampling.rows = kept;
+  }
+  sampling.stride = (sampling.rows.size() + most - 1) / most;
+  if (sampling.stride > 1) {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < sampling.rows.size(); i += sampling.stride) kept.push_back(sampling.rows[i]);
+    sampling.rows = kept;
+  }
+  return sampling;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,117 @@
+#include "data/sampling.h"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+namespace flexslip {
+namespace {
+
+struct Columns {
+  std::vector<double> displacement, force;
+};
+
+// A rising curve with drops, noise of 0.01 on a force of 10.
+Columns readings() {
+  std::mt19937_64 generator(3);
+  const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
+  Columns columns;
+  for (int i = 0; i < 400; ++i) {
+    const double noise = std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
+    columns.displacement.push_back(i);
+    columns.force.push_back(0.025 * i - 0.2 * (i / 20) + 0.01 * noise);
+  }
+  return columns;
+}
+
+Columns interpolated(const Columns& from, std::size_t rows) {
+  Columns columns;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double at =
+        static_cast<double>(i) * static_cast<double>(from.force.size() - 1) / static_cast<double>(rows - 1);
+    const auto j = std::min(static_cast<std::size_t>(at), from.force.size() - 2);
+    const double part = at - static_cast<double>(j);
+    columns.displacement.push_back(from.displacement[j] + part * (from.displacement[j + 1] - from.displacement[j]));
+    columns.force.push_back(from.force[j] + part * (from.force[j + 1] - from.force[j]));
+  }
+  return columns;
+}
+
+Sampling sampling_of(const Columns& columns, std::size_t most = 2000) {
+  return flexslip::sampling_of(columns.displacement, columns.force, most);
+}
+
+}  // namespace
+
+TEST_CASE("limit: readings that are all new all count") {
+  const auto sampling = sampling_of(readings());
+  CHECK(sampling.rows.size() == 400);
+  CHECK(sampling.repeated + sampling.held + sampling.interpolated == 0);
+  CHECK(sampling.stride == 1);
+  CHECK(flexslip::sampling_of({}, {}, 10).rows.empty());
+}
+
+TEST_CASE("identity: rows that are repeated count once") {
+  const auto once = readings();
+  Columns columns;
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < once.force.size(); ++i) {
+    first.push_back(columns.force.size());
+    for (std::size_t copy = 0; copy <= i % 3; ++copy) {
+      columns.displacement.push_back(once.displacement[i]);
+      columns.force.push_back(once.force[i]);
+    }
+  }
+  const auto sampling = sampling_of(columns);
+  CHECK(sampling.rows == first);
+  CHECK(sampling.repeated == columns.force.size() - first.size());
+}
+
+TEST_CASE("identity: a force held over two rows or three counts where it is new") {
+  for (const std::size_t over : {2, 3}) {
+    auto columns = readings();
+    for (std::size_t i = 0; i < columns.force.size(); ++i) columns.force[i] = columns.force[i - i % over];
+    const auto sampling = sampling_of(columns);
+    CHECK(sampling.held > 360 - 400 / over - 2);
+    for (const std::size_t row : sampling.rows)
+      CHECK((row % over == 0 || std::abs(columns.force[row]) <= 0.05 * 10));  // what is not yet loaded stays
+  }
+}
+
+TEST_CASE("limit: a coarse converter repeats values and means them") {
+  auto columns = readings();
+  for (double& force : columns.force) force = 0.02 * std::round(force / 0.02);
+  const auto sampling = sampling_of(columns);
+  CHECK(sampling.rows.size() == 400);
+}
+
+TEST_CASE(
+    "identity: of a record interpolated to any number of rows the readings count, and no row on the way of a drop") {
+  const auto columns = readings();
+  for (const std::size_t rows : {1200, 1701, 5000, 40000}) {
+    CAPTURE(rows);
+    const auto many = interpolated(columns, rows);
+    const auto sampling = sampling_of(many, 100000);
+    CHECK(sampling.rows.size() >= 395);
+    CHECK(sampling.rows.size() <= 405);
+    CHECK(sampling.interpolated + sampling.rows.size() == rows);
+    const double row = 399.0 / static_cast<double>(rows - 1);  // in readings
+    for (const std::size_t i : sampling.rows) {
+      const double at = many.displacement[i];
+      CHECK(std::abs(at - std::round(at)) <= 1.01 * row);
+    }
+  }
+}
+
+TEST_CASE("limit: of more rows than are asked for every so many count") {
+  const auto sampling = sampling_of(readings(), 150);
+  CHECK(sampling.stride == 3);
+  CHECK(sampling.rows.size() == 134);
+  CHECK(sampling.rows[1] == 3);
+}
+
+}  // namespace flexslip
