@@ -85,6 +85,10 @@ std::string remark_on(Doubt doubt, const FittedTest& test) {
       return "friction falls away along the record";
     case Doubt::undecided_drops:
       return "slips or cracks: cannot be told";
+    case Doubt::few_rows:
+      return "fewer than five rows on most rises";
+    case Doubt::settling_contact:
+      return "the contact settles";
     case Doubt::unexpected_stiffness:
       break;
   }

@@ -353,10 +353,15 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
       (whole.stage.back() - whole.stage.front()) / static_cast<double>(whole.stage.size() - 1) / std::sqrt(12.0);
   const bool begins_free = begins_before_contact(whole, contact, result.force_noise);
   const bool is_asked = std::holds_alternative<ToFind>(rule);
+  // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
+  constexpr double far = 10, near = 0.25;
+  const bool begins_elsewhere = contact.status == ContactStatus::found &&
+                                std::abs(contact.offset) > far * contact.offset_error &&
+                                std::abs(contact.offset - whole.stage.front()) < near * std::abs(contact.offset);
   if (is_asked && contact.status != ContactStatus::found)
     throw wrong_value(input, "record.contact", "a force that rises from the contact in at least 5 rows, to find it",
                       "none", "state the contact, or leave it out");
-  if (is_asked || (std::holds_alternative<WhereFree>(rule) && begins_free)) {
+  if (is_asked || (std::holds_alternative<WhereFree>(rule) && (begins_free || begins_elsewhere))) {
     result.contact = ContactSource::found;
     result.contact_offset = contact.offset;
     result.contact_error = contact.offset_error;

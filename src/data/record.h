@@ -95,13 +95,15 @@ struct Contact {
   double slope_error;         // [N/m] standard error
   std::size_t points_before;  // points whose stage lies before the contact
   std::size_t first, last;    // points [first, last) the line was drawn through
+  bool settles;               // the curve bends where it begins: the line is drawn through what comes above
 };
 
 // The straight beginning of a loading curve, force = slope (deflection - offset).
 // Domain: 0 <= from < up_to <= 1; std::invalid_argument otherwise.
 // Method: force and deflection are both regressed on the stage, which is imposed and so free of their noise; the slope is the
-//         ratio. Standard errors allow for residuals correlated from point to point (AR(1)). They know nothing of curvature:
-//         a contact that hardens or a curve that bends shifts the result by more.
+//         ratio. Standard errors allow for residuals correlated from point to point (AR(1)). Where the upper half of the range meets
+//         zero force later than the lower one, by four standard errors, the contact settles: the line is then that of the upper
+//         half and of as much above the range, and how far the result moves by that is part of its error.
 Contact find_contact(const Record& record, const ContactOptions& options = {});
 
 // The force step [N] from each point to the next that a smooth curve would make: size - 1 values. The slope at a step is the

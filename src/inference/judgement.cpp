@@ -44,7 +44,7 @@ double jumped_part(const TestAnalysis& analysis) {
 bool has_few_rows(const TestAnalysis& analysis) {
   const auto& drops = analysis.drops.drops;
   constexpr std::size_t least_drops = 3;
-  constexpr double least_rows = 4;  // as a rise needs to be judged
+  constexpr double least_rows = 5;  // at four, waves are missed
   if (drops.size() < least_drops) return false;
   std::vector<double> rows;
   for (std::size_t i = 1; i < drops.size(); ++i)
@@ -96,6 +96,10 @@ std::string_view name_of(Doubt doubt) {
       return "falling_friction";
     case Doubt::undecided_drops:
       return "undecided_drops";
+    case Doubt::few_rows:
+      return "few_rows";
+    case Doubt::settling_contact:
+      return "settling_contact";
     case Doubt::unexpected_stiffness:
       break;
   }
@@ -163,6 +167,10 @@ Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles) {
            Doubt::failed_check);
   doubt_if(friction_falls(fit), Doubt::falling_friction);
   doubt_if(drops > 0 && judgement.drops == CrackVerdict::cannot_be_told, Doubt::undecided_drops);
+  doubt_if(has_few_rows(analysis), Doubt::few_rows);
+  doubt_if(analysis.contact.status == ContactStatus::found && analysis.contact.settles &&
+               analysis.contact.offset > two_sided * analysis.contact.offset_error,
+           Doubt::settling_contact);
   doubt_if(std::abs(std::log(fit.bending_stiffness.value)) > two_sided * analysis.bending_stiffness_error,
            Doubt::unexpected_stiffness);
   judgement.standing = standing_of(judgement.doubts, 2 * impossible >= drops);

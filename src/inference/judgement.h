@@ -20,6 +20,8 @@ enum class Doubt {
   failed_check,          // the fit fails a check (of friction told from none the answer itself tells)
   falling_friction,      // friction falls away along the record, as the force of a specimen that cracks would
   undecided_drops,       // whether drops are slips or cracks cannot be told
+  few_rows,              // most rises between drops have fewer than five rows
+  settling_contact,      // the curve bends where it begins, and the contact may lie elsewhere than it is taken to
   unexpected_stiffness,  // the bending stiffness of the fit is not that stated, by twice its error
 };
 
@@ -39,7 +41,7 @@ enum class NextStep {
   none,
   check_case,   // columns, units, section
   reload,       // unload and load once more
-  finer_steps,  // fewer than four rows on most rises
+  finer_steps,  // fewer than five rows on most rises
   stiffer_rig,  // the fibre jumps over more than half of what it passes
   image_length,
 };

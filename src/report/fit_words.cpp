@@ -267,6 +267,13 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
       return "Friction falls away along the record, as the force of a specimen would that loses stiffness.";
     case Doubt::undecided_drops:
       return "";
+    case Doubt::few_rows:
+      return "Most rises between drops have fewer than five rows: waves of friction may be missed, and drops.";
+    case Doubt::settling_contact:
+      return fmt::format(
+          "The curve bends where it begins: the contact may lie {} farther, and contact = \"find\" would "
+          "take that off.",
+          readable(analysis.contact.offset, analysis.contact.offset_error, Print(test).as(kind::length)));
     case Doubt::unexpected_stiffness:
       break;
   }
@@ -301,7 +308,7 @@ std::string next_step_in_words(const FittedTest& test) {
     case NextStep::reload:
       return "Next: unload and load once more; a reload bounds the stiffness that cracks can have taken.";
     case NextStep::finer_steps:
-      return "Next: record more rows; most rises between drops have fewer than four.";
+      return "Next: record more rows; most rises between drops have fewer than five.";
     case NextStep::stiffer_rig:
       return fmt::format(
           "Next: a stiffer rig; the fibre jumps over more than half of what it passes. From {} on, mean friction such "

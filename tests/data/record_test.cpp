@@ -149,6 +149,27 @@ TEST_CASE("record: standard errors of contact and slope cover the truth (simulat
   CHECK(slope_covered > 0.92 * tests);
 }
 
+TEST_CASE(
+    "record: a contact that settles is found with an error that holds the truth, others are not called settling "
+    "(simulation)") {
+  int settling = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    Record record = straight_test(300, 25.3e-6, 5e-6, seed);
+    settling += find_contact(record).settles;
+    const double greatest = *std::max_element(record.force.begin(), record.force.end());
+    for (std::size_t i = 0; i < record.force.size(); ++i) {  // 10 µm are taken up while the force rises to a tenth
+      const double taken_up = 10e-6 * (1 - std::exp(-30 * std::max(record.force[i], 0.0) / greatest));
+      record.stage[i] += taken_up;
+      record.deflection[i] += taken_up;
+    }
+    const Contact contact = find_contact(record);
+    CHECK(contact.settles);
+    CHECK(std::abs(contact.offset - 35.3e-6) < 2 * contact.offset_error);
+    CHECK(contact.offset_error < 10e-6);
+  }
+  CHECK(settling <= 2);
+}
+
 TEST_CASE("record: where there is no contact to find, the status says so (limit)") {
   CHECK(find_contact({}).status == ContactStatus::too_few_points);
   CHECK(find_contact(straight_test(8, 0, 0, 1)).status == ContactStatus::too_few_points);
