@@ -1,5 +1,6 @@
 #include "data/record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>

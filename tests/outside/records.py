@@ -46,7 +46,7 @@ class Records(InFolder):
         fit = self.fitted([(stage, READINGS[i - i % 2][1]) for i, (stage, _) in enumerate(READINGS)])
         self.holds(fit)
         self.assertGreater(fit["measurement"]["rows_held"], 150)
-        said = [step for step in fit["preparation"]["steps"] if step["name"] == "held"]
+        said = [step for step in fit["preparation"] if step["step"] == "held"]
         self.assertEqual(len(said), 1, fit["preparation"])
 
     def test_a_snap_of_many_rows_is_one_whatever_the_sampling(self):
