@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout = 3;  // of the kept text: another one is computed anew
+constexpr int layout = 4;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -166,6 +166,7 @@ Json json_of(const CampaignTest& test) {
           {"file", test.file},
           {"remarks", test.remarks},
           {"section_moment", test.section_moment ? Json(*test.section_moment) : Json(nullptr)},
+          {"materials", test.materials ? Json{test.materials->specimen, test.materials->support} : Json(nullptr)},
           {"summary", test.summary ? json_of(*test.summary) : Json(nullptr)},
           {"curves", test.curves ? json_of(*test.curves) : Json(nullptr)}};
 }
@@ -178,8 +179,11 @@ CampaignTest test_from(const Json& json) {
                     .summary = {},
                     .curves = {},
                     .remarks = json.at("remarks").get<std::vector<std::string>>(),
-                    .section_moment = {}};
+                    .section_moment = {},
+                    .materials = {}};
   if (const Json& moment = json.at("section_moment"); !moment.is_null()) test.section_moment = moment.get<double>();
+  if (const Json& materials = json.at("materials"); !materials.is_null())
+    test.materials = Materials{materials.at(0).get<std::string>(), materials.at(1).get<std::string>()};
   if (const Json& summary = json.at("summary"); !summary.is_null()) test.summary = summary_from(test.name, summary);
   if (const Json& curves = json.at("curves"); !curves.is_null()) test.curves = curves_from(curves);
   return test;

@@ -117,7 +117,8 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
                     .summary = {},
                     .curves = {},
                     .remarks = {},
-                    .section_moment = test.section_moment};
+                    .section_moment = test.section_moment,
+                    .materials = test.materials};
   if (test.analysis.status != AnalysisStatus::ok) return kept;
   kept.summary = summary_of(test.name, test.analysis, test.judgement.value());
   kept.curves = curves_of(test.analysis);
@@ -133,7 +134,8 @@ CampaignTest failed_test(const std::string& name, const std::string& file, const
           .summary = {},
           .curves = {},
           .remarks = {},
-          .section_moment = {}};
+          .section_moment = {},
+          .materials = {}};
 }
 
 }  // namespace flexslip

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/fitted_test.h"
+#include "data/literature_friction.h"
 #include "inference/campaign.h"
 
 namespace flexslip {
@@ -32,6 +33,7 @@ struct CampaignTest {
   std::optional<CampaignCurves> curves;  // likewise
   std::vector<std::string> remarks;      // what a reader of the table should know of it
   std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
+  std::optional<Materials> materials{};  // in contact, if its case states both
 };
 
 // The test in a line and in curves.

@@ -157,8 +157,9 @@ std::optional<Section> read_section(const Keys& keys) {
 }
 
 SpecimenInput read_specimen(const Keys& keys, const Case& input) {
-  keys.only({"diameter", "inner_diameter", "wall", "width", "height", "modulus", "bending_stiffness"});
+  keys.only({"diameter", "inner_diameter", "wall", "width", "height", "modulus", "bending_stiffness", "material"});
   SpecimenInput specimen{read_section(keys), BendingStiffness{Known{1, 0}}};
+  if (keys.has("material")) specimen.material = keys.text("material");
   const bool has_product = keys.has("bending_stiffness");
   if (keys.has("modulus") && (has_product || input.reduced))
     keys.refuse("modulus", input.reduced ? "no modulus in a reduced case" : "either a modulus or a bending_stiffness",
@@ -177,12 +178,13 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
 }
 
 RigInput read_rig(const Keys& keys, const Case& input) {
-  keys.only({"span", "stiffness"});
+  keys.only({"span", "stiffness", "support_material"});
   RigInput rig{keys.optional_quantity("span", kind::length, Range::positive), std::nullopt};
   if (input.reduced && rig.span.value_or(1) != 1)
     keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
   if (input.reduced) rig.span = 1;
   rig.stiffness = keys.optional_quantity("stiffness", kind::stiffness, Range::positive_or_infinite);
+  if (keys.has("support_material")) rig.support_material = keys.text("support_material");
   return rig;
 }
 
@@ -509,12 +511,14 @@ void write(Writer& out, const SpecimenInput& specimen) {
     out.estimate("modulus", modulus->estimate, kind::pressure);
   else
     out.estimate("bending_stiffness", std::get<BendingStiffness>(specimen.rigidity).estimate, kind::bending_stiffness);
+  if (specimen.material) out.line("material", basic_string(*specimen.material));
 }
 
 void write(Writer& out, const RigInput& rig) {
   out.section("rig");
   if (rig.span) out.line("span", out.quantity(*rig.span, kind::length));
   if (rig.stiffness) out.line("stiffness", out.quantity(*rig.stiffness, kind::stiffness));
+  if (rig.support_material) out.line("support_material", basic_string(*rig.support_material));
 }
 
 std::string wave_text(const Writer& out, const WaveInput& wave) {

@@ -48,12 +48,14 @@ struct BendingStiffness {
 struct SpecimenInput {
   std::optional<Section> section;                    // none beside a modulus: the export of the record says it
   std::variant<Modulus, BendingStiffness> rigidity;  // reduced: a bending stiffness, 1 where it is known
+  std::optional<std::string> material{};             // "glass", for the literature's friction alone
   bool operator==(const SpecimenInput&) const = default;
 };
 
 struct RigInput {
-  std::optional<double> span;       // [m] reduced: 1; none: the export of the record says it
-  std::optional<double> stiffness;  // [N/m] infinite for displacement control
+  std::optional<double> span;                     // [m] reduced: 1; none: the export of the record says it
+  std::optional<double> stiffness;                // [N/m] infinite for displacement control
+  std::optional<std::string> support_material{};  // "steel", likewise
   bool operator==(const RigInput&) const = default;
 };
 

@@ -66,6 +66,11 @@ void move_contact(Measurement& measurement, const Measured& contact) {
        .key = "[record] contact = \"0 um\""});
 }
 
+std::optional<Materials> materials_of(const Case& input) {
+  if (!input.specimen || !input.specimen->material || !input.rig || !input.rig->support_material) return std::nullopt;
+  return Materials{*input.specimen->material, *input.rig->support_material};
+}
+
 }  // namespace
 
 std::string name_of_test(const std::string& file) {
@@ -133,6 +138,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
           .measurement = std::move(measurement),
           .stiffness = source,
           .section_moment = geometry.section ? std::optional(second_moment(*geometry.section)) : std::nullopt,
+          .materials = materials_of(input),
           .geometry = geometry,
           .small_deflection = standard,
           .analysis = std::move(analysis),

@@ -8,6 +8,7 @@
 
 #include "cases/case_file.h"
 #include "cases/problem.h"
+#include "data/literature_friction.h"
 #include "data/small_deflection.h"
 #include "inference/analysis.h"
 #include "inference/cyclic_test.h"
@@ -35,6 +36,7 @@ struct FittedTest {
   Measurement measurement;
   StiffnessSource stiffness;
   std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
+  std::optional<Materials> materials;    // in contact, if the case states both
   BeamGeometry geometry;                 // span, and section if the case says what it is
   SmallDeflection small_deflection;      // of the first loading, as the bending standards have it
   TestAnalysis analysis;                 // of the first loading

@@ -151,7 +151,10 @@ void complete(Case& input, const ExportedTest& said, Preparation& preparation) {
         {"metadata", false, std::move(words), PreparedValue{value, {}, kind::length}, {}, std::move(key)});
   };
   if (said.span && !(input.rig && input.rig->span)) {
-    input.rig = RigInput{*said.span, input.rig ? input.rig->stiffness : std::nullopt};
+    {
+      if (!input.rig) input.rig.emplace();
+      input.rig->span = *said.span;
+    }
     note("the span is the one in the file", *said.span, "[rig] span = \"…\"");
   }
   if (input.specimen && input.specimen->section) return;

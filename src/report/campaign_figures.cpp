@@ -18,7 +18,7 @@
 
 #include "bending_test/equilibrium.h"
 #include "report/campaign_table.h"
-#include "report/fit_words.h"
+#include "report/campaign_words.h"
 
 namespace flexslip {
 namespace {
@@ -383,15 +383,18 @@ Figure distribution_figure(const Campaign& campaign) {
       fmt::arg("tests", numbers.of_names ? "Test number" : "Test, counted in the order of the table"));
   const double all = mean_of(summary_of(campaign, std::nullopt), &CategorySpread::mu0);
   constexpr double row1 = 3.5, row2 = 8, column1 = first, column2 = first + 43, column3 = first + 102;  // [mm]
-  const std::vector<LegendEntry> entries{
+  const auto literature = literature_of(campaign);
+  std::vector<LegendEntry> entries{
       {column1, row1, "pt 2 ps 0.8 lw 1.6 lc rgb vermillion", true, "Suspect"},
       {column1, row2, "pt 5 ps 0.6 lc rgb grey", true, "Wave only indicative"},
       {column2, row1, "dt solid lw 1 lc rgb 'black'", false, "Mean, suspects left out"},
       {column2, row2, "dt solid lw 1 lc rgb grey", false,
        fmt::format("Mean of all, likewise{}", std::isfinite(all) ? fmt::format(": {:.3f}", all) : "")},
-      {column3, row1, "dt solid lw 8 lc rgb '#D6EFE7'", false,
-       fmt::format("Glass on steel, {:g}–{:g}", glass_on_steel.low, glass_on_steel.high)},
       {column3, row2, "dt solid lw 0.7 lc rgb 'black'", false, "95 % intervals"}};
+  if (literature)
+    entries.push_back({column3, row1, "dt solid lw 8 lc rgb '#D6EFE7'", false,
+                       fmt::format("{} on {}, {:g}–{:g}", literature->specimen, literature->support, literature->low,
+                                   literature->high)});
   figure.script += legend(figure, entries);
   std::string after_first_panel = no_legend(entries.size());
   const auto panel_script = [&](double left, const CategoryLook& look, double mean, const std::string& words,
@@ -431,10 +434,13 @@ Figure distribution_figure(const Campaign& campaign) {
       R"(  unset logscale y; set format y '%g'; set ytics auto; set mytics 2
   set yrange [{bottom:.6g}:{top:.6g}]
   set ylabel 'Mean friction {{/:Italic μ}}_0' offset 0.2
-  set object 1 rectangle from graph 0, first {low} to graph 1, first {high} behind fc rgb green fs transparent solid 0.16 noborder
 )",
-      fmt::arg("bottom", -0.035 * highest), fmt::arg("top", 1.06 * highest), fmt::arg("low", glass_on_steel.low),
-      fmt::arg("high", glass_on_steel.high));
+      fmt::arg("bottom", -0.035 * highest), fmt::arg("top", 1.06 * highest));
+  if (literature)
+    figure.script += fmt::format(
+        "  set object 1 rectangle from graph 0, first {} to graph 1, first {} behind fc rgb green fs transparent solid "
+        "0.16 noborder\n",
+        literature->low, literature->high);
   if (std::isfinite(all))
     figure.script += fmt::format("  set arrow 2 from {:.6g},{:.6g} to {:.6g},{:.6g} nohead back lw 1 lc rgb grey\n",
                                  along.low, all, along.high, all);
@@ -454,8 +460,11 @@ Figure distribution_figure(const Campaign& campaign) {
       "A: wavelength of the friction along the specimen, by test, for tests with a clear and with a nominal sawtooth. "
       "B: "
       "mean friction by test, for tests with a clear, a nominal and almost no sawtooth, with its mean without suspects "
-      "({}) and the literature's range for glass on steel, {:g} to {:g}.",
-      mean_in_words(all, 1, 3), glass_on_steel.low, glass_on_steel.high);
+      "({}){}.",
+      mean_in_words(all, 1, 3),
+      literature ? fmt::format(" and the literature's range for {} on {}, {:g} to {:g}", literature->specimen,
+                               literature->support, literature->low, literature->high)
+                 : "");
   return figure;
 }
 

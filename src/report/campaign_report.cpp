@@ -54,7 +54,8 @@ std::string caption_of(const Figure& figure) {
   if (figure.name == "distributions")
     return "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
            "where the wave is only indicative. B: mean friction, with its 95 % interval. Red crosses: "
-           "suspect tests, which the means leave out. Green: the literature's range for glass on steel.";
+           "suspect tests, which the means leave out. Green, where all tests state the same materials: what the "
+           "literature gives for them.";
   return figure.title +
          ". Blue: measured force. Black: the mean of the fit run forward, in the corner its mean friction, and A and λ "
          "where a wave is claimed. Brown: Euler–Bernoulli "

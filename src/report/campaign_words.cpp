@@ -87,25 +87,28 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
   const bool leaves_out = all.without_suspects.tests > 0;
   const CategorySpread& over = leaves_out ? all.without_suspects : all.with_suspects;
   const std::size_t suspects = all.with_suspects.tests - all.without_suspects.tests;
-  const auto [low, high] = glass_on_steel;
   const Spread& mu0 = over.mu0;
   const std::string value = mu0.count == 1
                                 ? fmt::format("Friction at the supports is {:.2f}", mu0.mean)
                                 : fmt::format("Friction at the supports is {:.2f} on average, from {:.2f} to {:.2f}",
                                               mu0.mean, mu0.min, mu0.max);
+  const std::string left_out = leaves_out && suspects > 0
+                                   ? fmt::format(", the {} left out", suspects == 1 ? "suspect test" : "suspect tests")
+                                   : "";
+  const auto literature = literature_of(campaign);
+  if (!literature) return fmt::format("{}{}.", value, left_out);
+  const double low = literature->low, high = literature->high;
   const auto within = std::count_if(campaign.tests.begin(), campaign.tests.end(), [&](const CampaignTest& test) {
-    return test.summary && !(leaves_out && test.summary->suspect) && test.summary->mu0.value >= glass_on_steel.low &&
-           test.summary->mu0.value <= glass_on_steel.high;
+    return test.summary && !(leaves_out && test.summary->suspect) && test.summary->mu0.value >= low &&
+           test.summary->mu0.value <= high;
   });
   return fmt::format(
-      "{}{}. {} {} the range {:g} to {:g} that the literature gives for glass on steel{}.", value,
-      leaves_out && suspects > 0 ? fmt::format(", the {} left out", suspects == 1 ? "suspect test" : "suspect tests")
-                                 : "",
+      "{}{}. {} {} the range {:g} to {:g} that the literature gives for {} on {}{}.", value, left_out,
       mu0.count == 1 ? "It lies" : "The mean lies",
       mu0.mean < low    ? "below"
       : mu0.mean > high ? "above"
                         : "within",
-      low, high,
+      low, high, literature->specimen, literature->support,
       mu0.count == 1 ? ""
                      : fmt::format(", and {} of the {} tests {} in it", within, mu0.count, within == 1 ? "is" : "are"));
 }
@@ -116,6 +119,16 @@ std::string suspects_in_words(const Campaign& campaign) {
   const auto names = names_of(campaign, is_suspect);
   if (names.empty()) return "";
   return fmt::format("{} {} suspect; the remarks say why.", enumerated(names), names.size() == 1 ? "is" : "are");
+}
+
+std::optional<LiteratureFriction> literature_of(const Campaign& campaign) {
+  std::optional<Materials> all;
+  for (const auto& test : campaign.tests) {
+    if (!test.summary) continue;
+    if (!test.materials || (all && *all != *test.materials)) return std::nullopt;
+    all = test.materials;
+  }
+  return all ? friction_in_literature(*all) : std::nullopt;
 }
 
 std::string answer_of(const Campaign& campaign) {

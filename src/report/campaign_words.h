@@ -32,6 +32,9 @@ std::string specimen_rule();
 // The rule of the categories, and what parentheses mean in test_rows.
 std::string category_rule();
 
+// What the literature gives for the materials, if all tests state the same ones.
+std::optional<LiteratureFriction> literature_of(const Campaign& campaign);
+
 // Which tests are suspect, one sentence; empty if none is.
 std::string suspects_in_words(const Campaign& campaign);
 

@@ -176,7 +176,8 @@ Figure profile_figure(const FittedTest& test) {
 
   FigureData measured{"profile", {position, "mu", "mu error of the point", "mu error common to all"}, {}};
   double S_end = fit.S_end;
-  double highest = glass_on_steel.high;
+  const auto literature = literature_of(test);
+  double highest = literature ? literature->high : 0.5;
   double lowest = 0;
   for (const auto& point : profile.points) {
     const double common = std::hypot(point.from_bending_stiffness, point.from_contact);
@@ -228,23 +229,36 @@ Figure profile_figure(const FittedTest& test) {
   set xlabel '{label}' offset 0,0.4
   set ylabel 'Coefficient of friction {{/:Italic μ}}' offset 0.8
   set key at screen 0.535,0.985 center top vertical Left reverse maxrows 2 samplen 1.8 width -2
-  set object 1 rectangle from graph 0, first {low} to graph 1, first {high} behind fc rgb green fs transparent solid 0.13 noborder
-  # 95 % of a normal distribution: 1.96 standard deviations
+{literature}  # 95 % of a normal distribution: 1.96 standard deviations
   plot band using 1:($2-2*$3):($2+2*$3) with filledcurves lc rgb '#909090' fs transparent solid 0.35 noborder \
             title 'Mean ± 2 deviations', \
        band using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
        wave using 1:2 with lines lw 0.9 lc rgb orange{wave_title}, \
        slips using 1:2 with lines lw 0.7 lc rgb vermillion{slips_title}, \
        profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue notitle, \
-       profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured, 95 %', \
-       keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title 'Glass on steel, literature'
+       profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured, 95 %'{literature_title}
   unset object 1
 )",
       fmt::arg("x_max", drawn_in(S_end) * 1.02), fmt::arg("bottom", lowest < 0 ? -rounded_up(-lowest) : 0.0),
       fmt::arg("top", top),
       fmt::arg("label", axis_label("Length drawn in over one support", "({/:Italic S}\u00a0−\u00a0{/:Italic L})/2",
                                    units.small_length)),
-      fmt::arg("low", glass_on_steel.low), fmt::arg("high", glass_on_steel.high),
+      fmt::arg("literature",
+               literature
+                   ? fmt::format(
+                         "  set object 1 rectangle from graph 0, first {} to graph 1, first {} behind fc rgb green fs "
+                         "transparent solid 0.13 {}\n",
+                         literature->low, literature->high,
+                         literature->low < literature->high ? "noborder" : "border lc rgb green")
+                   : std::string()),
+      fmt::arg(
+          "literature_title",
+          literature
+              ? fmt::format(
+                    ", \\\n       keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title "
+                    "'{} on {}, literature'",
+                    literature->specimen, literature->support)
+              : std::string()),
       fmt::arg("wave_title", fit.wave_claimed ? " title 'Wave'" : ""),
       fmt::arg("slips_title", slipped.empty() ? "" : " title 'Slips'"));
   return {.name = "profile",

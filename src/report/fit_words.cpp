@@ -198,6 +198,11 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
       outcome, number("mu0_moved"), number("same_explanation") > 0 ? "stays" : "changes");
 }
 
+// "the range 0.5 to 0.721", or "the 0.7".
+std::string ranged(double low, double high) {
+  return low < high ? fmt::format("the range {:g} to {:g}", low, high) : fmt::format("the {:g}", low);
+}
+
 // The friction of the specimen as tested, and whether it repeats.
 std::string friction_in_short(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
@@ -580,12 +585,23 @@ std::vector<std::string> checks_in_words(const FittedTest& test) {
   return all;
 }
 
+std::optional<LiteratureFriction> literature_of(const FittedTest& test) {
+  return test.materials ? friction_in_literature(*test.materials) : std::nullopt;
+}
+
 std::string friction_in_literature(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   const auto& mu0 = fit.mu0;
-  const auto [low, high] = glass_on_steel;
-  const std::string range =
-      fmt::format("the range {:g} to {:g} that the literature gives for glass on steel", low, high);
+  const auto literature = literature_of(test);
+  if (!test.materials)
+    return "Friction is held against the literature where the case states [specimen] material and [rig] "
+           "support_material.";
+  if (!literature)
+    return fmt::format("Of {} on {} the table of friction in the literature says nothing.", test.materials->specimen,
+                       test.materials->support);
+  const double low = literature->low, high = literature->high;
+  const std::string range = fmt::format("{} that the literature gives for {} on {} ({})", ranged(low, high),
+                                        literature->specimen, literature->support, literature->source);
   if (fit.mu0_is_bound)
     return fmt::format("μ₀ is {}; {} {} above that.", mean_friction(fit), range,
                        mu0.high < low ? "lies" : "begins or lies in part");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,8 @@
 
 namespace flexslip {
 
-// The coefficient of friction of glass on steel in the literature: Table 1 of the paper.
-struct LiteratureRange {
-  double low, high;  // [1]
-};
-inline constexpr LiteratureRange glass_on_steel{0.5, 0.721};
+// What the literature gives for the materials that the case states.
+std::optional<LiteratureFriction> literature_of(const FittedTest& test);
 
 // The answer in a sentence or two.
 std::string answer_of(const FittedTest& test);

@@ -64,9 +64,11 @@ std::vector<Plate> plates_of(const FittedTest& test) {
       {profile_figure(test),
        fmt::format("Friction read off the curve point by point, at the bending stiffness of the fit. Bars: "
                    "what the noise of a point leaves open, 95 %. Red: the slips. Black: the mean of the fit; "
-                   "grey band: two standard deviations about it, stiffness and contact included.{} Green: "
-                   "the literature's range for glass on steel.",
-                   analysis.fit.wave_claimed ? " Orange: the wave claimed." : "")});
+                   "grey band: two standard deviations about it, stiffness and contact included.{}{}",
+                   analysis.fit.wave_claimed ? " Orange: the wave claimed." : "",
+                   literature_of(test) ? fmt::format(" Green: what the literature gives for {} on {}.",
+                                                     literature_of(test)->specimen, literature_of(test)->support)
+                                       : "")});
   if (!analysis.fit.scan.empty())
     plates.push_back(
         {wavelength_figure(test),

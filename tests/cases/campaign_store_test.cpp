@@ -19,7 +19,8 @@ CampaignTest some_test() {
                     .summary = {},
                     .curves = {},
                     .remarks = {"one", "tw\"o"},
-                    .section_moment = 1.0 / 3e20};
+                    .section_moment = 1.0 / 3e20,
+                    .materials = Materials{"glass", "steel"}};
   test.summary = TestSummary{
       .name = "SS14",
       .category = SawtoothCategory::nominal,
@@ -76,6 +77,7 @@ TEST_CASE("identity: a kept test comes back to the last bit, and its text to the
   CHECK(back->curves->force == some_test().curves->force);
   CHECK(back->remarks == some_test().remarks);
   CHECK(back->section_moment == some_test().section_moment);
+  CHECK(back->materials == some_test().materials);
   const auto& known = back->summary->known;
   REQUIRE(known.mu0.posterior.size() == 2);
   CHECK(known.mu0.posterior[1].deviation == 1.0 / 7);

@@ -286,9 +286,7 @@ TEST_CASE("table: a bare number, a wrong unit or an impossible value is refused 
 TEST_CASE("table: an unknown key or section is refused with the nearest known") {
   CHECK(complaint_with("diameter", "diamter") ==
         "data/case.toml:2: [specimen] diamter: expected one of the keys 'diameter', 'inner_diameter', 'wall', 'width', "
-        "'height', "
-        "'modulus' and "
-        "'bending_stiffness', found an unknown key; did you mean 'diameter'?");
+        "'height', 'modulus', 'bending_stiffness' and 'material', found an unknown key; did you mean 'diameter'?");
   CHECK(has(complaint_with("[friction]", "[frictoin]"), ":7: frictoin: expected one of the keys"));
   CHECK(has(complaint_with("[friction]", "[frictoin]"), "did you mean 'friction'?"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), ":8: [friction] model: expected one of the models"));

@@ -15,6 +15,9 @@ TEST_CASE("table: the answer of a campaign counted by hand") {
         "that the literature gives for glass on steel, and 1 of the 4 tests is in it. SS8 is suspect; the remarks say "
         "why. "
         "SS99 could not be evaluated.");
+  auto of_maize = some_campaign();
+  of_maize.tests.front().materials = Materials{"maize", "steel"};
+  CHECK(answer_of(of_maize).find("literature") == std::string::npos);
   CHECK(answer_of(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})) ==
         "1 test: 0 with a clear sawtooth, 0 with a faint one, 1 with hardly any or none. Friction at the supports is "
         "0.30. It lies below the range 0.5 to 0.721 that the literature gives for glass on steel. No test is suspect.");

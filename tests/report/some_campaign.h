@@ -59,7 +59,8 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                                              .model_force = {},
                                              .drops = {}},
                     .remarks = {"fails after row 267"},
-                    .section_moment = {}};
+                    .section_moment = {},
+                    .materials = Materials{"glass", "steel"}};
   test.summary->known.mu0 = {{{1, mu0, 0.0123}}, 0.55, 0.5};
   test.summary->known.log_roughness = {{{0.7, -2.3, 0.2}, {0.3, -2.1, 0.3}}, -3.5, 1};
   test.summary->known.log_length = {{{1, -12.4, 0.3}}, -11.5, 1.2};
