@@ -112,7 +112,11 @@ std::optional<Stretch> MovingFibre::slide(Sliding sliding, double stage) {
   const SlidingCurve& curve = curve_of(sliding, state_.S);
   const double direction = direction_of(sliding);
   const bool is_known = here_.S == state_.S && here_.q == state_.q;
-  const StablePart part = stable_part_from(curve, is_known ? here_ : point_at_length(curve, state_.S));
+  StablePart part = stable_part_from(curve, is_known ? here_ : point_at_length(curve, state_.S));
+  if (part.to.S > longest_sliding) {
+    if (state_.S >= longest_sliding) return lose(sliding);
+    part.to = point_at_length(curve, longest_sliding);
+  }
   if (part.to.S == part.from.S) return snap(sliding);
   const bool arrives = direction * (part.to.stage - stage) >= 0;
   const bool moves = direction * (stage - part.from.stage) > 0;  // by more than the rounding of G
@@ -136,6 +140,7 @@ std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
   const double S = state_.S;
   glide_.reset();
   auto landing = landing_after(curve, S, state_.stage);
+  if (landing && landing->S > longest_sliding) return lose(sliding);
   const auto work =
       landing ? snap_work(test_.friction.kinetic, test_.rig, state_.stage, S, landing->S) : std::optional<SnapWork>();
   if (!work) return lose(sliding);

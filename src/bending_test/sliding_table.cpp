@@ -11,12 +11,6 @@
 #include "fibre/elastica.h"
 
 namespace flexslip {
-namespace {
-
-constexpr double longest = 100;  // [L]
-
-}  // namespace
-
 SlidingTable::SlidingTable(Friction friction, const Rig& rig, Sliding sliding)
     : friction_(std::move(friction)), rig_(rig), direction_(direction_of(sliding)) {}
 
@@ -87,7 +81,7 @@ const SlidingTable::Cell& SlidingTable::cell(std::size_t i) {
 
 // The cell with edges_[i] <= S < edges_[i + 1].
 std::size_t SlidingTable::cell_of(double S) {
-  while (edges_.back() <= S) edges_.push_back(end_of_stretch(friction_, edges_.back(), 2 * longest, 1));
+  while (edges_.back() <= S) edges_.push_back(end_of_stretch(friction_, edges_.back(), 2 * longest_sliding, 1));
   return static_cast<std::size_t>(std::upper_bound(edges_.begin(), edges_.end(), S) - edges_.begin()) - 1;
 }
 
@@ -102,7 +96,7 @@ SlidingWork SlidingTable::up_to(const Cell& cell, double sigma) {
 }
 
 SlidingWork SlidingTable::work(double S_from, double S_to) {
-  if (!(S_from >= 1 && S_to >= 1 && S_from <= longest && S_to <= longest))
+  if (!(S_from >= 1 && S_to >= 1 && S_from <= longest_sliding && S_to <= longest_sliding))
     throw std::invalid_argument("no fibre slides from S = " + std::to_string(S_from) + " to " + std::to_string(S_to));
   if (S_to < S_from) {
     const SlidingWork back = work(S_to, S_from);

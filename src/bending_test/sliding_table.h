@@ -9,6 +9,9 @@
 
 namespace flexslip {
 
+// Farther than that no specimen reaches: one that is drawn in so far slips through its supports.
+inline constexpr double longest_sliding = 100;  // [L]
+
 struct SlidingWork {
   double stage;     // [EI/L] ∫ F dG, of the force on the stage position that holds the fibre
   double friction;  // [EI/L] ∫ q Pn dS
@@ -19,7 +22,7 @@ class SlidingTable {
   SlidingTable(Friction friction, const Rig& rig, Sliding sliding);
 
   // The work done from one length to another, in either order.
-  // Domain:     lengths in [1, 100] between which the curve exists; std::invalid_argument otherwise.
+  // Domain:     lengths in [1, longest_sliding] between which the curve exists; std::invalid_argument otherwise.
   // Max error:  1e-12 of the work on the cells it touches, and what rounding does to friction: 2^-50 dμ/dS, relative to μ.
   // Method:     Chebyshev polynomials of degree 16 in √(S - 1), integrated, on cells of a quarter of the shortest period of the
   //             roughness, halved where it has kinks. A cell is computed when it is first met.

@@ -391,10 +391,23 @@ ContactRule read_contact(const Keys& keys) {
   return keys.quantity("contact", kind::length, Range::any);
 }
 
+PlaceInRecord read_place(const Keys& keys, std::string_view name, const Case& input) {
+  const toml::node& node = keys.need(name);
+  if (const toml::table* place = node.as_table()) {
+    const Keys parts(*place, keys.key(name), input);
+    parts.only({"stage", "deflection"});
+    if (parts.size() != 1) keys.refuse(name, "either a stage or a deflection", place->empty() ? "neither" : "both");
+    if (parts.has("stage")) return AtStage{parts.quantity("stage", kind::length, Range::any)};
+    return AtDeflection{parts.quantity("deflection", kind::length, Range::any)};
+  }
+  if (node.is_string()) return AtStage{keys.quantity(name, kind::length, Range::any)};
+  return AtRow{static_cast<std::size_t>(keys.whole_number(name, 1))};
+}
+
 RecordInput read_record(const Keys& keys, const Case& input) {
   const std::vector<std::string> of_tables{"stage", "deflection"};
   const std::vector<std::string> of_exports{"displacement", "displacement_column", "specimen", "calibration"};
-  std::vector<std::string> known{"file", "force", "decimal", "sign", "zero", "contact", "failure", "until"};
+  std::vector<std::string> known{"file", "force", "decimal", "sign", "zero", "contact", "failure", "first", "until"};
   known.insert(known.end(), of_tables.begin(), of_tables.end());
   known.insert(known.end(), of_exports.begin(), of_exports.end());
   keys.only(known);
@@ -416,7 +429,8 @@ RecordInput read_record(const Keys& keys, const Case& input) {
   record.zero = read_zero(keys);
   record.contact = read_contact(keys);
   record.find_failure = keys.optional_choice("failure", failure_names).value_or(true);
-  if (keys.has("until")) record.until = static_cast<std::size_t>(keys.whole_number("until", 1));
+  if (keys.has("first")) record.first = read_place(keys, "first", input);
+  if (keys.has("until")) record.until = read_place(keys, "until", input);
   return record;
 }
 
@@ -612,7 +626,16 @@ void write(Writer& out, const RecordInput& record) {
   if (const auto* contact = std::get_if<double>(&record.contact))
     out.line("contact", out.quantity(*contact, kind::length));
   if (!record.find_failure) out.line("failure", basic_string(name_in(failure_names, false)));
-  if (record.until) out.line("until", std::to_string(*record.until));
+  const auto place = [&](std::string_view key, const std::optional<PlaceInRecord>& at) {
+    if (!at) return;
+    if (const auto* row = std::get_if<AtRow>(&*at)) out.line(key, std::to_string(row->row));
+    if (const auto* stage = std::get_if<AtStage>(&*at))
+      out.line(key, fmt::format("{{ stage = {} }}", out.quantity(stage->position, kind::length)));
+    if (const auto* deflection = std::get_if<AtDeflection>(&*at))
+      out.line(key, fmt::format("{{ deflection = {} }}", out.quantity(deflection->position, kind::length)));
+  };
+  place("first", record.first);
+  place("until", record.until);
 }
 
 }  // namespace

@@ -169,6 +169,21 @@ using ForceZeroRule = std::variant<ToFind, ToKeep, double>;  // [N] to be taken 
 using ContactRule =
     std::variant<WhereFree, ToFind, AtFirstRow, double>;  // to be found if rows lie before it, or in any
                                                           // case; or [m] displacement at first contact
+// Where a record begins or ends: a row of the file, counted from 1, or where the stage or the deflection, as the file counts them, is there.
+struct AtRow {
+  std::size_t row;
+  bool operator==(const AtRow&) const = default;
+};
+struct AtStage {
+  double position;  // [m]
+  bool operator==(const AtStage&) const = default;
+};
+struct AtDeflection {
+  double position;  // [m]
+  bool operator==(const AtDeflection&) const = default;
+};
+using PlaceInRecord = std::variant<AtRow, AtStage, AtDeflection>;
+
 struct RecordInput {
   std::string file;  // relative to the working directory
   std::variant<TableColumns, ExportColumns> columns;
@@ -176,7 +191,8 @@ struct RecordInput {
   ForceZeroRule zero = ToFind{};
   ContactRule contact = WhereFree{};
   bool find_failure = true;
-  std::optional<std::size_t> until{};  // last row before failure, 1-based
+  std::optional<PlaceInRecord> first{};  // where the record begins; none: with its first row
+  std::optional<PlaceInRecord> until{};  // where it ends, before failure
   bool operator==(const RecordInput&) const = default;
 };
 

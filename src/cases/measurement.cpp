@@ -308,15 +308,46 @@ void require_loading_first(const Table& table, const Record& record, const Leg& 
                               "otherwise leave out what comes before the first loading"});
 }
 
+// How many rows lie before a place: those before the row, or before the stage or the deflection first gets there.
+// Fails:      InputError where the record does not get there.
+std::size_t rows_before(const PlaceInRecord& place, std::string_view key, const Case& input, const Record& every,
+                        const std::string& file) {
+  if (const auto* at = std::get_if<AtRow>(&place)) {
+    if (at->row > every.force.size())
+      throw wrong_value(input, key, fmt::format("a row of {}, which has {}", file, every.force.size()),
+                        std::to_string(at->row));
+    return at->row - 1;
+  }
+  const auto* stage = std::get_if<AtStage>(&place);
+  const auto& positions = stage ? every.stage : every.deflection;
+  const double position = stage ? stage->position : std::get<AtDeflection>(place).position;
+  const auto there = std::find_if(positions.begin(), positions.end(), [&](double at) { return at >= position; });
+  if (there == positions.end())
+    throw wrong_value(input, key,
+                      fmt::format("a {} of the record, which gets to {}", stage ? "stage position" : "deflection",
+                                  readable_length(input, *std::max_element(positions.begin(), positions.end()))),
+                      readable_length(input, position));
+  return static_cast<std::size_t>(there - positions.begin());
+}
+
+// And those up to it, the row or the position itself among them.
+std::size_t rows_up_to(const PlaceInRecord& place, std::string_view key, const Case& input, const Record& every,
+                       const std::string& file) {
+  const std::size_t before = rows_before(place, key, input, every, file);
+  if (std::holds_alternative<AtRow>(place)) return before + 1;
+  const auto& positions = std::holds_alternative<AtStage>(place) ? every.stage : every.deflection;
+  const bool is_there =
+      positions[before] == (std::holds_alternative<AtStage>(place) ? std::get<AtStage>(place).position
+                                                                   : std::get<AtDeflection>(place).position);
+  return before + (is_there ? 1 : 0);
+}
+
 // Ends the record before the failure, or where it is stated to end. What is left, in points.
-std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>& legs, Measurement& result,
-                   Steps& steps) {
+std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>& legs,
+                   const std::optional<std::size_t>& until, Measurement& result, Steps& steps) {
   const std::size_t rows = result.rows;
   std::size_t points = all.force.size();
-  if (const auto until = input.record->until) {
-    if (*until > rows)
-      throw wrong_value(input, "record.until", fmt::format("a row of {}, which has {}", result.file, rows),
-                        std::to_string(*until));
+  if (until) {
     const auto& counted = result.sampling.rows;
     points = std::min(
         points, static_cast<std::size_t>(std::lower_bound(counted.begin(), counted.end(), *until) - counted.begin()));
@@ -421,14 +452,23 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   Record every = columns.record(stiffness);
   require_finite(every, table);
   const std::size_t most_points = find_legs(every.stage).size() > 1 ? most_cyclic_points : most_record_points;
-  result.sampling = sampling_of(columns.displacement(), every.force, most_points);
-  note_sampling(result.sampling, result.rows, steps);
+  std::optional<std::size_t> until;  // the last row
+  if (const auto& place = input.record->until) until = rows_up_to(*place, "record.until", input, every, result.file);
+  std::size_t first = 0;
+  if (const auto& place = input.record->first) first = rows_before(*place, "record.first", input, every, result.file);
+  if (first > 0)
+    steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1), "[record] first = 1",
+              {}, RowRange{1, first});
+  result.sampling =
+      sampling_of(std::span(columns.displacement()).subspan(first), std::span(every.force).subspan(first), most_points);
+  for (std::size_t& row : result.sampling.rows) row += first;
+  note_sampling(result.sampling, result.rows - first, steps);
   every = picked(every, result.sampling.rows);
   const Record all = zeroed(input, every, columns.has(Reading::stage), stiffness, result.sampling, result.rows, steps);
   note_compliance(columns, stiffness, input.rig && input.rig->stiffness, steps);
 
   const std::vector<Leg> legs = find_legs(all.stage);
-  std::size_t points = end_of(input, all, legs, result, steps);
+  std::size_t points = end_of(input, all, legs, until, result, steps);
   if (legs.size() > 1 && legs.front().last < points) {
     require_loading_first(table, all, legs.front());
     result.cycles = first_points(all, points);

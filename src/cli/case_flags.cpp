@@ -8,6 +8,11 @@ namespace flexslip {
 namespace {
 
 constexpr std::string_view whole_number = "NUMBER";
+constexpr std::string_view place = "ROW or LENGTH";
+
+bool is_whole(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
 
 std::string toml_string(std::string_view text) {
   std::string quoted = "\"";
@@ -30,7 +35,10 @@ Case case_of_flags(const CaseRequest& request) {
     std::string body;
     for (const auto& flag : request.flags)
       if (flag.section == section && flag.value)
-        body += fmt::format("{} = {}\n", flag.key, flag.type == whole_number ? *flag.value : toml_string(*flag.value));
+        body += fmt::format("{} = {}\n", flag.key,
+                            flag.type == whole_number || (flag.type == place && is_whole(*flag.value))
+                                ? *flag.value
+                                : toml_string(*flag.value));
     if (section == "record") body += fmt::format("file = {}\n", toml_string(request.file));
     if (!body.empty()) text += fmt::format("[{}]\n{}", section, body);
   }
@@ -71,7 +79,9 @@ std::vector<CaseFlag> all_case_flags() {
        "Displacement at first contact, find, or first row; not given: found if the record begins before it", "LENGTH"},
       {"record", "failure", "--failure", "find, the default, or none", "WORD"},
       {"record", "decimal", "--decimal", "Decimal mark of the file, . or ,", "CHARACTER"},
-      {"record", "until", "--until", "Last row before failure, counted from 1; not given: found", whole_number},
+      {"record", "first", "--first", "Where the record begins: a row, counted from 1, or a position of the stage",
+       place},
+      {"record", "until", "--until", "Where it ends, before failure, likewise; not given: found", place},
   };
 }
 

@@ -125,7 +125,9 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
                     column.words.empty() ? name_of(column.role) : "words"));
   for (const std::string& remark : file.notes) say(remark);
   for (const std::string& question : file.asks) say("open: " + question);
-  say("the same again: flexslip read " + file.repeat_with);
+  const bool has_spaces = request.file.find(' ') != std::string::npos;
+  say(fmt::format("the same again: flexslip read {0}{1}{0} {2}", has_spaces ? "\"" : "", request.file,
+                  file.repeat_with));
 }
 
 void run_read(const ReadRequest& request) {

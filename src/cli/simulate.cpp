@@ -172,6 +172,25 @@ std::string reason_of_end(const Case& input, HistoryStatus status, const Simulat
       input.source, last);
 }
 
+// A continuous path has so many points on each stretch of sliding and each snap, and fine roughness has very many.
+// Fails:      InputError for more than fit into a gigabyte.
+void require_path_that_fits(const Case& input, const Friction& friction, const std::vector<double>& turns, int points) {
+  constexpr double most_points = 8e6;  // of a hundred bytes
+  double periods = 0;                  // passed at most
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    constexpr double scales_a_period = 4;
+    const auto drawn_in = [](double stage) { return 2.5 * stage * stage; };  // S - 1, a deflection as far as the stage
+    periods += std::abs(drawn_in(turns[i]) - drawn_in(turns[i - 1])) / (scales_a_period * friction.smooth_scale());
+  }
+  const double expected = 2 * periods * points;
+  if (expected <= most_points) return;
+  throw wrong_value(input, "stage.step",
+                    fmt::format("a step, as friction varies over some {:.0e} periods on the way", periods),
+                    "none: a continuous path",
+                    fmt::format("write step = \"…\" into [stage], or pass --points {:.0f}",
+                                std::max(std::floor(most_points / (2 * periods)), 2.0)));
+}
+
 void run_simulate(const SimulateRequest& request) {
   constexpr double least_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
   constexpr double least_stated_travel = 1e-9;    // of one that was written down
@@ -188,6 +207,7 @@ void run_simulate(const SimulateRequest& request) {
   std::vector<double> stages;
   stages.reserve(programme.positions.size());
   for (const double position : programme.positions) stages.push_back(scales.reduced_length(position));
+  if (!programme.in_steps) require_path_that_fits(input, bending_test.friction.kinetic, stages, request.points);
   const History history = programme.in_steps ? follow_in_steps(bending_test, stages)
                                              : follow_continuously(bending_test, stages, request.points);
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};

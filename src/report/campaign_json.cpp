@@ -46,6 +46,8 @@ Json test_json(const CampaignTest& test) {
           {"status", test.status},
           {"category", name_of(summary.category)},
           {"suspect", summary.suspect},
+          {"standing", name_of(summary.standing)},
+          {"drops_verdict", summary.drops > 0 ? Json(name_of(summary.drops_verdict)) : Json()},
           {"model", name_of(summary.model)},
           {"parameters", parameters_json(summary)},
           {"wave", {{"claimed", summary.wave_claimed}, {"log_evidence", summary.log_evidence_of_wave}}},

@@ -147,8 +147,14 @@ CampaignTable test_table(const Campaign& campaign) {
   table.add(word_column("status", "ok, or why not"), [](const CampaignTest& test) { return words(test.status); });
   table.add(word_column("category", "of the sawtooth: clear, nominal, none"),
             summarised([](const TestSummary& test) { return words(name_of(test.category)); }));
-  table.add(word_column("suspect", "needs more friction than is plausible, or is not explained by sliding"),
+  table.add(word_column("suspect", "its standing is suspect or untrusted"),
             summarised([](const TestSummary& test) { return yes(test.suspect); }));
+  table.add(word_column("standing", "sound, doubtful, suspect, untrusted: the remarks say why"),
+            summarised([](const TestSummary& test) { return words(std::string(name_of(test.standing))); }));
+  table.add(word_column("drops_verdict", "not_by_cracks_alone, cracks, cannot_be_told; empty without drops"),
+            summarised([](const TestSummary& test) {
+              return words(test.drops > 0 ? std::string(name_of(test.drops_verdict)) : "");
+            }));
   table.add(word_column("model", "of friction, that was fitted"),
             summarised([](const TestSummary& test) { return words(name_of(test.model)); }));
   using Maybe = std::optional<ParameterEstimate>;

@@ -288,6 +288,11 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
                      std::abs(std::log(fit.bending_stiffness.value)) / analysis.bending_stiffness_error);
 }
 
+double greatest_deflection(const TestAnalysis& analysis) {
+  const auto& w = analysis.reduced.deflection;
+  return w.empty() ? 0 : *std::max_element(w.begin(), w.end());
+}
+
 std::string_view standing_in_words(Standing standing) {
   switch (standing) {
     case Standing::sound:
@@ -332,7 +337,11 @@ std::string answer_of(const FittedTest& test) {
   if (analysis.status == AnalysisStatus::no_initial_slope)
     return "No answer: the force does not rise where the record begins, so that the bending stiffness cannot be told.";
   if (analysis.status == AnalysisStatus::too_few_points)
-    return "No answer: too few points lie beyond a deflection of a twentieth of the span, where friction shows.";
+    return fmt::format(
+        "No answer: too few points lie beyond a deflection of a twentieth of the span, where friction shows. The "
+        "greatest "
+        "deflection is {}, {:.2g} % of the span of {}: if it should be more, check their units.",
+        Print(test).length(greatest_deflection(analysis)), 100 * greatest_deflection(analysis), Print(test).length(1));
   if (analysis.status == AnalysisStatus::not_explained) {
     std::string answer =
         "No answer: no sliding with a friction of 0 to 2 gives this record. Check the columns, their units, the span "

@@ -307,6 +307,14 @@ TEST_CASE("motion: a fibre that friction holds below no force loses contact (ora
   CHECK(!fibre.advance_towards(0.5));  // what follows is another test
 }
 
+TEST_CASE("motion: a fibre drawn in by a hundred spans slips through, as no specimen is as long (limit)") {
+  MovingFibre fibre({Friction::constant(1), {90}}, 60);
+  stretches_to(fibre, 60);
+  CHECK(fibre.end() == MotionEnd::slipped_through);
+  CHECK(fibre.state().S == longest_sliding);
+  CHECK(fibre.state().stage < 60);
+}
+
 TEST_CASE("motion: a stage position that the fibre was not made for is refused (contract)") {
   MovingFibre fibre({Friction::constant(0.3), {30}}, 0.2);
   CHECK(message_of([&] { fibre.advance_towards(0.3); }).find("0.3") != std::string::npos);

@@ -79,7 +79,7 @@ TEST_CASE("table: a row is a test, its keys by short or full names, units in tit
   CHECK(modulus.value == 29.6e9);
   CHECK(modulus.uncertainty == 1.5e9);
   CHECK(first.rig.value().span == 1278e-6);
-  CHECK(first.record.value().until == 267);
+  CHECK(first.record.value().until == PlaceInRecord(AtRow{267}));
   CHECK(first.record->file == (folder.path() / "a.csv").string());
   const Case& second = case_in(plan[1]);
   CHECK(second.rig.value().span == 1e-3);

@@ -76,8 +76,9 @@ TEST_CASE("table: the documented example, in SI") {
   CHECK(input.rig == RigInput{1278e-6, 90.65});
   CHECK(input.friction == FrictionInput{{FrictionModel::sinusoid}, WavyFriction{0.5, 0, {{0.15, 10.9e-6, 1.0}}}});
   CHECK(input.stage == StageInput{TurningPoints{{0, 900e-6, 0, 900e-6}, 1, 2e-6}});
-  CHECK(input.record ==
-        RecordInput{.file = "data/ss14.csv", .columns = TableColumns{"w_s_m [m]", {}, "F_N [N]", '.'}, .until = 267});
+  CHECK(input.record == RecordInput{.file = "data/ss14.csv",
+                                    .columns = TableColumns{"w_s_m [m]", {}, "F_N [N]", '.'},
+                                    .until = AtRow{267}});
   CHECK(input.lines.at("specimen.diameter") == 2);
   CHECK(input.lines.at("specimen.modulus.uncertainty") == 3);
   CHECK(input.lines.at("rig") == 4);
@@ -170,6 +171,12 @@ TEST_CASE("table: the exports and the preparations that can be described") {
   CHECK(record(table + "contact = 'find'").contact == ContactRule{ToFind{}});
   CHECK(record(table + "contact = 'first row'").contact == ContactRule{AtFirstRow{}});
   CHECK(record(table + "contact = '12 um'").contact == ContactRule{12e-6});
+  CHECK(record(table + "until = 250").until == PlaceInRecord{AtRow{250}});
+  CHECK(record(table + "first = '120 um'").first == PlaceInRecord{AtStage{120e-6}});
+  CHECK(record(table + "first = { stage = '120 um' }").first == PlaceInRecord{AtStage{120e-6}});
+  CHECK(record(table + "until = { deflection = '80 um' }").until == PlaceInRecord{AtDeflection{80e-6}});
+  CHECK(read("[specimen]\nmodulus = 'fit'\nmaterial = 'glass'").specimen->material == "glass");
+  CHECK(read("[rig]\nsupport_material = 'steel'").rig->support_material == "steel");
   CHECK(record(table).find_failure);
   CHECK(record(table + "failure = 'find'").find_failure);
   CHECK_FALSE(record(table + "failure = 'none'").find_failure);
@@ -190,6 +197,15 @@ TEST_CASE("table: exports and preparations that cannot be are refused") {
   CHECK(has(refusal("contact = 'first'"), "[record] contact: expected a length"));
   CHECK(has(refusal("failure = true"), "[record] failure: expected \"find\" or \"none\", found true or false"));
   CHECK(has(complaint("reduced = true\n[record]\nfile = 'a'\ndisplacement = 'deflection'"), "the case is reduced"));
+}
+
+TEST_CASE("table: a place in the record is a row, or one position") {
+  const auto until = [](const std::string& place) { return complaint("[record]\nfile = '/a'\nuntil = " + place); };
+  CHECK(has(until("0"), "a whole number, at least 1"));
+  CHECK(has(until("{ }"), "either a stage or a deflection, found neither"));
+  CHECK(has(until("{ stage = '1 mm', deflection = '1 mm' }"), "found both"));
+  CHECK(has(until("{ depth = '1 mm' }"), "depth"));
+  CHECK(has(until("{ stage = 3 }"), "unit"));
 }
 
 TEST_CASE("table: a tube needs a wall") {
@@ -430,6 +446,8 @@ TEST_CASE("identity: the effective case is read back as the same case") {
                          "displacement='crosshead'\ndisplacement_column='1'\nforce=\"a \\\"b\\\"\"\nspecimen=3\n"
                          "calibration='222 N/V'\ndecimal='.'\nsign='reverse'\nzero='-0.12 N'\ncontact='first row'\n"
                          "failure='none'\nuntil=7"),
+        std::string_view("[specimen]\nmaterial = \"gl\\\"ass\"\n[rig]\nsupport_material = 'steel'\n"
+                         "[record]\nfile='x'\nfirst='12 um'\nuntil={ deflection = '0.3 mm' }"),
         std::string_view("[record]\nfile='x'\nsign='keep'\nzero='keep'\ncontact='find'")}) {
     const Case input = read_case(text, "case.toml");
     const std::string written = to_toml(input);

@@ -156,6 +156,27 @@ step = "0.01 mm"
         for w_s, w, F in zip(*(numbers(noisy, title) for title in ("w_s [m]", "w [m]", "F [N]"))):
             self.assertAlmostEqual(w_s - w, F / 90.65, delta=1e-15)  # rounding of the state at w_s = 1e-3 m
 
+    def test_a_path_too_long_for_memory_is_refused_in_advance(self):
+        fine = """[specimen]
+diameter = "34.8 um"
+modulus = "29.6 GPa"
+[rig]
+span = "1278 um"
+stiffness = "90.65 N/m"
+[friction]
+model = "sinusoid"
+mu0 = 0.5
+amplitude = 0.3
+wavelength = "1 nm"
+[stage]
+program = ["0 um", "0.7 mm"]
+"""
+        self.refused("simulate", self.file("fine.toml", fine), says=["stage", "step", "--points"])
+        far = fine.replace("sinusoid", "constant").replace('amplitude = 0.3\nwavelength = "1 nm"\n', "").replace("0.7 mm", "20 mm")
+        result = run("simulate", self.file("far.toml", far))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("slips through the supports", result.stderr)
+
     def test_slipping_through_is_exit_code_1(self):
         case = self.file("case.toml", FRICTIONLESS + "[rig]\nstiffness = 30\n[stage]\nprogram = [0, 1]\nstep = 0.1\n")
         result = run("simulate", case)
