@@ -175,8 +175,8 @@ TEST_CASE("table: the exports and the preparations that can be described") {
   CHECK(record(table + "first = '120 um'").first == PlaceInRecord{AtStage{120e-6}});
   CHECK(record(table + "first = { stage = '120 um' }").first == PlaceInRecord{AtStage{120e-6}});
   CHECK(record(table + "until = { deflection = '80 um' }").until == PlaceInRecord{AtDeflection{80e-6}});
-  CHECK(read("[specimen]\nmodulus = 'fit'\nmaterial = 'glass'").specimen->material == "glass");
-  CHECK(read("[rig]\nsupport_material = 'steel'").rig->support_material == "steel");
+  CHECK(read("[specimen]\nbending_stiffness = 'fit'\nmaterial = 'glass'").specimen->material == "glass");
+  CHECK(read("[rig]\nspan = '1 mm'\nsupport_material = 'steel'").rig->support_material == "steel");
   CHECK(record(table).find_failure);
   CHECK(record(table + "failure = 'find'").find_failure);
   CHECK_FALSE(record(table + "failure = 'none'").find_failure);
@@ -446,7 +446,7 @@ TEST_CASE("identity: the effective case is read back as the same case") {
                          "displacement='crosshead'\ndisplacement_column='1'\nforce=\"a \\\"b\\\"\"\nspecimen=3\n"
                          "calibration='222 N/V'\ndecimal='.'\nsign='reverse'\nzero='-0.12 N'\ncontact='first row'\n"
                          "failure='none'\nuntil=7"),
-        std::string_view("[specimen]\nmaterial = \"gl\\\"ass\"\n[rig]\nsupport_material = 'steel'\n"
+        std::string_view("[specimen]\nbending_stiffness = 'fit'\nmaterial = \"gl\\\"ass\"\n[rig]\nspan = '1 mm'\nsupport_material = 'steel'\n"
                          "[record]\nfile='x'\nfirst='12 um'\nuntil={ deflection = '0.3 mm' }"),
         std::string_view("[record]\nfile='x'\nsign='keep'\nzero='keep'\ncontact='find'")}) {
     const Case input = read_case(text, "case.toml");
