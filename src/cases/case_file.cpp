@@ -354,6 +354,7 @@ TableColumns read_table_columns(const Keys& keys) {
   };
   TableColumns columns{column("stage", kind::length), column("deflection", kind::length), column("force", kind::force),
                        read_decimal(keys)};
+  if (keys.has("length")) columns.length = keys.column("length", kind::length);
   if (columns.stage.has_value() + columns.deflection.has_value() + columns.force.has_value() != 2)
     keys.refuse("stage", "two of the columns stage, deflection and force", found.empty() ? "none" : found,
                 "the third follows from the rig's stiffness");
@@ -407,7 +408,8 @@ PlaceInRecord read_place(const Keys& keys, std::string_view name, const Case& in
 RecordInput read_record(const Keys& keys, const Case& input) {
   const std::vector<std::string> of_tables{"stage", "deflection"};
   const std::vector<std::string> of_exports{"displacement", "displacement_column", "specimen", "calibration"};
-  std::vector<std::string> known{"file", "force", "decimal", "sign", "zero", "contact", "failure", "first", "until"};
+  std::vector<std::string> known{"file",    "force",   "decimal", "sign",  "zero",
+                                 "contact", "failure", "first",   "until", "length"};
   known.insert(known.end(), of_tables.begin(), of_tables.end());
   known.insert(known.end(), of_exports.begin(), of_exports.end());
   keys.only(known);
@@ -421,6 +423,9 @@ RecordInput read_record(const Keys& keys, const Case& input) {
                 fmt::format("both {} and {}", *of_table, *of_export), "delete one");
   const bool is_export = of_export != of_exports.end() || (of_table == of_tables.end() && !keys.has("force"));
   RecordInput record{.file = keys.path("file"), .columns = {}};
+  if (is_export && keys.has("length"))
+    keys.refuse("length", "the columns of stage or deflection and force named beside it",
+                "an export of a testing machine");
   if (is_export)
     record.columns = read_export_columns(keys, input);
   else
@@ -602,6 +607,7 @@ void write(Writer& out, const TableColumns& columns) {
   if (columns.stage) out.line("stage", basic_string(*columns.stage));
   if (columns.deflection) out.line("deflection", basic_string(*columns.deflection));
   if (columns.force) out.line("force", basic_string(*columns.force));
+  if (columns.length) out.line("length", basic_string(*columns.length));
   if (columns.decimal != '.') out.line("decimal", basic_string({&columns.decimal, 1}));
 }
 

@@ -130,7 +130,8 @@ struct StageInput {
 // Columns of a table, named: two of the three are there; each is a title as read_table takes it, "F_N [N]".
 struct TableColumns {
   std::optional<std::string> stage, deflection, force;
-  char decimal;  // '.' or ','
+  char decimal;                         // '.' or ','
+  std::optional<std::string> length{};  // pulled in over both supports, as imaged: beside the others
   bool operator==(const TableColumns&) const = default;
 };
 

@@ -128,6 +128,13 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   }
   std::optional<Judgement> judgement;
   if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis, cycles ? &*cycles : nullptr);
+  std::optional<ImagedLength> imaged;
+  if (analysis.status == AnalysisStatus::ok && !measurement.pulled_in.empty()) {
+    std::vector<double> pulled_in;
+    for (std::size_t point = 0; point < measurement.record.force.size(); ++point)
+      pulled_in.push_back(analysis.scales.reduced_length(measurement.pulled_in[file_row(measurement, point) - 1]));
+    imaged = compare_with_images(analysis.profile_at_fit, pulled_in);
+  }
   const std::string& data = input.record.value().file;
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
@@ -143,6 +150,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
           .small_deflection = standard,
           .analysis = std::move(analysis),
           .cycles = std::move(cycles),
+          .imaged = std::move(imaged),
           .judgement = std::move(judgement),
           .provenance = std::move(provenance)};
 }

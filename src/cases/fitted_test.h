@@ -12,6 +12,7 @@
 #include "data/small_deflection.h"
 #include "inference/analysis.h"
 #include "inference/cyclic_test.h"
+#include "inference/imaged_length.h"
 #include "inference/judgement.h"
 
 namespace flexslip {
@@ -41,6 +42,7 @@ struct FittedTest {
   SmallDeflection small_deflection;      // of the first loading, as the bending standards have it
   TestAnalysis analysis;                 // of the first loading
   std::optional<CyclicTest> cycles;      // if it was unloaded; in the scales of the analysis
+  std::optional<ImagedLength> imaged;    // if the record has lengths that were imaged, and the analysis an answer
   std::optional<Judgement> judgement;    // if the analysis has an answer
   Provenance provenance;
 };

@@ -75,7 +75,7 @@ class Columns {
 
   void apply(const Signs& signs) {
     for (std::size_t i = 0; i < is_.size(); ++i)
-      if ((is_[i] == Reading::force ? signs.force : signs.displacement) < 0)
+      if (is_[i] != Reading::length && (is_[i] == Reading::force ? signs.force : signs.displacement) < 0)
         for (double& value : values_[i]) value = -value;
   }
 
@@ -437,6 +437,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
                      .sampling = {},
                      .first = 0,
                      .record = {},
+                     .pulled_in = {},
                      .cycles = {},
                      .end = MeasurementEnd::last_row,
                      .contact = ContactSource::first_point,
@@ -450,6 +451,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   const double stiffness = stiffness_for(input, columns);
   find_sign(input.record->sign, columns, steps);
   Record every = columns.record(stiffness);
+  if (columns.has(Reading::length)) result.pulled_in = columns.of(Reading::length);
   require_finite(every, table);
   const std::size_t most_points = find_legs(every.stage).size() > 1 ? most_cyclic_points : most_record_points;
   std::optional<std::size_t> until;  // the last row

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cases/case_file.h"
 #include "cases/preparation.h"
@@ -30,13 +31,14 @@ struct Measurement {
   Case test;                // completed with what the file says, see Readings
   Preparation preparation;  // how the file became the record
   std::string file;
-  std::size_t rows;              // of the file
-  Sampling sampling;             // which of them are points, from the first row of the file on
-  std::size_t first;             // of these the first that is a point of the record
-  Record record;                 // stage and deflection counted from the contact
-  std::optional<Record> cycles;  // from the first row of the file, if the stage turns back before the failure; contact
-                                 // taken off as well
-  MeasurementEnd end;            // what ends the loading
+  std::size_t rows;               // of the file
+  Sampling sampling;              // which of them are points, from the first row of the file on
+  std::size_t first;              // of these the first that is a point of the record
+  Record record;                  // stage and deflection counted from the contact
+  std::vector<double> pulled_in;  // [m] of each row of the file, as imaged; empty where it was not
+  std::optional<Record> cycles;   // from the first row of the file, if the stage turns back before the failure; contact
+                                  // taken off as well
+  MeasurementEnd end;             // what ends the loading
   ContactSource contact;
   double contact_offset;  // [m] taken off stage and deflection
   double contact_error;   // [m] standard deviation

@@ -30,6 +30,7 @@ Readings readings_from(const Case& input, const TableColumns& asked) {
   want(asked.stage, Reading::stage, kind::length);
   want(asked.deflection, Reading::deflection, kind::length);
   want(asked.force, Reading::force, kind::force);
+  want(asked.length, Reading::length, kind::length);
   Table table = [&] {
     try {
       return read_table(input.record->file, wanted, asked.decimal);

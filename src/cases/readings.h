@@ -10,11 +10,11 @@
 
 namespace flexslip {
 
-enum class Reading { stage, deflection, force };
+enum class Reading { stage, deflection, force, length };
 
 struct Readings {
   Case test;                     // the case, completed with what the file says of span and section
-  Table table;                   // two columns [m], [N]
+  Table table;                   // two columns [m], [N], and perhaps a length [m]
   std::vector<Reading> columns;  // what each of them is
   Preparation preparation;       // how they were found
 };

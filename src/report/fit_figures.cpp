@@ -196,6 +196,17 @@ Figure profile_figure(const FittedTest& test) {
   }
   if (slipped.empty()) slips.rows.push_back({NAN, NAN});
 
+  FigureData imaged{"imaged", {position, "mu"}, {}};
+  if (test.imaged) {
+    auto point = profile.points.begin();
+    for (const auto& seen : test.imaged->points) {
+      while (point->index < seen.index) ++point;
+      imaged.rows.push_back({drawn_in(1 + seen.imaged), point->mu});
+    }
+  }
+  const bool is_imaged = !imaged.rows.empty();
+  if (!is_imaged) imaged.rows.push_back({NAN, NAN});
+
   FigureData band{"band", {position, "mu", "mu deviation"}, {}};
   for (std::size_t i = 0; i < fit.band.S.size(); ++i)
     band.rows.push_back({drawn_in(fit.band.S[i]), fit.band.mean[i], fit.band.deviation[i]});
@@ -234,6 +245,7 @@ Figure profile_figure(const FittedTest& test) {
             title 'Mean ± 2 deviations', \
        band using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
        wave using 1:2 with lines lw 0.9 lc rgb orange{wave_title}, \
+       imaged using 1:2 with points pt 6 ps 0.3 lw 0.6 lc rgb '#606060'{imaged_title}, \
        slips using 1:2 with lines lw 0.7 lc rgb vermillion{slips_title}, \
        profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue notitle, \
        profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured, 95 %'{literature_title}
@@ -260,6 +272,7 @@ Figure profile_figure(const FittedTest& test) {
                     literature->specimen, literature->support)
               : std::string()),
       fmt::arg("wave_title", fit.wave_claimed ? " title 'Wave'" : ""),
+      fmt::arg("imaged_title", is_imaged ? " title 'Length as imaged'" : " notitle"),
       fmt::arg("slips_title", slipped.empty() ? "" : " title 'Slips'"));
   return {.name = "profile",
           .title = "Friction along the specimen: " + test.name,
@@ -269,7 +282,7 @@ Figure profile_figure(const FittedTest& test) {
               profile.points.size(), slipped.size(), fit.wave_claimed ? ", and the wave claimed" : ""),
           .width = two_columns,
           .height = 78,
-          .data = {std::move(measured), std::move(slips), std::move(band), std::move(wave)},
+          .data = {std::move(measured), std::move(slips), std::move(imaged), std::move(band), std::move(wave)},
           .script = script};
 }
 

@@ -170,6 +170,20 @@ Json slip_or_crack_json(const SlipOrCrack& judged) {
           {"slip_and_cracks", rise_explanation_json(judged.slip_and_cracks)}};
 }
 
+// Null where no length was imaged.
+Json imaged_json(const FittedTest& test, const Units& units) {
+  if (!test.imaged) return nullptr;
+  Json points = Json::array();
+  for (const auto& point : test.imaged->points)
+    points.push_back({{"row", file_row(test, point.index)},
+                      {"pulled_in", units.length(point.inferred)},
+                      {"imaged", units.length(point.imaged)}});
+  return {{"offset", units.length(test.imaged->offset)},
+          {"standard_error", units.length(test.imaged->error)},
+          {"scatter", units.length(test.imaged->scatter)},
+          {"points", points}};
+}
+
 Json judgement_json(const FittedTest& test) {
   if (!test.judgement) return nullptr;
   const Judgement& judgement = *test.judgement;
@@ -377,6 +391,7 @@ Json fit_json(const FittedTest& test) {
   out["explanations"] = explanations_json(fit, units);
   out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
   out["judgement"] = judgement_json(test);
+  out["imaged_length"] = imaged_json(test, units);
   out["slip_or_crack"] = slip_or_crack_json(analysis.slip_or_crack);
   out["drops"] = drops_json(test, units);
   out["slips"] = slips_json(test, units);

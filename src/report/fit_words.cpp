@@ -293,6 +293,18 @@ double greatest_deflection(const TestAnalysis& analysis) {
   return w.empty() ? 0 : *std::max_element(w.begin(), w.end());
 }
 
+// What a camera saw of the length pulled in; empty if there was none.
+std::string imaged_in_words(const FittedTest& test) {
+  if (!test.imaged || test.imaged->points.empty()) return "";
+  const ImagedLength& imaged = *test.imaged;
+  const double unit = test.analysis.scales.span();
+  return fmt::format(
+      "The length pulled in as imaged is {} {} than the force says (median of {}), and scatters by {} about that.",
+      readable(std::abs(unit * imaged.offset), unit * imaged.error, Print(test).as(kind::length)),
+      imaged.offset > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
+      roughly(unit * imaged.scatter, Print(test).as(kind::length)));
+}
+
 std::string_view standing_in_words(Standing standing) {
   switch (standing) {
     case Standing::sound:
@@ -369,6 +381,7 @@ std::string answer_of(const FittedTest& test) {
                         " If the drops are slips, {} of the work on the specimen went into friction and should "
                         "not be counted as toughness.",
                         percent(share));
+  if (const std::string imaged = imaged_in_words(test); !imaged.empty()) answer += " " + imaged;
   answer += fmt::format(" {}", standing_in_words(judgement.standing));
   if (const std::string next = next_step_in_words(test); !next.empty()) answer += " " + next;
   return test.cycles ? answer + " " + cycles_in_short(test) : answer;

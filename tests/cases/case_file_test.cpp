@@ -201,6 +201,7 @@ TEST_CASE("table: exports and preparations that cannot be are refused") {
 
 TEST_CASE("table: a place in the record is a row, or one position") {
   const auto until = [](const std::string& place) { return complaint("[record]\nfile = '/a'\nuntil = " + place); };
+  CHECK(has(complaint("[record]\nfile = '/a'\nlength = 'dS [mm]'"), "an export of a testing machine"));
   CHECK(has(until("0"), "a whole number, at least 1"));
   CHECK(has(until("{ }"), "either a stage or a deflection, found neither"));
   CHECK(has(until("{ stage = '1 mm', deflection = '1 mm' }"), "found both"));
@@ -446,8 +447,10 @@ TEST_CASE("identity: the effective case is read back as the same case") {
                          "displacement='crosshead'\ndisplacement_column='1'\nforce=\"a \\\"b\\\"\"\nspecimen=3\n"
                          "calibration='222 N/V'\ndecimal='.'\nsign='reverse'\nzero='-0.12 N'\ncontact='first row'\n"
                          "failure='none'\nuntil=7"),
-        std::string_view("[specimen]\nbending_stiffness = 'fit'\nmaterial = \"gl\\\"ass\"\n[rig]\nspan = '1 mm'\nsupport_material = 'steel'\n"
+        std::string_view("[specimen]\nbending_stiffness = 'fit'\nmaterial = \"gl\\\"ass\"\n[rig]\nspan = '1 "
+                         "mm'\nsupport_material = 'steel'\n"
                          "[record]\nfile='x'\nfirst='12 um'\nuntil={ deflection = '0.3 mm' }"),
+        std::string_view("[record]\nfile='x'\nstage='s'\nforce='F'\nlength='dS [mm]'"),
         std::string_view("[record]\nfile='x'\nsign='keep'\nzero='keep'\ncontact='find'")}) {
     const Case input = read_case(text, "case.toml");
     const std::string written = to_toml(input);

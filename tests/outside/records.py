@@ -82,6 +82,20 @@ class Records(InFolder):
         self.holds(fit)
         self.assertAlmostEqual(fit["parameters"]["contact_offset"]["value"], 300e-6, delta=1e-6)
 
+    def test_a_length_that_was_imaged_is_held_against_what_the_force_says(self):
+        truth = (SOURCE / "examples/simulated/truth.toml").read_text(encoding="utf-8").replace('"30.192 GPa"', '"29.6 GPa"')
+        simulated = list(csv.DictReader(self.succeeds("simulate", self.file("truth.toml", truth), "--noise", "10 uN").splitlines()))
+        noise = random.Random(3)
+        rows = [(float(row["w_s [m]"]), float(row["F [N]"]), float(row["S [m]"]) - 1278e-6 - 2e-6 + 0.5e-6 * noise.gauss(0, 1)) for row in simulated]
+        self.file("imaged.csv", "stage [m],force [N],dS [m]\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in rows))
+        case = self.case("other.csv", READINGS, "").replace("other.csv", "imaged.csv").replace('"force"', '"force"\nlength = "dS [m]"')
+        fit = self.json("fit", self.file("case.toml", case))
+        imaged = fit["imaged_length"]
+        self.assertAlmostEqual(imaged["offset"], 2e-6, delta=0.5e-6)
+        self.assertLess(imaged["scatter"], 1.5e-6)
+        self.assertGreater(len(imaged["points"]), 200)
+        self.assertIsNone(self.fitted(READINGS)["imaged_length"])
+
     def case(self, name, readings, more):
         self.file(name, "stage [um],force [mN]\n" + "".join(f"{stage!r},{force!r}\n" for stage, force in readings))
         return f'''[specimen]

@@ -30,7 +30,8 @@ TEST_CASE("outside: the table of tests reads back to the same bits, whatever the
   CHECK(read.columns[2].values[0] == 6.4e-11);
   CHECK(read.columns[3].values[0] == 3.4e-6);
   CHECK(read.columns[4].values[0] == 7);
-  CHECK(text_of(path).find("\"A <b> & 50%_ü \"\"x\"\"\",ok,clear,no,sound,not_by_cracks_alone,roughness,0.6,") != std::string::npos);
+  CHECK(text_of(path).find("\"A <b> & 50%_ü \"\"x\"\"\",ok,clear,no,sound,not_by_cracks_alone,roughness,0.6,") !=
+        std::string::npos);
 }
 
 TEST_CASE("outside: no name is a formula, and each is that of the same test when the table is read") {

@@ -1,0 +1,29 @@
+#include "inference/imaged_length.h"
+
+#include <cmath>
+#include <limits>
+
+#include "data/order.h"
+
+namespace flexslip {
+
+ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const double> pulled_in) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  ImagedLength compared{{}, none, none, none};
+  std::vector<double> differences;
+  for (const auto& point : profile.points) {
+    if (!(point.index < pulled_in.size()) || !std::isfinite(pulled_in[point.index])) continue;
+    compared.points.push_back({point.index, point.S - 1, pulled_in[point.index]});
+    differences.push_back(point.S - 1 - pulled_in[point.index]);
+  }
+  if (differences.empty()) return compared;
+  compared.offset = median_of(differences);
+  for (double& difference : differences) difference = std::abs(difference - compared.offset);
+  constexpr double of_median = 1.4826;  // standard deviation over median absolute deviation
+  compared.scatter = of_median * median_of(differences);
+  constexpr double of_a_median = 1.2533;  // its standard error over that of a mean
+  compared.error = of_a_median * compared.scatter / std::sqrt(static_cast<double>(differences.size()));
+  return compared;
+}
+
+}  // namespace flexslip
