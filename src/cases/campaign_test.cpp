@@ -83,6 +83,11 @@ std::string remark_on(Doubt doubt, const FittedTest& test) {
       return failed_checks_in_words(analysis);
     case Doubt::falling_friction:
       return "friction falls away along the record";
+    case Doubt::changed_reload:
+      return fmt::format("a reload is {:.0f} % {}", 100 * std::abs(test.judgement->loss),
+                         test.judgement->loss > 0 ? "softer" : "stiffer");
+    case Doubt::coarse_force:
+      return "the force is too coarse to show small drops";
     case Doubt::undecided_drops:
       return "slips or cracks: cannot be told";
     case Doubt::few_rows:

@@ -45,7 +45,8 @@ bool holds_values(std::span<const double> force, double loaded) {
 
 // Where a record goes straight on from row to row, to the last digits, there is no noise: its readings are where it bends, or the row
 // beside. Empty: it does not.
-std::vector<std::size_t> readings_of(const std::vector<double>& force, double greatest) {
+std::vector<std::size_t> readings_of(std::span<const double> displacement, const std::vector<double>& force,
+                                     double greatest) {
   constexpr double straight = 1e-7;  // [greatest force] less than converters tell, more than files round
   const auto bends_at = [&](std::size_t i) {
     return std::abs(force[i - 1] - 2 * force[i] + force[i + 1]) > straight * greatest;
@@ -54,6 +55,11 @@ std::vector<std::size_t> readings_of(const std::vector<double>& force, double gr
   std::vector<double> bends;
   std::size_t rows_straight = 0;
   for (std::size_t i = 1; i + 1 < force.size(); ++i) {
+    // While the stage stands nothing lies between readings: all such rows are.
+    if (displacement[i - 1] == displacement[i] || displacement[i] == displacement[i + 1]) {
+      readings.push_back(i);
+      continue;
+    }
     if (!bends_at(i)) {
       ++rows_straight;
       continue;
@@ -104,7 +110,9 @@ Sampling sampling_of(std::span<const double> displacement, std::span<const doubl
     sampling.rows = kept;
     forces = forces_of_rows();
   }
-  if (const auto readings = readings_of(forces, greatest); !readings.empty()) {
+  std::vector<double> displacements;
+  for (const std::size_t row : sampling.rows) displacements.push_back(displacement[row]);
+  if (const auto readings = readings_of(displacements, forces, greatest); !readings.empty()) {
     std::vector<std::size_t> kept;
     for (const std::size_t reading : readings) kept.push_back(sampling.rows[reading]);
     sampling.interpolated = sampling.rows.size() - kept.size();

@@ -67,8 +67,9 @@ Passages passages_of(const FitProblem& problem) {
   const auto& record = problem.record;
   const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
   const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_shows_from);
-  const auto within = within_drops(record.force, noise_of(record.force));
   Passages p{};
+  p.noise = noise_of(record.force);
+  const auto within = within_drops(record.force, p.noise);
   p.compliance = 1 / problem.rig.stiffness;
   p.stiffness_error = problem.errors.bending_stiffness;
   p.contact_error = problem.errors.contact;

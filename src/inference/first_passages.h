@@ -23,6 +23,7 @@ struct Passages {
   double compliance;                 // [L^3/EI] of the load train
   double stiffness_error;            // [1] standard deviation of ln EI beforehand
   double contact_error;              // [L]
+  double noise;                      // [EI/L^2] of a reading, by second differences
   double S_middle;                   // [L]
   double range;                      // [L] of places on the fibre: (greatest S - least S)/2
 

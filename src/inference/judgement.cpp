@@ -94,6 +94,10 @@ std::string_view name_of(Doubt doubt) {
       return "failed_check";
     case Doubt::falling_friction:
       return "falling_friction";
+    case Doubt::changed_reload:
+      return "changed_reload";
+    case Doubt::coarse_force:
+      return "coarse_force";
     case Doubt::undecided_drops:
       return "undecided_drops";
     case Doubt::few_rows:
@@ -166,6 +170,12 @@ Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles) {
                        }),
            Doubt::failed_check);
   doubt_if(friction_falls(fit), Doubt::falling_friction);
+  constexpr double relevant = 0.05;
+  doubt_if(reload && !softer && std::abs(judgement.loss) > std::max(relevant, two_sided * judgement.loss_error),
+           Doubt::changed_reload);
+  doubt_if(analysis.drops.smallest_fall >
+               relevant * *std::max_element(analysis.record.force.begin(), analysis.record.force.end()),
+           Doubt::coarse_force);
   doubt_if(drops > 0 && judgement.drops == CrackVerdict::cannot_be_told, Doubt::undecided_drops);
   doubt_if(has_few_rows(analysis), Doubt::few_rows);
   doubt_if(analysis.contact.status == ContactStatus::found && analysis.contact.settles &&

@@ -13,15 +13,17 @@ namespace flexslip {
 enum class Doubt {
   wrong_stiffness,       // the bending stiffness stated is not that of the record's initial slope
   no_sliding,            // no sliding with friction gives the record
-  softer_reload,         // a reload shows a loss of stiffness
+  softer_reload,         // a reload shows a loss of stiffness of a tenth or more
   cracks,                // the rises between the drops are those of a specimen that cracks
   impossible_drops,      // drops that no slip explains
   implausible_friction,  // more friction than is plausible
   failed_check,          // the fit fails a check (of friction told from none the answer itself tells)
   falling_friction,      // friction falls away along the record, as the force of a specimen that cracks would
-  undecided_drops,       // whether drops are slips or cracks cannot be told
-  few_rows,              // most rises between drops have fewer than five rows
-  settling_contact,      // the curve bends where it begins, and the contact may lie elsewhere than it is taken to
+  changed_reload,    // a reload is softer or stiffer than the first loading by more than its error, and by a twentieth
+  coarse_force,      // a drop of less than a twentieth of the greatest force could not be seen
+  undecided_drops,   // whether drops are slips or cracks cannot be told
+  few_rows,          // most rises between drops have fewer than five rows
+  settling_contact,  // the curve bends where it begins, and the contact may lie elsewhere than it is taken to
   unexpected_stiffness,  // the bending stiffness of the fit is not that stated, by twice its error
 };
 

@@ -47,8 +47,12 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   least_wavelength_ = 2 * median_of({passages_.advance.begin() + 1, passages_.advance.end()});
   theta_mean_ = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)};
   theta_deviation_ = {1, 1.5, 1, 1.2};
-  theta_least_ = {elementary::log(0.0005), -6, elementary::log(0.001), elementary::log(range) - 6};
-  theta_greatest_ = {elementary::log(0.5), 6, elementary::log(0.6), elementary::log(range) + 1};
+  // Roughness that explained what is noise would leave none: second differences say how much there is, to a factor.
+  constexpr double least_of_seen = 0.2;
+  const double least_noise = std::max(0.0005, least_of_seen * passages_.noise);
+  theta_least_ = {elementary::log(least_noise), -6, elementary::log(0.001), elementary::log(range) - 6};
+  theta_greatest_ = {std::max(elementary::log(0.5), elementary::log(least_noise) + 1), 6, elementary::log(0.6),
+                     elementary::log(range) + 1};
 }
 
 void FrictionProcess::bound(Theta& theta) const {

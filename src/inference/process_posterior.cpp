@@ -108,8 +108,11 @@ std::vector<Point> points_of(const FrictionProcess& process, const Component& co
     process.bound(point.mode.theta);
     process.settle(point.mode);
     point.log_weight = point.mode.merit - component.mode.merit + 0.5 * squares;
-    points.push_back(std::move(point));
+    // No point is much likelier than the mode: where gaps or EI ran away from it, nothing is known of that point. Nor does one far below tell.
+    constexpr double at_most = 12, at_least = -50;
+    if (point.log_weight < at_most && point.log_weight > at_least) points.push_back(std::move(point));
   }
+  if (points.empty()) points.push_back({component.mode, 0});
   return points;
 }
 

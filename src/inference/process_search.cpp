@@ -79,6 +79,22 @@ std::vector<ScannedWavelength> peaks_of(const std::vector<ScannedWavelength>& sc
   return peaks;
 }
 
+// Minus the second difference of the merit in a hyperparameter, over the step at which it falls by one or more on the average of both sides.
+double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Looks& looks, std::size_t hyperparameter) {
+  const auto at = [&](double step) {
+    Theta theta = mode.theta;
+    theta.values[hyperparameter] += step;
+    return process.objective(mode, looks, theta).value;
+  };
+  const double top = at(0);
+  constexpr double first = 2e-4, last = 0.1;
+  for (double step = first; step < last; step *= 2) {
+    const double fall = top - 0.5 * (at(step) + at(-step));
+    if (fall >= 1) return 2 * fall / (step * step);
+  }
+  return 2 / (last * last);
+}
+
 // ln p(readings, gaps), θ integrated out by the curvature of the merit at the mode.
 Component component_of(const FrictionProcess& process, const Mode& mode) {
   const auto n = static_cast<Index>(mode.theta.size());
@@ -97,6 +113,14 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
         H(i, j) = -(a.gradient[static_cast<std::size_t>(j)] - b.gradient[static_cast<std::size_t>(j)]) / (2 * h);
   }
   H = (0.5 * (H + H.transpose())).eval();
+  // The merit may be flat at its top in ln λ, or dented, and steep beside it: then the curvature is that of where it has fallen by one.
+  for (Index i = 4; i < n; ++i) {
+    const double curvature = curvature_of_fall(process, mode, looks, static_cast<std::size_t>(i));
+    if (H(i, i) > 0.5 * curvature) continue;
+    H.row(i).setZero();
+    H.col(i).setZero();
+    H(i, i) = curvature;
+  }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H);
   constexpr double least_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least_curvature);

@@ -170,14 +170,21 @@ std::string rows_of(const FittedTest& test, const FrictionLoop& loop) {
 std::string cycles_in_short(const FittedTest& test) {
   const CyclicFriction& friction = test.cycles->friction;
   const std::string times =
-      fmt::format("That is of the first of {}", counted(test.cycles->stiffness.size(), "loading", "loadings"));
-  if (friction.status != CyclesStatus::ok) return times + "; the loops say nothing more.";
+      fmt::format("All this is of the first of {}", counted(test.cycles->stiffness.size(), "loading", "loadings"));
+  const Judgement* const judgement = test.judgement ? &*test.judgement : nullptr;
+  const std::string stiff = judgement && std::isfinite(judgement->loss)
+                                ? fmt::format(" The last reload is {:.1f} ± {:.1f} % softer.", 100 * judgement->loss,
+                                              100 * judgement->loss_error)
+                                : "";
+  if (friction.status != CyclesStatus::ok) return times + "; the loops say nothing more of friction." + stiff;
   const auto [in, out, rms] = means_of(friction);
-  return times + fmt::format("; all loops together say {:.2g} sliding in and {:.2g} sliding out{}.", in, out,
-                             is_beyond_friction(friction)
-                                 ? ", but loading and unloading differ by more than friction can: the model leaves "
-                                   "something out"
-                                 : "");
+  return times +
+         fmt::format("; all loops together say a friction of {:.2g} sliding in and {:.2g} sliding out{}.", in, out,
+                     is_beyond_friction(friction)
+                         ? ", but loading and unloading differ by more than friction can: the model leaves "
+                           "something out"
+                         : "") +
+         stiff;
 }
 
 std::vector<std::string> cycles_in_words(const FittedTest& test) {

@@ -54,7 +54,7 @@ std::string cause_in_words(const FittedTest& test) {
       break;
   }
   return rises.judged ? fmt::format("but cracks may do so too: this record cannot tell ({})", margin)
-                      : "but cracks may do so too: there are too few drops to tell";
+                      : "but cracks may do so too: there are too few drops, or rises between them, to tell";
 }
 
 std::string drops_in_words(const FittedTest& test) {
@@ -211,6 +211,7 @@ std::string friction_in_short(const FittedTest& test) {
           ? fmt::format("Friction at the supports is {} (95 %): the record does not tell it from none.",
                         mean_friction(fit))
           : fmt::format("Friction at the supports is {} on average over the fibre seen.", mean_friction(fit));
+  if (fit.mu0_is_bound) return words;
   if (fit.wave_claimed && fit.model == ProfileModel::roughness)
     words += fmt::format(" It repeats every {} of the specimen.",
                          roughly(test.analysis.scales.physical_length(fit.waves.front().wavelength.value),
@@ -221,6 +222,8 @@ std::string friction_in_short(const FittedTest& test) {
                  : " It shows no periodicity beyond roughness.";
   return words;
 }
+
+constexpr double farthest_deflection = 0.8;  // [span]
 
 std::string_view sawtooth_in_words(const TestAnalysis& analysis) {
   switch (analysis.category) {
@@ -254,7 +257,9 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
       const auto impossible = std::count_if(analysis.slips.begin(), analysis.slips.end(), [](const Slip& slip) {
         return slip.verdict != SlipVerdict::possible && slip.verdict != SlipVerdict::too_short;
       });
-      return fmt::format("{} of the {} drops can be no slip.", impossible, analysis.slips.size());
+      return analysis.slips.size() == 1
+                 ? "The drop can be no slip."
+                 : fmt::format("{} of the {} drops can be no slip.", impossible, analysis.slips.size());
     }
     case Doubt::implausible_friction:
       return fmt::format(
@@ -270,6 +275,13 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     }
     case Doubt::falling_friction:
       return "Friction falls away along the record, as the force of a specimen would that loses stiffness.";
+    case Doubt::changed_reload:
+      return fmt::format("Loaded again the specimen is {:.0f} ± {:.0f} % {} than at first.",
+                         100 * std::abs(test.judgement->loss), 100 * test.judgement->loss_error,
+                         test.judgement->loss > 0 ? "softer" : "stiffer (contact or rig have changed)");
+    case Doubt::coarse_force:
+      return fmt::format("The force is coarse: a drop of less than {} could not be seen.",
+                         Print(test).own(analysis.drops.smallest_fall, kind::force));
     case Doubt::undecided_drops:
       return "";
     case Doubt::few_rows:
@@ -328,6 +340,8 @@ std::string next_step_in_words(const FittedTest& test) {
       return "Next: check the modulus, the section, the span, the columns and their units, and whether the specimen "
              "cracks.";
     case NextStep::reload:
+      if (test.cycles)
+        return "Next: unload further and load once more; the loadings of this record cannot be compared.";
       return "Next: unload and load once more; a reload bounds the stiffness that cracks can have taken.";
     case NextStep::finer_steps:
       return "Next: record more rows; most rises between drops have fewer than five.";
@@ -349,11 +363,19 @@ std::string answer_of(const FittedTest& test) {
   if (analysis.status == AnalysisStatus::no_initial_slope)
     return "No answer: the force does not rise where the record begins, so that the bending stiffness cannot be told.";
   if (analysis.status == AnalysisStatus::too_few_points)
-    return fmt::format(
-        "No answer: too few points lie beyond a deflection of a twentieth of the span, where friction shows. The "
-        "greatest "
-        "deflection is {}, {:.2g} % of the span of {}: if it should be more, check their units.",
-        Print(test).length(greatest_deflection(analysis)), 100 * greatest_deflection(analysis), Print(test).length(1));
+    return greatest_deflection(analysis) > farthest_deflection
+               ? fmt::format(
+                     "No answer: the deflection gets to {}, {:.2g} times the span of {}, farther than a specimen "
+                     "bends over its supports. Check their units, and where the displacement counts from.",
+                     Print(test).length(greatest_deflection(analysis)), greatest_deflection(analysis),
+                     Print(test).length(1))
+               : fmt::format(
+                     "No answer: too few points lie beyond a deflection of a twentieth of the span, where friction "
+                     "shows. The "
+                     "greatest "
+                     "deflection is {}, {:.2g} % of the span of {}: if it should be more, check their units.",
+                     Print(test).length(greatest_deflection(analysis)), 100 * greatest_deflection(analysis),
+                     Print(test).length(1));
   if (analysis.status == AnalysisStatus::not_explained) {
     std::string answer =
         "No answer: no sliding with a friction of 0 to 2 gives this record. Check the columns, their units, the span "
@@ -371,7 +393,7 @@ std::string answer_of(const FittedTest& test) {
   }
   answer += fmt::format("{}: {}. {}", sawtooth_in_words(analysis), drops_in_words(test), friction_in_short(test));
   const double share = analysis.energy.friction_share;
-  if (share > 0.005 && judgement.standing != Standing::untrusted && judgement.drops != CrackVerdict::cracks)
+  if (share > 0.005 && judgement.standing < Standing::suspect)
     answer += analysis.drops.drops.empty() || judgement.drops == CrackVerdict::not_by_cracks_alone
                   ? fmt::format(
                         " {} of the work on the specimen went into friction and should not be counted as "
@@ -382,9 +404,10 @@ std::string answer_of(const FittedTest& test) {
                         "not be counted as toughness.",
                         percent(share));
   if (const std::string imaged = imaged_in_words(test); !imaged.empty()) answer += " " + imaged;
+  if (test.cycles) answer += " " + cycles_in_short(test);
   answer += fmt::format(" {}", standing_in_words(judgement.standing));
   if (const std::string next = next_step_in_words(test); !next.empty()) answer += " " + next;
-  return test.cycles ? answer + " " + cycles_in_short(test) : answer;
+  return answer;
 }
 
 std::vector<ParameterRow> parameter_rows(const FittedTest& test) {

@@ -107,6 +107,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "limit: rows while the stage stands are readings, however straight their force falls, and so are the others") {
+  auto columns = readings();
+  const double stands_at = columns.displacement[250], force = columns.force[250];
+  std::vector<double> held_displacement, held_force;
+  for (int i = 1; i <= 500; ++i) {
+    held_displacement.push_back(stands_at);
+    held_force.push_back(force - 1e-3 * i);
+  }
+  columns.displacement.insert(columns.displacement.begin() + 251, held_displacement.begin(), held_displacement.end());
+  columns.force.insert(columns.force.begin() + 251, held_force.begin(), held_force.end());
+  CHECK(sampling_of(columns).rows.size() == 900);
+}
+
 TEST_CASE("limit: of more rows than are asked for every so many count") {
   const auto sampling = sampling_of(readings(), 150);
   CHECK(sampling.stride == 3);

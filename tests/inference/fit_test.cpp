@@ -186,6 +186,23 @@ TEST_CASE("limit: a fibre that passes nothing is not explained, with as many rea
   CHECK(fit_friction(problem).status == FrictionFitStatus::not_explained);
 }
 
+TEST_CASE("identity: a record cut at any row gives about the same answer, and noise that is there") {
+  // At some cuts the merit is dented at its top in ln λ: its curvature there says nothing of how far λ is known.
+  const auto whole =
+      problem_of({.friction = Friction::sinusoid(0.5, 0.15, 10.9 / 1278, 1.0), .noise = 0.0077, .deflection = 0.32});
+  for (std::size_t cut = 0; cut < 16; ++cut) {
+    CAPTURE(cut);
+    FitProblem problem = whole;
+    for (auto* column : {&problem.record.stage, &problem.record.deflection, &problem.record.force})
+      column->resize(column->size() - cut);
+    const auto fit = fit_friction(problem);
+    CHECK(fit.mu0.value == doctest::Approx(0.5).scale(0).epsilon(0.08));
+    CHECK(fit.noise.value == doctest::Approx(0.0077).scale(0).epsilon(0.3));
+    CHECK(fit.noise.low < fit.noise.value);
+    CHECK(fit.wave_claimed);
+  }
+}
+
 TEST_CASE("identity: the correlation of the noise is that of rows one apart, of a record that is thinned too") {
   SimulatedTruth truth{.friction = Friction::constant(0.5), .step = 0.25 / 1278};
   auto problem = problem_of(truth);

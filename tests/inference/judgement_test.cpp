@@ -73,6 +73,12 @@ TEST_CASE("identity: a softer reload comes first, whatever the rises say; a stif
   CHECK(judgement.drops == CrackVerdict::cracks);
   CHECK(judgement.loss == doctest::Approx(0.26));
 
+  const auto slightly = reloaded(0.93, 0.01), stiffer = reloaded(1.5, 0.02), noisy = reloaded(0.93, 0.05);
+  CHECK(has(judge(analysis, &slightly), Doubt::changed_reload));
+  CHECK(judge(analysis, &slightly).standing == Standing::doubtful);
+  CHECK(has(judge(analysis, &stiffer), Doubt::changed_reload));
+  CHECK(!has(judge(analysis, &noisy), Doubt::changed_reload));
+
   analysis.slip_or_crack.verdict = CrackVerdict::cannot_be_told;
   CHECK(judge(analysis, nullptr).drops == CrackVerdict::cannot_be_told);
   const auto as_stiff = reloaded(0.99, 0.01);
@@ -99,6 +105,8 @@ TEST_CASE("identity: what is sound has no doubt, and what has one is not sound")
   CHECK(standing_with([](auto& analysis) {
           for (auto& slip : analysis.slips) slip.verdict = SlipVerdict::negative;
         }) == Standing::suspect);
+  CHECK(standing_with([](auto& analysis) { analysis.drops.smallest_fall = 0.1 * analysis.record.force.back(); }) ==
+        Standing::doubtful);
   CHECK(standing_with([](auto& analysis) { analysis.fit.bending_stiffness.value = 1.1; }) == Standing::doubtful);
   CHECK(standing_with([](auto& analysis) {
           analysis.fit.drift.value = -0.5 * analysis.fit.mu0.value / (analysis.fit.S_end - analysis.fit.S_begin);
