@@ -243,16 +243,19 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
   const auto& fit = analysis.fit;
   switch (doubt) {
     case Doubt::wrong_stiffness:
-      return fmt::format(
-          "No answer to trust: the bending stiffness stated is {:.2g} times that of the record's initial slope.",
-          analysis.stiffness_over_slope);
+      return fmt::format("the bending stiffness stated is {:.2g} times that of the record's initial slope.",
+                         analysis.stiffness_over_slope);
     case Doubt::no_sliding:
-      return "No answer to trust: no sliding with a friction of 0 to 2 gives this record.";
+      return test.judgement->doubts.front() == Doubt::no_sliding
+                 ? "no sliding with a friction of 0 to 2 gives this record."
+                 : "Nor does any sliding with a friction of 0 to 2 give this record.";
     case Doubt::softer_reload:
       return fmt::format("The specimen lost stiffness: loaded again it is {:.0f} ± {:.0f} % softer.",
                          100 * test.judgement->loss, 100 * test.judgement->loss_error);
     case Doubt::cracks:
-      return "The drops are those of a specimen that cracks; what is said of friction takes them for slips.";
+      return test.judgement->standing == Standing::untrusted
+                 ? "The drops are those of a specimen that cracks."
+                 : "The drops are those of a specimen that cracks; what is said of friction takes them for slips.";
     case Doubt::impossible_drops: {
       const auto impossible = std::count_if(analysis.slips.begin(), analysis.slips.end(), [](const Slip& slip) {
         return slip.verdict != SlipVerdict::possible && slip.verdict != SlipVerdict::too_short;
@@ -264,8 +267,8 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     case Doubt::implausible_friction:
       return fmt::format(
           "It needs more friction than is plausible: above {:g} in {} of {} points past a tenth of the "
-          "span, {:.2f} on average.",
-          analysis.suspects.limit, analysis.suspects.points.size(), analysis.suspects.points_judged, fit.mu0.value);
+          "span.",
+          analysis.suspects.limit, analysis.suspects.points.size(), analysis.suspects.points_judged);
     case Doubt::failed_check: {
       std::string words;
       for (const auto& check : analysis.checks)
@@ -386,11 +389,17 @@ std::string answer_of(const FittedTest& test) {
     return answer;
   }
   const Judgement& judgement = test.judgement.value();
-  std::string answer;
+  const bool trusted = judgement.standing != Standing::untrusted;
+  std::string answer = trusted ? "" : "No answer to trust: ";
   for (const Doubt doubt : judgement.doubts) {
+    // What follows from a wrong stiffness, or from no sliding, is no doubt of its own.
+    if (!trusted && doubt > Doubt::cracks) continue;
     const std::string words = doubt_in_words(doubt, test);
     if (!words.empty()) answer += words + " ";
   }
+  if (!trusted)
+    return fmt::format("{}{}: {}. {}", answer, sawtooth_in_words(analysis), drops_in_words(test),
+                       next_step_in_words(test));
   answer += fmt::format("{}: {}. {}", sawtooth_in_words(analysis), drops_in_words(test), friction_in_short(test));
   const double share = analysis.energy.friction_share;
   if (share > 0.005 && judgement.standing < Standing::suspect)
