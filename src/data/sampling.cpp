@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <utility>
 
 #include "data/order.h"
 
@@ -48,9 +49,8 @@ bool holds_values(std::span<const double> force, double loaded) {
 std::vector<std::size_t> readings_of(std::span<const double> displacement, const std::vector<double>& force,
                                      double greatest) {
   constexpr double straight = 1e-7;  // [greatest force] less than converters tell, more than files round
-  const auto bends_at = [&](std::size_t i) {
-    return std::abs(force[i - 1] - 2 * force[i] + force[i + 1]) > straight * greatest;
-  };
+  const auto bend_at = [&](std::size_t i) { return std::abs(force[i - 1] - 2 * force[i] + force[i + 1]); };
+  const auto bends_at = [&](std::size_t i) { return bend_at(i) > straight * greatest; };
   std::vector<std::size_t> readings{0};
   std::vector<double> bends;
   std::size_t rows_straight = 0;
@@ -65,7 +65,7 @@ std::vector<std::size_t> readings_of(std::span<const double> displacement, const
       continue;
     }
     // A reading between two rows bends both: the one that is not on the way of a fall counts.
-    bends.push_back(std::abs(force[i - 1] - 2 * force[i] + force[i + 1]));
+    bends.push_back(bend_at(i));
     const bool bends_next = i + 2 < force.size() && bends_at(i + 1);
     const bool falls_then = bends_next && force[i + 2] < force[i + 1];
     readings.push_back(bends_next && !falls_then ? i + 1 : i);
@@ -78,52 +78,47 @@ std::vector<std::size_t> readings_of(std::span<const double> displacement, const
   return readings;
 }
 
+// The values at some rows.
+std::vector<double> values_at(const std::vector<std::size_t>& rows, std::span<const double> values) {
+  std::vector<double> picked;
+  for (const std::size_t row : rows) picked.push_back(values[row]);
+  return picked;
+}
+
+// Of the rows those that a test keeps, by their place among them; how many it does not.
+template <class Kept>
+std::size_t leave_out(std::vector<std::size_t>& rows, Kept is_kept) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (is_kept(i)) kept.push_back(rows[i]);
+  const std::size_t left_out = rows.size() - kept.size();
+  rows = std::move(kept);
+  return left_out;
+}
+
 }  // namespace
 
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most) {
-  Sampling sampling{{}, 0, 0, 0, 1};
+  Sampling sampling{std::vector<std::size_t>(force.size()), 0, 0, 0, 1};
+  auto& rows = sampling.rows;
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  sampling.repeated = leave_out(rows, [&](std::size_t i) {
+    return i == 0 || force[i] != force[i - 1] || displacement[i] != displacement[i - 1];
+  });
   const double greatest = greatest_of(force);
   constexpr double of_greatest = 0.05;
   const double loaded = of_greatest * greatest;
-  for (std::size_t i = 0; i < force.size(); ++i) {
-    const bool repeats = i > 0 && force[i] == force[i - 1] && displacement[i] == displacement[i - 1];
-    if (repeats)
-      ++sampling.repeated;
-    else
-      sampling.rows.push_back(i);
-  }
-  const auto forces_of_rows = [&] {
-    std::vector<double> values;
-    for (const std::size_t row : sampling.rows) values.push_back(force[row]);
-    return values;
-  };
-  auto forces = forces_of_rows();
+  auto forces = values_at(rows, force);
   if (holds_values(forces, loaded)) {
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-      const bool is_held = i > 0 && forces[i] == forces[i - 1] && std::abs(forces[i]) > loaded;
-      if (is_held)
-        ++sampling.held;
-      else
-        kept.push_back(sampling.rows[i]);
-    }
-    sampling.rows = kept;
-    forces = forces_of_rows();
+    sampling.held = leave_out(
+        rows, [&](std::size_t i) { return i == 0 || forces[i] != forces[i - 1] || !(std::abs(forces[i]) > loaded); });
+    forces = values_at(rows, force);
   }
-  std::vector<double> displacements;
-  for (const std::size_t row : sampling.rows) displacements.push_back(displacement[row]);
-  if (const auto readings = readings_of(displacements, forces, greatest); !readings.empty()) {
-    std::vector<std::size_t> kept;
-    for (const std::size_t reading : readings) kept.push_back(sampling.rows[reading]);
-    sampling.interpolated = sampling.rows.size() - kept.size();
-    sampling.rows = kept;
-  }
-  sampling.stride = (sampling.rows.size() + most - 1) / most;
-  if (sampling.stride > 1) {
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < sampling.rows.size(); i += sampling.stride) kept.push_back(sampling.rows[i]);
-    sampling.rows = kept;
-  }
+  if (const auto readings = readings_of(values_at(rows, displacement), forces, greatest); !readings.empty())
+    sampling.interpolated =
+        leave_out(rows, [&](std::size_t i) { return std::binary_search(readings.begin(), readings.end(), i); });
+  sampling.stride = (rows.size() + most - 1) / most;
+  if (sampling.stride > 1) leave_out(rows, [&](std::size_t i) { return i % sampling.stride == 0; });
   return sampling;
 }
 

@@ -22,9 +22,8 @@ const LoadingStiffness* last_reload(const CyclicTest* cycles) {
 }
 
 std::size_t impossible_drops(const TestAnalysis& analysis) {
-  return static_cast<std::size_t>(std::count_if(analysis.slips.begin(), analysis.slips.end(), [](const Slip& slip) {
-    return slip.verdict != SlipVerdict::possible && slip.verdict != SlipVerdict::too_short;
-  }));
+  return static_cast<std::size_t>(std::count_if(analysis.slips.begin(), analysis.slips.end(),
+                                                [](const Slip& slip) { return is_no_slip(slip.verdict); }));
 }
 
 // Along all that is seen, by a third of its mean or more, and surely.

@@ -58,6 +58,11 @@ enum class SlipVerdict {
 
 std::string_view name_of(SlipVerdict verdict);
 
+// Neither possible nor too short to judge.
+inline bool is_no_slip(SlipVerdict verdict) {
+  return verdict != SlipVerdict::possible && verdict != SlipVerdict::too_short;
+}
+
 // One drop of the force as a slip: how far the fibre moved over its supports, and how friction fell.
 struct Slip {
   Drop drop;

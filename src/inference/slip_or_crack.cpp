@@ -141,7 +141,9 @@ struct Least {
 };
 using Function = std::function<double(std::span<const double>)>;
 
-Least least_of(const Function& f, const std::vector<std::vector<double>>& starts, const std::vector<double>& steps) {
+using Starts = std::vector<std::vector<double>>;
+
+Least least_of(const Function& f, const Starts& starts, const std::vector<double>& steps) {
   Least best;
   const auto call = [](unsigned n, const double* x, double*, void* data) {
     return (*static_cast<const Function*>(data))(std::span(x, n));
@@ -190,64 +192,63 @@ class Rises {
   std::size_t size() const { return begin_.size(); }
 
   void judge(SlipOrCrack& out) {
-    const auto n = static_cast<double>(n_), m = static_cast<double>(size()), log_n = elementary::log(n);
-    const auto bic = [&](double minus_log_likelihood, double parameters) {
-      return 2 * minus_log_likelihood + parameters * log_n;
-    };
+    const auto m = static_cast<double>(size());
     // μ, d, ρ
     variance_ = 0.03 * 0.03;
-    Least best;
     const Function cracked = [&](std::span<const double> p) { return cracks(p[0], p[1], p[2]); };
-    for (int round = 0; round < 2; ++round) {
-      best = least_of(cracked, {{0.3, 0, 0.3}, {0.8, 0, 0.3}, {0.6, 1, 0.6}, {0.05, 0, 0.3}}, {0.2, 1, 0.2});
-      cracked(best.at);
-      variance_ = squares_ / n;
-    }
-    cracked(best.at);
-    out.cracks = {bic(best.value, m + 4), best.at[0], left_};
-    const auto of_cracks = best.at;
+    const Starts of_cracks{{0.3, 0, 0.3}, {0.8, 0, 0.3}, {0.6, 1, 0.6}, {0.05, 0, 0.3}};
+    Least best;
+    for (int round = 0; round < 2; ++round) best = settled(cracked, of_cracks, {0.2, 1, 0.2});
+    out.cracks = explanation(cracked, best, m + 4);
+    const double mu = best.at[0], d = best.at[1], rho = best.at[2], arrested_variance = variance_;
+    // μ, ρ
     const Function constant = [&](std::span<const double> p) { return cracks(p[0], 0, p[1]); };
-    best = least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2});
-    constant(best.at);
-    out.cracks_constant = {bic(best.value, m + 3), best.at[0], left_};
-    const double arrested_variance = variance_;
+    out.cracks_constant =
+        explanation(constant, least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2}), m + 3);
     count_stiffer(out);
-
     // μ, d, ρ, mean and logarithm of the spread of the slopes of e within a rise
     const Function running = [&](std::span<const double> p) { return running_cracks(p); };
-    const std::vector<double> running_steps{0.15, 0.7, 0.15, 0.7, 1};
-    std::vector<std::vector<double>> starts{{of_cracks[0], of_cracks[1], std::max(of_cracks[2] - 0.2, 0.05), 0.3, -1},
-                                            {0.3, 0, 0.3, 1, 1},
-                                            {0.9, 0, 0.5, 0.1, 1}};
-    // e0, ρ, logarithm of the spread of b_j; loss at each drop
-    for (int round = 0; round < 3; ++round) {
-      best = least_of(running, starts, running_steps);
-      running(best.at);
-      variance_ = squares_ / n;
-      starts = {best.at};
-    }
-    running(best.at);
-    out.cracks_running = {bic(best.value, m + 6), best.at[0], left_};
-
-    for (const bool loses : {false, true}) {
-      variance_ = std::min(arrested_variance, 0.05 * 0.05);
-      const Function slips = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], loses ? p[3] : 0); };
-      std::vector<double> steps{0.03, 0.2, 1, 0.01};
-      starts = {{0, 0.3, 0, 0.01}, {0, 0.3, 2, 0.002}, {0.03, 0.6, -2, 0.03}};
-      steps.resize(loses ? 4 : 3);
-      for (auto& start : starts) start.resize(steps.size());
-      for (int round = 0; round < 3; ++round) {
-        best = least_of(slips, starts, steps);
-        slips(best.at);
-        variance_ = squares_ / n;
-        starts = {best.at};
-      }
-      slips(best.at);
-      (loses ? out.slip_and_cracks : out.slip) = {bic(best.value, m + (loses ? 5 : 4)), level_, left_};
-    }
+    out.cracks_running = explanation(
+        running,
+        polished(running, {{mu, d, std::max(rho - 0.2, 0.05), 0.3, -1}, {0.3, 0, 0.3, 1, 1}, {0.9, 0, 0.5, 0.1, 1}},
+                 {0.15, 0.7, 0.15, 0.7, 1}),
+        m + 6);
+    // e0 - 1, ρ, logarithm of the spread of b_j; loss at each drop
+    const double of_slips = std::min(arrested_variance, 0.05 * 0.05);
+    variance_ = of_slips;
+    const Function slips = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], 0); };
+    out.slip = explanation(slips, polished(slips, {{0, 0.3, 0}, {0, 0.3, 2}, {0.03, 0.6, -2}}, {0.03, 0.2, 1}), m + 4);
+    out.slip.friction = level_;
+    variance_ = of_slips;
+    const Function both = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], p[3]); };
+    out.slip_and_cracks = explanation(
+        both, polished(both, {{0, 0.3, 0, 0.01}, {0, 0.3, 2, 0.002}, {0.03, 0.6, -2, 0.03}}, {0.03, 0.2, 1, 0.01}),
+        m + 5);
+    out.slip_and_cracks.friction = level_;
   }
 
  private:
+  // The least from some starts, and what the variance of a row is there.
+  Least settled(const Function& f, const Starts& starts, const std::vector<double>& steps) {
+    Least best = least_of(f, starts, steps);
+    f(best.at);
+    variance_ = squares_ / static_cast<double>(n_);
+    return best;
+  }
+  // The same, and twice again from where that is.
+  Least polished(const Function& f, Starts starts, const std::vector<double>& steps) {
+    Least best;
+    for (int round = 0; round < 3; ++round) {
+      best = settled(f, starts, steps);
+      starts = {best.at};
+    }
+    return best;
+  }
+  RiseExplanation explanation(const Function& f, const Least& best, double numbers) {
+    f(best.at);  // for what is left of EI there
+    return {2 * best.value + numbers * elementary::log(static_cast<double>(n_)), best.at[0], left_};
+  }
+
   // The rows of a series made independent of those before, within each rise.
   void whiten(std::vector<double>& series, double rho) const {
     for (std::size_t j = size(); j-- > 0;) {

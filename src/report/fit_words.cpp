@@ -20,12 +20,6 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-std::size_t possible_slips(const FittedTest& test) {
-  const auto& slips = test.analysis.slips;
-  return static_cast<std::size_t>(std::count_if(
-      slips.begin(), slips.end(), [](const Slip& slip) { return slip.verdict == SlipVerdict::possible; }));
-}
-
 std::string percent_of(double part, double whole) {
   return whole > 0 ? fmt::format("{:.1f} %", 100 * part / whole) : "";
 }
@@ -66,7 +60,7 @@ std::string drops_in_words(const FittedTest& test) {
                                                 roughly(test.analysis.scales.physical_length(summary.median_spacing),
                                                         Print(test).as(kind::length)));
   const std::size_t drops = test.analysis.drops.drops.size();
-  const std::size_t slips = possible_slips(test);
+  const std::size_t slips = summary.count;
   if (drops == 0) return "the force never drops by more than its noise";
   const std::string times = drops == 1 ? "once" : drops == 2 ? "twice" : fmt::format("{} times", drops);
   if (slips == 0)
@@ -257,9 +251,8 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
                  ? "The drops are those of a specimen that cracks."
                  : "The drops are those of a specimen that cracks; what is said of friction takes them for slips.";
     case Doubt::impossible_drops: {
-      const auto impossible = std::count_if(analysis.slips.begin(), analysis.slips.end(), [](const Slip& slip) {
-        return slip.verdict != SlipVerdict::possible && slip.verdict != SlipVerdict::too_short;
-      });
+      const auto impossible = std::count_if(analysis.slips.begin(), analysis.slips.end(),
+                                            [](const Slip& slip) { return is_no_slip(slip.verdict); });
       return analysis.slips.size() == 1
                  ? "The drop can be no slip."
                  : fmt::format("{} of the {} drops can be no slip.", impossible, analysis.slips.size());
