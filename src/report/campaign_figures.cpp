@@ -393,8 +393,8 @@ Figure distribution_figure(const Campaign& campaign) {
       {column3, row2, "dt solid lw 0.7 lc rgb 'black'", false, "95 % intervals"}};
   if (literature)
     entries.push_back({column3, row1, "dt solid lw 8 lc rgb '#D6EFE7'", false,
-                       fmt::format("{} on {}, {:g}–{:g}", literature->specimen, literature->support, literature->low,
-                                   literature->high)});
+                       fmt::format("Literature: {} on {}, {:g}–{:g}", literature->specimen, literature->support,
+                                   literature->low, literature->high)});
   figure.script += legend(figure, entries);
   std::string after_first_panel = no_legend(entries.size());
   const auto panel_script = [&](double left, const CategoryLook& look, double mean, const std::string& words,

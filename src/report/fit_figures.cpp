@@ -268,7 +268,7 @@ Figure profile_figure(const FittedTest& test) {
           literature
               ? fmt::format(
                     ", \\\n       keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title "
-                    "'{} on {}, literature'",
+                    "'Literature: {} on {}'",
                     literature->specimen, literature->support)
               : std::string()),
       fmt::arg("wave_title", fit.wave_claimed ? " title 'Wave'" : ""),
