@@ -368,10 +368,11 @@ class Rises {
       return impossible;
     std::vector<double>&S = x_, &y = y_, &level = z_;
     constexpr double greatest = 1.5;
-    double total = 0;
+    double total = 0, e = 0;
     for (std::size_t i = 0; i < n_; ++i) {
       const Row& row = rows_[i];
-      const double e = e0 * elementary::exp(row.drops_before * std::log1p(-loss));
+      if (i == 0 || row.drops_before != rows_[i - 1].drops_before)
+        e = e0 * elementary::exp(row.drops_before * std::log1p(-loss));
       const double q = friction_at(row, row.F / e, row.q);
       if (loss > 0 && q > std::max(greatest, row.q)) return impossible;
       const double gain = e * evaluate(row.force, q).slope * row.to_stage;

@@ -124,12 +124,13 @@ class LayoutFinder {
       layout_.blocks.back().misfits.push_back(line);
   }
 
-  // A line between rows with all their cells and some numbers is a row with damaged cells.
+  // A line between rows with all their cells and some numbers is a row with damaged cells, one that says of each that it is missing too.
   void take_misfit(std::size_t line) {
     TableBlock& block = layout_.blocks.back();
     const Cells cells = sheet_.cells(line);
     const bool damaged = !is_comment(sheet_.text(line)) && cells.size() == layout_.columns &&
-                         std::any_of(cells.begin(), cells.end(), has_number);
+                         (std::any_of(cells.begin(), cells.end(), has_number) ||
+                          std::all_of(cells.begin(), cells.end(), says_missing));
     if (damaged)
       block.rows.push_back(line);
     else if (!is_comment(sheet_.text(line)))
@@ -174,14 +175,17 @@ class LayoutFinder {
     if (titles.size() != layout_.columns && cells.size() == 1) titles = split_titles(text, layout_.columns);
     if (titles.size() != layout_.columns) return {};
     std::size_t words = 0;
+    std::size_t units = 0;
     std::size_t meant = 0;
     for (const std::string& title : titles) {
       if (has_number(title)) return {};
-      if (!title.empty()) ++words;
+      if (!says_missing(title)) ++words;
+      if (names_a_unit(title)) ++units;
       if (role_of(title_parts(title).name) != ColumnRole::other) ++meant;
     }
     const bool is_prose = is_comment(sheet_.text(line)) && meant == 0;
-    if (is_prose || (words < 2 && layout_.columns > 1) || words == 0) return {};
+    const bool are_units = units > 1 && 2 * units > words;
+    if (is_prose || are_units || (words < 2 && layout_.columns > 1) || words == 0) return {};
     return 2 * words >= numeric_ || meant >= 2 ? titles : std::vector<std::string>{};
   }
 

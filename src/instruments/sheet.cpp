@@ -82,7 +82,7 @@ NumberCell number_cell(std::string_view cell) {
   const char first = cell.front();
   if ((first < '0' || first > '9') && first != '+' && first != '-' && first != '.' && first != ',') return {};
   if (looks_numeric(cell)) return {cell, {}};
-  const std::size_t space = cell.rfind(' ');
+  const std::size_t space = cell.find_last_of(" \t");
   if (space == std::string_view::npos) return {};
   const std::string_view number = trimmed(cell.substr(0, space));
   const std::string_view unit = cell.substr(space + 1);

@@ -555,6 +555,15 @@ TEST_CASE("export: rows of another length are left out and said; many of them, a
   CHECK(has(complaint(bad), "rows of 2 cells"));
 }
 
+TEST_CASE("export: a row that says of every cell that it is missing ends no table") {
+  const std::string text =
+      "Stroke [mm],Load [N]\n0.1,0.5\n0.2,0.6\n0.3,0.7\nnan,n/a\n0.4,0.8\n0.5,0.9\n0.6,1.0\n0.7,1.1\n";
+  const Export read = read_export(text, "e.csv");
+  REQUIRE(read.specimens.size() == 1);
+  CHECK(read.specimens.front().lines.size() == 8);
+  CHECK(read.specimens.front().columns.back().values.back() == 1.1);
+}
+
 TEST_CASE("export: the flags that repeat the decisions make the same of the file") {
   for (const ExpectedExport& wanted : made) {
     const std::string bytes = bytes_of(fixtures / wanted.file);
