@@ -139,25 +139,31 @@ inline Truth truth_of(const std::string& kind, Random& random) {
   return t;
 }
 
-inline FitProblem simulated(const Truth& t, Random& random) {
-  const SlidingLadder ladder(1.58, 2e-4);
-  std::vector<double> mu, stages;
-  for (const double S : ladder.lengths()) mu.push_back(t.mu(S));
-  for (int i = 1; i < 2000; ++i) stages.push_back(i * 2 / span);
-  const auto curve = ladder.curve(mu);
-  const auto F = measured_curve(curve.w, curve.F, t.stiffening / t.k, stages).F;
+// A record up to a deflection of 0.4 spans, of forces [EI/L^2] in units of the nominal bending stiffness.
+inline FitProblem measured(std::span<const double> stages, std::span<const double> forces, const Truth& t,
+                           Random& random) {
   FitProblem problem{.record = {}, .rig = {t.k}, .errors = {.force = t.noise, .bending_stiffness = 0.03, .contact = 0}};
   double e = random.normal();
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    const double w = stages[i] - F[i] * t.stiffening / t.k;
-    if (w > 0.4) break;
-    const double force = F[i] * t.stiffening + t.noise * e;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    if (stages[i] - forces[i] / t.k > 0.4) break;
+    const double force = forces[i] + t.noise * e;
     e = t.correlation * e + std::sqrt(1 - t.correlation * t.correlation) * random.normal();
     problem.record.stage.push_back(stages[i]);
     problem.record.force.push_back(force);
     problem.record.deflection.push_back(stages[i] - force / t.k);
   }
   return problem;
+}
+
+inline FitProblem simulated(const Truth& t, Random& random) {
+  const SlidingLadder ladder(1.58, 2e-4);
+  std::vector<double> mu, stages;
+  for (const double S : ladder.lengths()) mu.push_back(t.mu(S));
+  for (int i = 1; i < 2000; ++i) stages.push_back(i * 2 / span);
+  const auto curve = ladder.curve(mu);
+  auto F = measured_curve(curve.w, curve.F, t.stiffening / t.k, stages).F;
+  for (double& force : F) force *= t.stiffening;
+  return measured(stages, F, t, random);
 }
 
 }  // namespace flexslip

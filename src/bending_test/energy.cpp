@@ -9,9 +9,10 @@ EnergyAccount account_after(const EnergyAccount& account, const Stretch& stretch
   next.stage_work += stretch.work.stage;
   next.friction += stretch.work.friction;
   next.snaps += stretch.work.released;
-  next.bending = fibre_state(stretch.to.S, stretch.to.q).U;
+  next.cracks += stretch.work.cracked;
+  next.bending = stretch.to.left * fibre_state(stretch.to.S, stretch.to.q).U;
   next.load_train = 0.5 * stretch.to.F * stretch.to.F / rig.stiffness;
-  next.imbalance = next.stage_work - (next.bending + next.load_train + next.friction + next.snaps);
+  next.imbalance = next.stage_work - (next.bending + next.load_train + next.friction + next.snaps + next.cracks);
   return next;
 }
 

@@ -36,21 +36,23 @@ HistoryStatus status_of(MotionEnd end) {
 // Moves a fibre and keeps the books.
 class Recorder {
  public:
-  Recorder(const BendingTest& test, double farthest) : rig_(test.rig), fibre_(test, farthest) {}
+  Recorder(const BendingTest& test, const std::vector<Crack>& cracks, double farthest)
+      : rig_(test.rig), fibre_(test, cracks, farthest) {}
 
   // To a stage position; false if the fibre does not get there.
   bool move_to(double stage) {
     if (stage == fibre_.state().stage) fibre_.halt();
     Motion motion = Motion::stick;
-    bool snapped = false;
+    bool snapped = false, cracked = false;
     while (const auto stretch = fibre_.advance_towards(stage)) {
       account_for(*stretch);
       motion = stretch->to.motion;
       snapped = snapped || motion == Motion::snap;
+      cracked = cracked || motion == Motion::crack;
     }
     if (fibre_.end() != MotionEnd::none) return false;
     PathPoint point = fibre_.state();
-    point.motion = snapped ? Motion::snap : motion;
+    point.motion = cracked ? Motion::crack : snapped ? Motion::snap : motion;
     record(point);
     return true;
   }
@@ -59,7 +61,7 @@ class Recorder {
   bool move_along(double stage, int n) {
     if (stage == fibre_.state().stage) fibre_.halt();
     while (const auto stretch = fibre_.advance_towards(stage)) {
-      if (stretch->from.stage == stretch->to.stage && stretch->from.S == stretch->to.S) continue;  // at S = 1
+      if (stretch->from.S == 1 && stretch->to.S == 1) continue;  // without a force
       for (const Stretch& part : fibre_.parts_of(*stretch, n)) {
         account_for(part);
         record(part.to);
@@ -73,7 +75,7 @@ class Recorder {
     history_.energy_at.push_back(history_.energy);
   }
 
-  const PathPoint& state() const { return fibre_.state(); }
+  PathPoint state() const { return fibre_.state(); }
 
   History finish() {
     history_.status = status_of(fibre_.end());
@@ -85,25 +87,27 @@ class Recorder {
     history_.energy = account_after(history_.energy, stretch, rig_);
     const auto& [from, to, work] = stretch;
     if (to.motion == Motion::snap) history_.snaps.push_back({to.stage, from, to, work.friction, work.released});
+    if (to.motion == Motion::crack) history_.cracks.push_back({to.stage, from, to, work.cracked});
   }
 
   Rig rig_;
-  MovingFibre fibre_;
+  CrackingFibre fibre_;
   History history_{};
 };
 
 }  // namespace
 
-History follow_in_steps(const BendingTest& test, std::span<const double> stages) {
-  Recorder recorder(test, farthest_of(stages));
+History follow_in_steps(const BendingTest& test, std::span<const double> stages, const std::vector<Crack>& cracks) {
+  Recorder recorder(test, cracks, farthest_of(stages));
   for (const double stage : stages)
     if (!recorder.move_to(stage)) break;
   return recorder.finish();
 }
 
-History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n) {
+History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n,
+                            const std::vector<Crack>& cracks) {
   if (n < 2) throw std::invalid_argument("a stretch needs at least 2 points, not " + std::to_string(n));
-  Recorder recorder(test, farthest_of(turning_points));
+  Recorder recorder(test, cracks, farthest_of(turning_points));
   recorder.record(recorder.state());
   for (const double stage : turning_points)
     if (!recorder.move_along(stage, n)) break;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "bending_test/cracking_fibre.h"
 #include "bending_test/energy.h"
 #include "bending_test/motion.h"
 
@@ -15,6 +16,13 @@ struct Snap {
   PathPoint before, after;
   double friction;  // [EI/L] heat
   double released;  // [EI/L] what it sets free beyond friction
+};
+
+// Likewise a jump along a line of slope -k; the specimen may snap from where it ends.
+struct CrackOpened {
+  double stage;             // [L]
+  PathPoint before, after;  // at the same length
+  double released;          // [EI/L]
 };
 
 enum class HistoryStatus {
@@ -29,20 +37,22 @@ struct History {
   std::vector<PathPoint> path;
   std::vector<EnergyAccount> energy_at;  // at each point of the path
   std::vector<Snap> snaps;
+  std::vector<CrackOpened> cracks;
   EnergyAccount energy;  // at the end
 };
 
 // The states at given stage positions: loading, unloading, reloading, in any order; a position repeated is a halt. A test starts
-// with the straight fibre at stage 0.
-// Domain:     stages finite and >= 0, the greatest at least 1e-6; std::invalid_argument, naming the index, otherwise.
+// with the straight fibre at stage 0. Cracks happen as cracking_fibre.h says; all is in units of the first bending stiffness.
+// Domain:     cracks as there; stages finite and >= 0, the greatest at least 1e-6; std::invalid_argument, naming the index, otherwise.
 // Max error:  as MovingFibre; the energy account closes to 1e-10 + 2^-48/(S - 1) of the greatest energy in it, S being
 //             the least length at which the stage turned: near the straight fibre S - 1 has few digits.
 // Fails:      slipped_through, contact_lost.
-History follow_in_steps(const BendingTest& test, std::span<const double> stages);
+History follow_in_steps(const BendingTest& test, std::span<const double> stages, const std::vector<Crack>& cracks = {});
 
 // The whole path through the turning points of a programme: n points on each stretch of sticking or sliding, its ends among
-// them, so that reversals, the ends of sticking and the snaps are exact.
+// them, so that reversals, the ends of sticking, snaps and cracks are exact.
 // Domain:     turning points as stages above, n >= 2; std::invalid_argument otherwise.
-History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n);
+History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n,
+                            const std::vector<Crack>& cracks = {});
 
 }  // namespace flexslip

@@ -51,6 +51,13 @@ double work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
   return work;
 }
 
+// From where to where a stretch leads, in what state_within takes.
+std::pair<double, double> extent_of(const Stretch& stretch) {
+  const auto& [from, to, work] = stretch;
+  if (to.motion == Motion::stick) return {from.q, to.q};
+  return {std::sqrt(from.S - 1), std::sqrt(to.S - 1)};
+}
+
 }  // namespace
 
 MovingFibre::MovingFibre(BendingTest test, double farthest)
@@ -61,6 +68,26 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
       table_out_(test_.friction.kinetic, test_.rig, Sliding::out) {
   require_bending(test_.rig, farthest);
   state_ = path_point(in_.begin, Motion::stick);
+}
+
+MovingFibre::MovingFibre(BendingTest test, double farthest, double S, double stage)
+    : MovingFibre(std::move(test), farthest) {
+  const FibreState held = held_at(S, stage, test_.rig, test_.friction.kinetic.at(S).mu).state;
+  state_ = {stage, held.w, held.F, S, held.q, Motion::stick};
+}
+
+MovingFibre::Position MovingFibre::position() const { return {state_, here_, end_, glide_}; }
+
+void MovingFibre::return_to(const Position& position) {
+  state_ = position.state;
+  here_ = position.here;
+  end_ = position.end;
+  glide_ = position.glide;
+}
+
+std::optional<Stretch> MovingFibre::settle() {
+  if (end_ != MotionEnd::none || std::abs(state_.q) <= static_friction(test_.friction, state_.S)) return std::nullopt;
+  return snap(state_.q > 0 ? Sliding::in : Sliding::out);
 }
 
 const SlidingCurve& MovingFibre::curve_of(Sliding sliding, double S) {
@@ -200,25 +227,35 @@ Stretch MovingFibre::jump_to(const PathPoint& point, const SnapWork& work) {
   return stretch;
 }
 
+// At rest `along` is q, in sliding √(S - 1).
+FibreState MovingFibre::state_within(Motion motion, double S_at_rest, double along) const {
+  if (motion == Motion::stick) return fibre_state(S_at_rest, along);
+  const double S = 1 + along * along;
+  return fibre_state(S, (motion == Motion::slip_in ? 1 : -1) * test_.friction.kinetic.at(S).mu);
+}
+
+double MovingFibre::stage_at_deflection(const Stretch& stretch, double w) const {
+  auto [low, high] = extent_of(stretch);
+  const auto at = [&](double along) { return state_within(stretch.to.motion, stretch.from.S, along); };
+  double middle = 0.5 * (low + high);
+  for (; low < middle && middle < high; middle = 0.5 * (low + high)) (at(middle).w < w ? low : high) = middle;
+  const FibreState state = at(high);
+  return std::clamp(state.w + state.F / test_.rig.stiffness, stretch.from.stage, stretch.to.stage);
+}
+
 std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
   if (n < 2) throw std::invalid_argument("a stretch has at least 2 points, not " + std::to_string(n));
   const auto& [from, to, work] = stretch;
   if (from.stage == to.stage) return {stretch};
   const Motion motion = to.motion;
-  const double low = motion == Motion::stick ? from.q : std::sqrt(from.S - 1);
-  const double high = motion == Motion::stick ? to.q : std::sqrt(to.S - 1);
-  const auto state_at = [&](double x) {
-    if (motion == Motion::stick) return fibre_state(stretch.from.S, x);
-    const double S = 1 + x * x;
-    return fibre_state(S, (motion == Motion::slip_in ? 1 : -1) * test_.friction.kinetic.at(S).mu);
-  };
+  const auto [low, high] = extent_of(stretch);
   std::vector<Stretch> parts;
   parts.reserve(static_cast<std::size_t>(n - 1));
   PathPoint last = from;
   for (int i = 1; i < n; ++i) {
     PathPoint next = to;
     if (i < n - 1) {
-      const FibreState state = state_at(low + (high - low) * i / (n - 1));
+      const FibreState state = state_within(motion, from.S, low + (high - low) * i / (n - 1));
       next = {state.w + state.F / test_.rig.stiffness, state.w, state.F, state.S, state.q, motion};
     }
     parts.push_back({last, next, work_between(last, next)});

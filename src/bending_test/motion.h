@@ -16,15 +16,16 @@
 
 namespace flexslip {
 
-enum class Motion { stick, slip_in, slip_out, snap };
+enum class Motion { stick, slip_in, slip_out, snap, crack };  // crack: cracking_fibre.h
 
 struct PathPoint {
-  double stage;   // [L]
-  double w;       // [L]
-  double F;       // [EI/L^2]
-  double S;       // [L]
-  double q;       // [1]
-  Motion motion;  // by which the fibre came to this point from the one before
+  double stage;     // [L]
+  double w;         // [L]
+  double F;         // [EI/L^2]
+  double S;         // [L]
+  double q;         // [1]
+  Motion motion;    // by which the fibre came to this point from the one before
+  double left = 1;  // [1] share of the first bending stiffness: less after cracks
 };
 
 // Where a snap comes to rest.
@@ -43,9 +44,10 @@ struct BendingTest {
 
 // [EI/L]
 struct StretchWork {
-  double stage;     // ∫ F d(stage)
-  double friction;  // heat at the supports
-  double released;  // what a snap sets free beyond friction
+  double stage;        // ∫ F d(stage)
+  double friction;     // heat at the supports
+  double released;     // what a snap sets free beyond friction
+  double cracked = 0;  // what a crack sets free
 };
 
 // Part of the way between two events, or to the stage position asked for.
@@ -71,8 +73,15 @@ class MovingFibre {
   //         otherwise.
   MovingFibre(BendingTest test, double farthest);
 
+  // The same, at rest for the moment at a length and a stage position, at which friction may not hold it: see settle().
+  // Domain: S >= 1, stage >= 0 besides. Where no friction up to 20 holds it there, q is what is nearest (snap.h).
+  MovingFibre(BendingTest test, double farthest, double S, double stage);
+
   const PathPoint& state() const { return state_; }
   MotionEnd end() const { return end_; }
+
+  // The snap in which a fibre comes to rest that friction does not hold where it is; none if it does.
+  std::optional<Stretch> settle();
 
   // The next stretch on the way to a stage position; none when it is there, or when end() says why it never will be.
   // Domain:     0 <= stage <= farthest; std::invalid_argument otherwise.
@@ -85,6 +94,16 @@ class MovingFibre {
   // Domain:     n >= 2; a stretch of this fibre.
   std::vector<Stretch> parts_of(const Stretch& stretch, int n);
 
+  // The stage position within a stretch of sticking or sliding in at which the fibre is bent so far.
+  // Domain:     stretch.from.w <= w <= stretch.to.w, on a way on which the deflection rises.
+  // Max error:  the rounding of the stage position.
+  double stage_at_deflection(const Stretch& stretch, double w) const;
+
+  // Where a fibre stands, to come back to after a look ahead.
+  struct Position;
+  Position position() const;
+  void return_to(const Position& position);
+
   // The stage halts: sliding stops, and static friction holds again.
   void halt() { glide_.reset(); }
 
@@ -95,6 +114,7 @@ class MovingFibre {
     double to_S;  // [L] infinite: until the stage turns back or halts
   };
 
+  FibreState state_within(Motion motion, double S_at_rest, double along) const;
   std::optional<Stretch> stick(Sliding sliding, double limit, double stage);
   std::optional<Stretch> slide(Sliding sliding, double stage);
   std::optional<Stretch> snap(Sliding sliding);
@@ -115,6 +135,13 @@ class MovingFibre {
   RigPoint here_{};  // the last point met on a curve
   MotionEnd end_ = MotionEnd::none;
   std::optional<Glide> glide_;
+};
+
+struct MovingFibre::Position {
+  PathPoint state;
+  RigPoint here;
+  MotionEnd end;
+  std::optional<Glide> glide;
 };
 
 }  // namespace flexslip

@@ -66,6 +66,8 @@ constexpr std::array examples{
     Example{"specimen.height", R"(height = "30 um")", "height = 0.02"},
     Example{"specimen.modulus", R"(modulus = "29.6 GPa")", ""},
     Example{"specimen.bending_stiffness", R"(bending_stiffness = "2.1e-12 N m^2")", "bending_stiffness = 1"},
+    Example{"specimen.cracks", R"(cracks = [{ deflection = "160 um", loss = "3 %" }])",
+            R"(cracks = [{ deflection = 0.12, loss = "3 %" }])"},
     Example{"rig",
             R"(the span of your supports, span = "… mm", and the stiffness of your load train, stiffness = "… N/m")",
             "the stiffness of your load train in EI/L^3, stiffness = …"},
@@ -156,10 +158,43 @@ std::optional<Section> read_section(const Keys& keys) {
                             keys.quantity("height", kind::length, Range::positive)};
 }
 
+// The tables in an array of tables, such as waves = [{ … }, { … }].
+std::vector<Keys> read_tables(const Keys& keys, std::string_view name, const std::vector<std::string>& known,
+                              const Case& input) {
+  const toml::node& node = keys.need(name);
+  const toml::array* several = node.as_array();
+  if (!several || several->empty())
+    keys.refuse(name, fmt::format("an array of {}", name), several ? "an empty one" : kind_of_node(node));
+  std::vector<Keys> tables;
+  for (std::size_t i = 0; i < several->size(); ++i) {
+    const std::string path = fmt::format("{}[{}]", keys.key(name), i + 1);
+    const toml::table* table = (*several)[i].as_table();
+    if (!table)
+      throw wrong_value(input, path, fmt::format("{{ {} = … }}", fmt::join(known, " = …, ")),
+                        kind_of_node((*several)[i]));
+    tables.emplace_back(*table, path, input);
+    tables.back().only(known);
+  }
+  return tables;
+}
+
+std::vector<CrackInput> read_cracks(const Keys& keys, const Case& input) {
+  std::vector<CrackInput> cracks;
+  for (const Keys& each : read_tables(keys, "cracks", {"deflection", "loss"}, input)) {
+    cracks.push_back({each.quantity("deflection", kind::length, Range::positive), each.share("loss")});
+    if (!(cracks.back().loss < 1))
+      each.refuse("loss", "less than 100 % of the bending stiffness that is left",
+                  fmt::format("{}", cracks.back().loss));
+  }
+  return cracks;
+}
+
 SpecimenInput read_specimen(const Keys& keys, const Case& input) {
-  keys.only({"diameter", "inner_diameter", "wall", "width", "height", "modulus", "bending_stiffness", "material"});
+  keys.only(
+      {"diameter", "inner_diameter", "wall", "width", "height", "modulus", "bending_stiffness", "material", "cracks"});
   SpecimenInput specimen{read_section(keys), BendingStiffness{Known{1, 0}}};
   if (keys.has("material")) specimen.material = keys.text("material");
+  if (keys.has("cracks")) specimen.cracks = read_cracks(keys, input);
   const bool has_product = keys.has("bending_stiffness");
   if (keys.has("modulus") && (has_product || input.reduced))
     keys.refuse("modulus", input.reduced ? "no modulus in a reduced case" : "either a modulus or a bending_stiffness",
@@ -211,19 +246,9 @@ WaveInput read_wave(const Keys& keys) {
 }
 
 std::vector<WaveInput> read_waves(const Keys& keys, const Case& input) {
-  const toml::node& node = keys.need("waves");
-  const toml::array* several = node.as_array();
-  if (!several || several->empty())
-    keys.refuse("waves", "an array of waves", several ? "an empty one" : kind_of_node(node));
   std::vector<WaveInput> waves;
   double sum = 0;
-  for (std::size_t i = 0; i < several->size(); ++i) {
-    const std::string path = fmt::format("{}[{}]", keys.key("waves"), i + 1);
-    const toml::table* table = (*several)[i].as_table();
-    if (!table)
-      throw wrong_value(input, path, "{ amplitude = …, wavelength = …, phase = … }", kind_of_node((*several)[i]));
-    const Keys wave(*table, path, input);
-    wave.only({"amplitude", "wavelength", "phase"});
+  for (const Keys& wave : read_tables(keys, "waves", {"amplitude", "wavelength", "phase"}, input)) {
     waves.push_back(read_wave(wave));
     sum += waves.back().amplitude;
   }
@@ -531,6 +556,11 @@ void write(Writer& out, const SpecimenInput& specimen) {
   else
     out.estimate("bending_stiffness", std::get<BendingStiffness>(specimen.rigidity).estimate, kind::bending_stiffness);
   if (specimen.material) out.line("material", basic_string(*specimen.material));
+  std::vector<std::string> cracks;
+  for (const CrackInput& crack : specimen.cracks)
+    cracks.push_back(fmt::format("{{ deflection = {}, loss = {} }}", out.quantity(crack.deflection, kind::length),
+                                 plain(crack.loss)));
+  if (!cracks.empty()) out.line("cracks", array_text(cracks));
 }
 
 void write(Writer& out, const RigInput& rig) {

@@ -45,10 +45,18 @@ struct BendingStiffness {
   bool operator==(const BendingStiffness&) const = default;
 };
 
+// A loss of bending stiffness, at once and for good.
+struct CrackInput {
+  double deflection;  // [m] at which it happens when that is first reached
+  double loss;        // [1] of what is left, in (0, 1)
+  bool operator==(const CrackInput&) const = default;
+};
+
 struct SpecimenInput {
   std::optional<Section> section;                    // none beside a modulus: the export of the record says it
   std::variant<Modulus, BendingStiffness> rigidity;  // reduced: a bending stiffness, 1 where it is known
   std::optional<std::string> material{};             // "glass", for the literature's friction alone
+  std::vector<CrackInput> cracks{};                  // for simulating
   bool operator==(const SpecimenInput&) const = default;
 };
 

@@ -93,6 +93,10 @@ Loading loading_of(const Case& input) {
     throw wrong_value(input, "friction.static_excess", "friction that is the same at rest, to plan one loading",
                       fmt::format("{:g}", input.friction->static_excess),
                       "leave it out, or see what it does with flexslip simulate");
+  if (!input.specimen->cracks.empty())
+    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, to plan one loading",
+                      fmt::format("{} of them", input.specimen->cracks.size()),
+                      "leave them out, or see what they do with flexslip simulate");
   return {*farthest, programme->step.value_or(0)};
 }
 

@@ -135,15 +135,21 @@ InputError Keys::placed(const InputError& error, const std::string& key) const {
   return wrong_value(input_, key, error.fault.expected, error.fault.found, error.fault.remedy);
 }
 
+double Keys::share(std::string_view name) const {
+  const auto text = need(name).value_exact<std::string_view>();
+  if (!text || text->find('%') == std::string_view::npos) return number(name, Range::positive);
+  try {
+    return parse_quantity(*text, kind::number, Range::positive);
+  } catch (const InputError& error) {
+    throw placed(error, key(name));
+  }
+}
+
 double Keys::uncertainty(double value_of_it, const Kind& kind) const {
   const toml::node& node = need("uncertainty");
   const auto text = node.value_exact<std::string_view>();
-  if (!text || text->find('%') == std::string_view::npos) return value(node, key("uncertainty"), kind, Range::positive);
-  try {
-    return value_of_it * parse_quantity(*text, kind::number, Range::positive);
-  } catch (const InputError& error) {
-    throw placed(error, key("uncertainty"));
-  }
+  const bool is_share = text && text->find('%') != std::string_view::npos;
+  return is_share ? value_of_it * share("uncertainty") : value(node, key("uncertainty"), kind, Range::positive);
 }
 
 void Keys::refuse_word(std::string_view name, const std::vector<std::string_view>& known) const {

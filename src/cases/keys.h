@@ -44,6 +44,7 @@ class Keys {
   double quantity(std::string_view name, const Kind& kind, Range range) const;
   std::optional<double> optional_quantity(std::string_view name, const Kind& kind, Range range) const;
   double number(std::string_view name, Range range) const;
+  double share(std::string_view name) const;  // [1] positive: a number, or text in percent
   std::uint64_t whole_number(std::string_view name, std::int64_t least) const;
   std::string text(std::string_view name) const;
   Estimate estimate(std::string_view name, const Kind& kind) const;

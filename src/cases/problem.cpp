@@ -320,6 +320,13 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
           input.stage ? input.stage->snaps : SnapRest::nearest_stable};
 }
 
+std::vector<Crack> cracks_of(const Case& input, const Scales& scales) {
+  std::vector<Crack> cracks;
+  for (const CrackInput& crack : input.specimen->cracks)
+    cracks.push_back({scales.reduced_length(crack.deflection), crack.loss});
+  return cracks;
+}
+
 MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,
                             const Scales& scales) {
   return {.force = scales.reduced_force(measurement.force_noise),

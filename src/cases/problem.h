@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bending_test/cracking_fibre.h"
 #include "bending_test/motion.h"
 #include "bending_test/rig.h"
 #include "cases/case_file.h"
@@ -90,6 +91,9 @@ StageProgramme programme_of(const Case& input);
 // The test that a case describes, for stage positions up to `farthest` [L]: friction at rest and in sliding, rig, snaps.
 // Fails:      InputError as friction_of and rig_of, and if the rig is too soft to bend the specimen.
 BendingTest bending_test_of(const Case& input, const Scales& scales, double farthest);
+
+// Where the specimen of a case cracks.
+std::vector<Crack> cracks_of(const Case& input, const Scales& scales);
 
 // Reduced errors of the readings, for measure_friction and fit_friction.
 MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,

@@ -42,6 +42,8 @@ std::string_view name_of(Motion motion) {
       return "slip_out";
     case Motion::snap:
       return "snap";
+    case Motion::crack:
+      return "crack";
   }
   throw std::invalid_argument("no such motion");
 }
@@ -50,7 +52,7 @@ std::string_view name_of(Motion motion) {
 struct SimulatedTest {
   std::vector<double> stage, deflection, force, length, friction;
   std::vector<std::string_view> motion;
-  std::vector<double> stage_work, bending, load_train, friction_heat, snaps;  // from the start of the test
+  std::vector<double> stage_work, bending, load_train, friction_heat, snaps, cracks;  // from the start of the test
 };
 
 SimulatedTest physical_path(const History& history, const Scales& scales) {
@@ -69,6 +71,7 @@ SimulatedTest physical_path(const History& history, const Scales& scales) {
     test.load_train.push_back(scales.physical_energy(account.load_train));
     test.friction_heat.push_back(scales.physical_energy(account.friction));
     test.snaps.push_back(scales.physical_energy(account.snaps));
+    test.cracks.push_back(scales.physical_energy(account.cracks));
   }
   return test;
 }
@@ -129,9 +132,24 @@ Json snaps_with_energy_json(const std::vector<Snap>& snaps, const Scales& scales
   return out;
 }
 
+// The cracks, each with the energy that it sets free and with what is left of the bending stiffness.
+Json cracks_json(const std::vector<CrackOpened>& cracks, const Scales& scales) {
+  Json out = Json::array();
+  for (const CrackOpened& crack : cracks)
+    out.push_back({{"stage", scales.physical_length(crack.stage)},
+                   {"deflection_before", scales.physical_length(crack.before.w)},
+                   {"deflection_after", scales.physical_length(crack.after.w)},
+                   {"force_before", scales.physical_force(crack.before.F)},
+                   {"force_after", scales.physical_force(crack.after.F)},
+                   {"left", crack.after.left},
+                   {"released", scales.physical_energy(crack.released)}});
+  return out;
+}
+
 // The energies of a whole test, and what they make of the area under its curve.
 Json test_energy_json(const EnergyAccount& account, const Scales& scales) {
   Json out = energy_json(account, scales);
+  out["cracks"] = scales.physical_energy(account.cracks);
   const double lost = account.friction + account.snaps;
   out["work_of_fracture"] = scales.physical_energy(work_of_fracture(account));
   out["friction_share"] = lost / work_of_fracture(account);
@@ -152,9 +170,10 @@ std::vector<OutputColumn> columns_of(const SimulatedTest& test, const SimulateRe
                                     {"q", test.friction},
                                     {"motion", test.motion}};
   if (!request.energies) return columns;
-  for (const auto& [name, values] : {std::pair{"stage_work", &test.stage_work}, std::pair{"bending", &test.bending},
-                                     std::pair{"load_train", &test.load_train},
-                                     std::pair{"friction", &test.friction_heat}, std::pair{"snaps", &test.snaps}})
+  for (const auto& [name, values] :
+       {std::pair{"stage_work", &test.stage_work}, std::pair{"bending", &test.bending},
+        std::pair{"load_train", &test.load_train}, std::pair{"friction", &test.friction_heat},
+        std::pair{"snaps", &test.snaps}, std::pair{"cracks", &test.cracks}})
     columns.push_back({title(name, name, "J"), *values});
   return columns;
 }
@@ -208,8 +227,9 @@ void run_simulate(const SimulateRequest& request) {
   stages.reserve(programme.positions.size());
   for (const double position : programme.positions) stages.push_back(scales.reduced_length(position));
   if (!programme.in_steps) require_path_that_fits(input, bending_test.friction.kinetic, stages, request.points);
-  const History history = programme.in_steps ? follow_in_steps(bending_test, stages)
-                                             : follow_continuously(bending_test, stages, request.points);
+  const std::vector<Crack> cracks = cracks_of(input, scales);
+  const History history = programme.in_steps ? follow_in_steps(bending_test, stages, cracks)
+                                             : follow_continuously(bending_test, stages, request.points, cracks);
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
 
   SimulatedTest test = physical_path(history, scales);
@@ -220,7 +240,7 @@ void run_simulate(const SimulateRequest& request) {
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};
     // Also between the readings of a stage in steps.
-    const History drawn = programme.in_steps ? follow_continuously(bending_test, stages, 2) : history;
+    const History drawn = programme.in_steps ? follow_continuously(bending_test, stages, 2, cracks) : history;
     draw_for(request.output,
              marked.empty() ? measured_figure(bending_test.friction, drawn, legs_of(drawn, leg_options), units)
                             : overall_equilibria_figure(bending_test.friction.kinetic, bending_test.rig, marked, units),
@@ -232,6 +252,7 @@ void run_simulate(const SimulateRequest& request) {
                                      {"units", units_json(input.reduced)},
                                      {"path", rows_json(columns)},
                                      {"snaps", snaps_with_energy_json(history.snaps, scales)},
+                                     {"cracks", cracks_json(history.cracks, scales)},
                                      {"legs", legs_json(history, legs_of(history, leg_options), scales)},
                                      {"energy", test_energy_json(history.energy, scales)}});
   else
@@ -265,9 +286,10 @@ void add_simulate_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction\n"
-      "and how the specimen moved there (stick, slip_in, slip_out, snap); in SI, or reduced if the case is.\n"
-      "--energies adds stage_work, bending, load_train, friction and snaps, from the start. With --json also the\n"
-      "snaps, the energies of each loading and unloading, and the energy account. The output is a record that\n"
+      "and how the specimen moved there (stick, slip_in, slip_out, snap, crack); in SI, or reduced if the case is.\n"
+      "--energies adds stage_work, bending, load_train, friction, snaps and cracks, from the start. With --json\n"
+      "also snaps and cracks, the energies of each loading and unloading, and the energy account. The output is a "
+      "record that\n"
       "`flexslip fit` reads. If the specimen slips through the supports, or the wedge lifts off it, the path ends\n"
       "there, and the exit code is 1. The figure of a test that is unloaded shows its loops and their direction.\n\n"
       "Examples:\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@ namespace flexslip {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double farthest_bent = 2;      // [first loading] where a reload may be at the same force
 constexpr std::size_t least_points = 6;  // twice what a line with a scatter needs, for the two halves
 
 [[noreturn]] void refuse(const char* name, double value) {
@@ -65,13 +67,15 @@ struct Window {
 struct MeasuredLoading {
   LoadingStatus status;
   std::size_t first, last;
+  double deflection;  // [m] mean in the window
   Slope whole, lower, upper;
 };
 
 // The rows of a rising force between two levels: from the last one below `from` before it first exceeds up_to.
 MeasuredLoading measure(const Record& record, const LoadingRange& loading, const Window& window) {
   const Slope none{not_a_number, not_a_number};
-  MeasuredLoading result{LoadingStatus::window_not_covered, loading.first, loading.first, none, none, none};
+  MeasuredLoading result{
+      LoadingStatus::window_not_covered, loading.first, loading.first, not_a_number, none, none, none};
   std::size_t last = loading.first;
   while (last < loading.last && record.force[last] <= window.up_to) ++last;
   std::size_t first = last;
@@ -85,6 +89,9 @@ MeasuredLoading measure(const Record& record, const LoadingRange& loading, const
   if (last - first < least_points || middle - first < least_points / 2 || last - middle < least_points / 2)
     return result;
 
+  result.deflection = std::accumulate(record.deflection.begin() + static_cast<std::ptrdiff_t>(first),
+                                      record.deflection.begin() + static_cast<std::ptrdiff_t>(last), 0.0) /
+                      static_cast<double>(last - first);
   result.whole = slope_of(record, first, last);
   result.lower = slope_of(record, first, middle);
   result.upper = slope_of(record, middle, last);
@@ -122,6 +129,9 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
                                .ratio_error = 0,
                                .ratio_systematic = 0,
                                .verdict = DamageVerdict::not_damaged};
+    const bool comparable = stiffness.status == LoadingStatus::ok && reference.status == LoadingStatus::ok;
+    if (comparable && measured.deflection > farthest_bent * reference.deflection)
+      stiffness.status = LoadingStatus::still_drawn_in;
     if (!is_reference && stiffness.status == LoadingStatus::ok) {
       stiffness.ratio = measured.whole.value / reference.whole.value;
       stiffness.ratio_error = stiffness.ratio * std::hypot(measured.whole.error / measured.whole.value,

@@ -146,8 +146,6 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
   return checks;
 }
 
-History empty_history() { return {HistoryStatus::ok, {}, {}, {}, {}}; }
-
 }  // namespace
 
 StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
@@ -218,7 +216,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .profile_at_fit = {},
                         .friction_read = {not_a_number, not_a_number, not_a_number},
                         .checks = {},
-                        .model = empty_history(),
+                        .model = History{},
                         .replay = {},
                         .energy = {},
                         .category = SawtoothCategory::none};

@@ -128,9 +128,9 @@ class LayoutFinder {
   void take_misfit(std::size_t line) {
     TableBlock& block = layout_.blocks.back();
     const Cells cells = sheet_.cells(line);
-    const bool damaged = !is_comment(sheet_.text(line)) && cells.size() == layout_.columns &&
-                         (std::any_of(cells.begin(), cells.end(), has_number) ||
-                          std::all_of(cells.begin(), cells.end(), says_missing));
+    const bool damaged =
+        !is_comment(sheet_.text(line)) && cells.size() == layout_.columns &&
+        (std::any_of(cells.begin(), cells.end(), has_number) || std::all_of(cells.begin(), cells.end(), says_missing));
     if (damaged)
       block.rows.push_back(line);
     else if (!is_comment(sheet_.text(line)))

@@ -103,6 +103,8 @@ Json loading_json(const FittedTest& test, const LoadingStiffness& loading) {
         return "too_few_points";
       case LoadingStatus::not_rising:
         return "not_rising";
+      case LoadingStatus::still_drawn_in:
+        return "still_drawn_in";
       case LoadingStatus::no_reference:
         return "no_reference";
     }

@@ -158,6 +158,39 @@ std::string replay_in_words(const FittedTest& test) {
       list_of(errors), errors.size() > 1 ? ", loop by loop" : "");
 }
 
+std::string_view why_not_compared(LoadingStatus status) {
+  switch (status) {
+    case LoadingStatus::ok:
+      return "";
+    case LoadingStatus::window_not_covered:
+      return "not unloaded far enough";
+    case LoadingStatus::too_few_points:
+      return "too few rows";
+    case LoadingStatus::not_rising:
+      return "the force does not rise";
+    case LoadingStatus::still_drawn_in:
+      return "friction still holds it drawn in";
+    case LoadingStatus::no_reference:
+      return "the first loading has no slope";
+  }
+  throw std::invalid_argument("no such status");
+}
+
+// What the last reload says of the stiffness of the specimen.
+std::string last_reload_in_words(const FittedTest& test) {
+  const auto& loadings = test.cycles->stiffness;
+  if (loadings.size() < 2 || !test.judgement) return "";
+  if (loadings.back().status != LoadingStatus::ok)
+    return fmt::format(" The last reload tells nothing of its stiffness: {}.",
+                       why_not_compared(loadings.back().status));
+  const auto& [loss, error] = std::pair(test.judgement->loss, test.judgement->loss_error);
+  if (!std::isfinite(loss)) return "";
+  if (std::abs(loss) < 2 * error)
+    return fmt::format(" The last reload is as stiff as the first loading, to {:.1f} %.", 200 * error);
+  return fmt::format(" The last reload is {:.1f} ± {:.1f} % {}.", 100 * std::abs(loss), 100 * error,
+                     loss > 0 ? "softer" : "stiffer");
+}
+
 std::string rows_of(const FittedTest& test, const FrictionLoop& loop) {
   const auto& legs = test.cycles->friction.legs;
   const Leg& from = legs[loop.loading ? *loop.loading : *loop.unloading];
@@ -171,11 +204,7 @@ std::string cycles_in_short(const FittedTest& test) {
   const CyclicFriction& friction = test.cycles->friction;
   const std::string times =
       fmt::format("All this is of the first of {}", counted(test.cycles->stiffness.size(), "loading", "loadings"));
-  const Judgement* const judgement = test.judgement ? &*test.judgement : nullptr;
-  const std::string stiff = judgement && std::isfinite(judgement->loss)
-                                ? fmt::format(" The last reload is {:.1f} ± {:.1f} % softer.", 100 * judgement->loss,
-                                              100 * judgement->loss_error)
-                                : "";
+  const std::string stiff = last_reload_in_words(test);
   if (friction.status != CyclesStatus::ok) return times + "; the loops say nothing more of friction." + stiff;
   const auto [in, out, rms] = means_of(friction);
   return times +
@@ -293,7 +322,7 @@ PrintedTable loading_table(const FittedTest& test) {
   for (const LoadingStiffness& loading : test.cycles->stiffness) {
     const std::string number = fmt::format("{}", table.rows.size() + 1);
     if (loading.status != LoadingStatus::ok) {
-      table.rows.push_back({number, "", "", "", "", "", "not comparable"});
+      table.rows.push_back({number, "", "", "", "", "", std::string(why_not_compared(loading.status))});
       continue;
     }
     std::vector<std::string> row{

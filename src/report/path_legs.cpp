@@ -32,6 +32,7 @@ Json legs_json(const History& history, const std::vector<Leg>& legs, const Scale
                    {"load_train", change(&EnergyAccount::load_train)},
                    {"friction", change(&EnergyAccount::friction)},
                    {"snaps", change(&EnergyAccount::snaps)},
+                   {"cracks", change(&EnergyAccount::cracks)},
                    {"work_of_fracture", scales.physical_energy(work_of_fracture(after) - work_of_fracture(before))}});
     before = after;
     from = to;

@@ -14,7 +14,7 @@ namespace flexslip {
 // Domain:     as find_legs.
 std::vector<Leg> legs_of(const History& history, const LegOptions& options);
 
-// [{direction, from, to, stage_work, bending, load_train, friction, snaps, work_of_fracture}], in SI: stage positions, and by
+// [{direction, from, to, stage_work, bending, load_train, friction, snaps, cracks, work_of_fracture}], in SI: stage positions, and by
 // how much each energy has changed.
 Json legs_json(const History& history, const std::vector<Leg>& legs, const Scales& scales);
 

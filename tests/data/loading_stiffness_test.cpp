@@ -119,6 +119,10 @@ TEST_CASE("loading stiffness: what cannot be compared says so (limit)") {
   CHECK(compare_loadings(loadings.record, {}).empty());
   loadings.ranges[1].first += 100;  // as if unloaded to 1 mN only
   CHECK(compare_loadings(loadings.record, loadings.ranges)[1].status == LoadingStatus::window_not_covered);
+  loadings = simulated({.stiffness = {13, 13}});
+  for (std::size_t i = loadings.ranges[1].first; i < loadings.ranges[1].last; ++i)
+    loadings.record.deflection[i] += 1e-3;
+  CHECK(compare_loadings(loadings.record, loadings.ranges)[1].status == LoadingStatus::still_drawn_in);
   std::swap(loadings.ranges[0], loadings.ranges[1]);
   CHECK_THROWS_AS(compare_loadings(loadings.record, loadings.ranges), std::invalid_argument);
   loadings = simulated({.stiffness = {13, 13}});

@@ -56,8 +56,7 @@ TEST_CASE("identity: a test that slips is sound") {
 
 TEST_CASE("identity: a test that cracks is suspect, and reloading comes next") {
   const auto judgement = judge(
-      analysed(cracked_record({.friction = Friction::constant(0.5), .stiffness = k, .noise = 0.01},
-                              {{0.12, 0.94}, {0.17, 0.88}, {0.21, 0.8}, {0.26, 0.74}, {0.31, 0.66}, {0.35, 0.6}})),
+      analysed(simulated_record({.friction = Friction::constant(0.5), .stiffness = k, .noise = 0.01}, six_cracks)),
       nullptr);
   CHECK(has(judgement, Doubt::cracks));
   CHECK(judgement.standing == Standing::suspect);

@@ -9,9 +9,13 @@
 
 #include "bending_test/history.h"
 #include "data/record.h"
-#include "inference/sliding_ladder.h"
+#include "inference/fit_problem.h"
 
 namespace flexslip {
+
+// They leave 0.6 of the bending stiffness.
+inline const std::vector<Crack> six_cracks{{0.12, 0.06},           {0.17, 1 - 0.88 / 0.94}, {0.21, 1 - 0.8 / 0.88},
+                                           {0.26, 1 - 0.74 / 0.8}, {0.31, 1 - 0.66 / 0.74}, {0.35, 1 - 0.6 / 0.66}};
 
 struct SimulatedTruth {
   Friction friction;
@@ -23,13 +27,13 @@ struct SimulatedTruth {
   std::uint64_t seed = 1;
 };
 
-inline ReducedRecord simulated_record(const SimulatedTruth& truth) {
+inline ReducedRecord simulated_record(const SimulatedTruth& truth, const std::vector<Crack>& cracks = {}) {
   std::mt19937_64 generator(truth.seed);
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
   const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); };
   std::vector<double> stages;
   for (int i = 1; i * truth.step < 1.6 * truth.deflection + 0.3; ++i) stages.push_back(i * truth.step);
-  const auto history = follow_in_steps({truth.friction, {truth.stiffness / truth.stiffening}}, stages);
+  const auto history = follow_in_steps({truth.friction, {truth.stiffness / truth.stiffening}}, stages, cracks);
   ReducedRecord record;
   for (const auto& point : history.path) {
     if (point.w > truth.deflection) break;
@@ -39,37 +43,6 @@ inline ReducedRecord simulated_record(const SimulatedTruth& truth) {
     record.deflection.push_back(point.stage - force / truth.stiffness);
   }
   return record;
-}
-
-// Constant friction, and a bending stiffness that at some deflections falls to what is left of it: each loss is a drop along the load line.
-struct Crack {
-  double deflection, left;  // [L], [1]
-};
-inline ReducedRecord cracked_record(const SimulatedTruth& truth, const std::vector<Crack>& cracks) {
-  std::mt19937_64 generator(truth.seed);
-  const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
-  const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); };
-  const SlidingLadder ladder(1.58, 5e-4);
-  const auto curve = ladder.curve(truth.friction.at(ladder.lengths()).mu);
-  ReducedRecord record;
-  std::size_t cracked = 0;
-  for (int i = 1;; ++i) {
-    const double stage = i * truth.step;
-    double force = 0, deflection = 0;
-    for (bool settled = false; !settled;) {
-      const double stiffness = truth.stiffening * (cracked > 0 ? cracks[cracked - 1].left : 1);
-      const std::vector<double> stages{stage};
-      force = stiffness * measured_curve(curve.w, curve.F, stiffness / truth.stiffness, stages).F[0];
-      deflection = stage - force / truth.stiffness;
-      settled = cracked == cracks.size() || deflection < cracks[cracked].deflection;
-      if (!settled) ++cracked;
-    }
-    if (deflection > truth.deflection) return record;
-    force += truth.noise * normal();
-    record.stage.push_back(stage);
-    record.force.push_back(force);
-    record.deflection.push_back(stage - force / truth.stiffness);
-  }
 }
 
 }  // namespace flexslip

@@ -26,8 +26,8 @@ ReducedRecord slipping(std::uint64_t seed) {
 }
 
 ReducedRecord cracking(std::uint64_t seed) {
-  return cracked_record({.friction = Friction::constant(0.5), .stiffness = k, .noise = 0.01, .seed = seed},
-                        {{0.12, 0.94}, {0.17, 0.88}, {0.21, 0.8}, {0.26, 0.74}, {0.31, 0.66}, {0.35, 0.6}});
+  return simulated_record({.friction = Friction::constant(0.5), .stiffness = k, .noise = 0.01, .seed = seed},
+                          six_cracks);
 }
 
 // The force at a deflection with friction q, by bisection of the length.

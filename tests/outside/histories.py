@@ -13,7 +13,8 @@ STATIC = CONSTANT + "static_excess = 0.1\n"
 LOOP = "[stage]\nprogram = [0, 0.5, 0.1, 0.6, 0.6, 0]\n"
 RUN = '[stage]\nfile = "run.csv"\nstage = "w_s"\n'
 TIMED = RUN + 'time = "t"\n'
-ENERGIES = ("stage_work", "bending", "load_train", "friction", "snaps")
+ENERGIES = ("stage_work", "bending", "load_train", "friction", "snaps", "cracks")
+CRACKS = "[specimen]\ncracks = [{ deflection = 0.1, loss = \"5 %\" }, { deflection = 0.2, loss = 0.2 }]\n"
 
 
 class Programmes(InFolder):
@@ -136,7 +137,7 @@ class Energies(InFolder):
     def test_the_account_of_a_test(self):
         answer = self.json("simulate", self.file("case.toml", WAVY + LOOP.replace(", 0]", ", 0.3]")))
         energy = answer["energy"]
-        self.assertEqual(list(energy), [*ENERGIES, "imbalance", "work_of_fracture", "friction_share", "remaining"])
+        self.assertEqual(list(energy), [*ENERGIES[:-1], "imbalance", "cracks", "work_of_fracture", "friction_share", "remaining"])
         self.assertAlmostEqual(energy["work_of_fracture"], energy["stage_work"] - energy["load_train"], delta=1e-15)
         self.assertAlmostEqual(energy["friction_share"],
                                (energy["friction"] + energy["snaps"]) / energy["work_of_fracture"], delta=1e-15)
@@ -154,6 +155,33 @@ class Energies(InFolder):
         for name in ENERGIES:
             self.assertEqual(numbers(more, name)[-1], answer["energy"][name])
             self.assertEqual(answer["path"][-1][name], answer["energy"][name])
+
+
+class Cracks(InFolder):
+    def test_a_crack_runs_down_the_load_line_and_its_energy_is_in_the_account(self):
+        answer = self.json("simulate", self.file("case.toml", CONSTANT + CRACKS + "[stage]\nprogram = [0, 0.5]\n"))
+        self.assertEqual([round(crack["left"], 12) for crack in answer["cracks"]], [0.95, 0.76])
+        for crack, deflection in zip(answer["cracks"], (0.1, 0.2)):
+            self.assertAlmostEqual(crack["deflection_before"], deflection, delta=1e-14)
+            fall = crack["force_before"] - crack["force_after"]
+            self.assertAlmostEqual(fall, 30 * (crack["deflection_after"] - crack["deflection_before"]), delta=1e-12)
+        energy = answer["energy"]
+        self.assertAlmostEqual(sum(crack["released"] for crack in answer["cracks"]), energy["cracks"], delta=1e-14)
+        self.assertGreater(energy["cracks"], 0.01 * energy["stage_work"])
+        self.assertAlmostEqual(energy["remaining"], energy["bending"] + energy["cracks"], delta=1e-10)
+        self.assertEqual([point["motion"] for point in answer["path"]].count("crack"), 2)
+
+    def test_a_crack_that_is_no_crack_is_refused(self):
+        for crack, says in {'{ deflection = 0.1, loss = "100 %" }': "less than 100 %", "{ deflection = 0.1, loss = 0 }": "positive",
+                            '{ deflection = 0, loss = 0.1 }': "positive", '{ deflection = 0.1, loss = 0.1, at = 3 }': "at",
+                            "3": "{ deflection = …, loss = … }", "": "an array of cracks",
+                            '{ deflection = "0.1 mm", loss = 0.1 }': "without quotes and unit"}.items():
+            case = self.file("case.toml", CONSTANT + f"[specimen]\ncracks = [{crack}]\n" + LOOP)
+            self.refused("simulate", case, says=["case.toml:8", "[specimen] cracks", says])
+
+    def test_a_design_has_no_cracks(self):
+        case = self.file("case.toml", WAVY + CRACKS + "[stage]\nprogram = [0, 0.5]\n")
+        self.refused("design", case, says=["[specimen] cracks", "2 of them", "flexslip simulate"])
 
 
 class Ends(InFolder):

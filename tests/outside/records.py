@@ -133,6 +133,25 @@ class Verdicts(InFolder):
                 self.assertFalse(sound, result.stdout[:600])
 
     @unittest.skipUnless((SHARED / "cracked").is_dir(), "no measured data of cracked specimens")
+    def test_the_cracked_example_is_one_that_cracks(self):
+        answer = self.json("fit", SOURCE / "examples/cracked/case.toml")
+        self.assertEqual(answer["slip_or_crack"]["verdict"], "cracks")
+        self.assertNotIn(answer["judgement"]["standing"], ("sound", "doubtful"))
+
+    def test_the_reload_of_the_cyclic_example_shows_a_loss_where_there_was_one(self):
+        folder = SOURCE / "examples/cyclic"
+        truth = (folder / "truth.toml").read_text(encoding="utf-8")
+        for loss in (0, 0.1):
+            cracks = f'cracks = [{{ deflection = "200 um", loss = {loss} }}]\n' if loss else ""
+            self.file("truth.toml", truth.replace("[rig]", cracks + "\n[rig]"))
+            self.file("test.csv", self.succeeds("simulate", self.folder / "truth.toml", "--noise", "10 uN"))
+            case = (folder / "case.toml").read_text(encoding="utf-8").replace('"stage" ', '"w_s"').replace('"force"', '"F"')
+            answer = self.json("fit", self.file("case.toml", case))
+            reload = answer["cycles"]["loading_stiffness"][-1]
+            self.assertAlmostEqual(reload["ratio"], 1 - loss, delta=0.015)
+            kinds = answer["judgement"]["doubts"]
+            self.assertEqual(bool({"softer_reload", "changed_reload"} & set(kinds)), loss > 0, kinds)
+
     def test_none_of_fifteen_cracked_records_is_sound_or_explained_by_slips(self):
         truth = list(csv.DictReader((SHARED / "cracked/truth.csv").read_text(encoding="utf-8").splitlines()))
         self.assertEqual(len(truth), 15)
