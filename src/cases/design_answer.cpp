@@ -30,9 +30,14 @@ std::optional<DesignOutcome> outcome_with(DesignCase input, DesignParameter para
   return result_of(input).outcome;
 }
 
-std::optional<bool> snaps_with(const DesignCase& input, DesignParameter parameter, double value) {
-  const auto outcome = outcome_with(input, parameter, value);
-  return outcome ? std::optional(outcome->snaps > 0) : std::nullopt;
+std::optional<bool> snaps_with(DesignCase input, DesignParameter parameter, double value) try {
+  if (!is_within(described(parameter), value)) return std::nullopt;
+  input.set(parameter, value);
+  const auto plan = input.plan();
+  const auto* planned = std::get_if<PlannedDesign>(&plan);
+  return planned ? std::optional(snaps(planned->design)) : std::nullopt;
+} catch (const std::invalid_argument&) {  // too extreme a number
+  return std::nullopt;
 }
 
 // Between two values, of which the one snaps and the other does not: the one nearest to the first that is as the other.
@@ -112,7 +117,10 @@ std::optional<double> travel_change(const DesignCase& input, const DesignAnswer&
 
 std::optional<PhaseStudy> phases_of(DesignCase input) {
   constexpr int phases = 24;
+  constexpr double finest =
+      1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
   if (!input.has(DesignParameter::phase) || input.value(DesignParameter::amplitude) == 0) return std::nullopt;
+  if (input.planned().scales.reduced_length(input.value(DesignParameter::wavelength)) < finest) return std::nullopt;
   PhaseStudy study{0, 0, std::numeric_limits<double>::infinity(), 0, 0};
   const double first = input.value(DesignParameter::phase);
   for (int i = 0; i < phases; ++i) {

@@ -34,7 +34,8 @@ struct DesignAnswer {
   DesignOutcome outcome;
   double critical;  // [EI/L^3] of this loading to this travel, critical_stiffness (design.h)
   std::vector<DesignChange> changes;
-  std::optional<PhaseStudy> phases;  // none if the case has no phase, or no waves for it to shift
+  std::optional<PhaseStudy> phases;  // none if the case has no phase, or no waves for it to shift, or waves below 1e-5 spans, of
+                                     // which it moves nothing that can be seen
 };
 
 // Fails:      InputError as DesignCase::planned().
@@ -44,7 +45,7 @@ struct DesignAnswer {
 //             that of the first snap. What is nearest is sought in steps of 10 %, up to 30 times as much or as little, and its
 //             neighbourhood halved to 1e-4: a window narrower than a step may be missed. From 0, where there are no such steps, they
 //             begin at 1/900 of the greatest value; from infinity none are made.
-// Cost:       some 700 outcomes.
+// Cost:       some 40 outcomes, and 700 traces to the first snap.
 DesignAnswer answer_of(const DesignCase& input);
 
 }  // namespace flexslip

@@ -237,6 +237,20 @@ DesignOutcome outcome_of(const Design& design) {
   return Loading(design).outcome();
 }
 
+bool snaps(const Design& design) {
+  require_loading(design);
+  const double longest = longest_in_loading(design.friction, design.rig, design.travel);
+  for (const double part : {1.0 / 64, 1.0 / 16, 0.25, 1.0}) {
+    const auto curve = trace_loading_curve(design.friction, design.rig, 1 + part * (longest - 1));
+    if (curve.folds.empty()) continue;
+    const auto& fold = curve.folds.front().point;
+    if (fold.stage >= design.travel) return false;
+    if (const auto landing = landing_after(curve, fold.S, fold.stage))
+      return snap_work(design.friction, design.rig, fold.stage, fold.S, landing->S).has_value();
+  }
+  return false;
+}
+
 double critical_stiffness(const Design& design) {
   constexpr double above = 1e-7;
   constexpr double settled = 1e-9;

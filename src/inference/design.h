@@ -59,6 +59,11 @@ struct DesignOutcome {
 // Cost:       the trace, and 6 µs for each period or snap, however many readings.
 DesignOutcome outcome_of(const Design& design);
 
+// Does the fibre snap at all, and come to rest again: outcome_of(design).snaps > 0.
+// Domain:     as outcome_of.
+// Cost:       the trace up to four times as far as the first snap, or of all of it.
+bool snaps(const Design& design);
+
 // The least stiffness of the load train [EI/L^3] with none stiffer than which this loading, to its travel, comes to a fold, where the fibre
 // snaps or, if there is no rest beyond it, slips through. 0 where it does on none. The stiffness of the design itself does not count.
 // Domain:     as outcome_of.

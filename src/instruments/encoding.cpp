@@ -136,6 +136,11 @@ Encoding encoding_named(std::string_view name) {
 }
 
 DecodedText decode(std::string_view bytes, std::optional<Encoding> wanted) {
+  using namespace std::string_view_literals;
+  if (bytes.starts_with("PK\x03\x04"sv) || bytes.starts_with("\xd0\xcf\x11\xe0"sv))
+    throw InputError({.expected = "text",
+                      .found = "a spreadsheet or an archive, such as .xlsx, .xls or .zip",
+                      .remedy = "open it, and save the sheet with the raw data as CSV"});
   const auto* const marked = std::find_if(known.begin(), known.end(), [&](const Known& each) {
     return !each.mark.empty() && bytes.starts_with(each.mark) && (!wanted || each.encoding == *wanted);
   });

@@ -69,6 +69,7 @@ TEST_CASE("design, oracle: snaps, end and energies are those of the path followe
     const auto history = followed(design);
     RC_ASSERT((outcome.status == DesignStatus::ok) == (history.status == HistoryStatus::ok));
     RC_ASSERT(outcome.snaps == history.snaps.size());
+    RC_ASSERT(snaps(design) == (outcome.snaps > 0));
     RC_ASSERT(outcome.stage_reached ==
               to(1e-12, history.path.back().stage));  // both solve G(S) = stage to its rounding
     RC_ASSERT(outcome.w_reached == to(1e-9, history.path.back().w));

@@ -102,6 +102,13 @@ class Design(InFolder):
             self.succeeds("design", case, "--figure", self.folder / name, *ranges)
             self.assertTrue((self.folder / name).exists())
 
+    def test_waves_of_nanometres_are_answered_too(self):
+        fine = self.json("design", self.file("case.toml", CASE.replace("40 um", "20 nm")))
+        self.assertGreater(fine["snaps"], 1000)
+        self.assertIsNone(fine["phases"])  # they move nothing that can be seen
+        stop = next(change for change in fine["changes"] if change["parameter"] == "travel")
+        self.assertLessEqual(stop["to"], fine["first_snap_stage"])
+
     def test_bad_input_is_located(self):
         for text, arguments, said in (
             (CASE.replace('"700 um"', '"700 um", "10 um", "900 um"'), [], "case.toml:14: [stage] program[3]"),
