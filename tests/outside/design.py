@@ -103,7 +103,7 @@ class Design(InFolder):
             self.assertTrue((self.folder / name).exists())
 
     def test_waves_of_nanometres_are_answered_too(self):
-        fine = self.json("design", self.file("case.toml", CASE.replace("40 um", "20 nm")))
+        fine = self.json("design", self.file("case.toml", CASE.replace("40 um", "10 nm")))
         self.assertGreater(fine["snaps"], 1000)
         self.assertIsNone(fine["phases"])  # they move nothing that can be seen
         stop = next(change for change in fine["changes"] if change["parameter"] == "travel")
