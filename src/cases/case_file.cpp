@@ -66,6 +66,8 @@ constexpr std::array examples{
     Example{"specimen.height", R"(height = "30 um")", "height = 0.02"},
     Example{"specimen.modulus", R"(modulus = "29.6 GPa")", ""},
     Example{"specimen.bending_stiffness", R"(bending_stiffness = "2.1e-12 N m^2")", "bending_stiffness = 1"},
+    Example{"specimen.strain_at_break", R"(strain_at_break = "2 %")", R"(strain_at_break = "2 %")"},
+    Example{"specimen.strength", R"(strength = "600 MPa")", ""},
     Example{"specimen.cracks", R"(cracks = [{ deflection = "160 um", loss = "3 %" }])",
             R"(cracks = [{ deflection = 0.12, loss = "3 %" }])"},
     Example{"rig",
@@ -189,12 +191,27 @@ std::vector<CrackInput> read_cracks(const Keys& keys, const Case& input) {
   return cracks;
 }
 
+void read_what_it_bears(const Keys& keys, const Case& input, SpecimenInput& specimen) {
+  if (!keys.has("strain_at_break") && !keys.has("strength")) return;
+  const std::string_view name = keys.has("strength") ? "strength" : "strain_at_break";
+  if (keys.has("strength") && keys.has("strain_at_break"))
+    keys.refuse("strength", "either a strength or a strain_at_break", "both", "delete one");
+  if (!specimen.section)
+    keys.refuse(name, "the section of the specimen beside it", "none",
+                "add diameter, or width and height: bending strains a specimen by its depth");
+  if (name == "strain_at_break") specimen.strain_at_break = keys.share("strain_at_break");
+  if (name == "strength" && input.reduced)
+    keys.refuse("strength", "no strength in a reduced case", "one", "give strain_at_break instead");
+  if (name == "strength") specimen.strength = keys.quantity("strength", kind::pressure, Range::positive);
+}
+
 SpecimenInput read_specimen(const Keys& keys, const Case& input) {
-  keys.only(
-      {"diameter", "inner_diameter", "wall", "width", "height", "modulus", "bending_stiffness", "material", "cracks"});
+  keys.only({"diameter", "inner_diameter", "wall", "width", "height", "modulus", "bending_stiffness", "material",
+             "cracks", "strain_at_break", "strength"});
   SpecimenInput specimen{read_section(keys), BendingStiffness{Known{1, 0}}};
   if (keys.has("material")) specimen.material = keys.text("material");
   if (keys.has("cracks")) specimen.cracks = read_cracks(keys, input);
+  read_what_it_bears(keys, input, specimen);
   const bool has_product = keys.has("bending_stiffness");
   if (keys.has("modulus") && (has_product || input.reduced))
     keys.refuse("modulus", input.reduced ? "no modulus in a reduced case" : "either a modulus or a bending_stiffness",
@@ -556,6 +573,8 @@ void write(Writer& out, const SpecimenInput& specimen) {
   else
     out.estimate("bending_stiffness", std::get<BendingStiffness>(specimen.rigidity).estimate, kind::bending_stiffness);
   if (specimen.material) out.line("material", basic_string(*specimen.material));
+  if (specimen.strain_at_break) out.line("strain_at_break", plain(*specimen.strain_at_break));
+  if (specimen.strength) out.line("strength", out.quantity(*specimen.strength, kind::pressure));
   std::vector<std::string> cracks;
   for (const CrackInput& crack : specimen.cracks)
     cracks.push_back(fmt::format("{{ deflection = {}, loss = {} }}", out.quantity(crack.deflection, kind::length),

@@ -57,6 +57,8 @@ struct SpecimenInput {
   std::variant<Modulus, BendingStiffness> rigidity;  // reduced: a bending stiffness, 1 where it is known
   std::optional<std::string> material{};             // "glass", for the literature's friction alone
   std::vector<CrackInput> cracks{};                  // for simulating
+  std::optional<double> strain_at_break{};           // [1] in bending, at the surface; for designs
+  std::optional<double> strength{};                  // [Pa] instead
   bool operator==(const SpecimenInput&) const = default;
 };
 

@@ -120,7 +120,8 @@ std::optional<PhaseStudy> phases_of(DesignCase input) {
   constexpr double finest =
       1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
   if (!input.has(DesignParameter::phase) || input.value(DesignParameter::amplitude) == 0) return std::nullopt;
-  if (input.planned().scales.reduced_length(input.value(DesignParameter::wavelength)) < finest) return std::nullopt;
+  if (input.planned().units.scales.reduced_length(input.value(DesignParameter::wavelength)) < finest)
+    return std::nullopt;
   PhaseStudy study{0, 0, std::numeric_limits<double>::infinity(), 0, 0};
   const double first = input.value(DesignParameter::phase);
   for (int i = 0; i < phases; ++i) {
@@ -139,14 +140,26 @@ std::optional<PhaseStudy> phases_of(DesignCase input) {
 }  // namespace
 
 DesignAnswer answer_of(const DesignCase& input) {
-  const auto [design, scales] = input.planned();
-  DesignAnswer answer{input, design, scales, outcome_of(design), critical_stiffness(design), {}, phases_of(input)};
+  const auto [design, units] = input.planned();
+  const Scales& scales = units.scales;
+  DesignAnswer answer{.input = input,
+                      .design = design,
+                      .scales = scales,
+                      .surface = units.surface,
+                      .outcome = outcome_of(design),
+                      .critical = critical_stiffness(design),
+                      .changes = {},
+                      .phases = phases_of(input)};
   const bool now = answer.outcome.snaps > 0;
   const auto add = [&](DesignParameter parameter, double to, bool and_beyond) {
     const auto outcome = outcome_with(input, parameter, to);
     if (outcome && (outcome->snaps > 0) != now)
       answer.changes.push_back(
           {parameter, input.value(parameter), to, printed(input, parameter, to, now), and_beyond, *outcome});
+  };
+  const auto is_told = [&](DesignParameter parameter) {
+    return std::any_of(answer.changes.begin(), answer.changes.end(),
+                       [&](const DesignChange& change) { return change.parameter == parameter; });
   };
   const double own = input.value(DesignParameter::stiffness);
   const double critical = scales.physical_stiffness(answer.critical);
@@ -159,9 +172,13 @@ DesignAnswer answer_of(const DesignCase& input) {
       if (input.has(parameter))
         add(parameter, input.value(parameter) * std::pow(own / stiffness, 1.0 / power), and_beyond);
   }
-  for (const auto parameter :
-       {DesignParameter::span, DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength})
-    if (input.has(parameter))
+  std::vector<DesignParameter> others{DesignParameter::span, DesignParameter::mu0, DesignParameter::amplitude,
+                                      DesignParameter::wavelength};
+  // Of a specimen that may break the depth decides twice.
+  if (std::isfinite(design.breaking_curvature))
+    others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});
+  for (const auto parameter : others)
+    if (input.has(parameter) && !is_told(parameter))
       for (const double to : nearest_changes(input, parameter, now, 1)) add(parameter, to, false);
   if (const auto travel = travel_change(input, answer)) add(DesignParameter::travel, *travel, true);
   return answer;

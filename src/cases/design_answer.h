@@ -31,6 +31,7 @@ struct DesignAnswer {
   DesignCase input;
   Design design;
   Scales scales;
+  std::optional<SurfaceStrain> surface;  // none without a section
   DesignOutcome outcome;
   double critical;  // [EI/L^3] of this loading to this travel, critical_stiffness (design.h)
   std::vector<DesignChange> changes;

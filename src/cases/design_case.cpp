@@ -189,6 +189,11 @@ double DesignCase::bending_stiffness() const {
   return bending_stiffness_;
 }
 
+std::optional<SurfaceStrain> DesignCase::surface(const Scales& scales) const {
+  const auto section = reduced() ? input_->specimen->section : this->section();
+  return section ? std::optional(SurfaceStrain(*section, scales)) : std::nullopt;
+}
+
 // None if they are out of what a computer can hold.
 std::optional<Scales> DesignCase::scales() const {
   try {
@@ -308,11 +313,17 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
   Friction along = friction(*units, S_max);
   if (auto fault = uncovered(*input_, along, *units, S_max))
     return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
-  return PlannedDesign{{std::move(along),
-                        {units->reduced_stiffness(at(DesignParameter::stiffness).number)},
-                        travel,
-                        units->reduced_length(at(DesignParameter::step).number)},
-                       *units};
+  PlannedDesign planned{{std::move(along),
+                         {units->reduced_stiffness(at(DesignParameter::stiffness).number)},
+                         travel,
+                         units->reduced_length(at(DesignParameter::step).number)},
+                        {*units, surface(*units)}};
+  const SpecimenInput& specimen = *input_->specimen;
+  if (specimen.strain_at_break)
+    planned.design.breaking_curvature = planned.units.surface->curvature_at_strain(*specimen.strain_at_break);
+  if (specimen.strength)
+    planned.design.breaking_curvature = planned.units.surface->curvature_at_stress(*specimen.strength);
+  return planned;
 }
 
 PlannedDesign DesignCase::planned() const {

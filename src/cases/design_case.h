@@ -11,6 +11,7 @@
 
 #include "cases/case_file.h"
 #include "data/scales.h"
+#include "data/surface_strain.h"
 #include "inference/design.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
@@ -62,9 +63,15 @@ struct DesignRefusal {
   InputError error;
 };
 
+// What makes numbers of the case of those of a design.
+struct DesignUnits {
+  Scales scales;
+  std::optional<SurfaceStrain> surface;  // none without a section
+};
+
 struct PlannedDesign {
   Design design;
-  Scales scales;
+  DesignUnits units;
 };
 
 // A case whose numbers can be varied. Values in SI, or in the model's scaled variables if the case is reduced.
@@ -107,6 +114,7 @@ class DesignCase {
   const Value& at(DesignParameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
   void add(DesignParameter parameter, double number) { at(parameter) = {true, number}; }
   std::optional<Section> section() const;
+  std::optional<SurfaceStrain> surface(const Scales& scales) const;
   double bending_stiffness() const;
   std::optional<Scales> scales() const;
   std::optional<DesignRefusal> fault_of_specimen() const;

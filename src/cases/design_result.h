@@ -16,15 +16,16 @@ enum class ResultStatus {
   slipped_through,  // the outcomes are those up to there
   impossible,       // as DesignFault, and without outcomes
   not_computable,   // likewise
+  breaks,           // the outcomes are those up to there
 };
-inline constexpr std::array<std::string_view, 4> result_status_words{"ok", "slipped_through", "impossible",
-                                                                     "not_computable"};
+inline constexpr std::array<std::string_view, 5> result_status_words{"ok", "slipped_through", "impossible",
+                                                                     "not_computable", "breaks"};
 std::string_view word_of(ResultStatus status);
 ResultStatus status_of(const DesignOutcome& outcome);
 
 struct DesignResult {
   ResultStatus status;
-  std::optional<Scales> scales;  // both, or none
+  std::optional<DesignUnits> units;  // both, or none
   std::optional<DesignOutcome> outcome;
 };
 
@@ -37,7 +38,8 @@ struct OutcomeColumn {
   Kind kind;  // of the quantity; a plain number in reduced cases
   StoredAs stored_as;
   std::string_view description;
-  double (*value)(const DesignOutcome& outcome, const Scales& scales);  // [units of the case] NaN where there is none
+  double (*value)(const DesignOutcome& outcome,
+                  const DesignUnits& units);  // [units of the case] NaN where there is none
 };
 std::span<const OutcomeColumn> outcome_columns();
 

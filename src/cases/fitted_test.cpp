@@ -135,6 +135,13 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
       pulled_in.push_back(analysis.scales.reduced_length(measurement.pulled_in[file_row(measurement, point) - 1]));
     imaged = compare_with_images(analysis.profile_at_fit, pulled_in);
   }
+  std::optional<SurfaceStrain> surface;
+  if (analysis.status == AnalysisStatus::ok && geometry.section)
+    surface.emplace(*geometry.section, Scales(analysis.scales.span(), analysis.scales.bending_stiffness() *
+                                                                          analysis.fit.bending_stiffness.value));
+  std::optional<double> strain_at_break = input.specimen ? input.specimen->strain_at_break : std::nullopt;
+  if (surface && input.specimen->strength)
+    strain_at_break = surface->strain(surface->curvature_at_stress(*input.specimen->strength));
   const std::string& data = input.record.value().file;
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
@@ -152,6 +159,8 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
           .cycles = std::move(cycles),
           .imaged = std::move(imaged),
           .judgement = std::move(judgement),
+          .surface = surface,
+          .strain_at_break = strain_at_break,
           .provenance = std::move(provenance)};
 }
 

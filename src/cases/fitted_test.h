@@ -10,6 +10,7 @@
 #include "cases/problem.h"
 #include "data/literature_friction.h"
 #include "data/small_deflection.h"
+#include "data/surface_strain.h"
 #include "inference/analysis.h"
 #include "inference/cyclic_test.h"
 #include "inference/imaged_length.h"
@@ -44,6 +45,9 @@ struct FittedTest {
   std::optional<CyclicTest> cycles;      // if it was unloaded; in the scales of the analysis
   std::optional<ImagedLength> imaged;    // if the record has lengths that were imaged, and the analysis an answer
   std::optional<Judgement> judgement;    // if the analysis has an answer
+  std::optional<SurfaceStrain>
+      surface;  // of a specimen as stiff as fitted; if the analysis has an answer, and the case a section
+  std::optional<double> strain_at_break;  // [1] as the case states it, or its strength
   Provenance provenance;
 };
 

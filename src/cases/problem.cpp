@@ -320,6 +320,11 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
           input.stage ? input.stage->snaps : SnapRest::nearest_stable};
 }
 
+std::optional<SurfaceStrain> surface_of(const Case& input, const Scales& scales) {
+  const auto& section = input.specimen->section;
+  return section ? std::optional(SurfaceStrain(*section, scales)) : std::nullopt;
+}
+
 std::vector<Crack> cracks_of(const Case& input, const Scales& scales) {
   std::vector<Crack> cracks;
   for (const CrackInput& crack : input.specimen->cracks)

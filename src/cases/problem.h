@@ -16,6 +16,7 @@
 #include "cases/measurement.h"
 #include "contact/friction.h"
 #include "data/scales.h"
+#include "data/surface_strain.h"
 #include "inference/profile.h"
 
 namespace flexslip {
@@ -91,6 +92,9 @@ StageProgramme programme_of(const Case& input);
 // The test that a case describes, for stage positions up to `farthest` [L]: friction at rest and in sliding, rig, snaps.
 // Fails:      InputError as friction_of and rig_of, and if the rig is too soft to bend the specimen.
 BendingTest bending_test_of(const Case& input, const Scales& scales, double farthest);
+
+// None without a section.
+std::optional<SurfaceStrain> surface_of(const Case& input, const Scales& scales);
 
 // Where the specimen of a case cracks.
 std::vector<Crack> cracks_of(const Case& input, const Scales& scales);

@@ -43,7 +43,7 @@ std::vector<double> RowComputer::operator()(std::span<const double> inputs) {
   std::vector<double> values{static_cast<double>(result.status)};
   values.reserve(1 + outcome_columns().size());
   for (const OutcomeColumn& column : outcome_columns())
-    values.push_back(result.outcome ? column.value(*result.outcome, *result.scales) : missing_in(column));
+    values.push_back(result.outcome ? column.value(*result.outcome, *result.units) : missing_in(column));
   return values;
 }
 

@@ -63,7 +63,7 @@ std::string title_of(std::string_view name, const Kind& kind, bool reduced) {
 }
 
 double value_in(const OutcomeColumn& column, const DesignResult& result) {
-  return result.outcome ? column.value(*result.outcome, *result.scales) : std::numeric_limits<double>::quiet_NaN();
+  return result.outcome ? column.value(*result.outcome, *result.units) : std::numeric_limits<double>::quiet_NaN();
 }
 
 void write_map(const DesignRequest& request, const DesignCase& input, const std::vector<DesignAxis>& axes,

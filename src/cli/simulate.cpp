@@ -14,6 +14,7 @@
 #include "cases/problem.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "fibre/elastica.h"
 #include "io/input_error.h"
 #include "report/model_figures.h"
 #include "report/path_legs.h"
@@ -51,11 +52,12 @@ std::string_view name_of(Motion motion) {
 // The path of a history in SI, as it is written.
 struct SimulatedTest {
   std::vector<double> stage, deflection, force, length, friction;
+  std::vector<double> strain, stress;  // of the surface at midspan; empty without a section
   std::vector<std::string_view> motion;
   std::vector<double> stage_work, bending, load_train, friction_heat, snaps, cracks;  // from the start of the test
 };
 
-SimulatedTest physical_path(const History& history, const Scales& scales) {
+SimulatedTest physical_path(const History& history, const Scales& scales, const std::optional<SurfaceStrain>& surface) {
   SimulatedTest test;
   for (const PathPoint& point : history.path) {
     test.stage.push_back(scales.physical_length(point.stage));
@@ -64,6 +66,10 @@ SimulatedTest physical_path(const History& history, const Scales& scales) {
     test.length.push_back(scales.physical_length(point.S));
     test.friction.push_back(point.q);
     test.motion.push_back(name_of(point.motion));
+    if (!surface) continue;
+    const double curvature = curvature_at_midspan(fibre_state(point.S, point.q));
+    test.strain.push_back(surface->strain(curvature));
+    test.stress.push_back(surface->stress(curvature) * point.left);
   }
   for (const EnergyAccount& account : history.energy_at) {
     test.stage_work.push_back(scales.physical_energy(account.stage_work));
@@ -169,6 +175,10 @@ std::vector<OutputColumn> columns_of(const SimulatedTest& test, const SimulateRe
                                     {title("S", "length", "m"), test.length},
                                     {"q", test.friction},
                                     {"motion", test.motion}};
+  if (!test.strain.empty()) {
+    columns.push_back({"strain", test.strain});
+    columns.push_back({title("stress", "stress", "Pa"), test.stress});
+  }
   if (!request.energies) return columns;
   for (const auto& [name, values] :
        {std::pair{"stage_work", &test.stage_work}, std::pair{"bending", &test.bending},
@@ -232,7 +242,7 @@ void run_simulate(const SimulateRequest& request) {
                                              : follow_continuously(bending_test, stages, request.points, cracks);
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
 
-  SimulatedTest test = physical_path(history, scales);
+  SimulatedTest test = physical_path(history, scales, surface_of(input, scales));
   // A stage in steps stands where it was asked to, without the rounding of there and back.
   if (programme.in_steps) std::copy_n(programme.positions.begin(), test.stage.size(), test.stage.begin());
   add_noise(test, noise, input.rig->stiffness.value(), request.seed);
@@ -287,6 +297,7 @@ void add_simulate_command(CLI::App& app) {
   command->footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction\n"
       "and how the specimen moved there (stick, slip_in, slip_out, snap, crack); in SI, or reduced if the case is.\n"
+      "Of a specimen whose section is known also strain and stress, of bending, at its surface at midspan.\n"
       "--energies adds stage_work, bending, load_train, friction, snaps and cracks, from the start. With --json\n"
       "also snaps and cracks, the energies of each loading and unloading, and the energy account. The output is a "
       "record that\n"

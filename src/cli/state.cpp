@@ -65,7 +65,7 @@ void require_domain(const Input& input) {
   }
 }
 
-constexpr std::array<std::string_view, 5> result_names{"w", "F", "theta0", "Pn", "U"};
+constexpr std::array<std::string_view, 6> result_names{"w", "F", "theta0", "Pn", "U", "curvature"};
 constexpr std::array<std::string_view, 8> slope_names{"w_S", "w_q", "F_S", "F_q", "Pn_S", "Pn_q", "U_S", "U_q"};
 
 void run_state(const StateRequest& request) {
@@ -85,7 +85,7 @@ void run_state(const StateRequest& request) {
       missing.push_back(row);
       continue;
     }
-    const std::array values{state.w, state.F, state.theta0, state.Pn, state.U};
+    const std::array values{state.w, state.F, state.theta0, state.Pn, state.U, curvature_at_midspan(state)};
     for (std::size_t i = 0; i < values.size(); ++i) results[i][row] = values[i];
     if (!request.slopes || input.S[row] == 1) continue;
     const FibreSlopes at = fibre_state_slopes(input.S[row], input.q[row]).slopes;
@@ -125,8 +125,9 @@ void add_state_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->footer(
       "Reads and writes reduced variables: lengths in spans L, forces in EI/L^2, energies in EI/L.\n"
-      "Writes S,q,w,F,theta0,Pn,U: deflection, force, support slope, normal force at one support, bending\n"
-      "energy. A state that does not exist is written as nan, and the exit code is 1.\n\n"
+      "Writes S,q,w,F,theta0,Pn,U,curvature: deflection, force, support slope, normal force at one support,\n"
+      "bending energy, curvature at midspan: half the depth of the specimen times it is the bending strain. A state "
+      "that does not exist is written as nan, and the exit code is 1.\n\n"
       "Examples:\n"
       "  flexslip state --S 1.2 --q 0.3\n"
       "  flexslip state states.csv --output results.csv");

@@ -17,7 +17,6 @@ constexpr std::size_t least_points = 5;                     // of a line that is
 constexpr double most_correlation = 0.95;                   // beyond it the stretch is too short to tell
 constexpr double step = 0.05, last_up_to = 0.9;             // [greatest force] of the windows tried
 constexpr double strain_from = 0.0005, strain_to = 0.0025;  // ISO 178
-constexpr double slender = 16;                              // [depth] the span that ISO 178 asks for
 
 void require(bool holds, const char* what, double value) {
   if (holds) return;
@@ -143,7 +142,7 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
   if (!geometry.section) return result;
   const double I = second_moment(*geometry.section);
   const double h = depth(*geometry.section);
-  result.not_slender = L < slender * h;
+  result.shear_share = shear_share(*geometry.section, L);
   result.modulus = *result.bending_stiffness / I;
   result.stress = most * L * h / (8 * I);
   result.strain = 6 * result.deflection * h / (L * L);

@@ -255,6 +255,13 @@ BranchEnd fibre_branch_end(double q) {
   return {.S = K / a, .w = half.z / (2 * a), .u = K};
 }
 
+double curvature_at_midspan(const FibreState& state) {
+  if (state.status != FibreStatus::ok) throw std::invalid_argument("no curvature: the state does not exist");
+  const double half = std::sin(0.5 * state.theta0);
+  const double square = 2 * state.Pn * (std::sin(state.theta0) + 2 * state.q * half * half);
+  return std::sqrt(std::max(square, 0.0));
+}
+
 ShapePoint fibre_shape(const FibreState& state, double s) {
   if (state.status != FibreStatus::ok) throw std::invalid_argument("no shape: the state does not exist");
   if (!(s >= 0 && s <= 1))

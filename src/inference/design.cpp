@@ -59,7 +59,7 @@ class Loading {
       const bool arrives = to.stage >= design_.travel;
       if (arrives) to = point_at_stage(curve_, {here, to}, design_.travel);
       const Rest end = rest_at(design_.rig, to.S, to.q);
-      if (!slide(here, rest, to, end)) return DesignStatus::slipped_through;
+      if (!slide(here, rest, to, end)) return breaks_ ? DesignStatus::breaks : DesignStatus::slipped_through;
       if (arrives) outcome_.stage_reached = design_.travel;
       if (arrives) {
         // The last reading, which may stand beyond the rounded end of its piece.
@@ -75,6 +75,11 @@ class Loading {
       const auto heat = heat_of_snap(to.stage, end, rest);
       if (!heat) return DesignStatus::slipped_through;
       snap(to.stage, end, rest, *heat);
+      if (sees(rest.state)) {  // as it comes to rest
+        outcome_.stage_reached = to.stage;
+        outcome_.w_reached = rest.state.w;
+        return DesignStatus::breaks;
+      }
     }
   }
 
@@ -88,17 +93,45 @@ class Loading {
     return point_at_stage(curve_, {low, high}, stage, low.S + t * (high.S - low.S));
   }
 
-  // Is there a force all the way? The tracer may have stepped over a stretch without; the outcome is then that up to there.
+  // Has a state so much curvature that the fibre breaks?
+  bool sees(const FibreState& state) {
+    if (state.status != FibreStatus::ok) return false;
+    const double curvature = curvature_at_midspan(state);
+    outcome_.greatest_curvature =
+        std::max(outcome_.greatest_curvature, std::min(curvature, design_.breaking_curvature));
+    return curvature >= design_.breaking_curvature;
+  }
+
+  // How far on a stretch the fibre gets before it breaks.
+  double sound_until(double S_from, double S_to) {
+    const int parts = std::isinf(design_.breaking_curvature) ? 2 : 4;
+    const auto breaks_at = [&](double S) { return sees(fibre_state(S, design_.friction.at(S).mu)); };
+    double low = S_from;
+    for (int i = 1; i <= parts; ++i) {
+      double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
+      if (breaks_at(high)) {
+        breaks_ = true;
+        for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+          (breaks_at(middle) ? high : low) = middle;
+        return high;
+      }
+      low = high;
+    }
+    return S_to;
+  }
+
+  // Is there a force all the way, and does it not break? The tracer may have stepped over a stretch without; the outcome is then that up to there.
   bool slide(const RigPoint& from, const Rest& rest_from, const RigPoint& to, const Rest& rest_to) {
     constexpr double scales = 3;  // three quarters of the shortest period
     const double work_before = outcome_.work;
     slid_to_ = from.S;
     bool is_held = true;
-    for (double S = from.S; is_held && S < to.S;) {
-      const double end = end_of_stretch(design_.friction, S, to.S, scales);
-      is_held = read_along(S, end, 0);
+    for (double S = from.S; is_held && !breaks_ && S < to.S;) {
+      const double end = sound_until(S, end_of_stretch(design_.friction, S, to.S, scales));
+      is_held = end == S || read_along(S, end, 0);
       S = end;
     }
+    is_held = is_held && !breaks_;
     const FibreState reached = is_held ? rest_to.state : fibre_state(slid_to_, design_.friction.at(slid_to_).mu);
     outcome_.friction_heat += outcome_.work - work_before - (reached.U - rest_from.state.U);
     outcome_.stage_reached = is_held ? to.stage : reached.w + reached.F / design_.rig.stiffness;
@@ -213,7 +246,28 @@ class Loading {
   Drops drops_;
   double next_ = 0;     // reading
   double slid_to_ = 1;  // [L]
+  bool breaks_ = false;
 };
+
+// The deflection at which the fibre breaks; infinite if it does not as long as the stage travels, on some rig.
+double breaking_deflection(const Design& design, const Rig& rig) {
+  if (std::isinf(design.breaking_curvature)) return design.breaking_curvature;
+  constexpr double scales = 0.75;
+  const double S_max = longest_in_loading(design.friction, rig, design.travel);
+  const auto state_at = [&](double S) { return fibre_state(S, design.friction.at(S).mu); };
+  const auto breaks = [&](const FibreState& state) {
+    return state.status == FibreStatus::ok && curvature_at_midspan(state) >= design.breaking_curvature;
+  };
+  for (double S = 1; S < S_max;) {
+    double low = S, high = end_of_stretch(design.friction, S, S_max, scales);
+    S = high;
+    if (!breaks(state_at(high))) continue;
+    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+      (breaks(state_at(middle)) ? high : low) = middle;
+    return state_at(high).w;
+  }
+  return std::numeric_limits<double>::infinity();
+}
 
 void require_loading(const Design& design) {
   constexpr double least_deflection = 1e-6;                                   // below it S - 1 has lost its digits
@@ -240,11 +294,12 @@ DesignOutcome outcome_of(const Design& design) {
 bool snaps(const Design& design) {
   require_loading(design);
   const double longest = longest_in_loading(design.friction, design.rig, design.travel);
+  const double breaks = breaking_deflection(design, design.rig);
   for (const double part : {1.0 / 64, 1.0 / 16, 0.25, 1.0}) {
     const auto curve = trace_loading_curve(design.friction, design.rig, 1 + part * (longest - 1));
     if (curve.folds.empty()) continue;
     const auto& fold = curve.folds.front().point;
-    if (fold.stage >= design.travel) return false;
+    if (fold.stage >= design.travel || fold.w >= breaks) return false;
     if (const auto landing = landing_after(curve, fold.S, fold.stage))
       return snap_work(design.friction, design.rig, fold.stage, fold.S, landing->S).has_value();
   }
@@ -255,8 +310,9 @@ double critical_stiffness(const Design& design) {
   constexpr double above = 1e-7;
   constexpr double settled = 1e-9;
   constexpr double least = 1e-6;  // [L] of a deflection: what a curve can be traced for
-  double deflection = design.travel;
   double stiffness = std::numeric_limits<double>::infinity();
+  const double breaks = breaking_deflection(design, {stiffness});
+  double deflection = std::min(design.travel, breaks);
   while (true) {
     const double critical = (1 + above) * critical_stiffness(design.friction, deflection);
     if (!(critical < (1 - settled) * stiffness)) return critical;
@@ -268,14 +324,14 @@ double critical_stiffness(const Design& design) {
         trace_loading_curve(design.friction, rig, longest_in_loading(design.friction, rig, design.travel));
     const StablePart part = stable_part_from(curve, curve.begin);
     const double reached = part.to.stage > design.travel ? point_at_stage(curve, part, design.travel).w : part.to.w;
-    deflection = std::max(reached, least);
+    deflection = std::max(std::min(reached, breaks), least);
   }
 }
 
 double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
   constexpr double most = 3;
   constexpr double least_deflection = 1e-6;
-  const double w = outcome.status == DesignStatus::ok ? outcome.w_reached : design.travel;
+  const double w = outcome.status == DesignStatus::slipped_through ? design.travel : outcome.w_reached;
   const double critical = critical_stiffness(design.friction, std::max(w, least_deflection));
   if (std::isinf(critical)) return -most;
   return std::clamp(std::log(design.rig.stiffness / critical), -most, most);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,10 +19,12 @@ struct Design {
   Rig rig;
   double travel;  // [L] stage position at which the loading ends
   double step;    // [L] of the stage between two readings; 0: the curve is recorded continuously
+  double breaking_curvature = std::numeric_limits<double>::infinity();  // [1/L] at midspan, at which the fibre breaks
 };
 
 enum class DesignStatus {
   ok,
+  breaks,  // the fibre breaks before the stage has travelled so far: the answers are those up to there
   slipped_through,  // the fibre slips through the supports before the stage has travelled so far: the answers are those up to there
 };
 
@@ -38,13 +41,14 @@ struct DesignOutcome {
   double w_reached;      // [L] deflection there
   std::size_t snaps;     // those of the fibre, however small
   std::optional<FirstSnap> first_snap;
-  std::size_t drops;      // falls of the force between readings, a run of them counting once: what the record shows
-  double largest_drop;    // [EI/L^2] 0 without drops
-  double mean_drop;       // [EI/L^2] 0 without drops
-  double greatest_force;  // [EI/L^2]
-  double work;            // [EI/L] ∫ F dw, what is measured as work on the specimen
-  double friction_heat;   // [EI/L] of it, heat at the supports while the fibre slides and snaps
-  double released;        // [EI/L] of it, what the snaps set free beyond friction; the rest bends the fibre
+  std::size_t drops;          // falls of the force between readings, a run of them counting once: what the record shows
+  double largest_drop;        // [EI/L^2] 0 without drops
+  double mean_drop;           // [EI/L^2] 0 without drops
+  double greatest_force;      // [EI/L^2]
+  double greatest_curvature;  // [1/L] at midspan
+  double work;                // [EI/L] ∫ F dw, what is measured as work on the specimen
+  double friction_heat;       // [EI/L] of it, heat at the supports while the fibre slides and snaps
+  double released;            // [EI/L] of it, what the snaps set free beyond friction; the rest bends the fibre
 };
 
 // Domain:     travel/(1 + 48/stiffness), about the deflection, at least 1e-6; step 0 or at least 1e-9 of the travel, finite;
@@ -53,7 +57,9 @@ struct DesignOutcome {
 //             and released 1e-5 of the work (typically 1e-7); of drops 1e-6 of the greatest force. Falls below 1e-11 of the force are
 //             none. Where a drift of friction begins or ends to be held at zero within a snap, friction_heat and released 1e-3 of the
 //             work and drops 1e-4; where the loading ends below a length S, all of them 2^-48/(S - 1) besides.
-// Fails:      slipped_through.
+//             The greatest curvature is looked for at two points of each stretch of three quarters of the shortest period, that at
+//             which the fibre breaks at four.
+// Fails:      slipped_through, breaks.
 // Method:     the curve is traced; its stable parts are followed as polynomials, whose turning points tell which readings to look at.
 //             In a snap the force at the supports is a smooth function of the length, whatever the friction (theory.md, "Designs").
 // Cost:       the trace, and 6 µs for each period or snap, however many readings.
@@ -64,7 +70,7 @@ DesignOutcome outcome_of(const Design& design);
 // Cost:       the trace up to four times as far as the first snap, or of all of it.
 bool snaps(const Design& design);
 
-// The least stiffness of the load train [EI/L^3] with none stiffer than which this loading, to its travel, comes to a fold, where the fibre
+// The least stiffness of the load train [EI/L^3] with none stiffer than which this loading, to its travel or until the fibre breaks, comes to a fold, where the fibre
 // snaps or, if there is no rest beyond it, slips through. 0 where it does on none. The stiffness of the design itself does not count.
 // Domain:     as outcome_of.
 // Tolerance:  rounded up, by 1e-7, so that on a rig of just this stiffness there is no snap; 1e-8 beside it.

@@ -80,6 +80,13 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
   return profile;
 }
 
+double greatest_curvature(const FrictionProfile& profile) {
+  double greatest = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& point : profile.points)
+    greatest = std::fmax(greatest, curvature_at_midspan(fibre_state(point.S, point.mu)));
+  return greatest;
+}
+
 std::string_view name_of(SlipVerdict verdict) {
   switch (verdict) {
     case SlipVerdict::possible:

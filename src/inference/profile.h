@@ -46,6 +46,9 @@ struct FrictionProfile {
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                                  double least_deflection = 0.02);
 
+// The greatest curvature of the fibre at midspan [1/L] in the states of a profile; NaN if it has none.
+double greatest_curvature(const FrictionProfile& profile);
+
 // Can a drop of the force be a slip of the specimen over its supports?
 enum class SlipVerdict {
   possible,     // length is drawn in, and friction stays between nothing and what is plausible

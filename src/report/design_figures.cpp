@@ -97,7 +97,7 @@ double drop_share(const DesignOutcome& outcome) { return 100 * outcome.largest_d
 // [units of the case] of the first snap.
 std::optional<double> first_deflection(const DesignResult& result) {
   const auto& snap = result.outcome->first_snap;
-  return snap ? std::optional(result.scales->physical_length(snap->w)) : std::nullopt;
+  return snap ? std::optional(result.units->scales.physical_length(snap->w)) : std::nullopt;
 }
 
 Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::vector<MapPoint>& points) {

@@ -9,9 +9,9 @@
 namespace flexslip {
 namespace {
 
-void add_outcome(Json& json, const DesignOutcome& outcome, const Scales& scales) {
+void add_outcome(Json& json, const DesignOutcome& outcome, const DesignUnits& units) {
   for (const OutcomeColumn& column : outcome_columns()) {
-    const double value = column.value(outcome, scales);
+    const double value = column.value(outcome, units);
     json[std::string(column.name)] =
         column.stored_as == StoredAs::float64 ? Json(value) : Json(static_cast<std::size_t>(value));
   }
@@ -34,7 +34,7 @@ Json design_json(const DesignAnswer& answer) {
          {"largest_drop_share", answer.changes[i].outcome.largest_drop / answer.changes[i].outcome.greatest_force},
          {"words", words[i]}});
   Json json{{"status", word_of(status_of(answer.outcome))}};
-  add_outcome(json, answer.outcome, answer.scales);
+  add_outcome(json, answer.outcome, {answer.scales, answer.surface});
   json["friction_share"] = answer.outcome.friction_heat / answer.outcome.work;
   json["answer"] = design_in_short(answer);
   json["critical_stiffness"] = answer.scales.physical_stiffness(answer.critical);
@@ -59,7 +59,7 @@ Json design_map_json(const DesignCase& input, const std::vector<DesignAxis>& axe
   for (const MapPoint& point : points) {
     Json row{{"status", word_of(point.result.status)}};
     if (point.result.outcome) {
-      add_outcome(row, *point.result.outcome, *point.result.scales);
+      add_outcome(row, *point.result.outcome, *point.result.units);
       row["stiffness_margin"] = point.margin;
     }
     for (std::size_t i = 0; i < axes.size(); ++i) row[std::string(axes[i].parameter.name)] = point.values[i];

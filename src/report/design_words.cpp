@@ -67,18 +67,28 @@ std::string drops_in_words(const DesignAnswer& answer, const Shown& shown) {
       outcome.drops == 1 ? "" : fmt::format(", and by {} on average", shown.force(outcome.mean_drop)), why);
 }
 
+std::string strain_text(double strain) { return fmt::format("{:.2g} %", 100 * strain); }
+
+// How far the specimen is strained; nothing without a section.
+std::string strain_in_words(const DesignAnswer& answer) {
+  if (!answer.surface) return "";
+  const double curvature = answer.outcome.greatest_curvature;
+  return fmt::format(" Bending strains its surface by up to {}{}.", strain_text(answer.surface->strain(curvature)),
+                     answer.input.reduced() ? "" : ", " + readable(answer.surface->stress(curvature), kind::pressure));
+}
+
 std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
   const DesignOutcome& outcome = answer.outcome;
   if (!outcome.first_snap)
-    return fmt::format("Up to the stage position {}, a deflection of {}, the specimen does not snap.",
-                       shown.length(outcome.stage_reached), shown.length(outcome.w_reached));
+    return fmt::format("Up to the stage position {}, a deflection of {}, the specimen does not snap.{}",
+                       shown.length(outcome.stage_reached), shown.length(outcome.w_reached), strain_in_words(answer));
   const auto& first = *outcome.first_snap;
   return fmt::format(
       "The first snap comes at the stage position {}, at a deflection of {}: the force falls from {} to {}. Up to {}, "
-      "a deflection of {}, there {}.",
+      "a deflection of {}, there {}.{}",
       shown.length(first.stage), shown.length(first.w), shown.force(first.F_before), shown.force(first.F_after),
       shown.length(outcome.stage_reached), shown.length(outcome.w_reached),
-      outcome.snaps == 1 ? "is no other" : fmt::format("are {} snaps in all", outcome.snaps));
+      outcome.snaps == 1 ? "is no other" : fmt::format("are {} snaps in all", outcome.snaps), strain_in_words(answer));
 }
 
 std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
@@ -205,6 +215,11 @@ std::string answer_in_short(const DesignAnswer& answer) {
 std::string design_in_short(const DesignAnswer& answer) {
   std::string words = answer_in_short(answer);
   if (answer.outcome.status == DesignStatus::ok) return words;
+  const std::string where = Shown(answer).length(answer.outcome.stage_reached);
+  if (answer.outcome.status == DesignStatus::breaks)
+    return fmt::format("The specimen will break at the stage position {}, at a bending strain of {}{}. Up to there: {}",
+                       where, strain_text(answer.surface->strain(answer.outcome.greatest_curvature)),
+                       answer.outcome.snaps == 0 ? ", before the first snap" : "", words);
   return fmt::format("The specimen will slip through its supports, at the stage position {}. Up to there: {}",
                      Shown(answer).length(answer.outcome.stage_reached), words);
 }

@@ -391,6 +391,14 @@ Json fit_json(const FittedTest& test) {
   out["explanations"] = explanations_json(fit, units);
   out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
   out["judgement"] = judgement_json(test);
+  const double curvature = fitted ? greatest_curvature(analysis.profile_at_fit) : 0;
+  const auto bent = [&](auto value) {
+    return fitted && test.surface ? Json(((*test.surface).*value)(curvature)) : Json();
+  };
+  out["bending"] = {
+      {"greatest_strain", bent(&SurfaceStrain::strain)},
+      {"greatest_stress", bent(&SurfaceStrain::stress)},
+      {"shear_share", test.small_deflection.shear_share ? Json(*test.small_deflection.shear_share) : Json()}};
   out["imaged_length"] = imaged_json(test, units);
   out["slip_or_crack"] = slip_or_crack_json(analysis.slip_or_crack);
   out["drops"] = drops_json(test, units);

@@ -67,6 +67,7 @@ std::string fit_text(const FittedTest& test) {
   }
   text += fmt::format("\n[[Energy]]{}\n", test.cycles ? " of the first loading" : "") + laid_out(energy_table(test));
   text += "\n[[Plausibility]]\n";
+  if (const auto words = strain_in_words(test); !words.empty()) paragraph(words);
   paragraph(friction_in_literature(test));
   paragraph(suspicion_in_words(test));
   paragraph(replay_in_words(test));

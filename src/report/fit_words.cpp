@@ -636,6 +636,25 @@ std::optional<LiteratureFriction> literature_of(const FittedTest& test) {
   return test.materials ? friction_in_literature(*test.materials) : std::nullopt;
 }
 
+std::string strain_in_words(const FittedTest& test) {
+  if (!test.surface) return "";
+  const double curvature = greatest_curvature(test.analysis.profile_at_fit);
+  if (!std::isfinite(curvature)) return "";
+  const double strain = test.surface->strain(curvature);
+  std::string words = fmt::format("Bending strained its surface at midspan by up to {:.2g} %", 100 * strain);
+  if (!test.reduced)
+    words += fmt::format(", a stress of {} at the modulus fitted",
+                         Print(test).own(test.surface->stress(curvature), kind::pressure));
+  words += ".";
+  if (test.strain_at_break && strain > *test.strain_at_break)
+    words += fmt::format(" That is beyond the {:.2g} % at which it should break.", 100 * *test.strain_at_break);
+  constexpr double worth_a_word = 0.01;
+  const auto& shear = test.small_deflection.shear_share;
+  if (shear && *shear > worth_a_word)
+    words += fmt::format(" Shear, which is left out, adds {:.2g} % to a small deflection.", 100 * *shear);
+  return words;
+}
+
 std::string friction_in_literature(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   const auto& mu0 = fit.mu0;

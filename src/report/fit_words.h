@@ -42,6 +42,9 @@ std::string friction_in_words(const FittedTest& test);  // of the specimen as te
 std::string wave_in_words(const FittedTest& test);      // whether friction repeats along the specimen
 std::vector<std::string> checks_in_words(const FittedTest& test);  // those that failed begin with "Failed"
 std::string friction_in_literature(const FittedTest& test);
+
+// How far the specimen was strained, and what shear adds; nothing without a section.
+std::string strain_in_words(const FittedTest& test);
 std::string slips_in_words(const FittedTest& test);
 std::string snaps_in_words(const FittedTest& test);
 std::string suspicion_in_words(const FittedTest& test);

@@ -47,7 +47,7 @@ Json small_deflection_json(const StandardTest& test) {
           {"stress", number(numbers.stress, "Pa", reduced)},
           {"strain", number(numbers.strain, "1", reduced)},
           {"deflection_large", numbers.deflection_large},
-          {"not_slender", numbers.not_slender}};
+          {"shear_share", numbers.shear_share ? Json(*numbers.shear_share) : Json()}};
 }
 
 Json small_deflection_json(const FittedTest& test) {

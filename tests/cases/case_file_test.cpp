@@ -303,7 +303,8 @@ TEST_CASE("table: a bare number, a wrong unit or an impossible value is refused 
 TEST_CASE("table: an unknown key or section is refused with the nearest known") {
   CHECK(complaint_with("diameter", "diamter") ==
         "data/case.toml:2: [specimen] diamter: expected one of the keys 'diameter', 'inner_diameter', 'wall', 'width', "
-        "'height', 'modulus', 'bending_stiffness', 'material' and 'cracks', found an unknown key; did you mean "
+        "'height', 'modulus', 'bending_stiffness', 'material', 'cracks', 'strain_at_break' and 'strength', found an "
+        "unknown key; did you mean "
         "'diameter'?");
   CHECK(has(complaint_with("[friction]", "[frictoin]"), ":7: frictoin: expected one of the keys"));
   CHECK(has(complaint_with("[friction]", "[frictoin]"), "did you mean 'friction'?"));
@@ -331,6 +332,12 @@ TEST_CASE("table: what is missing is asked for with an example") {
   CHECK(has(complaint("[specimen]\nwidth = '3 um'"), "add height = "));
   CHECK(has(complaint("[friction]\nmodel = 'sinusoids'\nmu0 = 1\nwaves = [{ wavelength = '1 um' }]"),
             ":4: [friction] waves[1].amplitude: expected it in the file, found nothing; add amplitude = 0.15"));
+  CHECK(has(complaint("[specimen]\nbending_stiffness = '1 N m^2'\nstrength = '3 MPa'"),
+            ":3: [specimen] strength: expected the section of the specimen beside it"));
+  CHECK(has(complaint("[specimen]\ndiameter = '3 um'\nstrength = '3 MPa'\nstrain_at_break = '2 %'"),
+            ":3: [specimen] strength: expected either a strength or a strain_at_break, found both"));
+  CHECK(has(complaint("[specimen]\ndiameter = '3 um'\nstrain_at_break = '-2 %'"), ":3: [specimen] strain_at_break"));
+  CHECK(has(complaint("reduced = true\n[specimen]\ndiameter = 0.02\nstrength = 3"), "give strain_at_break instead"));
   CHECK(has(complaint("[specimen]\ncracks = [{ loss = '3 %' }]"),
             ":2: [specimen] cracks[1].deflection: expected it in the file, found nothing"));
   CHECK(has(complaint_with(", uncertainty = \"1.5 GPa\"", ""),
@@ -456,6 +463,8 @@ TEST_CASE("identity: the effective case is read back as the same case") {
         std::string_view("[record]\nfile='x'\nstage='s'\nforce='F'\nlength='dS [mm]'"),
         std::string_view("[specimen]\ndiameter = '30 um'\ncracks = [{ deflection = '0.16 mm', loss = '3 %' }, "
                          "{ deflection = '200 um', loss = 0.05 }]"),
+        std::string_view("[specimen]\ndiameter = '30 um'\nstrain_at_break = '2 %'"),
+        std::string_view("[specimen]\nwidth = '30 um'\nheight = '3 um'\nstrength = '600 MPa'"),
         std::string_view("reduced = true\n[specimen]\ncracks = [{ deflection = 0.12, loss = '3 %' }]"),
         std::string_view("[record]\nfile='x'\nsign='keep'\nzero='keep'\ncontact='find'")}) {
     const Case input = read_case(text, "case.toml");

@@ -52,7 +52,7 @@ TEST_CASE("design case, identity: a flat specimen set to another section is the 
   varied.set(DesignParameter::width, 50e-6);
   varied.set(DesignParameter::height, 25e-6);
   const auto read = flat("width = \"50 um\"\nheight = \"25 um\"").planned();
-  CHECK(varied.planned().scales.bending_stiffness() == read.scales.bending_stiffness());
+  CHECK(varied.planned().units.scales.bending_stiffness() == read.units.scales.bending_stiffness());
   varied.set(DesignParameter::height, 300e-6);
   CHECK(message_of([&] { varied.planned(); }).find("height: expected less than a fifth of the span") == 0);
 }

@@ -28,6 +28,15 @@ TEST_CASE("section: second moments against mpmath (table)") {
     CHECK(second_moment(row.section) == to(4 * std::numeric_limits<double>::epsilon(), row.moment));
 }
 
+TEST_CASE("section: the share of shear against Cowper's coefficients for a Poisson's ratio of 0.3 (table)") {
+  const double L = 1, h = 0.1;
+  // 24 (1 + ν) I/(κ A L²), κ as printed in his table: 0.886 (round), 0.850 (rectangle), 0.531 (thin round tube).
+  CHECK(shear_share(RoundSection{h}, L) == doctest::Approx(31.2 * h * h / 16 / 0.886).epsilon(1e-3));
+  CHECK(shear_share(RectangularSection{0.3, h}, L) == doctest::Approx(31.2 * h * h / 12 / 0.850).epsilon(1e-3));
+  CHECK(shear_share(TubularSection{h, 0.99999 * h}, L) == doctest::Approx(31.2 * h * h / 8 / 0.531).epsilon(1e-3));
+  CHECK(shear_share(TubularSection{h, 1e-9 * h}, L) == doctest::Approx(shear_share(RoundSection{h}, L)));
+}
+
 TEST_CASE("section: a tube is its outer circle less its inner one (identity)") {
   const double D = 3.1e-3, d = 1.9e-3;
   const double difference = second_moment(RoundSection{D}) - second_moment(RoundSection{d});

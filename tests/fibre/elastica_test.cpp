@@ -545,4 +545,33 @@ TEST_CASE("elastica: what does not exist is a status (limit)") {
   CHECK(fibre_state_from_force(0.01, 0.1).status == FibreStatus::no_friction);  // at q = -20 it is 0.22 or more
 }
 
+TEST_CASE("curvature, identity: at midspan it is the moment of the reactions at the supports") {
+  CHECK(rc::check([] {
+    const double S = 1 + std::pow(10, *between(-6, 0)), q = *between(-1, 2);
+    const FibreState state = fibre_state(S, q);
+    if (state.status != FibreStatus::ok) return;
+    const double thrust = state.Pn * (std::sin(state.theta0) - q * std::cos(state.theta0));
+    const double moment = 0.25 * state.F + state.w * thrust;
+    const double size = 0.25 * state.F + state.w * std::abs(thrust);  // what cancels
+    RC_ASSERT(std::abs(curvature_at_midspan(state) - moment) <= 1e-12 * size);
+  }));
+}
+
+TEST_CASE("curvature, oracle: it is the slope of the slope of the shape, by differences about midspan") {
+  for (const double q : {-0.3, 0.0, 0.6, 3.0}) {
+    const FibreState state = fibre_state(1.15, q);
+    const auto slope = [&](double ds) {
+      return (fibre_shape(state, 0.5 - ds).theta - fibre_shape(state, 0.5 + ds).theta) / (2 * ds * state.S);
+    };
+    // The force makes a corner of κ there: the error of a difference is as ds, that of two of them as its square.
+    CHECK(curvature_at_midspan(state) == doctest::Approx(2 * slope(5e-5) - slope(1e-4)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("curvature, limit: 12 w of a fibre that is hardly bent") {
+  const FibreState state = fibre_state(1 + 1e-9, 0.4);
+  CHECK(curvature_at_midspan(state) == doctest::Approx(12 * state.w).epsilon(1e-4));
+  CHECK(curvature_at_midspan(fibre_state(1, 0.4)) == 0);
+}
+
 }  // namespace flexslip

@@ -228,7 +228,7 @@ class BadStates(InFolder):
     def test_states_that_do_not_exist_are_nan_and_exit_code_1(self):
         result = run("state", "-", stdin="S,q\n1.2,0.3\n3,0\n")
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stdout.splitlines()[2], "3,0,nan,nan,nan,nan,nan")
+        self.assertEqual(result.stdout.splitlines()[2], "3,0,nan,nan,nan,nan,nan,nan")
         self.assertIn("standard input:3: no state", result.stderr)
         result = run("invert", "-", stdin="w,F\n0.2,5\n0.2,1000\n")
         self.assertEqual(result.returncode, 1)

@@ -102,6 +102,21 @@ class Design(InFolder):
             self.succeeds("design", case, "--figure", self.folder / name, *ranges)
             self.assertTrue((self.folder / name).exists())
 
+    def test_glass_breaks_before_the_first_snap(self):
+        brittle = CASE.replace('modulus = "29.6 GPa"', 'modulus = "29.6 GPa"\nstrain_at_break = "2 %"')
+        answer = self.json("design", self.file("case.toml", brittle))
+        self.assertEqual((answer["status"], answer["snaps"]), ("breaks", 0))
+        self.assertAlmostEqual(answer["greatest_strain"], 0.02, delta=1e-12)
+        self.assertAlmostEqual(answer["greatest_stress"], 0.02 * 29.6e9, delta=1)
+        self.assertIn("will break at the stage position", answer["answer"])
+        # Where the path of simulate has that strain.
+        path = self.json("simulate", self.file("long.toml", CASE.replace('"2 um"', '"0.01 um"')))["path"]
+        first = next(point for point in path if point["strain"] >= 0.02)
+        self.assertAlmostEqual(first["stage"], answer["stage_reached"], delta=0.02e-6)
+        strong = brittle.replace('strain_at_break = "2 %"', 'strength = "592 MPa"')
+        same = self.json("design", self.file("case.toml", strong))
+        self.assertAlmostEqual(same["stage_reached"], answer["stage_reached"], delta=1e-12)
+
     def test_waves_of_nanometres_are_answered_too(self):
         fine = self.json("design", self.file("case.toml", CASE.replace("40 um", "10 nm")))
         self.assertGreater(fine["snaps"], 1000)

@@ -15,7 +15,8 @@ TEST_CASE("design JSON, identity: every outcome and every parameter of the case,
   const Json json = design_json(answer);
   for (const OutcomeColumn& column : outcome_columns()) {
     CAPTURE(column.name);
-    CHECK(json.at(std::string(column.name)).get<double>() == column.value(answer.outcome, answer.scales));
+    CHECK(json.at(std::string(column.name)).get<double>() ==
+          column.value(answer.outcome, {answer.scales, answer.surface}));
   }
   for (const DesignParameterName& known : design_parameters())
     CHECK(json.at("parameters").contains(std::string(known.name)) == input.has(known.parameter));
