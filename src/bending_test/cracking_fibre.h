@@ -2,7 +2,8 @@
 // along it and for good.
 //
 // A crack is faster than the specimen slides: stage position and length stay, the deflection rises, and the force falls along the load
-// line. So more friction has to hold the specimen, and where there is not so much, it is drawn in, in a snap. Less EI is the same fibre
+// line. So more friction has to hold the specimen, and where there is not so much, it is drawn in, in a snap. (Hardly bent, a specimen
+// keeps its deflection with its length, and would need any friction: beyond 20 it is drawn in as it cracks.) Less EI is the same fibre
 // on a rig that is stiffer in the reduced units (theory.md, "Cracks").
 #pragma once
 

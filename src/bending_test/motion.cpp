@@ -72,8 +72,23 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
 
 MovingFibre::MovingFibre(BendingTest test, double farthest, double S, double stage)
     : MovingFibre(std::move(test), farthest) {
-  const FibreState held = held_at(S, stage, test_.rig, test_.friction.kinetic.at(S).mu).state;
-  state_ = {stage, held.w, held.F, S, held.q, Motion::stick};
+  const auto at = [&](double length) {
+    return held_at(length, stage, test_.rig, test_.friction.kinetic.at(length).mu);
+  };
+  HeldState held = at(S);
+  if (held.holding == Holding::beyond_friction) {
+    const auto landing = landing_after(in_, S, stage);
+    if (!landing || landing->S > longest_sliding) {
+      end_ = MotionEnd::slipped_through;
+    } else {
+      double slides = S, holds = landing->S;
+      for (double middle = 0.5 * (slides + holds); slides < middle && middle < holds; middle = 0.5 * (slides + holds))
+        (at(middle).holding == Holding::held ? holds : slides) = middle;
+      held = at(holds);
+    }
+  }
+  const FibreState& state = held.state;
+  state_ = {stage, state.w, state.F, state.S, state.q, Motion::stick};
 }
 
 MovingFibre::Position MovingFibre::position() const { return {state_, here_, end_, glide_}; }

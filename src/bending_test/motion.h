@@ -73,8 +73,9 @@ class MovingFibre {
   //         otherwise.
   MovingFibre(BendingTest test, double farthest);
 
-  // The same, at rest for the moment at a length and a stage position, at which friction may not hold it: see settle().
-  // Domain: S >= 1, stage >= 0 besides. Where no friction up to 20 holds it there, q is what is nearest (snap.h).
+  // The same, at rest for the moment at a length and a stage position, at which friction may not hold it: see settle(). Where not even
+  // a friction of 20 holds it there, at the least length at which that does; where there is none, it has slipped through.
+  // Domain: S >= 1, stage >= 0 besides.
   MovingFibre(BendingTest test, double farthest, double S, double stage);
 
   const PathPoint& state() const { return state_; }

@@ -227,6 +227,9 @@ void run_simulate(const SimulateRequest& request) {
   const double noise = noise_of(request, input);
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const StageProgramme programme = programme_of(input);
+  if (!request.equilibria_at.empty() && !input.specimen->cracks.empty())
+    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, to draw all equilibria of",
+                      fmt::format("{}", input.specimen->cracks.size()), "leave out --equilibria-at, or the cracks");
   std::vector<double> marked;
   if (!request.figure.empty()) marked = marked_stages(request, input, scales);
   double farthest = scales.reduced_length(programme.farthest);

@@ -14,6 +14,7 @@ namespace flexslip {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double far_enough = 1.0 / 3;   // [greatest force of the first loading] where a reload must get
 constexpr double farthest_bent = 2;      // [first loading] where a reload may be at the same force
 constexpr std::size_t least_points = 6;  // twice what a line with a scatter needs, for the two halves
 
@@ -106,11 +107,14 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
                                                const LoadingStiffnessOptions& options) {
   require(record, loadings, options);
   if (loadings.empty()) return {};
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [first, last] : loadings) {
-    const auto rows = std::span(record.force).subspan(first, last - first);
-    least = std::min(least, *std::max_element(rows.begin(), rows.end()));
-  }
+  const auto greatest_force = [&](const LoadingRange& loading) {
+    const auto rows = std::span(record.force).subspan(loading.first, loading.last - loading.first);
+    return *std::max_element(rows.begin(), rows.end());
+  };
+  const double most = greatest_force(loadings.front());
+  double least = most;
+  for (const LoadingRange& loading : loadings)
+    if (greatest_force(loading) >= far_enough * most) least = std::min(least, greatest_force(loading));
   const Window window{options.from * least, 0.5 * (options.from + options.up_to) * least, options.up_to * least};
   const double quantile = gaussian_quantile(options.confidence);
 
@@ -118,7 +122,8 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
   std::vector<LoadingStiffness> result;
   result.reserve(loadings.size());
   for (const LoadingRange& loading : loadings) {
-    const MeasuredLoading measured = measure(record, loading, window);
+    MeasuredLoading measured = measure(record, loading, window);
+    if (greatest_force(loading) < far_enough * most) measured.status = LoadingStatus::loaded_too_little;
     const bool is_reference = result.empty();
     LoadingStiffness stiffness{.status = measured.status,
                                .first = measured.first,

@@ -18,8 +18,9 @@ struct LoadingRange {
 };
 
 struct LoadingStiffnessOptions {
-  double from = 0.05;   // [least of the loadings' greatest forces] window of force, the same one [N] for all loadings:
-  double up_to = 0.30;  //    what lies below from may still be settling; what lies above up_to is bent
+  double from =
+      0.05;  // [least of the greatest forces of loadings that get far enough] window of force, the same one [N] for all loadings:
+  double up_to = 0.30;          //    what lies below from may still be settling; what lies above up_to is bent
   double relevant_loss = 0.10;  // [1] a loss of stiffness smaller than this is of no relevance
   double confidence = 0.95;     // [1] of each verdict, one-sided
 };
@@ -32,6 +33,7 @@ enum class DamageVerdict {
 
 enum class LoadingStatus {
   ok,
+  loaded_too_little,   // not to a third of the greatest force of the first loading
   window_not_covered,  // it begins above the window's lower end, was not unloaded far enough, or never leaves it
   too_few_points,      // fewer than 6 in the window, or 3 in one of its halves
   not_rising,          // the force does not rise in the window, or in one of its halves

@@ -186,7 +186,8 @@ Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles) {
 
   const bool in_question = drops > 0 && judgement.drops != CrackVerdict::not_by_cracks_alone;
   constexpr double most_jumped = 0.5;
-  if (judgement.standing == Standing::untrusted)
+  const bool cracks_explain_it = judgement.drops == CrackVerdict::cracks && !analysis.stiffness_implausible;
+  if (judgement.standing == Standing::untrusted && !cracks_explain_it)
     judgement.next = NextStep::check_case;
   else if (in_question && !reload)
     judgement.next = NextStep::reload;

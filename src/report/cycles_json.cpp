@@ -97,6 +97,8 @@ Json loading_json(const FittedTest& test, const LoadingStiffness& loading) {
     switch (loading.status) {
       case LoadingStatus::ok:
         return "ok";
+      case LoadingStatus::loaded_too_little:
+        return "loaded_too_little";
       case LoadingStatus::window_not_covered:
         return "window_not_covered";
       case LoadingStatus::too_few_points:

@@ -162,6 +162,8 @@ std::string_view why_not_compared(LoadingStatus status) {
   switch (status) {
     case LoadingStatus::ok:
       return "";
+    case LoadingStatus::loaded_too_little:
+      return "not loaded far enough";
     case LoadingStatus::window_not_covered:
       return "not unloaded far enough";
     case LoadingStatus::too_few_points:
@@ -185,10 +187,16 @@ std::string last_reload_in_words(const FittedTest& test) {
                        why_not_compared(loadings.back().status));
   const auto& [loss, error] = std::pair(test.judgement->loss, test.judgement->loss_error);
   if (!std::isfinite(loss)) return "";
-  if (std::abs(loss) < 2 * error)
-    return fmt::format(" The last reload is as stiff as the first loading, to {:.1f} %.", 200 * error);
-  return fmt::format(" The last reload is {:.1f} ± {:.1f} % {}.", 100 * std::abs(loss), 100 * error,
-                     loss > 0 ? "softer" : "stiffer");
+  const auto& doubts = test.judgement->doubts;
+  const bool is_said = std::any_of(doubts.begin(), doubts.end(), [](Doubt doubt) {
+    return doubt == Doubt::softer_reload || doubt == Doubt::changed_reload;
+  });
+  if (is_said) return "";
+  constexpr double tells = 0.1;  // an error above which nothing that matters is bounded
+  if (error > tells)
+    return fmt::format(" The last reload tells little of its stiffness: {:+.0f} ± {:.0f} %.", -100 * loss, 100 * error);
+  return fmt::format(" The last reload is as stiff as the first loading, to {:.1f} %.",
+                     100 * (std::abs(loss) + 2 * error));
 }
 
 std::string rows_of(const FittedTest& test, const FrictionLoop& loop) {
@@ -262,11 +270,13 @@ PrintedTable loop_energy_table(const FittedTest& test) {
       lost{"Lost", {}, energy_kind}, friction{"by friction", {}, energy_kind};
   std::vector<std::string> share;
   for (const LoopEnergy& energy : test.cycles->energy) {
+    const bool closed = energy.unloading > 0;
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
     loading.values.push_back(scales.physical_energy(energy.loading));
-    unloading.values.push_back(scales.physical_energy(energy.unloading));
-    lost.values.push_back(scales.physical_energy(energy.lost));
+    unloading.values.push_back(closed ? scales.physical_energy(energy.unloading) : nothing);
+    lost.values.push_back(closed ? scales.physical_energy(energy.lost) : nothing);
     friction.values.push_back(scales.physical_energy(energy.friction));
-    share.push_back(energy.loading > 0 ? fmt::format("{:.1f} %", 100 * energy.lost / energy.loading) : "");
+    share.push_back(closed && energy.loading > 0 ? fmt::format("{:.1f} %", 100 * energy.lost / energy.loading) : "");
   }
   PrintedTable table = printed({loading, unloading, lost, friction});
   table.head.insert(table.head.begin(), "Loop");

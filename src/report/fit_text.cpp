@@ -46,6 +46,8 @@ std::string fit_text(const FittedTest& test) {
   const std::string indent(3, ' ');
   const auto paragraph = [&](const std::string& words) { text += indent + wrapped(words, indent); };
   text += fmt::format("\n[[Friction]] of the model {}\n{}", model_in_words(test.analysis.fit.model), variables(test));
+  const std::string caution = caution_of(test);
+  if (!caution.empty()) paragraph(caution);
   paragraph(friction_in_words(test));
   paragraph(wave_in_words(test));
   if (test.analysis.fit.explanations.size() > 1) text += laid_out(explanation_table(test));
@@ -65,7 +67,9 @@ std::string fit_text(const FittedTest& test) {
     paragraph(reloading_in_words(test));
     text += laid_out(loading_table(test));
   }
-  text += fmt::format("\n[[Energy]]{}\n", test.cycles ? " of the first loading" : "") + laid_out(energy_table(test));
+  text += fmt::format("\n[[Energy]]{}\n", test.cycles ? " of the first loading" : "");
+  if (!caution.empty()) paragraph(caution);
+  text += laid_out(energy_table(test));
   text += "\n[[Plausibility]]\n";
   if (const auto words = strain_in_words(test); !words.empty()) paragraph(words);
   paragraph(friction_in_literature(test));

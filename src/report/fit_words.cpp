@@ -42,7 +42,8 @@ std::string cause_in_words(const FittedTest& test) {
                  : "and cracks alone cannot: the reload lost less stiffness than they would need";
     case CrackVerdict::cracks:
       return rises.judged && rises.verdict == CrackVerdict::cracks
-                 ? fmt::format("but the rises between them are those of a specimen that cracks ({})", margin)
+                 ? fmt::format("but the rises between them are those of a specimen that cracks (D* = {:.1f})",
+                               rises.margin)
                  : "but the specimen lost stiffness";
     case CrackVerdict::cannot_be_told:
       break;
@@ -197,8 +198,18 @@ std::string ranged(double low, double high) {
   return low < high ? fmt::format("the range {:g} to {:g}", low, high) : fmt::format("the {:g}", low);
 }
 
+// Does a reload, or the rises between the drops, show that the specimen lost stiffness on the way?
+bool lost_stiffness(const FittedTest& test) {
+  const Judgement& judgement = test.judgement.value();
+  return std::any_of(judgement.doubts.begin(), judgement.doubts.end(), [&](Doubt doubt) {
+    return doubt == Doubt::softer_reload || doubt == Doubt::cracks ||
+           (doubt == Doubt::changed_reload && judgement.loss > 0);
+  });
+}
+
 // The friction of the specimen as tested, and whether it repeats.
 std::string friction_in_short(const FittedTest& test) {
+  if (lost_stiffness(test)) return "Friction is not to be read off the record of a specimen that loses stiffness.";
   const auto& fit = test.analysis.fit;
   std::string words =
       fit.mu0_is_bound
@@ -336,8 +347,11 @@ std::string next_step_in_words(const FittedTest& test) {
       return "Next: check the modulus, the section, the span, the columns and their units, and whether the specimen "
              "cracks.";
     case NextStep::reload:
-      if (test.cycles)
-        return "Next: unload further and load once more; the loadings of this record cannot be compared.";
+      if (test.cycles && test.cycles->stiffness.size() > 1)
+        return "Next: unload to almost no force and load once more, as far as at first; the loadings of this record "
+               "cannot be "
+               "compared.";
+      if (test.cycles) return "Next: load once more; a reload bounds the stiffness that cracks can have taken.";
       return "Next: unload and load once more; a reload bounds the stiffness that cracks can have taken.";
     case NextStep::finer_steps:
       return "Next: record more rows; most rises between drops have fewer than five.";
@@ -395,7 +409,7 @@ std::string answer_of(const FittedTest& test) {
                        next_step_in_words(test));
   answer += fmt::format("{}: {}. {}", sawtooth_in_words(analysis), drops_in_words(test), friction_in_short(test));
   const double share = analysis.energy.friction_share;
-  if (share > 0.005 && judgement.standing < Standing::suspect)
+  if (share > 0.005 && judgement.standing < Standing::suspect && !lost_stiffness(test))
     answer += analysis.drops.drops.empty() || judgement.drops == CrackVerdict::not_by_cracks_alone
                   ? fmt::format(
                         " {} of the work on the specimen went into friction and should not be counted as "
@@ -410,6 +424,12 @@ std::string answer_of(const FittedTest& test) {
   answer += fmt::format(" {}", standing_in_words(judgement.standing));
   if (const std::string next = next_step_in_words(test); !next.empty()) answer += " " + next;
   return answer;
+}
+
+std::string caution_of(const FittedTest& test) {
+  return lost_stiffness(test)
+             ? "As if the specimen had kept its stiffness, and slipped, which the record speaks against."
+             : "";
 }
 
 std::vector<ParameterRow> parameter_rows(const FittedTest& test) {

@@ -148,7 +148,7 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
   for (const auto& plate : plates_of(test)) figures.push_back(figure(plate));
 
   std::string body = figures[0] + figures[1];
-  body += section("Friction") + paragraph(friction_in_words(test)) + parameter_table(test) +
+  body += section("Friction") + paragraph(caution_of(test) + " " + friction_in_words(test)) + parameter_table(test) +
           paragraph(strain_in_words(test) + " " + friction_in_literature(test));
   body += section("Does it repeat along the specimen?") + paragraph(wave_in_words(test));
   if (figures.size() > 2) body += figures[2];

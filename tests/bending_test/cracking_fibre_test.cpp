@@ -68,6 +68,27 @@ TEST_CASE("identity: a crack happens at its deflection, along the load line, at 
   }
 }
 
+TEST_CASE(
+    "oracle: a crack of a fibre hardly bent, which no friction holds at its length, ends on the softer fibre's curve") {
+  const double mu = 0.45, k = 59;
+  for (const auto& [w, loss] :
+       {std::pair{0.002, 0.08}, std::pair{0.0001, 0.01}, std::pair{0.05, 0.6}, std::pair{0.1, 0.9}}) {
+    CAPTURE(w);
+    std::vector<double> stages;
+    for (int i = 1; i < 200; ++i) stages.push_back(0.002 * i);
+    const History history = follow_in_steps({Friction::constant(mu), {k}}, stages, std::vector<Crack>{{w, loss}});
+    REQUIRE(history.status == HistoryStatus::ok);
+    REQUIRE(history.cracks.size() == 1);
+    const auto& [stage, before, after, released] = history.cracks.front();
+    CHECK(after.w + after.F / k == doctest::Approx(stage).epsilon(1e-12));
+    CHECK(after.F < before.F);
+    CHECK(released > 0);
+    for (const PathPoint& point : history.path)
+      CHECK(point.F == doctest::Approx(force_by_bisection(mu, point.left, k, point.stage)).epsilon(1e-10));
+    CHECK(std::abs(history.energy.imbalance) <= 1e-10 * history.energy.stage_work);
+  }
+}
+
 TEST_CASE("limit: a rig of infinite stiffness sees the force fall by the loss, at a fixed deflection") {
   const std::vector<Crack> crack{{0.2, 0.3}};
   const History history = follow_continuously({Friction::constant(0.5), {std::numeric_limits<double>::infinity()}},
