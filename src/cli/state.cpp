@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "fibre/elastica.h"
+#include "fibre/supported_state.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -19,30 +20,47 @@ namespace {
 
 struct StateRequest {
   std::string file;
-  std::optional<double> S;
-  std::optional<double> q;
+  std::optional<double> S, w, q;
+  std::optional<double> radius, thickness;  // of rollers, and of the specimen on them
   bool slopes = false;
   Output output;
+
+  bool on_supports() const { return radius || thickness; }
 };
 
+// States by their length, on edges, or by their deflection, on rollers.
 struct Input {
   std::string source;  // empty: the command line
-  std::vector<double> S, q;
+  std::string first;   // "S" or "w"
+  std::vector<double> values, q;
   std::vector<std::size_t> lines;
 };
 
 Input read_input(const StateRequest& request) {
-  if (request.S.has_value() != request.q.has_value())
-    throw InputError(
-        {.field = "state", .expected = "both --S and --q", .found = request.S ? "--S alone" : "--q alone"});
-  if (request.S.has_value() == !request.file.empty())
+  const std::string first = request.on_supports() ? "w" : "S";
+  const auto& value = request.on_supports() ? request.w : request.S;
+  if (request.on_supports() && request.S)
+    throw InputError({.field = "--S",
+                      .expected = "a deflection, as the states are those on rollers",
+                      .found = "a length",
+                      .remedy = "write --w, or leave out --roller-radius and --thickness"});
+  if (!request.on_supports() && request.w)
+    throw InputError({.field = "--w",
+                      .expected = "a length, as the supports are edges",
+                      .found = "a deflection",
+                      .remedy = "write --S, or add --roller-radius or --thickness"});
+  if (value.has_value() != request.q.has_value())
     throw InputError({.field = "state",
-                      .expected = "either a file or --S and --q",
-                      .found = request.S ? "both" : "neither",
-                      .remedy = request.S ? "" : "write - for standard input, or see flexslip state --help"});
-  if (request.S) return {"", {*request.S}, {*request.q}, {0}};
-  const Table table = read_table(request.file, {{"S", kind::number}, {"q", kind::number}});
-  Input input{table.source, table.columns[0].values, table.columns[1].values, {}};
+                      .expected = fmt::format("both --{} and --q", first),
+                      .found = value ? fmt::format("--{} alone", first) : "--q alone"});
+  if (value.has_value() == !request.file.empty())
+    throw InputError({.field = "state",
+                      .expected = fmt::format("either a file or --{} and --q", first),
+                      .found = value ? "both" : "neither",
+                      .remedy = value ? "" : "write - for standard input, or see flexslip state --help"});
+  if (value) return {"", first, {*value}, {*request.q}, {0}};
+  const Table table = read_table(request.file, {{first, kind::number}, {"q", kind::number}});
+  Input input{table.source, first, table.columns[0].values, table.columns[1].values, {}};
   for (std::size_t row = 0; row < table.rows(); ++row) input.lines.push_back(table.line_of(row));
   return input;
 }
@@ -56,10 +74,12 @@ void require_domain(const Input& input) {
                       .expected = std::move(expected),
                       .found = fmt::format("{}", found)});
   };
-  for (std::size_t row = 0; row < input.S.size(); ++row) {
-    const double S = input.S[row];
+  for (std::size_t row = 0; row < input.q.size(); ++row) {
+    const double value = input.values[row];
     const double q = input.q[row];
-    if (!(S >= 1 && std::isfinite(S))) refuse(row, "S", "a length of at least 1, in spans", S);
+    if (input.first == "S" && !(value >= 1 && std::isfinite(value)))
+      refuse(row, "S", "a length of at least 1, in spans", value);
+    if (input.first == "w" && !(value > 0 && value <= 2)) refuse(row, "w", "a deflection of 0 to 2 spans", value);
     if (!(std::abs(q) <= largest_q))
       refuse(row, "q", fmt::format("mobilised friction from {:g} to {:g}", -largest_q, largest_q), q);
   }
@@ -68,48 +88,101 @@ void require_domain(const Input& input) {
 constexpr std::array<std::string_view, 6> result_names{"w", "F", "theta0", "Pn", "U", "curvature"};
 constexpr std::array<std::string_view, 8> slope_names{"w_S", "w_q", "F_S", "F_q", "Pn_S", "Pn_q", "U_S", "U_q"};
 
+// What was calculated, and the rows for which there is no state.
+struct States {
+  std::vector<OutputColumn> columns;
+  std::vector<std::size_t> missing;
+};
+
+void write_states(const StateRequest& request, const States& states) {
+  if (request.output.json)
+    write_json(request.output.path,
+               {{"status", states.missing.empty() ? "ok" : "beyond_branch"}, {"states", rows_json(states.columns)}});
+  else
+    write_table(request.output.path, states.columns);
+}
+
+std::string place_of(const Input& input, std::size_t row) {
+  return input.source.empty() ? "" : fmt::format("{}:{}: ", input.source, input.lines[row]);
+}
+
+std::string likewise(const States& states) {
+  return states.missing.size() == 1 ? ""
+                                    : fmt::format("; likewise {} more rows, written as nan", states.missing.size() - 1);
+}
+
+void run_states_on_supports(const StateRequest& request, const Input& input) {
+  constexpr double widest = 0.45;  // [L] from the span on both sides
+  const Supports supports{request.radius.value_or(0), 0.5 * request.thickness.value_or(0)};
+  if (!(supports.radius >= 0 && supports.half_depth >= 0 && supports.radius + supports.half_depth < widest))
+    throw InputError({.field = "--roller-radius",
+                      .expected = fmt::format("a radius, and half of a thickness, of 0 to {:g} spans together", widest),
+                      .found = fmt::format("{:g} and {:g}", supports.radius, supports.half_depth)});
+  if (request.slopes)
+    throw InputError({.field = "--slopes", .expected = "edges", .found = "rollers or a thickness beside it"});
+  constexpr std::array<std::pair<const char*, double SupportedState::*>, 8> fields{
+      {{"F", &SupportedState::F},
+       {"theta0", &SupportedState::theta0},
+       {"Pn", &SupportedState::Pn},
+       {"U", &SupportedState::U},
+       {"curvature", &SupportedState::curvature},
+       {"length", &SupportedState::length},
+       {"slid", &SupportedState::slid},
+       {"imaged", &SupportedState::imaged}}};
+  States states{{{"w", input.values}, {"q", input.q}}, {}};
+  std::array<std::vector<double>, fields.size()> results;
+  for (std::size_t row = 0; row < input.q.size(); ++row) {
+    const SupportedState state = state_on_supports(input.values[row], input.q[row], supports);
+    const bool exists = state.status == FibreStatus::ok;
+    if (!exists) states.missing.push_back(row);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      results[i].push_back(exists ? state.*fields[i].second : std::numeric_limits<double>::quiet_NaN());
+  }
+  for (std::size_t i = 0; i < fields.size(); ++i) states.columns.push_back({fields[i].first, results[i]});
+  write_states(request, states);
+  if (states.missing.empty()) return;
+  const std::size_t row = states.missing.front();
+  throw CalculationFailed(fmt::format("{}no state with a force at w = {}, q = {} on these supports{}",
+                                      place_of(input, row), input.values[row], input.q[row], likewise(states)));
+}
+
 void run_state(const StateRequest& request) {
   const Input input = read_input(request);
   require_domain(input);
-  const std::size_t n = input.S.size();
+  if (request.on_supports()) return run_states_on_supports(request, input);
+  const std::size_t n = input.q.size();
   const double none = std::numeric_limits<double>::quiet_NaN();
 
   std::array<std::vector<double>, result_names.size()> results;
   std::array<std::vector<double>, slope_names.size()> slopes;
   for (auto& column : results) column.assign(n, none);
   for (auto& column : slopes) column.assign(request.slopes ? n : 0, none);
-  std::vector<std::size_t> missing;
+  States states{{{"S", input.values}, {"q", input.q}}, {}};
+  auto& [columns, missing] = states;
   for (std::size_t row = 0; row < n; ++row) {
-    const FibreState state = fibre_state(input.S[row], input.q[row]);
+    const FibreState state = fibre_state(input.values[row], input.q[row]);
     if (state.status != FibreStatus::ok) {
       missing.push_back(row);
       continue;
     }
     const std::array values{state.w, state.F, state.theta0, state.Pn, state.U, curvature_at_midspan(state)};
     for (std::size_t i = 0; i < values.size(); ++i) results[i][row] = values[i];
-    if (!request.slopes || input.S[row] == 1) continue;
-    const FibreSlopes at = fibre_state_slopes(input.S[row], input.q[row]).slopes;
+    if (!request.slopes || input.values[row] == 1) continue;
+    const FibreSlopes at = fibre_state_slopes(input.values[row], input.q[row]).slopes;
     const std::array derivatives{at.w_S, at.w_q, at.F_S, at.F_q, at.Pn_S, at.Pn_q, at.U_S, at.U_q};
     for (std::size_t i = 0; i < derivatives.size(); ++i) slopes[i][row] = derivatives[i];
   }
 
-  std::vector<OutputColumn> columns{{"S", input.S}, {"q", input.q}};
   for (std::size_t i = 0; i < results.size(); ++i) columns.push_back({std::string(result_names[i]), results[i]});
   if (request.slopes)
     for (std::size_t i = 0; i < slopes.size(); ++i) columns.push_back({std::string(slope_names[i]), slopes[i]});
-  if (request.output.json)
-    write_json(request.output.path,
-               {{"status", missing.empty() ? "ok" : "beyond_branch"}, {"states", rows_json(columns)}});
-  else
-    write_table(request.output.path, columns);
+  write_states(request, states);
   if (missing.empty()) return;
 
   const std::size_t row = missing.front();
-  const std::string place = input.source.empty() ? "" : fmt::format("{}:{}: ", input.source, input.lines[row]);
   throw CalculationFailed(fmt::format(
-      "{}no state at S = {}, q = {}: there the force has fallen to zero, at S = {:.6g}{}", place, input.S[row],
-      input.q[row], fibre_branch_end(input.q[row]).S,
-      missing.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", missing.size() - 1)));
+      "{}no state at S = {}, q = {}: there the force has fallen to zero, at S = {:.6g}{}", place_of(input, row),
+      input.values[row], input.q[row], fibre_branch_end(input.q[row]).S, likewise(states)));
 }
 
 }  // namespace
@@ -117,9 +190,16 @@ void run_state(const StateRequest& request) {
 void add_state_command(CLI::App& app) {
   const auto request = std::make_shared<StateRequest>();
   CLI::App* command = app.add_subcommand("state", "Deflection, force, slope and energy of states (S, q) of the fibre");
-  command->add_option("file", request->file, "CSV with the columns S,q; - is standard input")->type_name("FILE");
+  command->add_option("file", request->file, "CSV with the columns S,q, or w,q on rollers; - is standard input")
+      ->type_name("FILE");
   command->add_option("--S", request->S, "Length between the supports, in spans")->type_name("NUMBER");
   command->add_option("--q", request->q, "Mobilised friction, tangential over normal support force")
+      ->type_name("NUMBER");
+  command->add_option("--w", request->w, "Deflection at midspan, in spans, instead of --S on rollers")
+      ->type_name("NUMBER");
+  command->add_option("--roller-radius", request->radius, "Of fixed rollers as supports, in spans")
+      ->type_name("NUMBER");
+  command->add_option("--thickness", request->thickness, "Of the specimen, in spans: friction acts at its surface")
       ->type_name("NUMBER");
   command->add_flag("--slopes", request->slopes, "The partial derivatives with respect to S and q as well");
   add_output_options(*command, request->output);
@@ -128,8 +208,12 @@ void add_state_command(CLI::App& app) {
       "Writes S,q,w,F,theta0,Pn,U,curvature: deflection, force, support slope, normal force at one support,\n"
       "bending energy, curvature at midspan: half the depth of the specimen times it is the bending strain. A state "
       "that does not exist is written as nan, and the exit code is 1.\n\n"
+      "With --roller-radius or --thickness the states are those of deflections w, and the columns w,q,F,theta0,\n"
+      "Pn,U,curvature,length,slid,imaged: three lengths that are one on edges, of the axis between the contacts,\n"
+      "slid past them along the surface, and of the axis between the verticals through the supports.\n\n"
       "Examples:\n"
       "  flexslip state --S 1.2 --q 0.3\n"
+      "  flexslip state --w 0.1 --q 0 --roller-radius 0.078 --thickness 0.0625\n"
       "  flexslip state states.csv --output results.csv");
   command->callback([request] { run_state(*request); });
 }

@@ -47,6 +47,28 @@ class State(InFolder):
     def test_limit_straight_fibre(self):
         self.assertEqual(self.succeeds("state", "--S", "1", "--q", "0.5").splitlines()[1].split(",")[:4], ["1", "0.5", "0", "0"])
 
+    def test_on_rollers_a_bar_without_friction_is_stiffer_than_on_edges(self):
+        """ISO 178: a span of 64 mm, 4 mm thick, rollers of 5 mm. 40-digit values."""
+        bar = self.json("state", "--w", "0.16730968618594", "--q", "0.4", "--roller-radius", "0.078125", "--thickness", "0.0625")["states"][0]
+        self.assertAlmostEqual(bar["F"], 8.6724978532042, delta=1e-11)
+        self.assertAlmostEqual(bar["length"], 0.95699049187845, delta=1e-12)
+        self.assertAlmostEqual(bar["slid"], 0.0351829323475, delta=1e-12)
+        free = numbers(self.succeeds("state", "--w", "0.1", "--q", "0", "--roller-radius", "0.078125", "--thickness", "0.0625"), "F")[0]
+        self.assertGreater(free, 1.04 * 48 * 0.1)
+        edges = numbers(self.succeeds("state", "--w", "0.1", "--q", "0", "--roller-radius", "0"), "F")[0]
+        self.assertLess(edges, 48 * 0.1)
+
+    def test_rollers_that_leave_no_span_and_states_by_the_wrong_number_are_refused(self):
+        self.refused("state", "--w", "0.1", "--q", "0", "--thickness", "0.95", says=["--roller-radius", "0.45 spans together"])
+        self.refused("state", "--w", "0.1", "--q", "0", "--roller-radius", "-0.1", says=["--roller-radius"])
+        self.refused("state", "--w", "0.1", "--q", "0", says=["--w", "write --S"])
+        self.refused("state", "--S", "1.1", "--q", "0", "--thickness", "0.1", says=["--S", "write --w"])
+        self.refused("state", "--w", "0", "--q", "0", "--thickness", "0.1", says=["--w", "a deflection of 0 to 2 spans"])
+        self.refused("state", "--w", "0.1", "--q", "0", "--thickness", "0.1", "--slopes", says=["--slopes", "edges"])
+        result = run("state", "--w", "1.9", "--q", "0", "--thickness", "0.1")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("no state with a force at w = 1.9", result.stderr)
+
     def test_identity_slopes_balance_energy(self):
         # dU = F dw - q P_n dS
         for S, q in ((1.01, 0.4), (1.2, -0.3), (1.6, 1.0)):

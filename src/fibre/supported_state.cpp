@@ -1,0 +1,176 @@
+#include "fibre/supported_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "fibre/elliptic.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// The angle between the force at a support and the tangent there, as elastica-inl.h has it: cot β0 = -q.
+struct ForceAngle {
+  double sine, cosine;
+  double m, m1;  // sin²(β0/2), cos²(β0/2)
+};
+
+ForceAngle force_angle(double q) {
+  const double sine = 1 / std::sqrt(1 + q * q);
+  const double larger = 0.5 * (1 + std::abs(q) * sine), smaller = 0.25 * sine * sine / larger;
+  return {sine, -q * sine, q < 0 ? smaller : larger, q < 0 ? larger : smaller};
+}
+
+// Integrals over the phase from the inflection, at an angle θ to the span there: of 1 - cos θ, sin θ and the square of the curvature.
+struct Integrals {
+  double gap, rise, squares;
+};
+
+// The pendulum: its parameter, and the slope at its inflection.
+struct Pendulum {
+  double m, m1;
+  double swing;  // 2 √(m m1): the curvature is so much times sd, in units of the rate
+
+  double psi(const EllipticArc& arc) const { return 2 * std::atan2(0.5 * swing * arc.one_minus_cn, m1 + m * arc.cn); }
+  double sd(const EllipticArc& arc) const {
+    return std::sqrt(arc.one_minus_cn * (1 + arc.cn)) / std::sqrt(m1 + m * arc.cn * arc.cn);
+  }
+  Integrals integrals(double phase, const EllipticArc& arc, double theta) const {
+    const double p = swing * arc.P, r = 0.5 * swing * swing * arc.R;
+    const double half = std::sin(0.5 * theta), versine = 2 * half * half;
+    const double sine = std::sin(theta), cosine = 1 - versine;
+    return {phase * versine + cosine * r - sine * p, sine * (phase - r) - cosine * p, 2 * arc.P - (m1 - m) * arc.R};
+  }
+};
+
+// The phase at which sd = value, in [0, K).
+double phase_of(double value, const Pendulum& pendulum) {
+  double v = value;
+  for (int i = 0; i < 30; ++i) {
+    const EllipticArc arc = elliptic_arc(v, {pendulum.m, pendulum.m1});
+    const double dn2 = pendulum.m1 + pendulum.m * arc.cn * arc.cn;
+    const double step = (value - pendulum.sd(arc)) * dn2 / arc.cn;
+    v = std::max(v + step, 0.5 * v);
+    if (std::abs(step) <= epsilon * v) break;
+  }
+  return v;
+}
+
+// What a phase u between contact and midspan makes of a half span a, in units in which the arc length is u.
+struct Half {
+  double gap, rise;      // u less the projection on the span; deflection below the contact
+  double theta0, sin_b;  // slope at the contact; of the force line at midspan
+  double squares;        // ∫ (curvature/2a)²
+  double curvature;      // [2a] at midspan
+};
+
+std::optional<Half> half_of(double u, double a, const ForceAngle& angle, const Supports& supports) {
+  const double e = -2 * a * supports.half_depth * angle.cosine;  // curvature at the contact [2a]
+  const double m = angle.m + 0.25 * e * e, m1 = angle.m1 - 0.25 * e * e;
+  if (!(m1 > 0)) return std::nullopt;
+  const Pendulum pendulum{m, m1, 2 * std::sqrt(m * m1)};
+  const double at_contact = std::abs(e) / pendulum.swing;
+  if (!(at_contact * std::sqrt(m1) < 0.999)) return std::nullopt;  // of the greatest sd
+  const double side = e < 0 ? -1 : 1;
+  const double v0 = e == 0 ? 0 : phase_of(at_contact, pendulum);
+  const double v1 = side * v0 + u;
+  if (!(v1 > 0 && v1 <= complete_elliptic({m, m1}).K)) return std::nullopt;
+  const EllipticArc middle = elliptic_arc(v1, {m, m1});
+  const double theta = pendulum.psi(middle);  // at the inflection
+  const Integrals whole = pendulum.integrals(v1, middle, theta);
+  const double sd = pendulum.sd(middle), dn2 = m1 + m * middle.cn * middle.cn;
+  Half half{whole.gap, whole.rise, theta, pendulum.swing * middle.cn / dn2, whole.squares, pendulum.swing * sd};
+  if (e != 0) {
+    const EllipticArc contact = elliptic_arc(v0, {m, m1});
+    const Integrals before = pendulum.integrals(v0, contact, theta);
+    half.gap -= side * before.gap;
+    half.rise -= side * before.rise;
+    half.squares -= side * before.squares;
+    half.theta0 -= pendulum.psi(contact);
+  }
+  half.squares *= pendulum.swing * pendulum.swing;
+  return half;
+}
+
+SupportedState none(double q) {
+  SupportedState state{};
+  state.status = FibreStatus::beyond_branch;
+  state.q = q;
+  return state;
+}
+
+// The state at a phase: the half span solved for, since the curvature at the contact depends on it.
+SupportedState state_at_phase(double u, double q, const Supports& supports) {
+  const ForceAngle angle = force_angle(q);
+  const double R = supports.radius + supports.half_depth;
+  std::optional<Half> half;
+  const auto next = [&](double a) {
+    half = half_of(u, a, angle, supports);
+    return half ? (u - half->gap) / (1 - 2 * R * std::sin(half->theta0)) : std::numeric_limits<double>::quiet_NaN();
+  };
+  double a = u, image = next(a);
+  double before = a, miss_before = image - a;
+  a = image;
+  for (int i = 0; i < 40 && supports.half_depth > 0; ++i) {
+    image = next(a);
+    const double miss = image - a;
+    if (!(std::abs(miss) > epsilon * a)) break;
+    const double slope = (miss - miss_before) / (a - before);
+    before = a, miss_before = miss;
+    a = slope < -0.1 ? a - miss / slope : image;
+  }
+  if (!half || !(a > 0) || !(half->sin_b >= 0)) return none(q);
+  const double X = u - half->gap, sine = std::sin(half->theta0), versine = 1 - std::cos(half->theta0);
+  const double beyond = (half->gap - 2 * R * u * sine) / X;  // S - 1
+  return {.status = FibreStatus::ok,
+          .length = 1 + beyond,
+          .slid = beyond + 2 * supports.radius * half->theta0,
+          .imaged = 1 + beyond + 2 * R * std::tan(half->theta0),
+          .q = q,
+          .w = half->rise / (2 * a) + R * versine,
+          .F = 8 * a * a * half->sin_b,
+          .theta0 = half->theta0,
+          .Pn = 4 * a * a * angle.sine,
+          .U = 2 * a * half->squares,
+          .curvature = 2 * a * half->curvature};
+}
+
+}  // namespace
+
+SupportedState state_on_supports(double w, double q, const Supports& supports) {
+  const auto& [radius, half_depth] = supports;
+  if (!(w > 0 && w <= 2)) throw std::invalid_argument("no deflection of " + std::to_string(w) + " spans");
+  if (!(std::abs(q) <= largest_q)) throw std::invalid_argument("no mobilised friction of " + std::to_string(q));
+  if (!(radius >= 0 && half_depth >= 0 && radius + half_depth < 0.45))
+    throw std::invalid_argument("rollers of " + std::to_string(radius) + " spans under a half depth of " +
+                                std::to_string(half_depth) + " leave no span");
+  // The deflection rises with the phase, hardly bent as its square.
+  const double s0 = force_angle(q).sine;
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  double u = std::sqrt(3 * w / s0), before = 0, w_before = 0;
+  SupportedState state = none(q);
+  for (int i = 0; i < 200; ++i) {
+    state = state_at_phase(u, q, supports);
+    const bool exists = state.status == FibreStatus::ok;
+    if (exists && std::abs(state.w - w) <= 2 * epsilon * w) return state;
+    (exists && state.w < w ? low : high) = u;
+    if (high - low <= epsilon * u) break;
+    double next = std::isinf(high) ? 1.3 * u : 0.5 * (low + high);
+    if (exists) {  // of the square root of the deflection
+      const double root = std::sqrt(state.w), slope = before > 0 ? (root - w_before) / (u - before) : root / u;
+      const double secant = u + (std::sqrt(w) - root) / slope;
+      if (secant > low && secant < high) next = secant;
+      before = u, w_before = root;
+    }
+    u = next;
+  }
+  constexpr double good = 1e-12;  // of w where neighbouring phases are as far apart
+  return state.status == FibreStatus::ok && std::abs(state.w - w) <= good * w ? state : none(q);
+}
+
+}  // namespace flexslip

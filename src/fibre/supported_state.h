@@ -1,0 +1,41 @@
+// The elastica on rollers, with a thickness: the state of elastica.h where the axis of the specimen stands off from supports that have a radius.
+//
+// The fibre touches a roller under its surface, so that its axis touches a circle of R = r + τ, and the friction that acts at the surface
+// bends the axis by a couple q Pn τ: it is the same pendulum, started off its inflection (theory.md, "Rollers and thickness"). Three lengths
+// part there that are one on knife edges: that of the axis between the contacts, at which friction is looked up; that which has slid; and
+// what a camera sees.
+#pragma once
+
+#include "fibre/elastica.h"
+
+namespace flexslip {
+
+struct Supports {
+  double radius;      // [L] of fixed rollers; 0: edges
+  double half_depth;  // [L] τ, of the specimen; 0: friction acts at the axis
+};
+
+struct SupportedState {
+  FibreStatus status;  // nothing else is valid unless ok
+  double length;       // [L] S, of the axis between the contacts
+  double slid;  // [L] Σ - 1, drawn in past the contacts of the straight fibre, along the surface, both sides together
+  double imaged;     // [L] of the axis between the verticals through the supports
+  double q;          // [1] mobilised friction
+  double w;          // [L] deflection at midspan
+  double F;          // [EI/L^2] force there
+  double theta0;     // [rad] slope at the contacts
+  double Pn;         // [EI/L^2] normal force at one support
+  double U;          // [EI/L] bending energy between the contacts
+  double curvature;  // [1/L] at midspan
+};
+
+// The state with mobilised friction q and a deflection w.
+// Domain:     q in [-20, 20], w in (0, 2]; radius and half depth at least 0, together below 0.45; std::invalid_argument otherwise.
+// Max error:  1e-13 relative, of `slid` 1e-13 of w besides (tests/fibre/supported_state_test.cpp); without radius and half depth the state is that
+//             of fibre_state to 1e-13.
+// Fails:      beyond_branch: there is no such state, or none with a force.
+// Method:     closed form in Jacobi's functions of the half span and the phase; both by Newton's and the secant method.
+// Cost:       some 10 µs.
+SupportedState state_on_supports(double w, double q, const Supports& supports);
+
+}  // namespace flexslip
