@@ -205,6 +205,8 @@ std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& n
     const Swing swung = swing(kinetic, test_.rig, state_.stage, S, S_landing);
     if (swung.end == Holding::no_contact) return lose(sliding);
     if (swung.end == Holding::beyond_friction) break;
+    // The energy falls as the square of a swing, what a swing costs as the swing: half of its swings would cost as much as the first.
+    if (i == 0 && nearest_work.released > 0.5 * most_swings * swung.friction) break;
     S = swung.S;
     work.friction += swung.friction;
     const FibreState rest = held_at(S, state_.stage, test_.rig, direction_of(sliding) * kinetic.at(S).mu).state;

@@ -234,6 +234,7 @@ class Loading {
     const FibreState& before = from.state;
     const FibreState& after = to.state;
     if (outcome_.snaps++ == 0) outcome_.first_snap = FirstSnap{stage, before.w, before.F, after.F};
+    outcome_.largest_snap = std::max(outcome_.largest_snap, before.F - after.F);
     outcome_.work += 0.5 * (before.F + after.F) * (after.w - before.w);
     outcome_.friction_heat += heat;
     outcome_.released += from.potential - to.potential - heat;

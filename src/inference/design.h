@@ -41,6 +41,7 @@ struct DesignOutcome {
   double w_reached;      // [L] deflection there
   std::size_t snaps;     // those of the fibre, however small
   std::optional<FirstSnap> first_snap;
+  double largest_snap;        // [EI/L^2] the greatest fall of the force in a snap; 0 without one
   std::size_t drops;          // falls of the force between readings, a run of them counting once: what the record shows
   double largest_drop;        // [EI/L^2] 0 without drops
   double mean_drop;           // [EI/L^2] 0 without drops

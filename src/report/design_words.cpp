@@ -83,11 +83,15 @@ std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
     return fmt::format("Up to the stage position {}, a deflection of {}, the specimen does not snap.{}",
                        shown.length(outcome.stage_reached), shown.length(outcome.w_reached), strain_in_words(answer));
   const auto& first = *outcome.first_snap;
+  const std::string before = shown.force(first.F_before), after = shown.force(first.F_after);
+  const std::string fall = before == after
+                               ? fmt::format("by {} from {}", shown.force(first.F_before - first.F_after), before)
+                               : fmt::format("from {} to {}", before, after);
   return fmt::format(
-      "The first snap comes at the stage position {}, at a deflection of {}: the force falls from {} to {}. Up to {}, "
+      "The first snap comes at the stage position {}, at a deflection of {}: the force falls {}. Up to {}, "
       "a deflection of {}, there {}.{}",
-      shown.length(first.stage), shown.length(first.w), shown.force(first.F_before), shown.force(first.F_after),
-      shown.length(outcome.stage_reached), shown.length(outcome.w_reached),
+      shown.length(first.stage), shown.length(first.w), fall, shown.length(outcome.stage_reached),
+      shown.length(outcome.w_reached),
       outcome.snaps == 1 ? "is no other" : fmt::format("are {} snaps in all", outcome.snaps), strain_in_words(answer));
 }
 
@@ -197,6 +201,10 @@ std::string answer_in_short(const DesignAnswer& answer) {
     return fmt::format("The specimen will snap {}, but readings {} apart will not show it.",
                        outcome.snaps == 1 ? "once" : fmt::format("{} times", outcome.snaps),
                        shown.length(answer.design.step));
+  constexpr double stands_out = 0.05;  // of the largest fall, which is then a smooth one
+  if (outcome.snaps > 1 && outcome.largest_snap < stands_out * outcome.largest_drop)
+    return fmt::format("No sawtooth to be seen: the specimen will snap {} times, but by no more than {} each.",
+                       outcome.snaps, shown.force(outcome.largest_snap));
   if (outcome.snaps > 0) {
     const std::string most = fmt::format("{}, {} of the greatest force", shown.force(outcome.largest_drop),
                                          share(outcome.largest_drop, outcome.greatest_force));

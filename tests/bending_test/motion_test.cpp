@@ -245,6 +245,19 @@ TEST_CASE("motion: without an excess static friction is Coulomb's (limit)") {
   }
 }
 
+TEST_CASE(
+    "motion: without kinetic friction nothing ends an overshoot, and it rests at the nearest stable state (limit)") {
+  const FrictionLaw law{Friction::constant(0), Friction::constant(0.05)};
+  const BendingTest nearest{law, {5}}, overshooting{law, {5}, SnapRest::overshoot};
+  MovingFibre one(nearest, 0.4), other(overshooting, 0.4);
+  for (const double stage : {0.3, 0.01}) {
+    stretches_to(one, stage);
+    stretches_to(other, stage);
+    CHECK(one.state().S == other.state().S);
+    CHECK(one.state().F == other.state().F);
+  }
+}
+
 TEST_CASE("motion: where static friction is no higher the fibre glides on, until the stage halts (identity)") {
   // The excess vanishes over some lengths; once sliding, the fibre does not notice that it returns.
   const FrictionLaw law{Friction::constant(0.3), Friction::table({{1.0, 1.1, 1.12, 1.4}, {0, 0, 0.2, 0.2}})};

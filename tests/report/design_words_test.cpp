@@ -34,6 +34,10 @@ TEST_CASE("table: the answer in a sentence, for every kind of test") {
   CHECK(with_value(DesignParameter::stiffness, 600).starts_with("No sawtooth, but a wavy force"));
   CHECK(with_value(DesignParameter::mu0, 0).ends_with("past a smooth peak of the force."));
   CHECK(with_value(DesignParameter::travel, 300e-6).ends_with("and the force never falls."));
+  DesignCase waves = fine();  // too small to be seen, past the peak of the force
+  waves.set(DesignParameter::amplitude, 0.0015);
+  waves.set(DesignParameter::wavelength, 400e-9);
+  CHECK(design_in_short(answer_of(waves)).starts_with("No sawtooth to be seen: the specimen will snap "));
   DesignCase coarse = fine();
   coarse.set(DesignParameter::travel, 450e-6);
   coarse.set(DesignParameter::step, 225e-6);
