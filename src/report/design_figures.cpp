@@ -259,7 +259,9 @@ Figure design_figure(const DesignAnswer& answer) {
   const double x = scales.physical_length(length.factor);
   const double y = scales.physical_force(force.factor);
 
-  const auto readings = record_of({design.friction, design.rig}, design.travel, design.step);
+  const bool breaks = outcome.status == DesignStatus::breaks;
+  const auto readings =
+      record_of({design.friction, design.rig}, breaks ? outcome.stage_reached : design.travel, design.step);
   const auto folds = folds_up_to(design.friction, design.travel);
   double top = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : 0;
   for (const auto& fold : folds) top = std::max(top, std::min(fold.stiffness, 1e6));
@@ -278,6 +280,11 @@ Figure design_figure(const DesignAnswer& answer) {
   for (const auto& fold : folds)
     curve.rows.push_back({x * fold.w, z * fold.stiffness, z * fold.F / (design.travel - fold.w)});
   if (curve.rows.empty()) curve.rows.push_back({nan, nan, nan});
+  FigureData end{"breaks", {"stage", "force", "deflection", "stiffness"}, {}};
+  end.rows.push_back(breaks ? std::vector{x * outcome.stage_reached,
+                                          y * (outcome.stage_reached - outcome.w_reached) * design.rig.stiffness,
+                                          x * outcome.w_reached, 10 * z * top}
+                            : std::vector(4, nan));
   FigureData first{"first", {"deflection", "stiffness", "stage", "force"}, {}};
   if (outcome.first_snap)
     first.rows.push_back({x * outcome.first_snap->w, z * std::min(design.rig.stiffness, top),
@@ -303,6 +310,7 @@ Figure design_figure(const DesignAnswer& answer) {
   set label 1 '(A)' at graph 0.03, 0.94 font ',9'
   plot record using 1:2 with lines lw 1.1 lc rgb 'black' title 'Record', \
        drops using 1:2 with lines lw 1.5 lc rgb vermillion {9}, \
+       breaks using 1:2 with points pt 2 ps 0.8 lw 1.6 lc rgb 'black' {13}, \
        first using 3:4 with points pt 6 ps 0.7 lw 1 lc rgb vermillion {10}
   set lmargin at screen 0.58; set rmargin at screen 0.985
   set key at screen 0.79,0.985 center top vertical Left reverse maxrows 2 width 0 samplen 1.6
@@ -312,7 +320,8 @@ Figure design_figure(const DesignAnswer& answer) {
   plot folds using 1:($2 > {11} ? $2 : {11}) with filledcurves above y1={11} fs solid 0.35 noborder lc rgb sky title 'Unstable', \
        folds using 1:2 with lines lw 0.8 lc rgb blue notitle, \
        folds using 1:3 with lines lw 1.2 dt (2,3) lc rgb 'black' title 'End of travel', \
-       {8}first using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion notitle
+       {8}breaks using 3:4 with impulses lw 1.2 lc rgb 'black' notitle, \
+       first using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion notitle
   unset multiplot; unset label 1; unset logscale
 )",
       1.02 * x * design.travel, 1.15 * y * outcome.greatest_force,
@@ -320,18 +329,19 @@ Figure design_figure(const DesignAnswer& answer) {
       (is_wide ? 2 : 1.12) * z * top, axis_label("Deflection", "{/:Italic w}_0", length),
       axis_label("Load-train stiffness", "{/:Italic k}", stiffness), lines,
       outcome.drops > 0 ? "title 'Drops'" : "notitle", outcome.first_snap ? "title 'First snap'" : "notitle",
-      fmt::format("{:.6g}", is_wide ? z * least / 3 : 0), is_wide ? "; set logscale y" : "");
+      fmt::format("{:.6g}", is_wide ? z * least / 3 : 0), is_wide ? "; set logscale y" : "",
+      breaks ? "title 'Breaks'" : "notitle");
   return {.name = "design",
           .title = "What a planned test will show",
           .description = fmt::format("Two panels: the record of force against stage displacement, with {} drops "
                                      "marked; and the load-train stiffnesses below which "
                                      "the specimen snaps, against deflection, with that of the rig, the critical one, "
-                                     "and those with which the travel ends there.",
-                                     outcome.drops),
+                                     "and those with which the travel ends there.{}",
+                                     outcome.drops, breaks ? " A cross, and a line, where the specimen breaks." : ""),
           .width = two_columns,
           .height = 70,
           .data = {line_of("record", readings, x, y, false), line_of("drops", readings, x, y, true), std::move(curve),
-                   std::move(first)},
+                   std::move(first), std::move(end)},
           .script = script};
 }
 

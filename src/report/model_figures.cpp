@@ -333,7 +333,10 @@ FigureData pieces_of(std::string name, const std::vector<TrackPoint>& track, con
   return data;
 }
 
-bool is_snap(const TrackPoint& point) { return point.motion == Motion::snap; }
+// Or a crack: what is too fast to be seen.
+bool is_snap(const TrackPoint& point) { return point.motion == Motion::snap || point.motion == Motion::crack; }
+
+std::string_view title_of_snaps(const History& history) { return history.cracks.empty() ? "Snaps" : "Cracks, snaps"; }
 
 Figure loading_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs, const DrawnIn& units) {
   const double S_max = longest_of(history);
@@ -342,20 +345,22 @@ Figure loading_figure(const FrictionLaw& law, const History& history, std::span<
   const auto track = track_of(history, legs);
   for (const auto& point : track) extent = {std::max(extent.w, point.w), std::max(extent.F, point.F)};
   const Axes axes(units, extent.w, extent.F);
-  const bool snapped = !history.snaps.empty();
+  const bool snapped = !history.snaps.empty() || !history.cracks.empty();
   const std::string script = fmt::format(
       R"({}  set xrange [0:{:.6g}]; set yrange [0:{:.6g}]
   set xlabel '{}' offset 0,0.4; set ylabel '{}' offset 0.8
-  plot curve using 1:2 with lines lw 1.6 lc rgb '#BDBDBD' title 'Equilibrium curve', \
+  plot curve using 1:2 with lines lw 1.6 lc rgb '#BDBDBD' title '{}', \
        measured using 1:2 with lines lw 1.2 lc rgb 'black' title 'Measured curve', \
        snaps using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{}
 )",
       one_panel, axes.x(1.03 * extent.w), axes.y(1.25 * extent.F), axes.deflection(), axes.force(),
-      snapped ? " title 'Snaps'" : "");
+      history.cracks.empty() ? "Equilibrium curve" : "Sound specimen",
+      snapped ? fmt::format(" title '{}'", title_of_snaps(history)) : "");
   return {.name = "measured",
           .title = "What the test measures",
-          .description = fmt::format("Force against deflection as measured, with {} snaps, over the equilibrium curve.",
-                                     history.snaps.size()),
+          .description = fmt::format(
+              "Force against deflection as measured, with {} snaps{}, over the equilibrium curve.",
+              history.snaps.size(), history.cracks.empty() ? "" : fmt::format(" and {} cracks", history.cracks.size())),
           .width = one_column,
           .height = 66,
           .data = {sliding_curve(friction, S_max, axes),
@@ -440,15 +445,17 @@ Figure loops_figure(const FrictionLaw& law, const History& history, std::span<co
        {}keyentry with lines lw 2.2 lc rgb '#CFCFCF' title 'q = ±μ'
   unset key
   set lmargin at screen 0.58; set rmargin at screen 0.985
-  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]
+  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]; set xtics {:.6g}
   set xlabel '{}'; set ylabel 'Mobilised friction {{/:Italic q}}' offset 0.6
 {}
-  unset multiplot; unset label 1
+  unset multiplot; unset label 1; set xtics auto
 )",
       axes.x(w_range), axes.y(F_range), axes.deflection(), axes.force(), panel_script("A", "1:2", "force"),
-      history.snaps.empty() ? "" : "keyentry with lines lw 0.9 dt (7,4) lc rgb 'black' title 'Snaps', ",
-      axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range, q_range, axes.length(),
-      panel_script("B", "3:4", "friction"));
+      history.snaps.empty() && history.cracks.empty()
+          ? ""
+          : fmt::format("keyentry with lines lw 0.9 dt (7,4) lc rgb 'black' title '{}', ", title_of_snaps(history)),
+      axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range, q_range, tick_within(axes.x(0.3 * (S_max - 1))),
+      axes.length(), panel_script("B", "3:4", "friction"));
   return {
       .name = "measured",
       .title = "What the test measures",
