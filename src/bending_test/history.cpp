@@ -97,20 +97,21 @@ class Recorder {
 
 }  // namespace
 
-History follow_in_steps(const BendingTest& test, std::span<const double> stages, const std::vector<Crack>& cracks) {
+History follow_in_steps(const BendingTest& test, std::span<const double> stages, const std::vector<Crack>& cracks,
+                        const HistoryProgress& progress) {
   Recorder recorder(test, cracks, farthest_of(stages));
-  for (const double stage : stages)
-    if (!recorder.move_to(stage)) break;
+  for (std::size_t i = 0; i < stages.size() && recorder.move_to(stages[i]); ++i)
+    if (progress) progress(i + 1, stages.size());
   return recorder.finish();
 }
 
 History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n,
-                            const std::vector<Crack>& cracks) {
+                            const std::vector<Crack>& cracks, const HistoryProgress& progress) {
   if (n < 2) throw std::invalid_argument("a stretch needs at least 2 points, not " + std::to_string(n));
   Recorder recorder(test, cracks, farthest_of(turning_points));
   recorder.record(recorder.state());
-  for (const double stage : turning_points)
-    if (!recorder.move_along(stage, n)) break;
+  for (std::size_t i = 0; i < turning_points.size() && recorder.move_along(turning_points[i], n); ++i)
+    if (progress) progress(i + 1, turning_points.size());
   return recorder.finish();
 }
 

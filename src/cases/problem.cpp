@@ -320,6 +320,12 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
           input.stage ? input.stage->snaps : SnapRest::nearest_stable};
 }
 
+double periods_up_to(const Friction& friction, double stage) {
+  constexpr double scales_a_period = 4;
+  const double drawn_in = 2.5 * stage * stage;  // S - 1, a deflection as far as the stage
+  return drawn_in / (scales_a_period * friction.smooth_scale());
+}
+
 std::optional<SurfaceStrain> surface_of(const Case& input, const Scales& scales) {
   const auto& section = input.specimen->section;
   return section ? std::optional(SurfaceStrain(*section, scales)) : std::nullopt;

@@ -93,6 +93,9 @@ StageProgramme programme_of(const Case& input);
 // Fails:      InputError as friction_of and rig_of, and if the rig is too soft to bend the specimen.
 BendingTest bending_test_of(const Case& input, const Scales& scales, double farthest);
 
+// So many periods of friction, at most, come to the supports while the stage moves up to a position [L].
+double periods_up_to(const Friction& friction, double stage);
+
 // None without a section.
 std::optional<SurfaceStrain> surface_of(const Case& input, const Scales& scales);
 

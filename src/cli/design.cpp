@@ -11,6 +11,7 @@
 
 #include "cases/design_answer.h"
 #include "cases/design_map.h"
+#include "cases/problem.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"
@@ -107,6 +108,11 @@ void run_design(const DesignRequest& request) {
     if (!request.figure.empty()) draw_for(request.output, design_map_figure(input, axes, points), request.figure);
     return write_map(request, input, axes, points);
   }
+  constexpr double many = 1e5;
+  const Design planned = input.planned().design;
+  if (const double periods = periods_up_to(planned.friction, planned.travel); periods > many)
+    note(request.output,
+         fmt::format("friction varies over some {:.0e} periods on the way: the answer may take minutes", periods));
   const DesignAnswer answer = answer_of(input);
   if (!request.figure.empty()) draw_for(request.output, design_figure(answer), request.figure);
   if (request.output.json)

@@ -14,6 +14,7 @@
 #include "cases/problem.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "fibre/elastica.h"
 #include "io/input_error.h"
 #include "report/model_figures.h"
@@ -206,11 +207,8 @@ std::string reason_of_end(const Case& input, HistoryStatus status, const Simulat
 void require_path_that_fits(const Case& input, const Friction& friction, const std::vector<double>& turns, int points) {
   constexpr double most_points = 8e6;  // of a hundred bytes
   double periods = 0;                  // passed at most
-  for (std::size_t i = 1; i < turns.size(); ++i) {
-    constexpr double scales_a_period = 4;
-    const auto drawn_in = [](double stage) { return 2.5 * stage * stage; };  // S - 1, a deflection as far as the stage
-    periods += std::abs(drawn_in(turns[i]) - drawn_in(turns[i - 1])) / (scales_a_period * friction.smooth_scale());
-  }
+  for (std::size_t i = 1; i < turns.size(); ++i)
+    periods += std::abs(periods_up_to(friction, turns[i]) - periods_up_to(friction, turns[i - 1]));
   const double expected = 2 * periods * points;
   if (expected <= most_points) return;
   throw wrong_value(input, "stage.step",
@@ -241,8 +239,10 @@ void run_simulate(const SimulateRequest& request) {
   for (const double position : programme.positions) stages.push_back(scales.reduced_length(position));
   if (!programme.in_steps) require_path_that_fits(input, bending_test.friction.kinetic, stages, request.points);
   const std::vector<Crack> cracks = cracks_of(input, scales);
-  const History history = programme.in_steps ? follow_in_steps(bending_test, stages, cracks)
-                                             : follow_continuously(bending_test, stages, request.points, cracks);
+  const auto progress = progress_of("stage positions", request.output);
+  const History history = programme.in_steps
+                              ? follow_in_steps(bending_test, stages, cracks, progress)
+                              : follow_continuously(bending_test, stages, request.points, cracks, progress);
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
 
   SimulatedTest test = physical_path(history, scales, surface_of(input, scales));
