@@ -275,9 +275,11 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
           analysis.suspects.limit, analysis.suspects.points.size(), analysis.suspects.points_judged);
     case Doubt::failed_check: {
       std::string words;
-      for (const auto& check : analysis.checks)
-        if (check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction)
-          words += (words.empty() ? "" : " ") + check_in_words(test, check);
+      for (const auto& check : analysis.checks) {
+        if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction) continue;
+        const std::string found = check_in_words(test, check);  // "Failed: …"
+        words += (words.empty() ? "A check failed" : " A check failed") + found.substr(found.find(':'));
+      }
       return words;
     }
     case Doubt::falling_friction:
@@ -409,7 +411,8 @@ std::string answer_of(const FittedTest& test) {
                        next_step_in_words(test));
   answer += fmt::format("{}: {}. {}", sawtooth_in_words(analysis), drops_in_words(test), friction_in_short(test));
   const double share = analysis.energy.friction_share;
-  if (share > 0.005 && judgement.standing < Standing::suspect && !lost_stiffness(test))
+  const bool is_told = !analysis.fit.mu0_is_bound && !lost_stiffness(test);
+  if (share > 0.005 && judgement.standing < Standing::suspect && is_told)
     answer += analysis.drops.drops.empty() || judgement.drops == CrackVerdict::not_by_cracks_alone
                   ? fmt::format(
                         " {} of the work on the specimen went into friction and should not be counted as "
