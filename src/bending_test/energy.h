@@ -12,7 +12,7 @@ struct EnergyAccount {
   double load_train;  // F^2/(2k)
   double friction;    // heat: ∫ q Pn dS in sliding, ∫ μ Pn |dS| in snaps
   double snaps;       // what the snaps set free beyond friction: noise, vibration
-  double cracks;      // what the cracks set free, at a fixed stage position and length
+  double cracks;      // what the cracks set free, at a fixed stage position (cracking_fibre.h)
   double
       imbalance;  // stage_work less the sum of the others; zero but for rounding and quadrature. The work of a stretch is
                   // integrated and not made from the others, so that this is a check

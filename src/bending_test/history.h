@@ -23,7 +23,7 @@ struct Snap {
 // Likewise a jump along a line of slope -k; the specimen may snap from where it ends.
 struct CrackOpened {
   double stage;             // [L]
-  PathPoint before, after;  // at the same length
+  PathPoint before, after;  // at the same length, but for what cracking_fibre.h says
   double released;          // [EI/L]
 };
 

@@ -81,7 +81,8 @@ class MovingFibre {
   const PathPoint& state() const { return state_; }
   MotionEnd end() const { return end_; }
 
-  // The snap in which a fibre comes to rest that friction does not hold where it is; none if it does.
+  // The snap (with an excess of static friction, maybe a slip that runs on) in which a fibre comes to rest that friction does not hold
+  // where it is. None if it does, or if it slips through: see end().
   std::optional<Stretch> settle();
 
   // The next stretch on the way to a stage position; none when it is there, or when end() says why it never will be.

@@ -112,12 +112,12 @@ std::string likewise(const States& states) {
 }
 
 void run_states_on_supports(const StateRequest& request, const Input& input) {
-  constexpr double widest = 0.45;  // [L] from the span on both sides
   const Supports supports{request.radius.value_or(0), 0.5 * request.thickness.value_or(0)};
-  if (!(supports.radius >= 0 && supports.half_depth >= 0 && supports.radius + supports.half_depth < widest))
-    throw InputError({.field = "--roller-radius",
-                      .expected = fmt::format("a radius, and half of a thickness, of 0 to {:g} spans together", widest),
-                      .found = fmt::format("{:g} and {:g}", supports.radius, supports.half_depth)});
+  if (!(supports.radius >= 0 && supports.half_depth >= 0 && supports.radius + supports.half_depth < widest_supports))
+    throw InputError(
+        {.field = "--roller-radius",
+         .expected = fmt::format("a radius, and half of a thickness, of 0 to {:g} spans together", widest_supports),
+         .found = fmt::format("{:g} and {:g}", supports.radius, supports.half_depth)});
   if (request.slopes)
     throw InputError({.field = "--slopes", .expected = "edges", .found = "rollers or a thickness beside it"});
   constexpr std::array<std::pair<const char*, double SupportedState::*>, 8> fields{
@@ -142,7 +142,7 @@ void run_states_on_supports(const StateRequest& request, const Input& input) {
   write_states(request, states);
   if (states.missing.empty()) return;
   const std::size_t row = states.missing.front();
-  throw CalculationFailed(fmt::format("{}no state with a force at w = {}, q = {} on these supports{}",
+  throw CalculationFailed(fmt::format("{}no state with a force found at w = {}, q = {} on these supports{}",
                                       place_of(input, row), input.values[row], input.q[row], likewise(states)));
 }
 

@@ -135,7 +135,9 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
                                .ratio_systematic = 0,
                                .verdict = DamageVerdict::not_damaged};
     const bool comparable = stiffness.status == LoadingStatus::ok && reference.status == LoadingStatus::ok;
-    if (comparable && measured.deflection > farthest_bent * reference.deflection)
+    const bool steeper =
+        measured.whole.value > reference.whole.value;  // what has lost stiffness is bent farther, too, and less steep
+    if (comparable && steeper && measured.deflection > farthest_bent * reference.deflection)
       stiffness.status = LoadingStatus::still_drawn_in;
     if (!is_reference && stiffness.status == LoadingStatus::ok) {
       stiffness.ratio = measured.whole.value / reference.whole.value;

@@ -37,8 +37,8 @@ enum class LoadingStatus {
   window_not_covered,  // it begins above the window's lower end, was not unloaded far enough, or never leaves it
   too_few_points,      // fewer than 6 in the window, or 3 in one of its halves
   not_rising,          // the force does not rise in the window, or in one of its halves
-  still_drawn_in,  // at the same force more than twice as far bent as at first: a specimen that friction holds drawn in is
-                   // steeper than a straight one
+  still_drawn_in,  // steeper than at first, and at the same force more than twice as far bent, deflections counting from the
+                   // contact: a specimen that friction holds drawn in
   no_reference,  // the first loading has no slope
 };
 

@@ -20,16 +20,16 @@ double depth_of(const RectangularSection& rectangle) { return rectangle.height; 
 constexpr double poisson = 0.3;
 
 // I/(κ A) [m^2], κ as Cowper has it.
-double shear_area(const RoundSection& round) {
+double moment_over_shear_area(const RoundSection& round) {
   const double k = 6 * (1 + poisson) / (7 + 6 * poisson);
   return round.diameter * round.diameter / 16 / k;
 }
-double shear_area(const TubularSection& tube) {
+double moment_over_shear_area(const TubularSection& tube) {
   const double m = tube.inner_diameter / tube.diameter, m2 = m * m, sum = (1 + m2) * (1 + m2);
   const double k = 6 * (1 + poisson) * sum / ((7 + 6 * poisson) * sum + (20 + 12 * poisson) * m2);
   return tube.diameter * tube.diameter * (1 + m2) / 16 / k;
 }
-double shear_area(const RectangularSection& rectangle) {
+double moment_over_shear_area(const RectangularSection& rectangle) {
   const double k = 10 * (1 + poisson) / (12 + 11 * poisson);
   return rectangle.height * rectangle.height / 12 / k;
 }
@@ -45,8 +45,8 @@ double depth(const Section& section) {
 }
 
 double shear_share(const Section& section, double span) {
-  const double area = std::visit([](const auto& shape) { return shear_area(shape); }, section);
-  return 24 * (1 + poisson) * area / (span * span);
+  const double ratio = std::visit([](const auto& shape) { return moment_over_shear_area(shape); }, section);
+  return 24 * (1 + poisson) * ratio / (span * span);
 }
 
 bool is_thin_tube(const Section& section) {

@@ -33,7 +33,7 @@ double second_moment(const Section& section);
 double depth(const Section& section);
 
 // How much shear, which the elastica leaves out, adds to a small deflection over a span [m], relative to that of bending [1].
-// Domain:    span positive and finite.
+// Domain:    lengths as for second_moment, span positive.
 // Source:    Timoshenko's beam, 24 (1 + ν) I/(κ A L²), with Cowper's coefficients κ(ν) of round, tubular and rectangular sections
 //            (J. Appl. Mech. 33, 335 (1966)) and ν = 0.3. Of a material that is soft in shear, as fibre composites are, it is more.
 double shear_share(const Section& section, double span);

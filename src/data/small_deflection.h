@@ -60,7 +60,7 @@ struct SmallDeflection {
   std::optional<double> strain;             // [1] there, 6 deflection depth/L^2
   std::optional<Chord> chord;               // where span and section are known and the record covers both strains
   bool deflection_large;                    // the greatest force is reached beyond a tenth of the span
-  std::optional<double> shear_share;        // [1] by how much shear makes the modulus too low (section.h)
+  std::optional<double> shear_share;        // [1] what shear adds to a deflection (section.h)
 };
 
 // Domain: a loading without faults (check_record), its failure taken off; lengths positive; 0 <= from < up_to <= 1, 0 < width < 1;

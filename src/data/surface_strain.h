@@ -13,7 +13,7 @@ class SurfaceStrain {
       : strain_(0.5 * depth(section) / scales.span()), modulus_(scales.bending_stiffness() / second_moment(section)) {}
 
   double strain(double curvature) const { return strain_ * curvature; }           // [1] of a curvature [1/L]
-  double stress(double curvature) const { return modulus_ * strain(curvature); }  // [Pa]; in a reduced case [E]
+  double stress(double curvature) const { return modulus_ * strain(curvature); }  // [Pa]; in a reduced case [EI/L^4]
   double curvature_at_strain(double strain) const { return strain / strain_; }    // [1/L]
   double curvature_at_stress(double stress) const { return stress / modulus_ / strain_; }
 

@@ -62,7 +62,7 @@ FibreState fibre_state_from_force(double w, double F);
 
 // The curvature of the fibre at midspan [1/L], where it is greatest: the bending moment there, over EI.
 // Domain:     state.status ok; std::invalid_argument otherwise.
-// Max error:  1e-14 for q >= 0; below that times 1 + |q| θ0.
+// Max error:  1e-12, typically 1e-15; for q < 0 times 1 + |q| θ0.
 // Method:     along an elastica κ²/2 changes as the tangential force does, and at the support κ = 0 (theory.md, "What the specimen bears").
 double curvature_at_midspan(const FibreState& state);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -127,10 +128,14 @@ SupportedState state_at_phase(double u, double q, const Supports& supports) {
   if (!half || !(a > 0) || !(half->sin_b >= 0)) return none(q);
   const double X = u - half->gap, sine = std::sin(half->theta0), versine = 1 - std::cos(half->theta0);
   const double beyond = (half->gap - 2 * R * u * sine) / X;  // S - 1
+  const bool leans = half->theta0 < 0.5 * std::numbers::pi;
+  const double imaged = R == 0  ? 1 + beyond
+                        : leans ? 1 + beyond + 2 * R * std::tan(half->theta0)
+                                : std::numeric_limits<double>::quiet_NaN();
   return {.status = FibreStatus::ok,
           .length = 1 + beyond,
           .slid = beyond + 2 * supports.radius * half->theta0,
-          .imaged = 1 + beyond + 2 * R * std::tan(half->theta0),
+          .imaged = imaged,
           .q = q,
           .w = half->rise / (2 * a) + R * versine,
           .F = 8 * a * a * half->sin_b,
@@ -146,7 +151,7 @@ SupportedState state_on_supports(double w, double q, const Supports& supports) {
   const auto& [radius, half_depth] = supports;
   if (!(w > 0 && w <= 2)) throw std::invalid_argument("no deflection of " + std::to_string(w) + " spans");
   if (!(std::abs(q) <= largest_q)) throw std::invalid_argument("no mobilised friction of " + std::to_string(q));
-  if (!(radius >= 0 && half_depth >= 0 && radius + half_depth < 0.45))
+  if (!(radius >= 0 && half_depth >= 0 && radius + half_depth < widest_supports))
     throw std::invalid_argument("rollers of " + std::to_string(radius) + " spans under a half depth of " +
                                 std::to_string(half_depth) + " leave no span");
   // The deflection rises with the phase, hardly bent as its square.

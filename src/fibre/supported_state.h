@@ -15,14 +15,18 @@ struct Supports {
   double half_depth;  // [L] τ, of the specimen; 0: friction acts at the axis
 };
 
+inline constexpr double widest_supports =
+    0.45;  // [L] radius and half depth together: both sides leave a tenth of the span
+
 struct SupportedState {
   FibreStatus status;  // nothing else is valid unless ok
   double length;       // [L] S, of the axis between the contacts
   double slid;  // [L] Σ - 1, drawn in past the contacts of the straight fibre, along the surface, both sides together
-  double imaged;     // [L] of the axis between the verticals through the supports
-  double q;          // [1] mobilised friction
-  double w;          // [L] deflection at midspan
-  double F;          // [EI/L^2] force there
+  double
+      imaged;  // [L] of the axis between the verticals through the supports; NaN where the fibre stands upright on them
+  double q;    // [1] mobilised friction
+  double w;    // [L] deflection at midspan
+  double F;    // [EI/L^2] force there
   double theta0;     // [rad] slope at the contacts
   double Pn;         // [EI/L^2] normal force at one support
   double U;          // [EI/L] bending energy between the contacts
@@ -30,10 +34,10 @@ struct SupportedState {
 };
 
 // The state with mobilised friction q and a deflection w.
-// Domain:     q in [-20, 20], w in (0, 2]; radius and half depth at least 0, together below 0.45; std::invalid_argument otherwise.
-// Max error:  1e-13 relative, of `slid` 1e-13 of w besides (tests/fibre/supported_state_test.cpp); without radius and half depth the state is that
-//             of fibre_state to 1e-13.
-// Fails:      beyond_branch: there is no such state, or none with a force.
+// Domain:     q in [-20, 20], w in (0, 2]; radius and half depth at least 0, together below widest_supports; std::invalid_argument otherwise.
+// Max error:  w is reproduced to 1e-12; for w <= 0.35 and q in [-0.8, 1.5] all else to 1e-11 (tests/fibre/supported_state_test.cpp).
+// Fails:      beyond_branch: there is no such state, none with a force, or none was found, as may be on rollers or with a thickness beyond a
+//             tenth of the span, with a friction beyond 2, or a deflection beyond the span.
 // Method:     closed form in Jacobi's functions of the half span and the phase; both by Newton's and the secant method.
 // Cost:       some 10 µs.
 SupportedState state_on_supports(double w, double q, const Supports& supports);

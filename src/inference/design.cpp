@@ -60,8 +60,8 @@ class Loading {
       if (arrives) to = point_at_stage(curve_, {here, to}, design_.travel);
       const Rest end = rest_at(design_.rig, to.S, to.q);
       if (!slide(here, rest, to, end)) return breaks_ ? DesignStatus::breaks : DesignStatus::slipped_through;
-      if (arrives) outcome_.stage_reached = design_.travel;
       if (arrives) {
+        outcome_.stage_reached = design_.travel;
         // The last reading, which may stand beyond the rounded end of its piece.
         if (readings_ && readings_->first_beyond(design_.travel) > next_) drops_.read(end.state.F);
         return DesignStatus::ok;

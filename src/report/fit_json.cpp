@@ -395,10 +395,8 @@ Json fit_json(const FittedTest& test) {
   const auto bent = [&](auto value) {
     return fitted && test.surface ? Json(((*test.surface).*value)(curvature)) : Json();
   };
-  out["bending"] = {
-      {"greatest_strain", bent(&SurfaceStrain::strain)},
-      {"greatest_stress", bent(&SurfaceStrain::stress)},
-      {"shear_share", test.small_deflection.shear_share ? Json(*test.small_deflection.shear_share) : Json()}};
+  out["bending"] = {{"greatest_strain", bent(&SurfaceStrain::strain)},
+                    {"greatest_stress", bent(&SurfaceStrain::stress)}};
   out["imaged_length"] = imaged_json(test, units);
   out["slip_or_crack"] = slip_or_crack_json(analysis.slip_or_crack);
   out["drops"] = drops_json(test, units);

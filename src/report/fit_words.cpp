@@ -431,7 +431,7 @@ std::string answer_of(const FittedTest& test) {
 
 std::string caution_of(const FittedTest& test) {
   return lost_stiffness(test)
-             ? "As if the specimen had kept its stiffness, and slipped, which the record speaks against."
+             ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";
 }
 
@@ -671,10 +671,6 @@ std::string strain_in_words(const FittedTest& test) {
   words += ".";
   if (test.strain_at_break && strain > *test.strain_at_break)
     words += fmt::format(" That is beyond the {:.2g} % at which it should break.", 100 * *test.strain_at_break);
-  constexpr double worth_a_word = 0.01;
-  const auto& shear = test.small_deflection.shear_share;
-  if (shear && *shear > worth_a_word)
-    words += fmt::format(" Shear, which is left out, adds {:.2g} % to a small deflection.", 100 * *shear);
   return words;
 }
 

@@ -46,7 +46,7 @@ std::string friction_in_literature(const FittedTest& test);
 // What is to be said before the friction and the energies of a specimen that lost stiffness; else nothing.
 std::string caution_of(const FittedTest& test);
 
-// How far the specimen was strained, and what shear adds; nothing without a section.
+// How far the specimen was strained; nothing without a section.
 std::string strain_in_words(const FittedTest& test);
 std::string slips_in_words(const FittedTest& test);
 std::string snaps_in_words(const FittedTest& test);

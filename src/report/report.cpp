@@ -20,6 +20,11 @@
 namespace flexslip {
 namespace {
 
+// Two texts, of which the first may be empty.
+std::string joined(const std::string& first, const std::string& second) {
+  return first.empty() ? second : first + " " + second;
+}
+
 namespace fs = std::filesystem;
 
 std::string parameter_table(const FittedTest& test) {
@@ -148,8 +153,8 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
   for (const auto& plate : plates_of(test)) figures.push_back(figure(plate));
 
   std::string body = figures[0] + figures[1];
-  body += section("Friction") + paragraph(caution_of(test) + " " + friction_in_words(test)) + parameter_table(test) +
-          paragraph(strain_in_words(test) + " " + friction_in_literature(test));
+  body += section("Friction") + paragraph(joined(caution_of(test), friction_in_words(test))) + parameter_table(test) +
+          paragraph(joined(strain_in_words(test), friction_in_literature(test)));
   body += section("Does it repeat along the specimen?") + paragraph(wave_in_words(test));
   if (figures.size() > 2) body += figures[2];
   if (analysis.fit.explanations.size() > 1)
@@ -174,7 +179,7 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
     body += paragraph(reloading_in_words(test)) + html_table(loading_table(test));
   }
   body += section(test.cycles ? "Where the work of the first loading went" : "Where the work went") +
-          html_table(energy_table(test));
+          (caution_of(test).empty() ? "" : paragraph(caution_of(test))) + html_table(energy_table(test));
   body += section("Can it be trusted?") + paragraph(suspicion_in_words(test)) + paragraph(replay_in_words(test));
   body +=
       section("Small deflection, as the standards have it") + html_table(small_deflection_table(standard_test(test)));

@@ -90,14 +90,17 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
         "The greatest force is reached at a deflection of {:.0f} % of the span: beyond 10 % the standards' stress and "
         "strain do not hold.",
         100 * numbers.deflection / *test.geometry.span));
-  if (numbers.shear_share && *numbers.shear_share > shear_worth_a_word)
+  if (numbers.shear_share && *numbers.shear_share > shear_worth_a_word) {
+    constexpr double asked_for = 16;
+    const double slenderness = *test.geometry.span / depth(*test.geometry.section);
     list.push_back(
-        fmt::format("The span is {:.3g} times the thickness, where ISO 178 asks for 16: shear, which is left out, adds "
-                    "{} to a small "
-                    "deflection (Timoshenko's beam, Poisson's ratio 0.3; more of a material that is soft in shear), "
-                    "and the modulus "
-                    "appears too small by as much.",
-                    *test.geometry.span / depth(*test.geometry.section), percent_to_two_digits(*numbers.shear_share)));
+        fmt::format("The span is {:.3g} times the thickness{}: shear, which is left out, adds {} to a small deflection "
+                    "(Timoshenko's "
+                    "beam, Poisson's ratio 0.3; more of a material that is soft in shear), which makes the modulus "
+                    "appear too small.",
+                    slenderness, slenderness < asked_for ? ", less than the 16 that ISO 178 asks for" : "",
+                    percent_to_two_digits(*numbers.shear_share)));
+  }
   if (test.geometry.section && is_thin_tube(*test.geometry.section))
     list.emplace_back(
         "The wall of the tube is thin: it may become oval at the load, which makes the modulus appear too small.");

@@ -114,12 +114,21 @@ TEST_CASE("loading stiffness: without noise the slope is exact, and a common ben
   CHECK(bent[1].ratio == doctest::Approx(1).epsilon(1e-10));
 }
 
+TEST_CASE("loading stiffness: a reload that lost most of its stiffness is bent far, and damaged (limit)") {
+  for (const double left : {0.45, 0.3}) {
+    const auto result = compared({.stiffness = {13, 13 * left}, .noise = 0});
+    CHECK(result[1].status == LoadingStatus::ok);
+    CHECK(result[1].ratio == doctest::Approx(left).epsilon(1e-9));
+    CHECK(result[1].verdict == DamageVerdict::damaged);
+  }
+}
+
 TEST_CASE("loading stiffness: what cannot be compared says so (limit)") {
   Loadings loadings = simulated({.stiffness = {13, 13}});
   CHECK(compare_loadings(loadings.record, {}).empty());
   loadings.ranges[1].first += 100;  // as if unloaded to 1 mN only
   CHECK(compare_loadings(loadings.record, loadings.ranges)[1].status == LoadingStatus::window_not_covered);
-  loadings = simulated({.stiffness = {13, 13}});
+  loadings = simulated({.stiffness = {13, 20}});
   for (std::size_t i = loadings.ranges[1].first; i < loadings.ranges[1].last; ++i)
     loadings.record.deflection[i] += 1e-3;
   CHECK(compare_loadings(loadings.record, loadings.ranges)[1].status == LoadingStatus::still_drawn_in);

@@ -67,7 +67,7 @@ class State(InFolder):
         self.refused("state", "--w", "0.1", "--q", "0", "--thickness", "0.1", "--slopes", says=["--slopes", "edges"])
         result = run("state", "--w", "1.9", "--q", "0", "--thickness", "0.1")
         self.assertEqual(result.returncode, 1)
-        self.assertIn("no state with a force at w = 1.9", result.stderr)
+        self.assertIn("no state with a force found at w = 1.9", result.stderr)
 
     def test_identity_slopes_balance_energy(self):
         # dU = F dw - q P_n dS
