@@ -2,10 +2,9 @@
 // along it and for good.
 //
 // A crack is faster than the specimen slides: stage position and length stay, the deflection rises, and the force falls along the load
-// line. So more friction has to hold the specimen, and where there is not so much, it is drawn in, in a snap.(A
-// specimen hardly bent keeps its deflection with its length, and may need any friction, as one does that loses most of its stiffness: where
-// not even 20 would hold it, it is drawn in as it cracks, to where that does, and what friction takes on that way counts as set free by the
-// crack.) Static friction holds again after a crack. Less EI is the same fibre
+// line. So more friction has to hold the specimen, and where there is not so much, it is drawn in, in a snap. Hardly bent, or with little
+// of its stiffness left, it may need any friction: where not even largest_q would hold it, it is drawn in as it cracks, to where that does,
+// and what friction takes on that way counts as set free by the crack. Static friction holds again after a crack. Less EI is the same fibre
 // on a rig that is stiffer in the reduced units (theory.md, "Cracks").
 #pragma once
 

@@ -15,22 +15,22 @@ struct Supports {
   double half_depth;  // [L] τ, of the specimen; 0: friction acts at the axis
 };
 
-inline constexpr double widest_supports =
-    0.45;  // [L] radius and half depth together: both sides leave a tenth of the span
+// [L] radius and half depth together: both sides leave a tenth of the span.
+inline constexpr double widest_supports = 0.45;
 
+// Lengths are those of both sides together.
 struct SupportedState {
   FibreStatus status;  // nothing else is valid unless ok
   double length;       // [L] S, of the axis between the contacts
-  double slid;  // [L] Σ - 1, drawn in past the contacts of the straight fibre, along the surface, both sides together
-  double
-      imaged;  // [L] of the axis between the verticals through the supports; NaN where the fibre stands upright on them
-  double q;    // [1] mobilised friction
-  double w;    // [L] deflection at midspan
-  double F;    // [EI/L^2] force there
-  double theta0;     // [rad] slope at the contacts
-  double Pn;         // [EI/L^2] normal force at one support
-  double U;          // [EI/L] bending energy between the contacts
-  double curvature;  // [1/L] at midspan
+  double slid;         // [L] Σ - 1, drawn in past the contacts of the straight fibre, along the surface
+  double imaged;       // [L] of the axis between the verticals through the supports; NaN from an upright slope on
+  double q;            // [1] mobilised friction
+  double w;            // [L] deflection at midspan
+  double F;            // [EI/L^2] force there
+  double theta0;       // [rad] slope at the contacts
+  double Pn;           // [EI/L^2] normal force at one support
+  double U;            // [EI/L] bending energy between the contacts
+  double curvature;    // [1/L] at midspan
 };
 
 // The state with mobilised friction q and a deflection w.
