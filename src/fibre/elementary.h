@@ -13,6 +13,23 @@ double exp(double x);
 // Max error:  4 ulp.
 double log(double x);
 
+// Σ ln x over many numbers, of whose product a logarithm is taken now and then.
+// Domain:     1e-100 < x < 1e100.
+// Max error:  1 ulp of 1 a number, and that of log.
+class LogProduct {
+ public:
+  void multiply(double x) {
+    product_ *= x;
+    if (product_ > 1e-200 && product_ < 1e200) return;
+    sum_ += log(product_);
+    product_ = 1;
+  }
+  double value() const { return sum_ + log(product_); }
+
+ private:
+  double sum_ = 0, product_ = 1;
+};
+
 struct SineAndCosine {
   double sine, cosine;
 };

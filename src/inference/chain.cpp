@@ -239,7 +239,8 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
   std::array<Dual, M> gain;
   std::vector<Dual> v(series);
   std::vector<Dual> products(series * series, Dual(0));  // upper triangle
-  Dual log_variances(0);
+  elementary::LogProduct variances;
+  Eigen::Array4d log_variances_d = Eigen::Array4d::Zero();
   double seen = 0;
   for (std::size_t k = 0; k < looks.looks.size(); ++k) {
     const Look& look = looks.looks[k];
@@ -249,7 +250,8 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
     }
     if (!is_seen(look)) continue;
     const Dual s = covariances.look(look.noise_gain, look.variance, gain);
-    log_variances = log_variances + log(s);
+    variances.multiply(s.value);
+    log_variances_d += s.d / s.value;
     seen += 1;
     const Coefficients& h = looks.columns[k];
     const Dual scale = Dual(1) / sqrt(s);
@@ -280,11 +282,11 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
     for (std::size_t j = 0; j < columns; ++j)
       BB(static_cast<Index>(i), static_cast<Index>(j)) = product(i + 1, j + 1).value;
   }
-  const auto r = regression_of(BB, By, product(0, 0).value, log_variances.value, seen, looks.prior);
+  const auto r = regression_of(BB, By, product(0, 0).value, variances.value(), seen, looks.prior);
   const CoefficientMatrix covariance = r.factor.solve(CoefficientMatrix::Identity(p, p));
   LikelihoodGradient result{.value = r.log_likelihood, .hyperparameters = {}, .log_wavelengths = {}};
   for (Index t = 0; t < 4; ++t) {
-    double d = -0.5 * (log_variances.d[t] + product(0, 0).d[t]);
+    double d = -0.5 * (log_variances_d[t] + product(0, 0).d[t]);
     for (std::size_t i = 0; i < columns; ++i) {
       const auto row = static_cast<Index>(i);
       d += r.beta[row] * product(0, i + 1).d[t];
@@ -419,7 +421,7 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
   const std::size_t columns = looks.prior.size();
   const std::size_t series = 1 + columns;
   white_ = Eigen::MatrixXd::Zero(static_cast<Index>(series), static_cast<Index>(n));
-  double log_variances = 0;
+  elementary::LogProduct variances;
   double seen = 0;
   with_state_of<void>(kernel, [&](auto size) {
     constexpr int M = decltype(size)::value;
@@ -446,7 +448,7 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
       }
       step.innovation = covariances.look(look.noise_gain, look.variance, step.gain);
       const double scale = 1 / std::sqrt(step.innovation);
-      log_variances += elementary::log(step.innovation);
+      variances.multiply(step.innovation);
       seen += 1;
       for (std::size_t c = 0; c < series; ++c) {
         const double value = c == 0 ? looks.values[k] : looks.columns[k][static_cast<Index>(c - 1)];
@@ -459,8 +461,8 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
   });
   const auto p = static_cast<Index>(columns);
   const Eigen::MatrixXd products = white_ * white_.transpose();
-  const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0), log_variances,
-                               seen, looks.prior);
+  const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0),
+                               variances.value(), seen, looks.prior);
   log_likelihood_ = r.log_likelihood;
   log_determinant_ = r.log_determinant;
   beta_ = r.beta;

@@ -127,6 +127,7 @@ void complete(Linearisation& at, const Passages& passages) {
     column->resize(n);
   at.log_jacobian = -at.stiffness_jacobian * at.eta + 0.5 * passages.stiffness_error * passages.stiffness_error *
                                                           at.stiffness_jacobian * at.stiffness_jacobian;
+  elementary::LogProduct gains;
   for (std::size_t i = 0; i < n; ++i) {
     constexpr double least_q_force = 0.02, least_fold = 0.05;
     at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
@@ -140,8 +141,9 @@ void complete(Linearisation& at, const Passages& passages) {
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;
     at.h_stiffness[i] = -(q_eta - at.slope[i] * at.S_eta[i]);
     at.h_contact[i] = slopes.q_w[i] - at.slope[i] * slopes.S_w[i];
-    at.log_jacobian += elementary::log(at.noise_gain[i]);
+    gains.multiply(at.noise_gain[i]);
   }
+  at.log_jacobian += gains.value();
 }
 
 std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,

@@ -315,7 +315,7 @@ void FrictionProcess::settle(Mode& mode) const {
         evidence += log_weight(mode.sites[j], bound_at(nodes[j], mode) - smoothed[k].f, smoothed[k].variance);
         ++j;
       }
-      constexpr double negligible = 0.02;  // of the evidence
+      constexpr double negligible = 0.002;  // of the evidence
       if (!(round > 0 && std::abs(evidence - before) < negligible)) {
         before = evidence;
         mode.merit = evidence + mode.at.log_jacobian + log_prior(mode, mode.theta);
@@ -457,8 +457,9 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
         look.variance *= grown * grown;
       }
     double volume = -0.5 * Chain(looks, mode.kernel, p).log_determinant();
-    for (const double gain : other.at.noise_gain) volume += elementary::log(gain);
-    return volume;
+    elementary::LogProduct gains;
+    for (const double gain : other.at.noise_gain) gains.multiply(gain);
+    return volume + gains.value();
   };
   // Half way: J moves η, η the hyperparameters, and these J, back and forth.
   double& J = mode.at.stiffness_jacobian;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <nlopt.h>
@@ -22,49 +23,92 @@ constexpr double impossible = 1e9;  // of minus ln L
 constexpr double stiffness_error = 0.05;
 constexpr double least_w = 0.06, greatest_w = 0.43;
 
-// Force and length at the deflection of a row, as functions of friction: Chebyshev series over [least_q, greatest_q], straight on beyond.
-constexpr double least_q = -0.2, greatest_q = 2;  // where the branch reaches greatest_w
+// A function of one number: a Chebyshev series from `least` to `greatest`, straight on beyond.
 constexpr std::size_t terms = 14;
-using Series = std::array<double, terms>;
+using Nodes = std::array<double, terms>;
+struct Series {
+  double least, greatest;
+  Nodes coefficients;
+};
 
 struct WithSlope {
   double value, slope;
 };
 
-WithSlope evaluate(const Series& series, double q) {
-  const double inside = std::clamp(q, least_q, greatest_q);
-  constexpr double half_width = 0.5 * (greatest_q - least_q);
-  const double x = (inside - 0.5 * (least_q + greatest_q)) / half_width;
+WithSlope evaluate(const Series& series, double at) {
+  const double inside = std::clamp(at, series.least, series.greatest);
+  const double half_width = 0.5 * (series.greatest - series.least);
+  const double x = (inside - 0.5 * (series.least + series.greatest)) / half_width;
   double b1 = 0, b2 = 0, d1 = 0, d2 = 0;  // Clenshaw's, and its derivative
   for (std::size_t k = terms; k-- > 1;) {
-    const double b = 2 * x * b1 - b2 + series[k];
+    const double b = 2 * x * b1 - b2 + series.coefficients[k];
     const double d = 2 * x * d1 - d2 + 2 * b1;
     b2 = b1, b1 = b;
     d2 = d1, d1 = d;
   }
-  const double value = x * b1 - b2 + series[0], slope = (b1 + x * d1 - d2) / half_width;
-  return {value + slope * (q - inside), slope};
+  const double value = x * b1 - b2 + series.coefficients[0], slope = (b1 + x * d1 - d2) / half_width;
+  return {value + slope * (at - inside), slope};
 }
 
+// Cosines k (j + 1/2) π/terms, by which values at the nodes j become coefficients k.
+const std::array<Nodes, terms>& node_cosines() {
+  static const auto cosines = [] {
+    std::array<Nodes, terms> table{};
+    for (std::size_t k = 0; k < terms; ++k)
+      for (std::size_t j = 0; j < terms; ++j)
+        table[k][j] = elementary::sine_and_cosine(std::numbers::pi * static_cast<double>(k) *
+                                                  (static_cast<double>(j) + 0.5) / static_cast<double>(terms))
+                          .cosine;
+    return table;
+  }();
+  return cosines;
+}
+
+Nodes nodes_between(double least, double greatest) {
+  Nodes nodes{};
+  for (std::size_t j = 0; j < terms; ++j)
+    nodes[j] = 0.5 * (least + greatest) + 0.5 * (greatest - least) * node_cosines()[1][j];
+  return nodes;
+}
+
+Series series_through(double least, double greatest, std::span<const double> at_nodes) {
+  Series series{least, greatest, {}};
+  for (std::size_t k = 0; k < terms; ++k) {
+    for (std::size_t j = 0; j < terms; ++j) series.coefficients[k] += at_nodes[j] * node_cosines()[k][j];
+    series.coefficients[k] *= (k == 0 ? 1.0 : 2.0) / static_cast<double>(terms);
+  }
+  return series;
+}
+
+// A fibre at the deflection of a row.
 struct Row {
-  double w, F;  // [L], [EI/L^2]
-  Series force, length;
+  double w, F;      // [L], [EI/L^2]
+  Series force;     // [EI/L^2] by friction
+  Series friction;  // [1] by force
+  Series length;    // [L] by force
   double q;         // [1] friction that gives the force
-  double S_usual;   // [L] length at the deflection, at usual friction
+  double S_usual;   // [L] length at usual friction
   double to_stage;  // [1] what an error of the force at given deflection is at given stage position
   std::size_t rise;
   double drops_before;
 };
 
-// Ψ at the deflection of each row and each node of the series.
-void expand(std::vector<Row>& rows) {
-  std::array<double, terms> nodes{};
-  for (std::size_t k = 0; k < terms; ++k) {
-    const double x =
-        elementary::sine_and_cosine(std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(terms))
-            .cosine;
-    nodes[k] = 0.5 * (least_q + greatest_q) + 0.5 * (greatest_q - least_q) * x;
+// Where a series that rises has a value.
+double inverse(const Series& series, double value) {
+  double at = 0.5 * (series.least + series.greatest);
+  for (int i = 0; i < 20; ++i) {
+    const auto here = evaluate(series, at);
+    const double step = std::clamp((value - here.value) / here.slope, -0.6, 0.6);
+    at = std::clamp(at + step, series.least, series.greatest);
+    if (std::abs(step) < 1e-8) break;
   }
+  return at;
+}
+
+// Ψ at the deflection of each row: by friction from least_q to greatest_q, where the branch reaches greatest_w, and by force.
+void expand(std::vector<Row>& rows) {
+  constexpr double least_q = -0.2, greatest_q = 2;
+  const Nodes nodes = nodes_between(least_q, greatest_q);
   std::vector<double> S, q;
   for (const Row& row : rows)
     for (const double node : nodes) {
@@ -80,31 +124,20 @@ void expand(std::vector<Row>& rows) {
     }
   }
   const auto states = tabulated_states({S, q});
-  for (std::size_t r = 0; r < rows.size(); ++r)
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    Row& row = rows[r];
+    const auto of_row = [&](const std::vector<double>& values) { return std::span(values).subspan(r * terms, terms); };
+    row.force = series_through(least_q, greatest_q, of_row(states.F));
+    const Series length = series_through(least_q, greatest_q, of_row(S));
+    const double least = evaluate(row.force, least_q).value, most = evaluate(row.force, greatest_q).value;
+    Nodes friction = nodes_between(least, most), lengths{};
     for (std::size_t k = 0; k < terms; ++k) {
-      double force = 0, length = 0;
-      for (std::size_t j = 0; j < terms; ++j) {
-        const double angle =
-            std::numbers::pi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) / static_cast<double>(terms);
-        const double cosine = elementary::sine_and_cosine(angle).cosine;
-        force += states.F[r * terms + j] * cosine;
-        length += S[r * terms + j] * cosine;
-      }
-      const double share = (k == 0 ? 1.0 : 2.0) / static_cast<double>(terms);
-      rows[r].force[k] = share * force;
-      rows[r].length[k] = share * length;
+      friction[k] = inverse(row.force, friction[k]);
+      lengths[k] = evaluate(length, friction[k]).value;
     }
-}
-
-double friction_at(const Row& row, double force, double from) {
-  double q = from;
-  for (int i = 0; i < 12; ++i) {
-    const auto at = evaluate(row.force, q);
-    const double step = std::clamp((force - at.value) / at.slope, -0.6, 0.6);
-    q = std::clamp(q + step, -3.0, 5.0);
-    if (std::abs(step) < 1e-6) break;
+    row.friction = series_through(least, most, friction);
+    row.length = series_through(least, most, lengths);
   }
-  return q;
 }
 
 // Rows between the drops; of what lies before the first and after the last at most so many as tell of the same.
@@ -175,11 +208,12 @@ class Rises {
     std::vector<double> S, q;
     for (Row& row : rows_) {
       constexpr double usual = 0.5;
-      row.q = friction_at(row, row.F, usual);
-      row.S_usual = evaluate(row.length, usual).value;
+      const auto length_at = [&](double mu) { return evaluate(row.length, evaluate(row.force, mu).value).value; };
+      row.q = evaluate(row.friction, row.F).value;
+      row.S_usual = length_at(usual);
       S_mean_ += row.S_usual / static_cast<double>(n_);
-      S.push_back(evaluate(row.length, std::clamp(row.q, 0.0, 1.2)).value);
       q.push_back(std::clamp(row.q, 0.0, 1.2));
+      S.push_back(length_at(q.back()));
     }
     const auto slopes = tabulated_states_slopes({S, q});
     for (std::size_t i = 0; i < n_; ++i) {
@@ -373,10 +407,10 @@ class Rises {
       const Row& row = rows_[i];
       if (i == 0 || row.drops_before != rows_[i - 1].drops_before)
         e = e0 * elementary::exp(row.drops_before * std::log1p(-loss));
-      const double q = friction_at(row, row.F / e, row.q);
+      const auto [q, q_force] = evaluate(row.friction, row.F / e);
       if (loss > 0 && q > std::max(greatest, row.q)) return impossible;
-      const double gain = e * evaluate(row.force, q).slope * row.to_stage;
-      S[i] = evaluate(row.length, q).value;
+      const double gain = e / q_force * row.to_stage;
+      S[i] = evaluate(row.length, row.F / e).value;
       y[i] = gain * q;
       level[i] = gain;
       total += q / static_cast<double>(n_);

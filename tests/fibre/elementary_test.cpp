@@ -31,6 +31,18 @@ TEST_CASE("oracle: elementary functions against 50 digits") {
   }
 }
 
+TEST_CASE("identity: the logarithm of a product is the sum of the logarithms, far beyond the range of doubles") {
+  elementary::LogProduct product;
+  double sum = 0;
+  for (int i = 1; i <= 3000; ++i) {
+    const double x = std::pow(10.0, (i * 37) % 181 - 90) * (1 + 1e-3 * i);
+    product.multiply(x);
+    sum += elementary::log(x);
+    if (i % 500 == 0) CHECK(product.value() == doctest::Approx(sum).epsilon(1e-14));
+  }
+  CHECK(elementary::LogProduct{}.value() == 0);
+}
+
 TEST_CASE("oracle: angles against 50 digits, in every quadrant") {
   for (int i = 0; i < 720; ++i) {
     const double x = std::cos(0.0087 * i), y = 3.1 * std::sin(0.0087 * i);
