@@ -406,7 +406,7 @@ class Rises {
     for (std::size_t i = 0; i < n_; ++i) {
       const Row& row = rows_[i];
       if (i == 0 || row.drops_before != rows_[i - 1].drops_before)
-        e = e0 * elementary::exp(row.drops_before * std::log1p(-loss));
+        e = e0 * elementary::exp(row.drops_before * elementary::log(1 - loss));
       const auto [q, q_force] = evaluate(row.friction, row.F / e);
       if (loss > 0 && q > std::max(greatest, row.q)) return impossible;
       const double gain = e / q_force * row.to_stage;
@@ -416,7 +416,7 @@ class Rises {
       total += q / static_cast<double>(n_);
     }
     level_ = total;
-    left_ = elementary::exp((rows_.back().drops_before - rows_.front().drops_before) * std::log1p(-loss));
+    left_ = elementary::exp((rows_.back().drops_before - rows_.front().drops_before) * elementary::log(1 - loss));
     for (std::size_t j = 0; j < size(); ++j) {
       double middle = 0;
       for (std::size_t i = begin_[j]; i < end(j); ++i) middle += S[i] / static_cast<double>(end(j) - begin_[j]);

@@ -19,8 +19,10 @@ def output(tunables, *arguments):
 
 class SameBits(unittest.TestCase):
     def test_identity_a_fit_on_a_lesser_processor(self):
-        case = str(SOURCE / "examples" / "simulated" / "case.toml")
-        self.assertEqual(output("", "fit", case, "--json", "--quiet"), output(PLAIN, "fit", case, "--json", "--quiet"))
+        for example in "simulated", "cracked", "cyclic":
+            with self.subTest(example):
+                case = str(SOURCE / "examples" / example / "case.toml")
+                self.assertEqual(output("", "fit", case, "--json", "--quiet"), output(PLAIN, "fit", case, "--json", "--quiet"))
 
 
 if __name__ == "__main__":
