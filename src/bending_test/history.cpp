@@ -73,6 +73,7 @@ class Recorder {
   void record(const PathPoint& point) {
     history_.path.push_back(point);
     history_.energy_at.push_back(history_.energy);
+    if (const Walk* walk = fibre_.friction().kinetic.walk()) history_.contacts.push_back(walk->points_at(point.S));
   }
 
   PathPoint state() const { return fibre_.state(); }

@@ -9,6 +9,7 @@
 #include "bending_test/cracking_fibre.h"
 #include "bending_test/energy.h"
 #include "bending_test/motion.h"
+#include "contact/two_supports.h"
 
 namespace flexslip {
 
@@ -38,6 +39,7 @@ struct History {
   HistoryStatus status;
   std::vector<PathPoint> path;
   std::vector<EnergyAccount> energy_at;  // at each point of the path
+  std::vector<ContactPoints> contacts;   // likewise, on two supports that are not alike; else none
   std::vector<Snap> snaps;
   std::vector<CrackOpened> cracks;
   EnergyAccount energy;  // at the end

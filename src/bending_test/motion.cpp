@@ -10,6 +10,7 @@
 
 #include "bending_test/curve_samples.h"
 #include "bending_test/quadrature.h"
+#include "contact/two_supports.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {
@@ -67,6 +68,9 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
       table_in_(test_.friction.kinetic, test_.rig, Sliding::in),
       table_out_(test_.friction.kinetic, test_.rig, Sliding::out) {
   require_bending(test_.rig, farthest);
+  if (test_.friction.kinetic.walk() &&
+      (test_.rest == SnapRest::overshoot || test_.friction.static_excess.most_up_to(longest_at_stage(farthest)) > 0))
+    throw std::invalid_argument("on two supports that are not alike there is neither static excess nor overshoot");
   state_ = path_point(in_.begin, Motion::stick);
 }
 
@@ -105,15 +109,27 @@ std::optional<Stretch> MovingFibre::settle() {
   return snap(state_.q > 0 ? Sliding::in : Sliding::out);
 }
 
+// The way from a length on: what lies behind is another one.
+void MovingFibre::lead_on_from(double S) {
+  Friction& friction = test_.friction.kinetic;
+  friction = friction.from(S);
+  in_ = trace_loading_curve(friction, test_.rig, longest_at_stage(farthest_));
+  out_.reset();
+  table_in_ = SlidingTable(friction, test_.rig, Sliding::in);
+  table_out_ = SlidingTable(friction, test_.rig, Sliding::out);
+}
+
 const SlidingCurve& MovingFibre::curve_of(Sliding sliding, double S) {
   const Friction& friction = test_.friction.kinetic;
+  const Walk* walk = friction.walk();
+  if (walk && direction_of(sliding) * (walk->origin() - S) > 0) lead_on_from(S);
   if (sliding == Sliding::in) {
     if (S > in_.end.S && in_.end_reason == CurveEnd::reached)  // only an overshoot leads there
       in_ = trace_loading_curve(friction, test_.rig, 1 + 1.5 * (S - 1));
     return in_;
   }
   const auto covers = [&] { return out_ && out_->end.S <= S && S <= out_->begin.S; };
-  if (!out_) {
+  if (!out_ && !walk) {
     // From the end of the programme it serves all reversals, unless the force falls to zero on the way down.
     const auto last = landing_after(in_, 1, farthest_);
     if (last && last->S > S && fibre_state(last->S, -last->q).status == FibreStatus::ok)

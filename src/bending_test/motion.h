@@ -37,7 +37,8 @@ enum class SnapRest {
 };
 
 struct BendingTest {
-  FrictionLaw friction;
+  FrictionLaw
+      friction;  // on two supports that are not alike without a static excess, and at rest at the nearest stable state
   Rig rig;
   SnapRest rest = SnapRest::nearest_stable;
 };
@@ -69,7 +70,7 @@ inline constexpr double least_slip = 1e-6;
 class MovingFibre {
  public:
   // Straight, at the stage position 0. It can be moved up to `farthest` [L].
-  // Domain: rig.stiffness > 0, farthest >= 1e-6, static friction at most 20 wherever the fibre gets; std::invalid_argument
+  // Domain: rig.stiffness > 0, farthest >= 1e-6, static friction at most 20 wherever the fibre gets; test as said there; std::invalid_argument
   //         otherwise.
   MovingFibre(BendingTest test, double farthest);
 
@@ -80,6 +81,9 @@ class MovingFibre {
 
   const PathPoint& state() const { return state_; }
   MotionEnd end() const { return end_; }
+
+  // That of the way which it is on: on two supports that are not alike it changes where the fibre turns back (two_supports.h).
+  const FrictionLaw& friction() const { return test_.friction; }
 
   // The snap (with an excess of static friction, maybe a slip that runs on) in which a fibre comes to rest that friction does not hold
   // where it is. None if it does, or if it slips through: see end().
@@ -127,6 +131,7 @@ class MovingFibre {
   StretchWork work_between(const PathPoint& from, const PathPoint& to);
   SlidingTable& table_of(Sliding sliding) { return sliding == Sliding::in ? table_in_ : table_out_; }
   const SlidingCurve& curve_of(Sliding sliding, double S);
+  void lead_on_from(double S);
 
   BendingTest test_;
   double farthest_;

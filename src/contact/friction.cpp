@@ -33,6 +33,8 @@ HWY_AFTER_NAMESPACE();
 #include <string>
 #include <utility>
 
+#include "contact/two_supports.h"
+
 namespace flexslip {
 namespace {
 
@@ -166,8 +168,22 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   return Friction(std::move(table));
 }
 
+Friction Friction::on_two_supports(Friction left, Friction right, double S_most) {
+  return Friction(std::make_shared<const Walk>(std::move(left), std::move(right), ContactPoints{0, 0}, S_most));
+}
+
+Friction Friction::from(double S) const {
+  return walk() ? Friction(std::make_shared<const Walk>(walk()->from(S))) : *this;
+}
+
+const Walk* Friction::walk() const {
+  const auto* walk = std::get_if<std::shared_ptr<const Walk>>(&form_);
+  return walk ? walk->get() : nullptr;
+}
+
 FrictionPoint Friction::at(double S) const {
-  if (!std::holds_alternative<FrictionWaves>(form_)) return in_table(S);
+  if (walk()) return walk()->at(S);
+  if (std::holds_alternative<FrictionTable>(form_)) return in_table(S);
   const auto [mu, slope] = held(wave_sum<double>(std::get<FrictionWaves>(form_), terms_.data(), S));
   return {mu, slope};
 }
@@ -180,7 +196,7 @@ FrictionArrays Friction::at(std::span<const double> S) const {
     return result;
   }
   for (std::size_t i = 0; i < S.size(); ++i) {
-    const auto [mu, slope] = in_table(S[i]);
+    const auto [mu, slope] = at(S[i]);
     result.mu[i] = mu;
     result.slope[i] = slope;
   }
@@ -214,6 +230,7 @@ bool Friction::may_be_held() const {
 }
 
 double Friction::most_up_to(double S_max) const {
+  if (walk()) return walk()->most_up_to(S_max);
   if (const auto* table = std::get_if<FrictionTable>(&form_)) {
     double most = std::max(at(1).mu, at(S_max).mu);  // monotone between the knots
     for (std::size_t i = 0; i < table->S.size(); ++i)
@@ -227,12 +244,14 @@ double Friction::most_up_to(double S_max) const {
 }
 
 double Friction::smooth_scale() const {
+  if (walk()) return walk()->smooth_scale();
   double highest = 0;
   for (const WaveTerm& term : terms_) highest = std::max(highest, term.frequency);
   return highest > 0 ? 0.25 / highest : infinity;
 }
 
 std::span<const double> Friction::knots() const {
+  if (walk()) return walk()->knots();
   const auto* table = std::get_if<FrictionTable>(&form_);
   return table ? std::span<const double>(table->S) : std::span<const double>();
 }

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -53,6 +55,8 @@ struct WaveTerm {
   double steepness;  // [1/L] the greatest slope
 };
 
+class Walk;
+
 class Friction {
  public:
   // Fails: std::invalid_argument, naming the value, if a number is not finite, a wavelength below 1e-12, or μ could
@@ -66,6 +70,13 @@ class Friction {
   // exp(-(s/correlation_length)^2/2) along the fibre; the mean is mu0. Tabulated eight times a correlation length [L] up to
   // S_max [L]. The same seed gives the same profile on every machine.
   static Friction rough(double mu0, double rms, double correlation_length, std::uint64_t seed, double S_max);
+
+  // Of two supports that are not alike, from where the fibre is straight, up to a length S_most (two_supports.h).
+  static Friction on_two_supports(Friction left, Friction right, double S_most);
+
+  // The friction on a way that leads on from a length, inwards or outwards: of one profile, the same.
+  Friction from(double S) const;
+  const Walk* walk() const;  // none of one profile
 
   // Domain: S >= 1.
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
@@ -87,15 +98,17 @@ class Friction {
   double smooth_scale() const;
   std::span<const double> knots() const;
 
-  const std::variant<FrictionWaves, FrictionTable>& form() const { return form_; }
+  using Form = std::variant<FrictionWaves, FrictionTable, std::shared_ptr<const Walk>>;
+  const Form& form() const { return form_; }
 
  private:
   explicit Friction(FrictionWaves waves);
   explicit Friction(FrictionTable table);
+  explicit Friction(std::shared_ptr<const Walk> walk) : form_(std::move(walk)) {}
 
   FrictionPoint in_table(double S) const;
 
-  std::variant<FrictionWaves, FrictionTable> form_;
+  Form form_;
   std::vector<WaveTerm> terms_;
   std::vector<double> knot_slopes_;  // dμ/dS at each knot of a table
 };

@@ -1,0 +1,264 @@
+#include "contact/two_supports.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace flexslip {
+namespace {
+
+// Crests are of one height, as those of one wave are, if they differ by less: rounding decides on no side.
+constexpr double alike = 1e-12;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Friction at a point of the fibre, and its slope along it.
+FrictionPoint at_point(const Friction& side, double x) {
+  const auto [mu, slope] = side.at(1 + 2 * x);
+  return {mu, 2 * slope};
+}
+
+// Where something that is false at `low` and true at `high` becomes true.
+template <class Predicate>
+double first_where(double low, double high, const Predicate& is_true) {
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+    (is_true(middle) ? high : low) = middle;
+  return high;
+}
+
+}  // namespace
+
+// One way, in or out: y is what a side has gone of it.
+class Walk::Tracer {
+ public:
+  Tracer(const std::array<Friction, 2>& sides, ContactPoints from, double direction, double most)
+      : sides_(sides), from_{from.left, from.right}, direction_(direction), most_(most) {}
+
+  // Pieces in the order of the way.
+  std::vector<Piece> run() {
+    std::vector<Piece> pieces;
+    const double mu[2] = {at(0, 0).mu, at(1, 0).mu};
+    bool level = std::abs(mu[0] - mu[1]) <= alike * mu[0];
+    std::size_t weaker = mu[1] < mu[0] ? 1 : 0;
+    while (!arrived_ && gone() < most_) {
+      const std::array<double, 2> begin = y_;
+      Slides slides = weaker == 0 ? Slides::left : Slides::right;
+      if (level && rises(0) && rises(1)) {
+        slides = Slides::both;
+        weaker = slide_both();
+      } else {
+        if (level) weaker = rises(0) ? 1 : 0;
+        slides = weaker == 0 ? Slides::left : Slides::right;
+        level = slide_alone(weaker);
+        crest_[weaker] = false;
+      }
+      pieces.push_back(piece(begin, slides));
+    }
+    return pieces;
+  }
+
+ private:
+  FrictionPoint at(std::size_t side, double y) const {
+    const auto [mu, slope] = at_point(sides_[side], from_[side] + direction_ * y);
+    return {mu, direction_ * slope};
+  }
+  double gone() const { return y_[0] + y_[1]; }
+  bool rises(std::size_t side) const { return !crest_[side] && at(side, y_[side]).slope > 0; }
+
+  // The next place at which a side is looked at: nothing happens twice before it.
+  double next_after(std::size_t side, double y) const {
+    constexpr double samples = 0.25;  // of a smooth scale in S, which is a quarter of a period
+    double next = y + 0.5 * samples * sides_[side].smooth_scale();
+    const auto knots = sides_[side].knots();
+    const double S = 1 + 2 * (from_[side] + direction_ * y);
+    const double rounding = 4e-16 * S;
+    const auto y_of = [&](double knot) { return direction_ * (0.5 * (knot - 1) - from_[side]); };
+    if (direction_ > 0) {
+      const auto knot = std::upper_bound(knots.begin(), knots.end(), S + rounding);
+      if (knot != knots.end()) next = std::min(next, y_of(*knot));
+    } else {
+      const auto knot = std::lower_bound(knots.begin(), knots.end(), S - rounding);
+      if (knot != knots.begin()) next = std::min(next, y_of(*(knot - 1)));
+    }
+    return next;
+  }
+
+  // Alone, to where its friction has risen to that of the other side; false at the end of the way.
+  bool slide_alone(std::size_t side) {
+    const double level = at(1 - side, y_[1 - side]).mu;
+    const double last = most_ - y_[1 - side];
+    double y = y_[side];
+    bool below = at(side, y).mu < level;
+    while (y < last) {
+      const double next = std::min(next_after(side, y), last);
+      // A valley or a crest in between, or the end.
+      const bool falls = at(side, y).slope < 0, falls_after = at(side, next).slope < 0;
+      double turn = next;
+      if (falls != falls_after)
+        turn = first_where(y, next, [&](double at_y) { return (at(side, at_y).slope < 0) == falls_after; });
+      for (const double to : {turn, next}) {
+        if (below && at(side, to).mu > level * (1 + alike)) {
+          y_[side] = first_where(y, to, [&](double at_y) { return at(side, at_y).mu >= level; });
+          return true;
+        }
+        below = below || at(side, to).mu < level;
+        y = to;
+      }
+      if (!below && at(side, next).mu > level * (1 + alike)) return false_start(side, next, level);
+    }
+    y_[side] = std::max(last, y_[side]);
+    arrived_ = true;
+    return false;
+  }
+
+  // It stood at the level and rises from it at once: by rounding alone it was taken for the weaker.
+  bool false_start(std::size_t side, double next, double level) {
+    y_[side] = first_where(y_[side], next, [&](double y) { return at(side, y).mu > level; });
+    return true;
+  }
+
+  // Both at one level, to the first crest of either, which slides on alone: returned. Or to the end of the way.
+  std::size_t slide_both() {
+    const double crest[2] = {crest_after(0), crest_after(1)};
+    const double height[2] = {at(0, crest[0]).mu, at(1, crest[1]).mu};
+    const std::size_t first = height[1] < height[0] * (1 - alike) ? 1 : 0, other = 1 - first;
+    // Of the other side, which rises, up to the same height.
+    const auto reached = [&](double height_there) {
+      if (at(other, y_[other]).mu >= height_there) return y_[other];
+      return first_where(y_[other], crest[other], [&](double y) { return at(other, y).mu >= height_there; });
+    };
+    const double end = reached(height[first]);
+    if (crest[first] + end <= most_) {
+      y_[first] = crest[first];
+      y_[other] = end;
+      crest_[first] = true;
+      return first;
+    }
+    const double y_end =
+        first_where(y_[first], crest[first], [&](double y) { return y + reached(at(first, y).mu) >= most_; });
+    y_[first] = y_end;
+    y_[other] = most_ - y_end;
+    arrived_ = true;
+    return first;
+  }
+
+  // Where a side that rises ceases to.
+  double crest_after(std::size_t side) const {
+    double y = y_[side];
+    while (y < most_) {
+      const double next = std::min(next_after(side, y), most_);
+      if (!(at(side, next).slope > 0)) {
+        return first_where(y, next, [&](double at_y) { return !(at(side, at_y).slope > 0); });
+      }
+      y = next;
+    }
+    return y;
+  }
+
+  Piece piece(const std::array<double, 2>& begin, Slides slides) const {
+    const auto points = [&](const std::array<double, 2>& y) {
+      return ContactPoints{from_[0] + direction_ * y[0], from_[1] + direction_ * y[1]};
+    };
+    ContactPoints low = points(begin), high = points(y_);
+    if (direction_ < 0) std::swap(low, high);
+    return {1 + low.left + low.right, 1 + high.left + high.right, low, high, slides};
+  }
+
+  const std::array<Friction, 2>& sides_;
+  std::array<double, 2> from_;
+  double direction_;
+  double most_;                              // [L] of both sides together
+  std::array<double, 2> y_{0, 0};            // [L] gone so far
+  std::array<bool, 2> crest_{false, false};  // stands on one: where it is, it falls
+  bool arrived_ = false;
+};
+
+Walk::Walk(Friction left, Friction right, ContactPoints from, double S_most)
+    : sides_{std::move(left), std::move(right)}, origin_(1 + from.left + from.right) {
+  for (const Friction& side : sides_)
+    if (side.walk()) throw std::invalid_argument("the friction of a side is that of a walk over two");
+  if (!(origin_ >= 1 && S_most >= origin_ && S_most < infinity))
+    throw std::invalid_argument("a walk from the length " + std::to_string(origin_) + " to " + std::to_string(S_most));
+  pieces_ = Tracer(sides_, from, -1, origin_ - 1).run();
+  std::reverse(pieces_.begin(), pieces_.end());
+  const auto inwards = Tracer(sides_, from, 1, std::max(S_most - origin_, 1e-9)).run();
+  pieces_.insert(pieces_.end(), inwards.begin(), inwards.end());
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
+    if (i > 0) pieces_[i].from = pieces_[i - 1].to;
+    knots_.push_back(piece.from);
+    for (const bool of_left : {true, false}) {
+      if (piece.slides == (of_left ? Slides::right : Slides::left)) continue;
+      const auto side_at = [&](double S) {
+        const ContactPoints points = points_in(piece, S);
+        return of_left ? points.left : points.right;
+      };
+      for (const double knot : sides_[of_left ? 0 : 1].knots()) {
+        const double x = 0.5 * (knot - 1);
+        if (!(side_at(piece.from) < x && x < side_at(piece.to))) continue;
+        knots_.push_back(first_where(piece.from, piece.to, [&](double S) { return side_at(S) >= x; }));
+      }
+    }
+  }
+  std::sort(knots_.begin(), knots_.end());
+  knots_.erase(std::unique(knots_.begin(), knots_.end()), knots_.end());
+}
+
+const Walk::Piece& Walk::piece_at(double S) const {
+  const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), S,
+                                      [](double length, const Piece& piece) { return length < piece.from; });
+  return after == pieces_.begin() ? pieces_.front() : *(after - 1);
+}
+
+ContactPoints Walk::points_in(const Piece& piece, double S) const {
+  const double from_begin = std::clamp(S, piece.from, piece.to) - piece.from;
+  const auto [left, right] = piece.begin;
+  if (piece.slides == Slides::left) return {left + from_begin, right};
+  if (piece.slides == Slides::right) return {left, right + from_begin};
+  const double both = left + right + from_begin;
+  double low = std::max(left, both - piece.end.right), high = std::min(piece.end.left, both - right);
+  if (!(low < high)) return {high, both - high};
+  // f(left) - g(both - left) rises or falls from one end to the other: Newton's iteration within.
+  const auto difference = [&](double x) {
+    const auto a = at_point(sides_[0], x), b = at_point(sides_[1], both - x);
+    return FrictionPoint{a.mu - b.mu, a.slope + b.slope};
+  };
+  const double sign = at_point(sides_[0], piece.end.left).mu >= at_point(sides_[0], left).mu ? 1 : -1;
+  double x = 0.5 * (low + high);
+  for (int i = 0; i < 60; ++i) {
+    const auto [value, slope] = difference(x);
+    (sign * value < 0 ? low : high) = x;
+    double next = x - value / slope;
+    if (!(low < next && next < high)) next = 0.5 * (low + high);
+    const bool is_there = std::abs(next - x) <= 2e-16 * (1 + std::abs(x));
+    x = next;
+    if (is_there) break;
+  }
+  return {x, both - x};
+}
+
+ContactPoints Walk::points_at(double S) const { return points_in(piece_at(S), S); }
+
+FrictionPoint Walk::at(double S) const {
+  const Piece& piece = piece_at(S);
+  const auto [left, right] = points_in(piece, S);
+  const bool is_beyond = S < pieces_.front().from || S > pieces_.back().to;
+  const auto met = [&](FrictionPoint point) { return FrictionPoint{point.mu, is_beyond ? 0 : point.slope}; };
+  if (piece.slides == Slides::left) return met(at_point(sides_[0], left));
+  if (piece.slides == Slides::right) return met(at_point(sides_[1], right));
+  const auto a = at_point(sides_[0], left), b = at_point(sides_[1], right);
+  const double sum = a.slope + b.slope;
+  return met({0.5 * (a.mu + b.mu), sum != 0 ? a.slope * b.slope / sum : 0});
+}
+
+double Walk::smooth_scale() const { return 0.5 * std::min(sides_[0].smooth_scale(), sides_[1].smooth_scale()); }
+
+double Walk::most_up_to(double S_max) const {
+  const double one_side = 1 + 2 * (S_max - 1);
+  return std::max(sides_[0].most_up_to(one_side), sides_[1].most_up_to(one_side));
+}
+
+}  // namespace flexslip

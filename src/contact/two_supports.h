@@ -1,0 +1,67 @@
+// A fibre on two supports that are not alike: the way of its two contact points, and the friction that it shows on that way.
+//
+// The shape of the fibre does not know which of its points touch, only how much of it lies between the supports: S = 1 + left + right. Each
+// support holds while the mobilised friction, which is one for both, stays below that of its own point; so the weaker side slides, alone
+// where its friction falls or is the lower, and both at once where both rise at one level. Drawn in from somewhere the fibre so meets a
+// friction that depends on S alone, whatever the rig; let out, another one (theory.md, "Two supports").
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "contact/friction.h"
+
+namespace flexslip {
+
+// [L] of fibre drawn in over each support since it was straight; below 0 where a side has let out more.
+struct ContactPoints {
+  double left, right;
+};
+
+// The way from a pair of contact points, inwards and outwards.
+class Walk {
+ public:
+  // Drawn in up to a length S_most, and let out down to the straight fibre. The friction of a side is stated as for both together: at(S) is
+  // that of the point (S - 1)/2 from where the straight fibre touches.
+  // Domain:     sides that are no walks; S = 1 + from.left + from.right in [1, S_most]; std::invalid_argument otherwise. Where both sides are
+  //             alike and neither would hold, the left one slides; over a crest as high as the friction of the other side, the one that does.
+  // Max error:  of the lengths at which sides change, 4 ulp of S over dμ/dS; between samples at a sixteenth of the shortest period, and the
+  //             knots of tables, no crest is looked for.
+  // Cost:       3 µs a period.
+  Walk(Friction left, Friction right, ContactPoints from, double S_most);
+
+  // The friction met at a length: drawn in beyond that of `from`, let out below. Constant beyond the ends.
+  FrictionPoint at(double S) const;
+
+  ContactPoints points_at(double S) const;
+
+  double origin() const { return origin_; }  // [L] the length from which it leads
+  double end() const { return pieces_.back().to; }
+  Walk from(double S) const { return {sides_[0], sides_[1], points_at(S), end()}; }
+
+  double smooth_scale() const;
+  double most_up_to(double S_max) const;
+  std::span<const double> knots() const { return knots_; }
+
+ private:
+  enum class Slides { left, right, both };
+
+  // S rising, whichever way it is gone.
+  struct Piece {
+    double from, to;           // [L]
+    ContactPoints begin, end;  // at these
+    Slides slides;
+  };
+  class Tracer;
+
+  const Piece& piece_at(double S) const;
+  ContactPoints points_in(const Piece& piece, double S) const;
+
+  std::array<Friction, 2> sides_;
+  double origin_;
+  std::vector<Piece> pieces_;  // S rising
+  std::vector<double> knots_;
+};
+
+}  // namespace flexslip

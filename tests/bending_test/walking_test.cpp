@@ -1,0 +1,106 @@
+// A fibre on two supports that are not alike, moved through programmes.
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "bending_test/history.h"
+#include "bending_test/snap.h"
+#include "fibre/elastica.h"
+
+namespace flexslip {
+namespace {
+
+const Friction left_side = Friction::sinusoid(0.5, 0.25, 0.02, 1),
+               right_side = Friction::sinusoid(0.53, 0.2, 0.0154, 2.5);
+
+Friction unlike_sides() { return Friction::on_two_supports(left_side, right_side, 1.6); }
+
+// The slow, obvious way: where friction does not hold the fibre at the stage position, the weaker side goes one small step.
+struct SteppedFibre {
+  double k, h;
+  ContactPoints at{0, 0};
+  double q = 0;
+
+  double force_at(double stage) {
+    for (;;) {
+      const double S = 1 + at.left + at.right;
+      const HeldState held = held_at(S, stage, {k}, q);
+      q = held.state.q;
+      const double a = left_side.at(1 + 2 * at.left).mu, b = right_side.at(1 + 2 * at.right).mu;
+      if (held.holding == Holding::held && std::abs(q) <= std::min(a, b)) return held.state.F;
+      const bool inwards = held.holding == Holding::beyond_friction || q > 0;
+      (b < a ? at.right : at.left) += inwards ? h : -h;
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("oracle: loops on two unlike supports, and where they touch, as both contact points walk step by step") {
+  const double k = 40;
+  std::vector<double> stages;
+  const std::vector<double> turns{0.06, 0.32, 0.1, 0.36, 0.06, 0.3};
+  for (std::size_t leg = 1; leg < turns.size(); ++leg)
+    for (int i = 1; i <= 40; ++i) stages.push_back(turns[leg - 1] + (turns[leg] - turns[leg - 1]) * i / 40);
+  const History history = follow_in_steps({unlike_sides(), {k}}, stages);
+  REQUIRE(history.status == HistoryStatus::ok);
+  REQUIRE(history.contacts.size() == stages.size());
+  CHECK(history.snaps.size() > 3);
+  SteppedFibre slow{k, 1e-6};
+  int walked = 0;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    CAPTURE(i);
+    CHECK(history.path[i].F == doctest::Approx(slow.force_at(stages[i])).epsilon(2e-3));
+    CHECK(std::abs(history.contacts[i].left - slow.at.left) < 2e-4);
+    CHECK(1 + history.contacts[i].left + history.contacts[i].right ==
+          doctest::Approx(history.path[i].S).epsilon(1e-14));
+    walked += std::abs(history.contacts[i].left - history.contacts[i].right) > 0.01;
+  }
+  CHECK(walked > 10);  // sideways
+}
+
+TEST_CASE("identity: the energy account closes on two unlike supports, in steps and continuously, cracks and all") {
+  const std::vector<double> turns{0, 0.32, 0.1, 0.36, 0.05, 0.3, 0.02};
+  const std::vector<Crack> cracks{{0.1, 0.1}, {0.14, 0.05}};
+  for (const bool cracked : {false, true}) {
+    const BendingTest test{unlike_sides(), {40}};
+    for (const History& history :
+         {follow_in_steps(test, std::span(turns).subspan(1), cracked ? cracks : std::vector<Crack>{}),
+          follow_continuously(test, turns, 20, cracked ? cracks : std::vector<Crack>{})}) {
+      REQUIRE(history.status == HistoryStatus::ok);
+      CHECK(history.cracks.size() == (cracked ? 2 : 0));
+      CHECK(std::abs(history.energy.imbalance) < 1e-10 * history.energy.stage_work);
+    }
+  }
+}
+
+TEST_CASE("identity: in steps and continuously a fibre on two unlike supports comes to the same state") {
+  const std::vector<double> turns{0, 0.32, 0.1, 0.36, 0.05};
+  const BendingTest test{unlike_sides(), {40}};
+  const History steps = follow_in_steps(test, std::span(turns).subspan(1)), path = follow_continuously(test, turns, 7);
+  CHECK(steps.path.back().F == doctest::Approx(path.path.back().F).epsilon(1e-12));
+  CHECK(steps.contacts.back().left == doctest::Approx(path.contacts.back().left).epsilon(1e-11));
+}
+
+TEST_CASE("limit: a symmetric pair on falling friction goes one-sided, twice as steep in S") {
+  const Friction falling = Friction::waves({.mu0 = 0.6, .drift = -0.3, .terms = {}, .S_reference = 1});
+  const Friction twice = Friction::waves({.mu0 = 0.6, .drift = -0.6, .terms = {}, .S_reference = 1});
+  const std::vector<double> stages{0.1, 0.2, 0.3};
+  const History pair = follow_in_steps({Friction::on_two_supports(falling, falling, 1.6), {40}}, stages);
+  const History one = follow_in_steps({twice, {40}}, stages);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    CHECK(pair.path[i].F == doctest::Approx(one.path[i].F).epsilon(1e-12));
+    CHECK(pair.contacts[i].right == 0);
+  }
+}
+
+TEST_CASE("limit: neither static excess nor overshoot on two unlike supports") {
+  const Friction pair = unlike_sides();
+  CHECK_THROWS_AS(follow_in_steps({{pair, Friction::constant(0.1)}, {40}}, std::vector{0.1}), std::invalid_argument);
+  CHECK_THROWS_AS(follow_in_steps({pair, {40}, SnapRest::overshoot}, std::vector{0.1}), std::invalid_argument);
+}
+
+}  // namespace flexslip
