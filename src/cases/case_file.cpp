@@ -298,36 +298,65 @@ FrictionProfileInput read_profile(FrictionModel model, const Keys& keys, const C
   return wavy;
 }
 
+// Of one support.
 std::vector<std::string> keys_of(FrictionModel model) {
   switch (model) {
     case FrictionModel::constant:
     case FrictionModel::drift:
-      return {"model", "mu0", "drift", "reference", "static_excess"};
+      return {"model", "mu0", "drift", "reference"};
     case FrictionModel::sinusoid:
-      return {"model", "mu0", "amplitude", "wavelength", "phase", "drift", "reference", "static_excess"};
+      return {"model", "mu0", "amplitude", "wavelength", "phase", "drift", "reference"};
     case FrictionModel::sinusoids:
-      return {"model", "mu0", "waves", "drift", "reference", "static_excess"};
+      return {"model", "mu0", "waves", "drift", "reference"};
     case FrictionModel::table:
-      return {"model", "file", "length", "mu", "static_excess"};
+      return {"model", "file", "length", "mu"};
     case FrictionModel::rough:
-      return {"model", "mu0", "rms", "correlation_length", "seed", "static_excess"};
+      return {"model", "mu0", "rms", "correlation_length", "seed"};
     case FrictionModel::roughness:
       return {"model"};
   }
   throw std::invalid_argument("keys_of: no such model");
 }
 
-FrictionInput read_friction(const Keys& keys, const Case& input) {
+// The model, once it is known that there are no keys but those of models, of this one and the further ones.
+FrictionModel read_known_model(const Keys& keys, const std::vector<std::string>& further) {
   std::vector<std::string> all;
-  for (const auto& [name, model] : model_names)
-    for (const std::string& key : keys_of(model))
+  const auto add = [&](const std::vector<std::string>& names) {
+    for (const std::string& key : names)
       if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
+  };
+  for (const auto& [name, model] : model_names) add(keys_of(model));
+  add(further);
   keys.only(all);
-  if (keys.size() == 0) return {};
   const FrictionModel model = read_model(keys);
-  keys.only(keys_of(model));
+  all.clear();
+  add(keys_of(model));
+  if (model != FrictionModel::roughness) add(further);
+  keys.only(all);
+  return model;
+}
+
+OtherSupport read_other(const Keys& keys, const Case& input) {
+  const toml::table* table = keys.need("other").as_table();
+  if (!table)
+    keys.refuse("other", "a section [friction.other], of the other support", kind_of_node(keys.need("other")));
+  if (keys.has("static_excess"))
+    keys.refuse("static_excess", "the same friction at rest, on two supports that are not alike", "an excess",
+                "delete it, or [friction.other]");
+  const Keys side(*table, keys.key("other"), input);
+  const FrictionModel model = read_known_model(side, {});
+  if (model == FrictionModel::roughness)
+    side.refuse("model", "a model to compute with", "'roughness', which is fitted",
+                "write the one to compute with, such as model = \"constant\"");
+  return {model, read_profile(model, side, input)};
+}
+
+FrictionInput read_friction(const Keys& keys, const Case& input) {
+  if (keys.size() == 0) return {};
+  const FrictionModel model = read_known_model(keys, {"static_excess", "other"});
   FrictionInput friction{model, {}};
   if (keys.size() > 1) friction.profile = read_profile(model, keys, input);
+  if (keys.has("other")) friction.other = read_other(keys, input);
   if (keys.has("static_excess")) friction.static_excess = keys.number("static_excess", Range::non_negative);
   return friction;
 }
@@ -622,13 +651,21 @@ void write(Writer& out, const RoughFriction& rough, FrictionModel) {
   out.line("seed", std::to_string(rough.seed));
 }
 
+void write_model(Writer& out, FrictionModel written) {
+  for (const auto& [name, model] : model_names)
+    if (written == model) out.line("model", fmt::format("\"{}\"", name));
+}
+
 void write(Writer& out, const FrictionInput& friction) {
   out.section("friction");
-  for (const auto& [name, model] : model_names)
-    if (friction.model == model) out.line("model", fmt::format("\"{}\"", name));
+  if (friction.model) write_model(out, *friction.model);
   if (friction.profile)
     std::visit([&](const auto& profile) { write(out, profile, *friction.model); }, *friction.profile);
   if (friction.static_excess != 0) out.line("static_excess", plain(friction.static_excess));
+  if (!friction.other) return;
+  out.section("friction.other");
+  write_model(out, friction.other->model);
+  std::visit([&](const auto& profile) { write(out, profile, friction.other->model); }, friction.other->profile);
 }
 
 void write(Writer& out, const TurningPoints& stage) {

@@ -106,11 +106,19 @@ using FrictionProfileInput = std::variant<WavyFriction, TabulatedFriction, Rough
 
 enum class FrictionModel { constant, drift, sinusoid, sinusoids, table, rough, roughness };
 
+// The friction of the other support, where it is not that of the first.
+struct OtherSupport {
+  FrictionModel model;  // with parameters
+  FrictionProfileInput profile;
+  bool operator==(const OtherSupport&) const = default;
+};
+
 // For simulating, a model with its parameters; for fitting, the model to fit.
 struct FrictionInput {
   std::optional<FrictionModel> model;           // none: that which is fitted where nothing is said
   std::optional<FrictionProfileInput> profile;  // there if the file gives parameters
   double static_excess = 0;                     // [1] of the static friction over the kinetic one, the profile
+  std::optional<OtherSupport> other{};          // none: both supports are alike, and both slide at once
   bool operator==(const FrictionInput&) const = default;
 };
 

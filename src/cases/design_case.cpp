@@ -122,7 +122,8 @@ DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(
   const Loading loading = loading_of(input);
   programme_of(input);
   const double travel = scales.reduced_length(loading.travel);
-  const Friction friction = bending_test_of(input, scales, travel).friction.kinetic;
+  bending_test_of(input, scales, travel);
+  const SupportFrictions supports = frictions_of(input, scales, longest_at_stage(travel));
 
   add(DesignParameter::travel, loading.travel);
   add(DesignParameter::step, loading.step);
@@ -139,8 +140,9 @@ DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(
       }
     }
   }
-  if (const auto* wavy = std::get_if<WavyFriction>(&*input.friction->profile)) {
-    profile_ = *wavy;
+  profile_ = profile_of(*input.friction->profile, supports.first);
+  if (supports.other) other_ = profile_of(input.friction->other->profile, *supports.other);
+  if (const auto* wavy = std::get_if<WavyFriction>(&profile_)) {
     add(DesignParameter::mu0, wavy->mu0);
     if (wavy->reference) add(DesignParameter::reference, *wavy->reference);
     if (wavy->waves.size() == 1) {
@@ -148,11 +150,25 @@ DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(
       add(DesignParameter::wavelength, wavy->waves.front().wavelength);
       add(DesignParameter::phase, wavy->waves.front().phase);
     }
-  } else if (const auto* rough = std::get_if<RoughFriction>(&*input.friction->profile)) {
-    profile_ = *rough;
-  } else {
-    profile_ = std::get<FrictionTable>(friction.form());
   }
+}
+
+DesignCase::Profile DesignCase::profile_of(const FrictionProfileInput& input, const Friction& friction) {
+  if (const auto* wavy = std::get_if<WavyFriction>(&input)) return *wavy;
+  if (const auto* rough = std::get_if<RoughFriction>(&input)) return *rough;
+  return std::get<FrictionTable>(friction.form());
+}
+
+DesignCase::Profile DesignCase::varied_profile() const {
+  const auto* wavy = std::get_if<WavyFriction>(&profile_);
+  if (!wavy) return profile_;
+  WavyFriction varied = *wavy;
+  varied.mu0 = at(DesignParameter::mu0).number;
+  if (has(DesignParameter::reference)) varied.reference = at(DesignParameter::reference).number;
+  if (has(DesignParameter::wavelength))
+    varied.waves.front() = {at(DesignParameter::amplitude).number, at(DesignParameter::wavelength).number,
+                            at(DesignParameter::phase).number};
+  return varied;
 }
 
 bool DesignCase::has(DesignParameter parameter) const { return at(parameter).exists; }
@@ -248,55 +264,48 @@ std::optional<DesignRefusal> DesignCase::fault_of_loading(const Scales& scales) 
   return std::nullopt;
 }
 
-std::optional<DesignRefusal> DesignCase::fault_of_roughness(const Scales& scales, double S_max) const {
-  if (const auto* table = std::get_if<FrictionTable>(&profile_)) {
+std::optional<DesignRefusal> DesignCase::fault_of_roughness(const Profile& profile, const Scales& scales,
+                                                            double S_max) const {
+  if (const auto* table = std::get_if<FrictionTable>(&profile)) {
     const double S_last = table->S.back() * (span_ / scales.span());
     if (S_last > 1 && std::isfinite(S_last)) return std::nullopt;
     return refusal(DesignFault::impossible, DesignParameter::span,
                    "a span that is less than the last length of the friction table");
   }
-  if (const auto* rough = std::get_if<RoughFriction>(&profile_)) {
+  if (const auto* rough = std::get_if<RoughFriction>(&profile)) {
     if ((S_max - 1) / scales.reduced_length(rough->correlation_length) <= most_correlations) return std::nullopt;
     return refusal(DesignFault::not_computable, DesignParameter::travel,
                    fmt::format("at most {:.1e} correlation lengths along the specimen", most_correlations));
   }
-  if (has(DesignParameter::reference))
-    if (auto fault = misplaced(*input_, at(DesignParameter::reference).number, scales))
+  const auto& wavy = std::get<WavyFriction>(profile);
+  if (wavy.reference)
+    if (auto fault = misplaced(*input_, *wavy.reference, scales))
       return DesignRefusal{DesignFault::impossible, InputError(*std::move(fault))};
-  const auto is_fine = [&](double wavelength) {
-    const double period = 2 * scales.reduced_length(wavelength);
+  const auto is_fine = [&](const WaveInput& wave) {
+    const double period = 2 * scales.reduced_length(wave.wavelength);
     return std::isfinite(period) && period >= finest_period && (S_max - 1) / period <= most_periods;
   };
-  const auto& waves = std::get<WavyFriction>(profile_).waves;
-  const bool can_be_traced =
-      has(DesignParameter::wavelength)
-          ? is_fine(at(DesignParameter::wavelength).number)
-          : std::all_of(waves.begin(), waves.end(), [&](const WaveInput& wave) { return is_fine(wave.wavelength); });
-  if (can_be_traced) return std::nullopt;
+  if (std::all_of(wavy.waves.begin(), wavy.waves.end(), is_fine)) return std::nullopt;
   return refusal(DesignFault::not_computable, DesignParameter::wavelength,
                  fmt::format("at most {:.0e} periods along the specimen", most_periods));
 }
 
 // Once its roughness is without fault.
-Friction DesignCase::friction(const Scales& scales, double S_max) const {
-  if (const auto* table = std::get_if<FrictionTable>(&profile_)) {
+Friction DesignCase::friction(const Profile& profile, const Scales& scales, double S_max) const {
+  if (const auto* table = std::get_if<FrictionTable>(&profile)) {
     FrictionTable scaled = *table;
     for (double& S : scaled.S) S *= span_ / scales.span();
     return Friction::table(std::move(scaled));
   }
-  if (const auto* rough = std::get_if<RoughFriction>(&profile_))
+  if (const auto* rough = std::get_if<RoughFriction>(&profile))
     return Friction::rough(rough->mu0, rough->rms, scales.reduced_length(rough->correlation_length), rough->seed,
                            S_max);
-  const auto& wavy = std::get<WavyFriction>(profile_);
-  FrictionWaves waves{at(DesignParameter::mu0).number, wavy.drift * scales.span(), {}};
-  if (has(DesignParameter::reference)) waves.S_reference = scales.reduced_length(at(DesignParameter::reference).number);
+  const auto& wavy = std::get<WavyFriction>(profile);
+  FrictionWaves waves{wavy.mu0, wavy.drift * scales.span(), {}};
+  if (wavy.reference) waves.S_reference = scales.reduced_length(*wavy.reference);
   waves.terms.reserve(wavy.waves.size());
   for (const WaveInput& wave : wavy.waves)
     waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
-  if (has(DesignParameter::wavelength))
-    waves.terms.front() = {at(DesignParameter::amplitude).number,
-                           scales.reduced_length(at(DesignParameter::wavelength).number),
-                           at(DesignParameter::phase).number};
   return Friction::waves(std::move(waves));
 }
 
@@ -309,10 +318,24 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
   if (auto fault = fault_of_loading(*units)) return *std::move(fault);
   const double travel = units->reduced_length(at(DesignParameter::travel).number);
   const double S_max = longest_at_stage(travel);
-  if (auto fault = fault_of_roughness(*units, S_max)) return *std::move(fault);
-  Friction along = friction(*units, S_max);
-  if (auto fault = uncovered(*input_, along, *units, S_max))
-    return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
+  const double reach = one_sided_reach(*input_, S_max);
+  const auto of_support = [&](const Profile& profile,
+                              const FrictionProfileInput& input) -> std::variant<Friction, DesignRefusal> {
+    if (auto fault = fault_of_roughness(profile, *units, reach)) return *std::move(fault);
+    Friction along = friction(profile, *units, reach);
+    if (auto fault = uncovered(*input_, input, along, *units, reach))
+      return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
+    return along;
+  };
+  auto first = of_support(varied_profile(), *input_->friction->profile);
+  if (auto* refused = std::get_if<DesignRefusal>(&first)) return std::move(*refused);
+  SupportFrictions supports{std::get<Friction>(std::move(first)), std::nullopt};
+  if (other_) {
+    auto other = of_support(*other_, input_->friction->other->profile);
+    if (auto* refused = std::get_if<DesignRefusal>(&other)) return std::move(*refused);
+    supports.other = std::get<Friction>(std::move(other));
+  }
+  Friction along = together(std::move(supports), S_max);
   PlannedDesign planned{{std::move(along),
                          {units->reduced_stiffness(at(DesignParameter::stiffness).number)},
                          travel,

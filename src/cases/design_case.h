@@ -119,8 +119,10 @@ class DesignCase {
   std::optional<Scales> scales() const;
   std::optional<DesignRefusal> fault_of_specimen() const;
   std::optional<DesignRefusal> fault_of_loading(const Scales& scales) const;
-  std::optional<DesignRefusal> fault_of_roughness(const Scales& scales, double S_max) const;
-  Friction friction(const Scales& scales, double S_max) const;
+  static Profile profile_of(const FrictionProfileInput& input, const Friction& friction);
+  Profile varied_profile() const;
+  std::optional<DesignRefusal> fault_of_roughness(const Profile& profile, const Scales& scales, double S_max) const;
+  Friction friction(const Profile& profile, const Scales& scales, double S_max) const;
   DesignRefusal refusal(DesignFault fault, DesignParameter parameter, std::string expected) const;
 
   std::shared_ptr<const Case> input_;  // what does not vary
@@ -128,6 +130,7 @@ class DesignCase {
   double span_;                   // [m] as it was read
   double bending_stiffness_ = 0;  // [N m^2] likewise
   Profile profile_;               // the numbers that vary are in values_
+  std::optional<Profile> other_;  // of the other support, which does not vary
 };
 
 }  // namespace flexslip

@@ -53,30 +53,38 @@ void require_slender(const Case& input) {
       "beam theory does not hold for a thicker specimen: check the units of both, or take flexslip modulus");
 }
 
-// A fault of a key of [friction], with its place.
-InputError in_friction(const Case& input, const InputFault& fault) {
-  return wrong_value(input, "friction." + fault.field, fault.expected, fault.found, fault.remedy);
-}
+// Where a friction stands in a case.
+struct Place {
+  const Case& input;
+  std::string section;  // "friction" or "friction.other"
 
-Friction friction_from(const Case& input, const WavyFriction& wavy, const Scales& scales, double S_max) {
+  InputError fault(const InputFault& of) const {
+    return wrong_value(input, section + "." + of.field, of.expected, of.found, of.remedy);
+  }
+};
+
+Friction friction_from(const Place& place, const WavyFriction& wavy, const Scales& scales, double S_max) {
+  const Case& input = place.input;
   FrictionWaves waves{wavy.mu0, wavy.drift * scales.span(), {}};
   if (wavy.reference) {
-    if (const auto fault = misplaced(input, *wavy.reference, scales)) throw in_friction(input, *fault);
+    if (const auto fault = misplaced(input, *wavy.reference, scales)) throw place.fault(*fault);
     waves.S_reference = scales.reduced_length(*wavy.reference);
   }
   for (std::size_t i = 0; i < wavy.waves.size(); ++i) {
     const WaveInput& wave = wavy.waves[i];
     waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
     if ((S_max - 1) / (2 * waves.terms.back().wavelength) <= most_periods) continue;
-    const bool is_sum = input.friction->model == FrictionModel::sinusoids;
-    throw wrong_value(input, is_sum ? fmt::format("friction.waves[{}].wavelength", i + 1) : "friction.wavelength",
-                      fmt::format("at most {:.0e} periods along the specimen", most_periods),
-                      readable_length(input, wave.wavelength), "check its unit");
+    const bool is_sum = input.lines.contains(place.section + ".waves");
+    throw place.fault({.field = is_sum ? fmt::format("waves[{}].wavelength", i + 1) : "wavelength",
+                       .expected = fmt::format("at most {:.0e} periods along the specimen", most_periods),
+                       .found = readable_length(input, wave.wavelength),
+                       .remedy = "check its unit"});
   }
   return Friction::waves(std::move(waves));
 }
 
-Friction friction_from(const Case& input, const TabulatedFriction& tabulated, const Scales& scales, double) {
+Friction friction_from(const Place& place, const TabulatedFriction& tabulated, const Scales& scales, double) {
+  const Case& input = place.input;
   const Table table =
       read_table(tabulated.file, {{tabulated.length, kind_in(input, kind::length)}, {tabulated.mu, kind::number}});
   const auto refuse = [&](std::size_t row, std::size_t column, std::string expected, double found, const Kind& kind) {
@@ -105,12 +113,13 @@ Friction friction_from(const Case& input, const TabulatedFriction& tabulated, co
   return Friction::table(std::move(friction));
 }
 
-Friction friction_from(const Case& input, const RoughFriction& rough, const Scales& scales, double S_max) {
+Friction friction_from(const Place& place, const RoughFriction& rough, const Scales& scales, double S_max) {
   const double correlation_length = scales.reduced_length(rough.correlation_length);
   if (!((S_max - 1) / correlation_length <= most_correlations))
-    throw wrong_value(input, "friction.correlation_length",
-                      fmt::format("at least {:.0e} of the length drawn in", 1 / most_correlations),
-                      readable_length(input, rough.correlation_length), "check its unit");
+    throw place.fault({.field = "correlation_length",
+                       .expected = fmt::format("at least {:.0e} of the length drawn in", 1 / most_correlations),
+                       .found = readable_length(place.input, rough.correlation_length),
+                       .remedy = "check its unit"});
   return Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
 }
 
@@ -253,13 +262,14 @@ std::optional<InputFault> misplaced(const Case& input, double reference, const S
                     .remedy = "check its unit"};
 }
 
-std::optional<InputFault> uncovered(const Case& input, const Friction& kinetic, const Scales& scales, double S_max) {
+std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
+                                    const Scales& scales, double S_max) {
   const double most = kinetic.most_up_to(S_max);
   if (most <= largest_q) return std::nullopt;
   InputFault fault{.expected = fmt::format("friction of at most {:g}", largest_q), .found = fmt::format("{:g}", most)};
   const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
   if (!waves) {
-    const bool is_rough = std::holds_alternative<RoughFriction>(*input.friction->profile);
+    const bool is_rough = std::holds_alternative<RoughFriction>(profile);
     fault.field = is_rough ? "mu0" : "file";
     fault.expected += is_rough ? ", its roughness included" : "";
     fault.remedy = is_rough ? "write a smaller mu0 or rms" : "check the column of friction";
@@ -283,7 +293,7 @@ std::optional<InputFault> uncovered(const Case& input, const Friction& kinetic, 
   return fault;
 }
 
-Friction friction_of(const Case& input, const Scales& scales, double S_max) {
+SupportFrictions frictions_of(const Case& input, const Scales& scales, double S_max) {
   if (!input.friction) throw missing(input, "friction");
   if (!input.friction->model) throw missing(input, "friction.model");
   if (input.friction->model == FrictionModel::roughness)
@@ -291,10 +301,29 @@ Friction friction_of(const Case& input, const Scales& scales, double S_max) {
                       "write the one to compute with, such as model = \"constant\", or \"rough\" with its parameters");
   if (!input.friction->profile)
     throw missing(input, input.friction->model == FrictionModel::table ? "friction.file" : "friction.mu0");
-  Friction friction = std::visit([&](const auto& profile) { return friction_from(input, profile, scales, S_max); },
-                                 *input.friction->profile);
-  if (const auto fault = uncovered(input, friction, scales, S_max)) throw in_friction(input, *fault);
-  return friction;
+  const double reach = one_sided_reach(input, S_max);
+  const auto of_support = [&](const Place& place, const FrictionProfileInput& profile) {
+    Friction friction =
+        std::visit([&](const auto& form) { return friction_from(place, form, scales, reach); }, profile);
+    if (const auto fault = uncovered(input, profile, friction, scales, reach)) throw place.fault(*fault);
+    return friction;
+  };
+  SupportFrictions supports{of_support({input, "friction"}, *input.friction->profile), std::nullopt};
+  if (const auto& other = input.friction->other) supports.other = of_support({input, "friction.other"}, other->profile);
+  return supports;
+}
+
+Friction together(SupportFrictions supports, double S_max) {
+  if (!supports.other) return std::move(supports.first);
+  return Friction::on_two_supports(std::move(supports.first), *std::move(supports.other), S_max);
+}
+
+Friction friction_of(const Case& input, const Scales& scales, double S_max) {
+  return together(frictions_of(input, scales, S_max), S_max);
+}
+
+double one_sided_reach(const Case& input, double S_max) {
+  return input.friction && input.friction->other ? 1 + 2 * (S_max - 1) : S_max;
 }
 
 StageProgramme programme_of(const Case& input) {
@@ -315,6 +344,10 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
   if (excess > 0 && most > largest_q)
     throw wrong_value(input, "friction.static_excess", fmt::format("static friction of at most {:g}", largest_q),
                       fmt::format("{:g}, which brings it to {:g}", excess, most), "write a smaller one");
+  if (kinetic.walk() && input.stage && input.stage->snaps == SnapRest::overshoot)
+    throw wrong_value(input, "stage.snaps",
+                      "snaps that rest at the nearest stable state, on two supports that are not alike",
+                      "\"overshoot\"", "delete it, or [friction.other]");
   return {{std::move(kinetic), Friction::constant(excess)},
           rig,
           input.stage ? input.stage->snaps : SnapRest::nearest_stable};

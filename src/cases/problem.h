@@ -69,11 +69,30 @@ Rig rig_of(const Case& input, const Scales& scales);
 // The field of this fault and of the next is the key of [friction] that brings it about; they have neither file nor line.
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales);
 
-// What the mechanics does not cover of a kinetic friction at lengths up to S_max [L]: more than largest_q. None if it covers all.
-std::optional<InputFault> uncovered(const Case& input, const Friction& kinetic, const Scales& scales, double S_max);
+// What the mechanics does not cover of the friction of a support, and the profile it was made from, at lengths up to S_max [L]: more than
+// largest_q. None if it covers all.
+std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
+                                    const Scales& scales, double S_max);
 
-// The kinetic friction of a case for lengths up to S_max [L]; a table is read from its file.
+// The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: of two supports that are not alike
+// one may slide alone.
+double one_sided_reach(const Case& input, double S_max);
+
+// The friction of each support.
+struct SupportFrictions {
+  Friction first;
+  std::optional<Friction> other;  // where it is not that of the first
+};
+
+// Of each support for lengths up to S_max [L] of the specimen; a table is read from its file.
 // Fails:      InputError if the case has none, several models, one without parameters, or one that is not covered.
+SupportFrictions frictions_of(const Case& input, const Scales& scales, double S_max);
+
+// Of both together: on supports that are not alike, that of the way on which the specimen is drawn in (contact/two_supports.h).
+Friction together(SupportFrictions supports, double S_max);
+
+// The kinetic friction of a case for lengths up to S_max [L], of both supports together.
+// Fails:      as frictions_of.
 Friction friction_of(const Case& input, const Scales& scales, double S_max);
 
 // What the stage is to do.

@@ -55,6 +55,7 @@ struct SimulatedTest {
   std::vector<double> stage, deflection, force, length, friction;
   std::vector<double> strain, stress;  // of the surface at midspan; empty without a section
   std::vector<std::string_view> motion;
+  std::vector<double> left, right;  // drawn in over each support; empty where both are alike
   std::vector<double> stage_work, bending, load_train, friction_heat, snaps, cracks;  // from the start of the test
 };
 
@@ -71,6 +72,10 @@ SimulatedTest physical_path(const History& history, const Scales& scales, const 
     const double curvature = curvature_at_midspan(fibre_state(point.S, point.q));
     test.strain.push_back(surface->strain(curvature));
     test.stress.push_back(surface->stress(curvature) * point.left);
+  }
+  for (const auto& [left, right] : history.contacts) {
+    test.left.push_back(scales.physical_length(left));
+    test.right.push_back(scales.physical_length(right));
   }
   for (const EnergyAccount& account : history.energy_at) {
     test.stage_work.push_back(scales.physical_energy(account.stage_work));
@@ -179,6 +184,10 @@ std::vector<OutputColumn> columns_of(const SimulatedTest& test, const SimulateRe
   if (!test.strain.empty()) {
     columns.push_back({"strain", test.strain});
     columns.push_back({title("stress", "stress", "Pa"), test.stress});
+  }
+  if (!test.left.empty()) {
+    columns.push_back({title("left", "left", "m"), test.left});
+    columns.push_back({title("right", "right", "m"), test.right});
   }
   if (!request.energies) return columns;
   for (const auto& [name, values] :
@@ -300,7 +309,8 @@ void add_simulate_command(CLI::App& app) {
   command->footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction\n"
       "and how the specimen moved there (stick, slip_in, slip_out, snap, crack); in SI, or reduced if the case is.\n"
-      "Of a specimen whose section is known also strain and stress, of bending, at its surface at midspan.\n"
+      "Of a specimen whose section is known also strain and stress, of bending, at its surface at midspan; on two\n"
+      "supports that are not alike also left and right, what is drawn in over the first and over the other.\n"
       "--energies adds stage_work, bending, load_train, friction, snaps and cracks, from the start. With --json\n"
       "also snaps and cracks, the energies of each loading and unloading, and the energy account. The output is a "
       "record that\n"

@@ -76,6 +76,10 @@ enum class FrictionFitStatus {
   not_explained,  // fewer than 20 of them are such as friction between 0 and 2 gives, or the fibre passes nothing: nothing else is valid
 };
 
+// A record tells how much of the fibre lies between the supports, and lengths along it as if it slid over both at once. Where it slides over one
+// at a time they are up to so many times as long (theory.md, "Two supports").
+inline constexpr double one_side_at_a_time = 2;
+
 struct FrictionFit {
   FrictionFitStatus status;
   ProfileModel model;

@@ -70,6 +70,16 @@ Json wave_json(const FrictionFit& fit, const Units& units) {
   return out;
 }
 
+// The lengths along the specimen if it slid over one support at a time; null where the model has none.
+Json one_sided_json(const FrictionFit& fit, const Units& units) {
+  const bool has_wave = fit.wave_claimed && !fit.waves.empty(), is_rough = fit.model == ProfileModel::roughness;
+  const auto length = [&](bool is_there, double of_both) {
+    return is_there ? Json(units.length(one_side_at_a_time * of_both)) : Json();
+  };
+  return {{"wavelength", length(has_wave, has_wave ? fit.waves.front().wavelength.value : 0)},
+          {"correlation_length", length(is_rough, fit.length.value)}};
+}
+
 Json explanations_json(const FrictionFit& fit, const Units& units) {
   Json out = Json::array();
   for (const auto& each : fit.explanations) {
@@ -388,6 +398,7 @@ Json fit_json(const FittedTest& test) {
               {"residual_rms", fitted ? Json(units.force(fit.residual_rms)) : Json()},
               {"checks", checks_json(analysis.checks, units)}};
   out["wave"] = fitted ? wave_json(fit, units) : Json();
+  out["one_side_at_a_time"] = fitted ? one_sided_json(fit, units) : Json();
   out["explanations"] = explanations_json(fit, units);
   out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
   out["judgement"] = judgement_json(test);

@@ -649,6 +649,26 @@ std::string wave_in_words(const FittedTest& test) {
       evidence, wavelength, amplitude);
 }
 
+std::string sides_in_words(const FittedTest& test) {
+  const auto& fit = test.analysis.fit;
+  const Print print(test);
+  std::string twice;
+  const auto add = [&](std::string_view name, const ParameterEstimate& length) {
+    twice +=
+        fmt::format("{}a {} of {}", twice.empty() ? "" : ", ", name, print.length(one_side_at_a_time * length.value));
+  };
+  if (fit.wave_claimed)
+    for (const auto& wave : fit.waves) add("wavelength", wave.wavelength);
+  const bool is_rough = fit.model == ProfileModel::roughness && !(weight_without_roughness(fit) > 0.5);
+  if (is_rough) add("correlation length", fit.length);
+  if (twice.empty()) return "";
+  return fmt::format(
+      "These lengths hold if the specimen slides over both supports at once. If it slides over one at a time, as it "
+      "does where the supports are not alike or friction falls, they are up to twice as long: {}. Force and stage "
+      "do not tell which; images of both supports do, or the same specimen turned round.",
+      twice);
+}
+
 std::vector<std::string> checks_in_words(const FittedTest& test) {
   std::vector<std::string> all;
   for (const auto& check : test.analysis.checks) all.push_back(check_in_words(test, check));

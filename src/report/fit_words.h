@@ -40,6 +40,8 @@ std::string model_in_words(ProfileModel model);
 // Sentences, each complete in itself.
 std::string friction_in_words(const FittedTest& test);  // of the specimen as tested: its mean, and how it varies
 std::string wave_in_words(const FittedTest& test);      // whether friction repeats along the specimen
+std::string sides_in_words(
+    const FittedTest& test);  // what its lengths are if one side slides at a time; "" without any
 std::vector<std::string> checks_in_words(const FittedTest& test);  // those that failed begin with "Failed"
 std::string friction_in_literature(const FittedTest& test);
 

@@ -442,7 +442,7 @@ Figure loops_figure(const FrictionLaw& law, const History& history, std::span<co
        keyentry with lines lw 1.5 lc rgb blue title 'Loading', \
        keyentry with lines lw 1.5 lc rgb vermillion title 'Unloading', \
        keyentry with lines lw 1 dt (3,2) lc rgb 'black' title 'Sticking', \
-       {}keyentry with lines lw 2.2 lc rgb '#CFCFCF' title 'q = ±μ'
+       {}keyentry with lines lw 2.2 lc rgb '#CFCFCF' title '{}'
   unset key
   set lmargin at screen 0.58; set rmargin at screen 0.985
   set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]; set xtics {:.6g}
@@ -454,8 +454,8 @@ Figure loops_figure(const FrictionLaw& law, const History& history, std::span<co
       history.snaps.empty() && history.cracks.empty()
           ? ""
           : fmt::format("keyentry with lines lw 0.9 dt (7,4) lc rgb 'black' title '{}', ", title_of_snaps(history)),
-      axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range, q_range, tick_within(axes.x(0.3 * (S_max - 1))),
-      axes.length(), panel_script("B", "3:4", "friction"));
+      friction.walk() ? "q = ±μ drawn in first" : "q = ±μ", axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range,
+      q_range, tick_within(axes.x(0.3 * (S_max - 1))), axes.length(), panel_script("B", "3:4", "friction"));
   return {
       .name = "measured",
       .title = "What the test measures",

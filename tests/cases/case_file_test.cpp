@@ -116,6 +116,12 @@ TEST_CASE("table: the friction that can be described") {
         FrictionInput{{FrictionModel::sinusoids}, WavyFriction{0.5, 200, {{0.1, 1e-6, 0}}, 1.4e-3}});
   CHECK(friction("model = 'sinusoid'\nmu0 = 1\namplitude = 0\nwavelength = '1 um'\nphase = '90 deg'") ==
         FrictionInput{{FrictionModel::sinusoid}, WavyFriction{1, 0, {{0, 1e-6, std::numbers::pi / 2}}}});
+  const FrictionInput unlike{{FrictionModel::constant},
+                             WavyFriction{0.5, 0, {}},
+                             0,
+                             OtherSupport{FrictionModel::sinusoid, WavyFriction{0.4, 0, {{0.1, 1e-6, 2}}}}};
+  CHECK(friction("model = 'constant'\nmu0 = 0.5\n[friction.other]\nmodel = 'sinusoid'\nmu0 = 0.4\namplitude = 0.1\n"
+                 "wavelength = '1 um'\nphase = 2") == unlike);
   const FrictionInput two{{FrictionModel::sinusoids}, WavyFriction{0.5, 0, {{0.1, 1e-6, 2}, {0.2, 3e-6, 0}}}};
   CHECK(friction("model = 'sinusoids'\nmu0 = 0.5\nwaves = [{ amplitude = 0.1, wavelength = '1 um', phase = 2 }, "
                  "{ amplitude = 0.2, wavelength = '3 um' }]") == two);
@@ -310,9 +316,9 @@ TEST_CASE("table: an unknown key or section is refused with the nearest known") 
   CHECK(has(complaint_with("[friction]", "[frictoin]"), "did you mean 'friction'?"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), ":8: [friction] model: expected one of the models"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), "did you mean 'sinusoid'?"));
-  CHECK(
-      has(complaint_with("\"sinusoid\"", "\"constant\""),
-          ": expected one of the keys 'model', 'mu0', 'drift', 'reference' and 'static_excess', found an unknown key"));
+  CHECK(has(complaint_with("\"sinusoid\"", "\"constant\""),
+            ": expected one of the keys 'model', 'mu0', 'drift', 'reference', 'static_excess' and 'other', found an "
+            "unknown key"));
   CHECK(has(complaint_with("uncertainty", "sd"), ":3: [specimen] modulus.sd: expected one of the keys"));
   CHECK(has(complaint_with("model", "modle"), "did you mean 'model'?"));
   CHECK(has(complaint_with("force", "forse"), ":19: [record] forse: expected one of the keys"));

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """outside: stage programmes of every kind, static friction, energies of legs, and the programmes that are refused."""
 import json
+import math
 import shutil
 import unittest
 
@@ -272,6 +273,77 @@ class BadProgrammes(InFolder):
     def test_a_rig_too_soft_to_bend_the_specimen(self):
         case = self.file("case.toml", CONSTANT.replace("= 30", "= 1e-9") + LOOP)
         self.refused("simulate", case, says=["case.toml:3", "[rig] stiffness", "bends the specimen"])
+
+
+OTHER = '[friction.other]\nmodel = "sinusoid"\nmu0 = 0.52\namplitude = 0.25\nwavelength = 0.0154\nphase = 2.5\n'
+
+
+class TwoSupports(InFolder):
+    def simulated(self, friction, stage, *options):
+        return self.json("simulate", self.file("case.toml", friction + stage), *options)
+
+    def test_identity_what_is_drawn_in_over_both_is_the_length(self):
+        path = self.simulated(WAVY + OTHER, LOOP)["path"]
+        for point in path:
+            self.assertAlmostEqual(1 + point["left"] + point["right"], point["length"], delta=1e-13)
+        self.assertGreater(max(abs(point["left"] - point["right"]) for point in path), 0.01)
+
+    def test_identity_the_energies_close(self):
+        energy = self.simulated(WAVY + OTHER, LOOP)["energy"]
+        parts = sum(energy[name] for name in ("bending", "load_train", "friction", "snaps", "cracks"))
+        self.assertAlmostEqual(energy["stage_work"], parts, delta=1e-10)
+
+    def test_limit_two_rising_supports_that_are_alike_are_as_one(self):
+        rising = RIG + '[friction]\nmodel = "constant"\nmu0 = 0.3\ndrift = 0.5\n'
+        other = '[friction.other]\nmodel = "constant"\nmu0 = 0.3\ndrift = 0.5\n'
+        once = "[stage]\nprogram = [0, 0.4]\nstep = 0.02\n"
+        one, two = self.simulated(rising, once)["path"], self.simulated(rising + other, once)["path"]
+        for a, b in zip(one, two):
+            self.assertAlmostEqual(a["force"], b["force"], delta=1e-11)
+            self.assertAlmostEqual(b["left"], b["right"], delta=1e-10)
+
+    def test_limit_a_support_that_never_lets_go_leaves_the_other_twice_as_steep(self):
+        half = WAVY.replace("wavelength = 0.02", "wavelength = 0.01")
+        never = '[friction.other]\nmodel = "constant"\nmu0 = 5\n'
+        # phase: cos(π S/λ + φ) at S = 1 is that of half the wavelength with φ + π/λ less
+        once = "[stage]\nprogram = [0, 0.4]\nstep = 0.02\n"
+        one = self.simulated(half + "phase = 0\n", once)["path"]
+        two = self.simulated(WAVY + f"phase = {numbers_of_turn()}\n" + never, once)["path"]
+        for a, b in zip(one, two):
+            self.assertAlmostEqual(a["force"], b["force"], delta=1e-9)
+            self.assertEqual(b["right"], 0)
+
+    def test_design_sweep_and_equilibrium_take_the_weaker_side(self):
+        once = "[stage]\nprogram = [0, 0.5]\nstep = 0.005\n"
+        case = self.file("two.toml", WAVY + OTHER + once)
+        snaps = self.json("simulate", self.file("path.toml", WAVY + OTHER + "[stage]\nprogram = [0, 0.5]\n"))["snaps"]
+        design = self.json("design", case)
+        self.assertEqual(design["snaps"], len(snaps))
+        path = self.json("simulate", case)["path"]
+        curve = self.json("equilibrium", case, "--points", "4001")["curve"]
+        for point in path[20:]:
+            nearest = min(curve, key=lambda on_curve: abs(on_curve["length"] - point["length"]))
+            self.assertAlmostEqual(nearest["mu"], point["q"], delta=0.02)
+
+    def test_refused(self):
+        for friction, stage, says in (
+            (WAVY + "static_excess = 0.1\n" + OTHER, LOOP, ["[friction] static_excess", "not alike"]),
+            (WAVY + OTHER, LOOP + 'snaps = "overshoot"\n', ["[stage] snaps", "not alike"]),
+            (WAVY + OTHER.replace("0.52", "20"), LOOP, ["[friction] other.mu0", "at most 20"]),
+            (WAVY + OTHER.replace("0.0154", "1e-9"), LOOP, ["[friction] other.wavelength", "periods"]),
+            (WAVY + OTHER + "static_excess = 0.1\n", LOOP, ["other.static_excess", "unknown key"]),
+            (WAVY + "other = 1\n", LOOP, ["[friction] other", "[friction.other]", "the number 1"]),
+            (WAVY + "[friction.other]\n", LOOP, ["[friction] other.model", "nothing"]),
+            (WAVY + '[friction.other]\nmodel = "roughness"\n', LOOP, ["other.model", "which is fitted"]),
+            (WAVY + OTHER.replace("other", "othr"), LOOP, ["did you mean 'other'?"]),
+        ):
+            with self.subTest(says=says):
+                self.refused("simulate", self.file("case.toml", friction + stage), says=says)
+
+
+def numbers_of_turn():
+    """The phase at which cos(π S/0.02 + φ), gone twice as fast from S = 1 on, is cos(π S/0.01)."""
+    return math.pi / 0.01 - math.pi / 0.02
 
 
 if __name__ == "__main__":
