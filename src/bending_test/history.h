@@ -31,8 +31,8 @@ struct CrackOpened {
 enum class HistoryStatus {
   ok,
   slipped_through,  // a stage position exceeds every equilibrium: the fibre slips through the supports
-  contact_lost,  // the force fell to zero before the stage was back: the wedge lifts off. In both cases the path holds the
-                 // points before, and the account all that happened up to the end
+  contact_lost,  // a snap let the fibre out until no force was left. In both cases the path holds the points before, and the account all
+  // that happened up to the end
 };
 
 struct History {

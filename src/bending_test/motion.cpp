@@ -145,6 +145,7 @@ std::optional<Stretch> MovingFibre::advance_towards(double stage) {
                                 std::to_string(farthest_));
   if (end_ != MotionEnd::none || stage == state_.stage) return std::nullopt;
   const Sliding sliding = stage > state_.stage ? Sliding::in : Sliding::out;
+  if (is_free() && (sliding == Sliding::out || state_.stage < state_.w)) return move_apart(stage);
   if (glide_ && glide_->sliding != sliding) glide_.reset();
   if (glide_) return slide(sliding, stage);
   const double limit = direction_of(sliding) * static_friction(test_.friction, state_.S);
@@ -160,10 +161,16 @@ std::optional<Stretch> MovingFibre::stick(Sliding sliding, double limit, double 
   if (last.status == FibreStatus::ok && direction_of(sliding) * (stage - last_stage) >= 0)
     return move_to({last_stage, last.w, last.F, S, limit, Motion::stick});
   const auto [holding, held] = held_at(S, stage, test_.rig, state_.q);
-  const bool in_contact = holding != Holding::no_contact;
-  if (!in_contact) end_ = MotionEnd::contact_lost;
-  const double held_stage = in_contact ? stage : held.w + held.F / test_.rig.stiffness;
-  return move_to({held_stage, held.w, held.F, S, held.q, Motion::stick});
+  if (holding == Holding::no_contact) return move_to({held.w, held.w, 0, S, held.q, Motion::stick});
+  return move_to({stage, held.w, held.F, S, held.q, Motion::stick});
+}
+
+// The nose alone, no farther than to the fibre.
+Stretch MovingFibre::move_apart(double stage) {
+  PathPoint point = state_;
+  point.stage = std::min(stage, state_.w);
+  point.motion = Motion::apart;
+  return move_to(point);
 }
 
 std::optional<Stretch> MovingFibre::slide(Sliding sliding, double stage) {
@@ -189,7 +196,13 @@ std::optional<Stretch> MovingFibre::slide(Sliding sliding, double stage) {
     glide_.reset();
   }
   here_ = to;
-  return move_to(path_point(to, slip(sliding)));
+  PathPoint point = path_point(to, slip(sliding));
+  const bool is_without_force = curve.end_reason == CurveEnd::branch_ended && to.S == curve.end.S;
+  if (is_without_force && sliding == Sliding::out) {
+    point.F = 0;
+    point.stage = point.w;
+  }
+  return move_to(point);
 }
 
 std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
@@ -243,6 +256,7 @@ std::optional<Stretch> MovingFibre::lose(Sliding sliding) {
 }
 
 StretchWork MovingFibre::work_between(const PathPoint& from, const PathPoint& to) {
+  if (to.motion == Motion::apart) return {0, 0, 0};
   if (to.motion == Motion::stick) return {work_of_stick(from.S, from.q, to.q, test_.rig), 0, 0};
   const SlidingWork work = (to.motion == Motion::slip_in ? table_in_ : table_out_).work(from.S, to.S);
   return {work.stage, work.friction, 0};
@@ -287,7 +301,9 @@ std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
   PathPoint last = from;
   for (int i = 1; i < n; ++i) {
     PathPoint next = to;
-    if (i < n - 1) {
+    if (motion == Motion::apart) {
+      next.stage = i < n - 1 ? from.stage + (to.stage - from.stage) * i / (n - 1) : to.stage;
+    } else if (i < n - 1) {
       const FibreState state = state_within(motion, from.S, low + (high - low) * i / (n - 1));
       next = {state.w + state.F / test_.rig.stiffness, state.w, state.F, state.S, state.q, motion};
     }

@@ -16,10 +16,11 @@
 
 namespace flexslip {
 
-enum class Motion { stick, slip_in, slip_out, snap, crack };  // crack: cracking_fibre.h
+// apart: the nose is off a fibre that friction holds bent, without a force. crack: cracking_fibre.h.
+enum class Motion { stick, slip_in, slip_out, snap, crack, apart };
 
 struct PathPoint {
-  double stage;     // [L]
+  double stage;     // [L] below w of a fibre that the nose is off
   double w;         // [L]
   double F;         // [EI/L^2]
   double S;         // [L]
@@ -60,7 +61,7 @@ struct Stretch {
 enum class MotionEnd {
   none,
   slipped_through,  // the fibre is drawn in beyond every equilibrium: it slips through the supports
-  contact_lost,     // the force has fallen to zero: the wedge lifts off
+  contact_lost,     // a snap let the fibre out until no force was left
 };
 
 // A slip shorter than this [L] runs on into the next: a nanometre for a span of a millimetre. Without it, static friction on a
@@ -123,6 +124,8 @@ class MovingFibre {
   FibreState state_within(Motion motion, double S_at_rest, double along) const;
   std::optional<Stretch> stick(Sliding sliding, double limit, double stage);
   std::optional<Stretch> slide(Sliding sliding, double stage);
+  bool is_free() const { return state_.F == 0 && state_.S > 1; }
+  Stretch move_apart(double stage);
   std::optional<Stretch> snap(Sliding sliding);
   std::optional<Stretch> overshoot(Sliding sliding, const RigPoint& nearest, const SnapWork& nearest_work);
   std::optional<Stretch> lose(Sliding sliding);

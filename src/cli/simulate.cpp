@@ -46,6 +46,8 @@ std::string_view name_of(Motion motion) {
       return "snap";
     case Motion::crack:
       return "crack";
+    case Motion::apart:
+      return "apart";
   }
   throw std::invalid_argument("no such motion");
 }
@@ -206,7 +208,8 @@ std::string reason_of_end(const Case& input, HistoryStatus status, const Simulat
     return fmt::format("{}: the specimen slips through the supports after the stage position {}: the path ends there",
                        input.source, last);
   return fmt::format(
-      "{}: the wedge lifts off the specimen, on which no force is left, after the stage position {}: the path ends "
+      "{}: the specimen is let out, in a snap, until no force is left on it, after the stage position {}: the path "
+      "ends "
       "there",
       input.source, last);
 }
@@ -225,6 +228,17 @@ void require_path_that_fits(const Case& input, const Friction& friction, const s
                     "none: a continuous path",
                     fmt::format("write step = \"…\" into [stage], or pass --points {:.0f}",
                                 std::max(std::floor(most_points / (2 * periods)), 2.0)));
+}
+
+// Where the nose first lifts off a specimen that stays bent; "" where it does not.
+std::string lift_in_words(const Case& input, const History& history, const Scales& scales) {
+  const auto apart = std::find_if(history.path.begin(), history.path.end(),
+                                  [](const PathPoint& point) { return point.motion == Motion::apart; });
+  if (apart == history.path.end()) return "";
+  return fmt::format(
+      "the nose lifts off at the stage position {}: friction holds the specimen bent there without a force, until the "
+      "nose is back",
+      readable(scales.physical_length(apart->w), input.reduced ? kind::number : kind::length));
 }
 
 void run_simulate(const SimulateRequest& request) {
@@ -252,6 +266,7 @@ void run_simulate(const SimulateRequest& request) {
   const History history = programme.in_steps
                               ? follow_in_steps(bending_test, stages, cracks, progress)
                               : follow_continuously(bending_test, stages, request.points, cracks, progress);
+  if (const std::string lift = lift_in_words(input, history, scales); !lift.empty()) note(request.output, lift);
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
 
   SimulatedTest test = physical_path(history, scales, surface_of(input, scales));
@@ -308,14 +323,17 @@ void add_simulate_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction\n"
-      "and how the specimen moved there (stick, slip_in, slip_out, snap, crack); in SI, or reduced if the case is.\n"
+      "and how the specimen moved there (stick, slip_in, slip_out, snap, crack, or apart, with the nose off it); in "
+      "SI,\n"
+      "or reduced if the case is.\n"
       "Of a specimen whose section is known also strain and stress, of bending, at its surface at midspan; on two\n"
       "supports that are not alike also left and right, what is drawn in over the first and over the other.\n"
       "--energies adds stage_work, bending, load_train, friction, snaps and cracks, from the start. With --json\n"
       "also snaps and cracks, the energies of each loading and unloading, and the energy account. The output is a "
       "record that\n"
-      "`flexslip fit` reads. If the specimen slips through the supports, or the wedge lifts off it, the path ends\n"
-      "there, and the exit code is 1. The figure of a test that is unloaded shows its loops and their direction.\n\n"
+      "`flexslip fit` reads. If the specimen slips through the supports, the path ends there, and the exit\n"
+      "code is 1. Where the nose lifts off, w stays that of the specimen. The figure of a test that is unloaded shows "
+      "its loops and their direction.\n\n"
       "Examples:\n"
       "  flexslip simulate case.toml --output test.csv\n"
       "  flexslip simulate case.toml --noise \"10 uN\" --seed 7 --json");

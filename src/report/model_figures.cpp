@@ -387,6 +387,7 @@ Figure loops_figure(const FrictionLaw& law, const History& history, std::span<co
   const int n = points_for(friction, S_max);
   auto upper = equilibrium_curve(friction, Sliding::in, S_max, n).points;
   auto lower = equilibrium_curve(friction, Sliding::out, S_max, n).points;
+  if (friction.walk()) lower.clear();  // it depends on where the specimen turns back
   Extent extent = extent_of(upper);
   double q_least = 0;
   double q_most = 0;
@@ -454,8 +455,8 @@ Figure loops_figure(const FrictionLaw& law, const History& history, std::span<co
       history.snaps.empty() && history.cracks.empty()
           ? ""
           : fmt::format("keyentry with lines lw 0.9 dt (7,4) lc rgb 'black' title '{}', ", title_of_snaps(history)),
-      friction.walk() ? "q = ±μ drawn in first" : "q = ±μ", axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range,
-      q_range, tick_within(axes.x(0.3 * (S_max - 1))), axes.length(), panel_script("B", "3:4", "friction"));
+      friction.walk() ? "q = μ" : "q = ±μ", axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range, q_range,
+      tick_within(axes.x(0.3 * (S_max - 1))), axes.length(), panel_script("B", "3:4", "friction"));
   return {
       .name = "measured",
       .title = "What the test measures",
