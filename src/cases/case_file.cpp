@@ -106,7 +106,9 @@ constexpr std::array examples{
 
 // "specimen.diameter" as the user finds it: "[specimen] diameter".
 std::string field_name(std::string_view key) {
-  const std::size_t dot = key.find('.');
+  constexpr std::string_view nested = "friction.other";
+  const std::size_t dot = key.starts_with(nested) ? key.find('.', nested.size()) : key.find('.');
+  if (key == nested) return fmt::format("[{}]", key);
   if (dot != std::string_view::npos) return fmt::format("[{}] {}", key.substr(0, dot), key.substr(dot + 1));
   for (const std::string_view section : {"specimen", "rig", "friction", "stage", "record", "sweep"})
     if (key == section) return fmt::format("[{}]", key);
@@ -331,7 +333,11 @@ FrictionModel read_known_model(const Keys& keys, const std::vector<std::string>&
   const FrictionModel model = read_model(keys);
   all.clear();
   add(keys_of(model));
-  if (model != FrictionModel::roughness) add(further);
+  if (model != FrictionModel::roughness)
+    add(further);
+  else if (keys.has("other"))
+    keys.refuse("other", "no section [friction.other] beside a model that is fitted", "one",
+                "write a model to compute with into [friction], such as model = \"constant\" with mu0 = 0.5");
   keys.only(all);
   return model;
 }
@@ -340,10 +346,13 @@ OtherSupport read_other(const Keys& keys, const Case& input) {
   const toml::table* table = keys.need("other").as_table();
   if (!table)
     keys.refuse("other", "a section [friction.other], of the other support", kind_of_node(keys.need("other")));
-  if (keys.has("static_excess"))
+  if (keys.has("static_excess") && keys.number("static_excess", Range::non_negative) > 0)
     keys.refuse("static_excess", "the same friction at rest, on two supports that are not alike", "an excess",
                 "delete it, or [friction.other]");
   const Keys side(*table, keys.key("other"), input);
+  if (side.has("static_excess"))
+    side.refuse("static_excess", "the same friction at rest, on two supports that are not alike", "an excess",
+                "delete it");
   const FrictionModel model = read_known_model(side, {});
   if (model == FrictionModel::roughness)
     side.refuse("model", "a model to compute with", "'roughness', which is fitted",
@@ -800,8 +809,10 @@ std::string depth_key(const Section& section) {
 }
 
 InputError missing(const Case& input, std::string_view key) {
-  // The waves of a sum have the keys of a single one.
+  // The waves of a sum have the keys of a single one, and the other support those of the first.
   std::string known(key);
+  constexpr std::string_view nested = "friction.other.";
+  if (known.starts_with(nested)) known = "friction." + known.substr(nested.size());
   const std::size_t index = key.find('[');
   if (index != std::string_view::npos) known = "friction" + known.substr(std::min(known.rfind('.'), known.size()));
   for (const Example& example : examples) {

@@ -119,6 +119,7 @@ std::optional<PhaseStudy> phases_of(DesignCase input) {
   constexpr int phases = 24;
   constexpr double finest =
       1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
+  if (input.planned().design.friction.walk()) return std::nullopt;
   if (!input.has(DesignParameter::phase) || input.value(DesignParameter::amplitude) == 0) return std::nullopt;
   if (input.planned().units.scales.reduced_length(input.value(DesignParameter::wavelength)) < finest)
     return std::nullopt;
@@ -172,8 +173,10 @@ DesignAnswer answer_of(const DesignCase& input) {
       if (input.has(parameter))
         add(parameter, input.value(parameter) * std::pow(own / stiffness, 1.0 / power), and_beyond);
   }
-  std::vector<DesignParameter> others{DesignParameter::span, DesignParameter::mu0, DesignParameter::amplitude,
-                                      DesignParameter::wavelength};
+  std::vector<DesignParameter> others{DesignParameter::span};
+  // Of supports that are not alike the case varies one.
+  if (!design.friction.walk())
+    others.insert(others.end(), {DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength});
   // Of a specimen that may break the depth decides twice.
   if (std::isfinite(design.breaking_curvature))
     others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});

@@ -36,7 +36,7 @@ struct DesignAnswer {
   double critical;  // [EI/L^3] of this loading to this travel, critical_stiffness (design.h)
   std::vector<DesignChange> changes;
   std::optional<PhaseStudy>
-      phases;  // none if the case has no phase, or no waves for it to shift, or waves below 1e-5 spans, of
+      phases;  // none if the case has no phase, or two supports that are not alike, or no waves for it to shift, or waves below 1e-5 spans, of
                // which it moves nothing that can be seen
 };
 

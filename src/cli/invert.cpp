@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,12 @@
 #include "cases/problem.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "data/section.h"
 #include "fibre/elastica.h"
+#include "fibre/supported_state.h"
 #include "inference/profile.h"
 #include "io/input_error.h"
+#include "io/quantity.h"
 
 namespace flexslip {
 namespace {
@@ -19,8 +23,34 @@ namespace {
 struct InvertRequest {
   std::string file;
   bool is_case = false;
+  std::string radius, thickness;  // of rollers, and of the specimen on them
   Output output;
+
+  bool on_supports() const { return !radius.empty() || !thickness.empty(); }
 };
+
+// A length in spans, of a flag.
+double spans_of(const std::string& text, const char* flag, const Kind& kind, const Scales& scales) {
+  try {
+    return scales.reduced_length(parse_quantity(text, kind, Range::non_negative));
+  } catch (const InputError& error) {
+    throw located(error, "", 0, flag);
+  }
+}
+
+// The supports that the flags state; of a specimen whose section is known, with its thickness.
+Supports supports_of(const InvertRequest& request, const Kind& kind, const Scales& scales,
+                     const std::optional<Section>& section) {
+  Supports supports{0, section ? 0.5 * scales.reduced_length(depth(*section)) : 0};
+  if (!request.radius.empty()) supports.radius = spans_of(request.radius, "--roller-radius", kind, scales);
+  if (!request.thickness.empty()) supports.half_depth = 0.5 * spans_of(request.thickness, "--thickness", kind, scales);
+  if (supports.radius + supports.half_depth < widest_supports) return supports;
+  throw InputError(
+      {.field = request.radius.empty() ? "--thickness" : "--roller-radius",
+       .expected = fmt::format("a radius, and half of a thickness, of less than {:g} spans together", widest_supports),
+       .found = fmt::format("{:g} and {:g}", supports.radius, supports.half_depth),
+       .remedy = "check their units, and the span"});
+}
 
 constexpr std::size_t least_points = 12;  // a noise, and a profile that is more than a handful of points
 
@@ -43,14 +73,19 @@ void invert_states(const InvertRequest& request) {
   std::vector<double> S(w.size(), std::numeric_limits<double>::quiet_NaN());
   std::vector<double> q = S;
   std::vector<std::size_t> unexplained;
+  const Supports supports = supports_of(request, kind::number, Scales(1, 1), std::nullopt);
   for (std::size_t row = 0; row < w.size(); ++row) {
-    const FibreState state = fibre_state_from_force(w[row], F[row]);
-    if (state.status == FibreStatus::ok) {
-      S[row] = state.S;
-      q[row] = state.q;
-    } else {
-      unexplained.push_back(row);
+    bool is_told = false;
+    if (!request.on_supports()) {
+      const FibreState state = fibre_state_from_force(w[row], F[row]);
+      is_told = state.status == FibreStatus::ok;
+      if (is_told) S[row] = state.S, q[row] = state.q;
+    } else if (w[row] > 0 && w[row] <= 2) {
+      const SupportedState state = state_on_supports_from_force(w[row], F[row], supports);
+      is_told = state.status == FibreStatus::ok;
+      if (is_told) S[row] = state.length, q[row] = state.q;
     }
+    if (!is_told) unexplained.push_back(row);
   }
   const std::vector<OutputColumn> columns{{"w", w}, {"F", F}, {"S", S}, {"q", q}};
   if (request.output.json)
@@ -60,9 +95,10 @@ void invert_states(const InvertRequest& request) {
     write_table(request.output.path, columns);
   if (unexplained.empty()) return;
   const std::size_t row = unexplained.front();
+  const double most = request.on_supports() ? largest_q_on_supports : largest_q;
   throw CalculationFailed(fmt::format(
-      "{}:{}: no friction from {:g} to {:g} explains w = {}, F = {}{}", table.source, table.line_of(row), -largest_q,
-      largest_q, w[row], F[row],
+      "{}:{}: no friction from {:g} to {:g} explains w = {}, F = {}{}", table.source, table.line_of(row), -most, most,
+      w[row], F[row],
       unexplained.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", unexplained.size() - 1)));
 }
 
@@ -95,13 +131,20 @@ void invert_case(const InvertRequest& request) {
   const Case& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   const Scales scales = scales_of(input, stiffness);
-  const FrictionProfile profile = measure_friction(to_reduced(measurement.record, scales), rig_of(input, scales),
-                                                   errors_of(measurement, stiffness, scales));
+  const ReducedRecord record = to_reduced(measurement.record, scales);
+  const Rig rig = rig_of(input, scales);
+  const MeasurementErrors errors = errors_of(measurement, stiffness, scales);
+  const FrictionProfile profile =
+      request.on_supports()
+          ? measure_friction_on(supports_of(request, kind_in(input, kind::length), scales, input.specimen->section),
+                                record, rig, errors)
+          : measure_friction(record, rig, errors);
+  const double most = request.on_supports() ? largest_q_on_supports : largest_q;
   note_assumptions(request.output, stiffness);
   if (!profile.unexplained.empty())
     note(request.output,
-         fmt::format("no friction from {:g} to {:g} explains {} readings, left out; the first is row {}", -largest_q,
-                     largest_q, profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
+         fmt::format("no friction from {:g} to {:g} explains {} readings, left out; the first is row {}", -most, most,
+                     profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
 
   std::vector<double> row, stage, deflection, force, length, drawn_in, position, mu, error, from_force, from_stiffness,
       from_contact;
@@ -111,7 +154,7 @@ void invert_case(const InvertRequest& request) {
     deflection.push_back(measurement.record.deflection[point.index]);
     force.push_back(measurement.record.force[point.index]);
     length.push_back(scales.physical_length(point.S));
-    drawn_in.push_back(scales.physical_length(point.S - 1));
+    drawn_in.push_back(scales.physical_length(point.slid));
     position.push_back(scales.physical_length(0.5 * point.S));
     mu.push_back(point.mu);
     error.push_back(standard_error(point));
@@ -175,6 +218,14 @@ void add_invert_command(CLI::App& app) {
       ->type_name("FILE")
       ->required();
   command->add_flag("--case", request->is_case, "The file is a case, whatever its name");
+  command
+      ->add_option("--roller-radius", request->radius,
+                   "Of fixed rollers as supports, such as \"5 mm\"; without a case, in spans")
+      ->type_name("LENGTH");
+  command
+      ->add_option("--thickness", request->thickness,
+                   "Friction acts at the surface of a specimen as thick; beside --roller-radius, that of the case")
+      ->type_name("LENGTH");
   add_output_options(*command, request->output);
   command->footer(
       "From CSV: reduced variables, w in spans and F in EI/L^2; writes w,F,S,q. A point that no friction\n"
@@ -182,8 +233,12 @@ void add_invert_command(CLI::App& app) {
       "From a case: the friction along the specimen in its test up to failure, in SI. drawn_in is S - L;\n"
       "position is that of the support, counted along the specimen from midspan. mu_error is the standard\n"
       "error; its parts stem from the noise of the force, the bending stiffness and the contact point, the\n"
-      "last two of which move all points together.\n\n"
+      "last two of which move all points together.\n"
+      "Supports are knife edges, and friction acts at the axis of the specimen, unless flags say more: then S is\n"
+      "the axis between the contacts, drawn_in what has slid, the arc over the roller included, and nothing is\n"
+      "told below a deflection of twice the thickness.\n\n"
       "Examples:\n"
+      "  flexslip invert bar.toml --roller-radius \"5 mm\"\n"
       "  flexslip invert examples/simulated/case.toml --output profile.csv\n"
       "  flexslip invert points.csv");
   command->callback([request] { run_invert(*request); });

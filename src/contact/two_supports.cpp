@@ -50,7 +50,7 @@ class Walk::Tracer {
         slides = Slides::both;
         weaker = slide_both();
       } else {
-        if (level) weaker = rises(0) ? 1 : 0;
+        if (level) weaker = first_to_fall();
         slides = weaker == 0 ? Slides::left : Slides::right;
         level = slide_alone(weaker);
         crest_[weaker] = false;
@@ -67,6 +67,13 @@ class Walk::Tracer {
   }
   double gone() const { return y_[0] + y_[1]; }
   bool rises(std::size_t side) const { return !crest_[side] && at(side, y_[side]).slope > 0; }
+
+  // Of two sides at one level: the one that stands on a crest, else the one whose friction falls more, or rises less.
+  std::size_t first_to_fall() const {
+    if (crest_[0] != crest_[1]) return crest_[1] ? 1 : 0;
+    const double slope[2] = {at(0, y_[0]).slope, at(1, y_[1]).slope};
+    return slope[1] < slope[0] - alike * std::abs(slope[0]) ? 1 : 0;
+  }
 
   // The next place at which a side is looked at: nothing happens twice before it.
   double next_after(std::size_t side, double y) const {

@@ -24,8 +24,9 @@ class Walk {
  public:
   // Drawn in up to a length S_most, and let out down to the straight fibre. The friction of a side is stated as for both together: at(S) is
   // that of the point (S - 1)/2 from where the straight fibre touches.
-  // Domain:     sides that are no walks; S = 1 + from.left + from.right in [1, S_most]; std::invalid_argument otherwise. Where both sides are
-  //             alike and neither would hold, the left one slides; over a crest as high as the friction of the other side, the one that does.
+  // Domain:     sides that are no walks; S = 1 + from.left + from.right in [1, S_most]; std::invalid_argument otherwise. Of two sides at one level of
+  //             which one falls, the one that falls the more slides; if both are alike, the left; over a crest as high as the friction of the
+  //             other side, the one that does.
   // Max error:  of the lengths at which sides change, 4 ulp of S over dμ/dS; between samples at a sixteenth of the shortest period, and the
   //             knots of tables, no crest is looked for.
   // Cost:       3 µs a period.

@@ -178,4 +178,37 @@ SupportedState state_on_supports(double w, double q, const Supports& supports) {
   return state.status == FibreStatus::ok && std::abs(state.w - w) <= good * w ? state : none(q);
 }
 
+SupportedState state_on_supports_from_force(double w, double F, const Supports& supports) {
+  if (!(F >= 0 && std::isfinite(F))) throw std::invalid_argument("no force of " + std::to_string(F));
+  const auto at = [&](double q) { return state_on_supports(w, q, supports); };
+  SupportedState no_friction = none(0);
+  no_friction.status = FibreStatus::no_friction;
+  no_friction.w = w;
+  no_friction.F = F;
+  if (w < least_half_depths * supports.half_depth) return no_friction;
+  // The force rises with friction; where there is no state it has fallen to zero, or friction is more than any that is looked for.
+  double low = -largest_q_on_supports, high = largest_q_on_supports;
+  double q = 0, before = 0, F_before = 0;
+  bool has_before = false;
+  constexpr double good = 1e-12;
+  for (int i = 0; i < 100 && high - low > 4 * epsilon; ++i) {
+    const SupportedState state = at(q);
+    const bool exists = state.status == FibreStatus::ok;
+    if (exists && std::abs(state.F - F) <= good * F) return state;
+    const bool is_less = exists ? state.F < F : q < 0;
+    (is_less ? low : high) = q;
+    double next = 0.5 * (low + high);
+    if (exists) {
+      const double slope = has_before ? (state.F - F_before) / (q - before) : 48 * w * 2.4 * w;
+      const double secant = q + (F - state.F) / slope;
+      if (secant > low && secant < high) next = secant;
+      before = q, F_before = state.F, has_before = true;
+    }
+    q = next;
+  }
+  const SupportedState last = at(q);
+  constexpr double rounding = 1e-9;
+  return last.status == FibreStatus::ok && std::abs(last.F - F) <= rounding * F ? last : no_friction;
+}
+
 }  // namespace flexslip

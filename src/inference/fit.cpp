@@ -162,6 +162,13 @@ std::string_view name_of(ProfileModel model) {
   return "sinusoids";
 }
 
+double weight_without_roughness(const FrictionFit& fit) {
+  double weight = 0;
+  for (const auto& each : fit.explanations)
+    if (each.kernel == Kernel::none) weight += each.weight;
+  return fit.model == ProfileModel::roughness ? weight : 0;
+}
+
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const FitProblem usable = usable_part(whole);
   const FitProblem problem = thinned(usable);

@@ -112,6 +112,9 @@ struct FrictionFit {
   Marginal of_mu0, of_log_stiffness, of_log_roughness, of_log_length;  // the latter two only of `roughness`
 };
 
+// The weight of the explanations without roughness; 0 of a model that has none by itself.
+double weight_without_roughness(const FrictionFit& fit);
+
 // Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
 // Fails:      too_few_points, not_explained. Of more than 1200 points every so many are fitted.
 // Cost:       0.1 s at most for 200 points (bench/analyses).

@@ -68,6 +68,7 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
     const double S_force = (-slopes.w_q - slopes.F_q / rig.stiffness) / jacobian;
     profile.points.push_back({.index = rows[row],
                               .S = states.S[row],
+                              .slid = states.S[row] - 1,
                               .mu = states.q[row],
                               .from_force = errors.force * std::abs(mu_force),
                               .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
@@ -77,6 +78,40 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
                               .S_force = S_force});
   }
   std::sort(profile.unexplained.begin(), profile.unexplained.end());
+  return profile;
+}
+
+FrictionProfile measure_friction_on(const Supports& supports, const ReducedRecord& record, const Rig& rig,
+                                    const MeasurementErrors& errors, double least_deflection) {
+  const double least = std::max(least_deflection, least_half_depths * supports.half_depth);
+  FrictionProfile profile;
+  for (std::size_t i = 0; i < record.force.size(); ++i) {
+    const double w = record.deflection[i], F = record.force[i];
+    if (!(w > least)) continue;
+    constexpr double h = 1e-5;  // of what differences are taken over
+    const auto told = [&](double deflection, double force) {
+      return F >= 0 && deflection <= 2 ? state_on_supports_from_force(deflection, force, supports) : SupportedState{};
+    };
+    const SupportedState state = told(w, F), more = told(w, F * (1 + h)), farther = told(w * (1 + h), F);
+    const bool is_told =
+        state.status == FibreStatus::ok && more.status == FibreStatus::ok && farther.status == FibreStatus::ok && F > 0;
+    if (!is_told) {
+      profile.unexplained.push_back(i);
+      continue;
+    }
+    const double q_F = (more.q - state.q) / (h * F), q_w = (farther.q - state.q) / (h * w);
+    const double mu_force = q_F - q_w / rig.stiffness, mu_log_stiffness = -F * q_F;
+    profile.points.push_back({.index = i,
+                              .S = state.length,
+                              .slid = state.slid,
+                              .mu = state.q,
+                              .from_force = errors.force * std::abs(mu_force),
+                              .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
+                              .from_contact = errors.contact * std::abs(q_w),
+                              .mu_log_stiffness = mu_log_stiffness,
+                              .mu_force = mu_force,
+                              .S_force = not_a_number});
+  }
   return profile;
 }
 

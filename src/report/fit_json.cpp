@@ -70,9 +70,10 @@ Json wave_json(const FrictionFit& fit, const Units& units) {
   return out;
 }
 
-// The lengths along the specimen if it slid over one support at a time; null where the model has none.
+// The lengths along the specimen if it slid over one support at a time; null where there is none.
 Json one_sided_json(const FrictionFit& fit, const Units& units) {
-  const bool has_wave = fit.wave_claimed && !fit.waves.empty(), is_rough = fit.model == ProfileModel::roughness;
+  const bool has_wave = fit.wave_claimed && !fit.waves.empty();
+  const bool is_rough = fit.model == ProfileModel::roughness && !(weight_without_roughness(fit) > 0.5);
   const auto length = [&](bool is_there, double of_both) {
     return is_there ? Json(units.length(one_side_at_a_time * of_both)) : Json();
   };

@@ -97,14 +97,6 @@ ParameterRow row_of(std::string name, std::string symbol, std::string meaning, c
   return row;
 }
 
-// The weight of the explanations without roughness; 0 of a model that has none by itself.
-double weight_without_roughness(const FrictionFit& fit) {
-  double weight = 0;
-  for (const auto& each : fit.explanations)
-    if (each.kernel == Kernel::none) weight += each.weight;
-  return fit.model == ProfileModel::roughness ? weight : 0;
-}
-
 std::string_view in_words(Kernel kernel) {
   switch (kernel) {
     case Kernel::exponential:
@@ -665,7 +657,7 @@ std::string sides_in_words(const FittedTest& test) {
   return fmt::format(
       "These lengths hold if the specimen slides over both supports at once. If it slides over one at a time, as it "
       "does where the supports are not alike or friction falls, they are up to twice as long: {}. Force and stage "
-      "do not tell which; images of both supports do, or the same specimen turned round.",
+      "do not tell which; images of both supports do.",
       twice);
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -94,6 +95,41 @@ TEST_CASE("limit: a symmetric pair on falling friction goes one-sided, twice as 
   for (std::size_t i = 0; i < stages.size(); ++i) {
     CHECK(pair.path[i].F == doctest::Approx(one.path[i].F).epsilon(1e-12));
     CHECK(pair.contacts[i].right == 0);
+  }
+}
+
+TEST_CASE("identity: which of two unlike supports is named first changes no force, after no turn") {
+  const auto falling = [](double mu0, double drift) {
+    return Friction::waves({.mu0 = mu0, .drift = drift, .terms = {}, .S_reference = 1});
+  };
+  const Friction plateaus =
+      Friction::table({{1, 1.02, 1.03, 1.05, 1.06, 1.1, 1.2}, {0.5, 0.5, 0.3, 0.3, 0.6, 0.6, 0.4}});
+  const std::vector<std::pair<Friction, Friction>> pairs{
+      {Friction::constant(0.5), falling(0.5, -1.2)},
+      {falling(0.5, -0.4), falling(0.5, -1.2)},
+      {Friction::constant(0.39), Friction::sinusoid(0.332, 0.745, 0.03, 3.58)},
+      {falling(0.3, 0.6), falling(0.3, 1.2)},
+      {falling(0.2, 0.6), falling(0.3, 1.2)},
+      {Friction::sinusoid(0.5, 0.3, 0.09, 3), Friction::sinusoid(0.45, 0.3, 0.15, 3)},
+      {Friction::constant(0.5), falling(0.5, 1.2)},
+      {plateaus, Friction::sinusoid(0.5, 0.3, 0.02, 1)},
+      {left_side, right_side}};
+  std::vector<double> stages;
+  const std::vector<double> turns{0, 0.32, 0.1, 0.31, 0.06};
+  for (std::size_t leg = 1; leg < turns.size(); ++leg)
+    for (int i = 1; i <= 30; ++i) stages.push_back(turns[leg - 1] + (turns[leg] - turns[leg - 1]) * i / 30);
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    CAPTURE(n);
+    const auto& [one, other] = pairs[n];
+    const auto loops = [&](const Friction& left, const Friction& right) {
+      return follow_in_steps({Friction::on_two_supports(left, right, 1.5), {60}}, stages);
+    };
+    const History here = loops(one, other), there = loops(other, one);
+    REQUIRE(here.path.size() == there.path.size());
+    for (std::size_t i = 0; i < here.path.size(); ++i) {
+      CHECK(here.path[i].F == doctest::Approx(there.path[i].F).epsilon(1e-9));
+      CHECK(std::abs(here.contacts[i].left - there.contacts[i].right) < 1e-9);
+    }
   }
 }
 

@@ -162,6 +162,35 @@ TEST_CASE("supported_state, limit: the initial slope carries 1/(1 + 3 q τ), and
   CHECK(by_q(1.4 * tau) > 0);
 }
 
+TEST_CASE(
+    "supported_state, identity: deflection and force tell the friction that made them, beyond twice the thickness") {
+  int told = 0;
+  for (const double radius : {0.0, 0.004, 0.05, 0.078125})
+    for (const double half_depth : {0.0, 0.0157, 0.03125})
+      for (double w = 0.02; w < 0.36; w += 0.017)
+        for (double q = -0.8; q < 1.5; q += 0.23) {
+          CAPTURE(radius);
+          CAPTURE(half_depth);
+          CAPTURE(w);
+          CAPTURE(q);
+          const Supports supports{radius, half_depth};
+          const SupportedState state = state_on_supports(w, q, supports);
+          if (state.status != FibreStatus::ok) continue;
+          const SupportedState back = state_on_supports_from_force(w, state.F, supports);
+          if (w < 4 * half_depth) {
+            CHECK(back.status == FibreStatus::no_friction);
+            continue;
+          }
+          REQUIRE(back.status == FibreStatus::ok);
+          CHECK(std::abs(back.q - q) < 1e-9);
+          CHECK(std::abs(back.length - state.length) < 1e-9);
+          ++told;
+        }
+  CHECK(told > 1000);
+  CHECK(state_on_supports_from_force(0.1, 48 * 0.1 * 3, {0.05, 0}).status == FibreStatus::no_friction);
+  CHECK_THROWS_AS(state_on_supports_from_force(0.1, -1, {0.05, 0}), std::invalid_argument);
+}
+
 TEST_CASE("supported_state: what is no support, and no state") {
   CHECK_THROWS_AS(state_on_supports(0.1, 0, {0.3, 0.2}), std::invalid_argument);
   CHECK_THROWS_AS(state_on_supports(0.1, 0, {-0.1, 0}), std::invalid_argument);

@@ -58,6 +58,59 @@ class State(InFolder):
         edges = numbers(self.succeeds("state", "--w", "0.1", "--q", "0", "--roller-radius", "0"), "F")[0]
         self.assertLess(edges, 48 * 0.1)
 
+    ON_ROLLERS = "--roller-radius", "0.078125", "--thickness", "0.0625"
+
+    def test_friction_of_a_thick_bar_on_rollers_is_read_back_and_edges_see_far_more(self):
+        """ISO 178: a span of 64 mm, 4 mm thick, rollers of 5 mm; beyond twice its thickness."""
+        deflections = [0.126 + 0.002 * i for i in range(13)]
+        for mu in 0, 0.15, 0.3:
+            bar = "w,q\n" + "".join(f"{w},{mu}\n" for w in deflections)
+            force = numbers(self.succeeds("state", self.file("bar.csv", bar), *self.ON_ROLLERS), "F")
+            record = self.file("record.csv", "w,F\n" + "".join(f"{w},{F!r}\n" for w, F in zip(deflections, force)))
+            for q in numbers(self.succeeds("invert", record, *self.ON_ROLLERS), "q"):
+                self.assertAlmostEqual(q, mu, delta=1e-9)
+            on_edges = numbers(self.succeeds("invert", record), "q")
+            self.assertGreater(min(on_edges) - mu, 0.3)
+
+    def test_a_case_on_rollers_is_read_with_the_thickness_of_its_section(self):
+        deflections = [0.126 + 0.001 * i for i in range(40)]
+        bar = "w,q\n" + "".join(f"{w},0.2\n" for w in deflections)
+        force = numbers(self.succeeds("state", self.file("bar.csv", bar), *self.ON_ROLLERS), "F")
+        # 64 mm, 4 mm by 10 mm, 3 GPa: EI = 0.16 N m², forces in units of EI/L² = 39.0625 N.
+        rows = [(0.064 * w, 39.0625 * F) for w, F in [(0.001 * i, 48 * 0.001 * i) for i in range(30)] + list(zip(deflections, force))]
+        self.file("bar_record.csv", "w [m],F [N]\n" + "".join(f"{w!r},{F!r}\n" for w, F in rows))
+        case = self.file("bar.toml", '''[specimen]
+height = "4 mm"
+width = "10 mm"
+modulus = { value = "3 GPa", uncertainty = "1 %" }
+[rig]
+span = "64 mm"
+stiffness = "1e9 N/m"
+[record]
+file = "bar_record.csv"
+deflection = "w [m]"
+force = "F [N]"
+contact = "0 m"
+''')
+        for flags in (["--roller-radius", "5 mm"], ["--roller-radius", "5 mm", "--thickness", "4 mm"]):
+            profile = self.json("invert", case, *flags)["profile"]
+            self.assertGreater(len(profile), 35)
+            for point in profile:
+                self.assertGreaterEqual(point["deflection"], 0.008 * (1 - 1e-12))  # twice the thickness
+                self.assertAlmostEqual(point["mu"], 0.2, delta=1e-6)
+                self.assertGreater(point["drawn_in"], point["length"] - 0.064)
+                self.assertGreater(point["mu_error"], 0)
+
+    def test_supports_of_invert_that_are_none_are_refused(self):
+        points = self.file("points.csv", "w,F\n0.2,9\n")
+        self.refused("invert", points, "--roller-radius", "0.5", says=["--roller-radius", "0.45 spans together", "check their units"])
+        self.refused("invert", points, "--roller-radius", "-1", says=["--roller-radius"])
+        self.refused("invert", points, "--thickness", "1", says=["--thickness", "0.45 spans"])
+        self.refused("invert", points, "--roller-radius", "5 mm", says=["--roller-radius"])
+        result = run("invert", points, "--thickness", "0.12")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("no friction from -2 to 2", result.stderr)
+
     def test_rollers_that_leave_no_span_and_states_by_the_wrong_number_are_refused(self):
         self.refused("state", "--w", "0.1", "--q", "0", "--thickness", "0.95", says=["--roller-radius", "0.45 spans together"])
         self.refused("state", "--w", "0.1", "--q", "0", "--roller-radius", "-0.1", says=["--roller-radius"])

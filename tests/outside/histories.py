@@ -336,13 +336,15 @@ class TwoSupports(InFolder):
         for friction, stage, says in (
             (WAVY + "static_excess = 0.1\n" + OTHER, LOOP, ["[friction] static_excess", "not alike"]),
             (WAVY + OTHER, LOOP + 'snaps = "overshoot"\n', ["[stage] snaps", "not alike"]),
-            (WAVY + OTHER.replace("0.52", "20"), LOOP, ["[friction] other.mu0", "at most 20"]),
-            (WAVY + OTHER.replace("0.0154", "1e-9"), LOOP, ["[friction] other.wavelength", "periods"]),
-            (WAVY + OTHER + "static_excess = 0.1\n", LOOP, ["other.static_excess", "unknown key"]),
-            (WAVY + "other = 1\n", LOOP, ["[friction] other", "[friction.other]", "the number 1"]),
-            (WAVY + "[friction.other]\n", LOOP, ["[friction] other.model", "nothing"]),
-            (WAVY + '[friction.other]\nmodel = "roughness"\n', LOOP, ["other.model", "which is fitted"]),
+            (WAVY + OTHER.replace("0.52", "20"), LOOP, ["[friction.other] mu0", "at most 20"]),
+            (WAVY + OTHER.replace("0.0154", "1e-9"), LOOP, ["[friction.other] wavelength", "periods"]),
+            (WAVY + OTHER + "static_excess = 0.1\n", LOOP, ["[friction.other] static_excess", "delete it"]),
+            (WAVY + "other = 1\n", LOOP, ["[friction.other]", "the number 1"]),
+            (WAVY + "[friction.other]\n", LOOP, ["[friction.other] model", "nothing", "add model = "]),
+            (WAVY + '[friction.other]\nmodel = "roughness"\n', LOOP, ["[friction.other] model", "which is fitted"]),
             (WAVY + OTHER.replace("other", "othr"), LOOP, ["did you mean 'other'?"]),
+            (WAVY + '[friction.other]\nmodel = "constant"\n', LOOP, ["[friction.other] mu0", "add mu0 = 0.5"]),
+            (RIG + '[friction]\nmodel = "roughness"\n' + OTHER, LOOP, ["[friction.other]", "that is fitted", "write a model to compute with"]),
         ):
             with self.subTest(says=says):
                 self.refused("simulate", self.file("case.toml", friction + stage), says=says)
