@@ -66,6 +66,7 @@ struct RigInput {
   std::optional<double> span;                     // [m] reduced: 1; none: the export of the record says it
   std::optional<double> stiffness;                // [N/m] infinite for displacement control
   std::optional<std::string> support_material{};  // "steel", likewise
+  std::optional<double> nose_radius{};            // [m] none: sharp
   bool operator==(const RigInput&) const = default;
 };
 

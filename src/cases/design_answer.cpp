@@ -147,10 +147,12 @@ DesignAnswer answer_of(const DesignCase& input) {
                       .design = design,
                       .scales = scales,
                       .surface = units.surface,
+                      .wraps_nose = false,
                       .outcome = outcome_of(design),
                       .critical = critical_stiffness(design),
                       .changes = {},
                       .phases = phases_of(input)};
+  answer.wraps_nose = answer.outcome.greatest_curvature > input.nose_curvature(scales);
   const bool now = answer.outcome.snaps > 0;
   const auto add = [&](DesignParameter parameter, double to, bool and_beyond) {
     const auto outcome = outcome_with(input, parameter, to);

@@ -32,6 +32,7 @@ struct DesignAnswer {
   Design design;
   Scales scales;
   std::optional<SurfaceStrain> surface;  // none without a section
+  bool wraps_nose;                       // it is bent more sharply than the nose
   DesignOutcome outcome;
   double critical;  // [EI/L^3] of this loading to this travel, critical_stiffness (design.h)
   std::vector<DesignChange> changes;

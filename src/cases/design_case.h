@@ -98,6 +98,8 @@ class DesignCase {
   // What the numbers as they are now make: it can be computed (outcome_of) if it is not refused.
   // Cost:       below 1 µs, but for tables and rough profiles.
   std::variant<PlannedDesign, DesignRefusal> plan() const;
+  // [1/L] from which the specimen wraps the nose (problem.h).
+  double nose_curvature(const Scales& scales) const;
   // Fails:      InputError if it is refused.
   PlannedDesign planned() const;
 

@@ -48,6 +48,7 @@ struct FittedTest {
   std::optional<SurfaceStrain>
       surface;  // of a specimen as stiff as fitted; if the analysis has an answer, and the case a section
   std::optional<double> strain_at_break;  // [1] as the case states it, or its strength
+  double nose_curvature;                  // [1/L] from which it wraps the nose; infinite for a sharp one
   Provenance provenance;
 };
 

@@ -241,6 +241,16 @@ std::string lift_in_words(const Case& input, const History& history, const Scale
       readable(scales.physical_length(apart->w), input.reduced ? kind::number : kind::length));
 }
 
+// Where the specimen first wraps the nose; null where it does not.
+Json wrap_json(const Case& input, const History& history, const Scales& scales) {
+  const double most = nose_curvature_of(input, scales);
+  if (std::isinf(most)) return nullptr;
+  const auto wraps = std::find_if(history.path.begin(), history.path.end(), [&](const PathPoint& point) {
+    return curvature_at_midspan(fibre_state(point.S, point.q)) > most;
+  });
+  return wraps == history.path.end() ? Json() : Json(scales.physical_length(wraps->stage));
+}
+
 void run_simulate(const SimulateRequest& request) {
   constexpr double least_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
   constexpr double least_stated_travel = 1e-9;    // of one that was written down
@@ -267,6 +277,13 @@ void run_simulate(const SimulateRequest& request) {
                               ? follow_in_steps(bending_test, stages, cracks, progress)
                               : follow_continuously(bending_test, stages, request.points, cracks, progress);
   if (const std::string lift = lift_in_words(input, history, scales); !lift.empty()) note(request.output, lift);
+  const Json wraps = wrap_json(input, history, scales);
+  if (!wraps.is_null())
+    note(
+        request.output,
+        fmt::format("from the stage position {} on the specimen is bent more sharply than the nose, and wraps it: what "
+                    "follows is that of a sharp nose",
+                    readable(wraps.get<double>(), input.reduced ? kind::number : kind::length)));
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
 
   SimulatedTest test = physical_path(history, scales, surface_of(input, scales));
@@ -290,6 +307,7 @@ void run_simulate(const SimulateRequest& request) {
                                      {"path", rows_json(columns)},
                                      {"snaps", snaps_with_energy_json(history.snaps, scales)},
                                      {"cracks", cracks_json(history.cracks, scales)},
+                                     {"wraps_nose_from", wraps},
                                      {"legs", legs_json(history, legs_of(history, leg_options), scales)},
                                      {"energy", test_energy_json(history.energy, scales)}});
   else

@@ -35,6 +35,7 @@ Json design_json(const DesignAnswer& answer) {
          {"words", words[i]}});
   Json json{{"status", word_of(status_of(answer.outcome))}};
   add_outcome(json, answer.outcome, {answer.scales, answer.surface});
+  json["wraps_nose"] = answer.wraps_nose;
   json["friction_share"] = answer.outcome.friction_heat / answer.outcome.work;
   json["answer"] = design_in_short(answer);
   json["critical_stiffness"] = answer.scales.physical_stiffness(answer.critical);

@@ -73,8 +73,12 @@ std::string strain_text(double strain) { return fmt::format("{:.2g} %", 100 * st
 std::string strain_in_words(const DesignAnswer& answer) {
   if (!answer.surface) return "";
   const double curvature = answer.outcome.greatest_curvature;
-  return fmt::format(" Bending strains its surface by up to {}{}.", strain_text(answer.surface->strain(curvature)),
-                     answer.input.reduced() ? "" : ", " + readable(answer.surface->stress(curvature), kind::pressure));
+  return fmt::format(" Bending strains its surface by up to {}{}.{}", strain_text(answer.surface->strain(curvature)),
+                     answer.input.reduced() ? "" : ", " + readable(answer.surface->stress(curvature), kind::pressure),
+                     answer.wraps_nose
+                         ? " It is bent more sharply than the nose, and wraps it: from there on the nose is "
+                           "taken to be sharp."
+                         : "");
 }
 
 std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {

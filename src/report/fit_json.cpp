@@ -408,7 +408,8 @@ Json fit_json(const FittedTest& test) {
     return fitted && test.surface ? Json(((*test.surface).*value)(curvature)) : Json();
   };
   out["bending"] = {{"greatest_strain", bent(&SurfaceStrain::strain)},
-                    {"greatest_stress", bent(&SurfaceStrain::stress)}};
+                    {"greatest_stress", bent(&SurfaceStrain::stress)},
+                    {"wraps_nose", fitted && curvature > test.nose_curvature}};
   out["imaged_length"] = imaged_json(test, units);
   out["slip_or_crack"] = slip_or_crack_json(analysis.slip_or_crack);
   out["drops"] = drops_json(test, units);

@@ -672,9 +672,13 @@ std::optional<LiteratureFriction> literature_of(const FittedTest& test) {
 }
 
 std::string strain_in_words(const FittedTest& test) {
-  if (!test.surface) return "";
   const double curvature = greatest_curvature(test.analysis.profile_at_fit);
   if (!std::isfinite(curvature)) return "";
+  const std::string wraps =
+      curvature > test.nose_curvature
+          ? " It was bent more sharply than the nose, and wrapped it: what is read there is read as of a sharp one."
+          : "";
+  if (!test.surface) return wraps;
   const double strain = test.surface->strain(curvature);
   std::string words = fmt::format("Bending strained its surface at midspan by up to {:.2g} %", 100 * strain);
   if (!test.reduced)
@@ -683,7 +687,7 @@ std::string strain_in_words(const FittedTest& test) {
   words += ".";
   if (test.strain_at_break && strain > *test.strain_at_break)
     words += fmt::format(" That is beyond the {:.2g} % at which it should break.", 100 * *test.strain_at_break);
-  return words;
+  return words + wraps;
 }
 
 std::string friction_in_literature(const FittedTest& test) {

@@ -285,6 +285,40 @@ class BadProgrammes(InFolder):
 OTHER = '[friction.other]\nmodel = "sinusoid"\nmu0 = 0.52\namplitude = 0.25\nwavelength = 0.0154\nphase = 2.5\n'
 
 
+class Nose(InFolder):
+    RECORD = WAVY.replace("[rig]\n", "[rig]\nnose_radius = 0.5\n") + "[stage]\nprogram = [0, 0.5]\nstep = 0.01\n"
+
+    def test_limit_it_is_wrapped_from_where_the_curvature_exceeds_its_own(self):
+        path = self.file("case.toml", self.RECORD)
+        result = run("simulate", path, "--json")
+        self.assertIn("wraps it", result.stderr)
+        answer = json.loads(result.stdout)
+        states = "S,q\n" + "".join(f"{point['length']!r},{point['q']!r}\n" for point in answer["path"])
+        curvatures = numbers(self.succeeds("state", self.file("states.csv", states)), "curvature")
+        first = next(point["stage"] for point, curvature in zip(answer["path"], curvatures) if curvature > 2)
+        self.assertEqual(answer["wraps_nose_from"], first)
+        self.assertIsNone(self.json("simulate", self.file("sharp.toml", self.RECORD.replace("nose_radius = 0.5", "nose_radius = 0.01")))["wraps_nose_from"])
+
+    def test_a_design_and_a_fit_say_so(self):
+        section = '[specimen]\ndiameter = "34.8 um"\nmodulus = "30 GPa"\n'
+        rig = '[rig]\nspan = "1278 um"\nstiffness = "90 N/m"\nnose_radius = "RADIUS"\n'
+        friction = '[friction]\nmodel = "sinusoid"\nmu0 = 0.5\namplitude = 0.2\nwavelength = "11 um"\n'
+        stage = '[stage]\nprogram = ["0 um", "700 um"]\nstep = "2 um"\n'
+        for radius, wraps in ("400 um", True), ("20 um", False):
+            case = section + rig.replace("RADIUS", radius) + friction + stage
+            self.assertEqual(self.json("design", self.file("design.toml", case))["wraps_nose"], wraps)
+            self.assertEqual("wraps it" in self.succeeds("design", self.file("design.toml", case)), wraps)
+        run("simulate", self.file("truth.toml", case), "--output", self.folder / "test.csv", "--noise", "10 uN")
+        for radius, wraps in ("400 um", True), ("20 um", False):
+            case = section + rig.replace("RADIUS", radius) + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n'
+            answer = self.json("fit", self.file("fit.toml", case), "--quiet")
+            self.assertEqual(answer["bending"]["wraps_nose"], wraps)
+
+    def test_refused(self):
+        for radius in "0", "-1", '"sharp"':
+            self.refused("simulate", self.file("case.toml", self.RECORD.replace("nose_radius = 0.5", f"nose_radius = {radius}")), says=["[rig] nose_radius"])
+
+
 class TwoSupports(InFolder):
     def simulated(self, friction, stage, *options):
         return self.json("simulate", self.file("case.toml", friction + stage), *options)
