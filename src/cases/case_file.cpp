@@ -232,7 +232,7 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
 }
 
 RigInput read_rig(const Keys& keys, const Case& input) {
-  keys.only({"span", "stiffness", "support_material", "nose_radius"});
+  keys.only({"span", "stiffness", "support_material", "nose_radius", "support_stiffness"});
   RigInput rig{keys.optional_quantity("span", kind::length, Range::positive), std::nullopt};
   if (input.reduced && rig.span.value_or(1) != 1)
     keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
@@ -240,6 +240,7 @@ RigInput read_rig(const Keys& keys, const Case& input) {
   rig.stiffness = keys.optional_quantity("stiffness", kind::stiffness, Range::positive_or_infinite);
   if (keys.has("support_material")) rig.support_material = keys.text("support_material");
   rig.nose_radius = keys.optional_quantity("nose_radius", kind::length, Range::positive);
+  rig.support_stiffness = keys.optional_quantity("support_stiffness", kind::stiffness, Range::positive_or_infinite);
   return rig;
 }
 
@@ -627,6 +628,7 @@ void write(Writer& out, const RigInput& rig) {
   if (rig.stiffness) out.line("stiffness", out.quantity(*rig.stiffness, kind::stiffness));
   if (rig.support_material) out.line("support_material", basic_string(*rig.support_material));
   if (rig.nose_radius) out.line("nose_radius", out.quantity(*rig.nose_radius, kind::length));
+  if (rig.support_stiffness) out.line("support_stiffness", out.quantity(*rig.support_stiffness, kind::stiffness));
 }
 
 std::string wave_text(const Writer& out, const WaveInput& wave) {

@@ -67,6 +67,7 @@ struct RigInput {
   std::optional<double> stiffness;                // [N/m] infinite for displacement control
   std::optional<std::string> support_material{};  // "steel", likewise
   std::optional<double> nose_radius{};            // [m] none: sharp
+  std::optional<double> support_stiffness{};      // [N/m] of each support, vertically; none: rigid
   bool operator==(const RigInput&) const = default;
 };
 

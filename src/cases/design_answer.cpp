@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "cases/problem.h"
+
 namespace flexslip {
 namespace {
 
@@ -77,12 +79,12 @@ std::vector<double> nearest_changes(const DesignCase& input, DesignParameter par
   return found;
 }
 
-// In the units of the case.
-std::vector<double> stiffness_changes(const DesignCase& input, bool now, double critical) {
-  const double own = input.value(DesignParameter::stiffness);
+// Of load train and supports together, in the units of the case.
+std::vector<double> stiffness_changes(const DesignCase& input, double own, bool now, double critical) {
   const double just_below = critical * (1 - close);
   if (!now && critical <= own) return critical > 0 ? std::vector{just_below} : std::vector<double>{};
   auto values = nearest_changes(input, DesignParameter::stiffness, now, 2);
+  for (double& value : values) value = with_supports(value, input.support_compliance());
   if (!std::isfinite(critical)) return values;
   const auto stiffer = std::find_if(values.begin(), values.end(), [&](double value) { return value > own; });
   if (now && stiffer != values.end()) values.erase(stiffer);
@@ -164,11 +166,13 @@ DesignAnswer answer_of(const DesignCase& input) {
     return std::any_of(answer.changes.begin(), answer.changes.end(),
                        [&](const DesignChange& change) { return change.parameter == parameter; });
   };
-  const double own = input.value(DesignParameter::stiffness);
+  const double supports = input.support_compliance();
+  const double own = with_supports(input.value(DesignParameter::stiffness), supports);
   const double critical = scales.physical_stiffness(answer.critical);
-  for (const double stiffness : stiffness_changes(input, now, critical)) {
+  for (const double stiffness : stiffness_changes(input, own, now, critical)) {
     const bool and_beyond = now && stiffness == critical;
-    add(DesignParameter::stiffness, stiffness, and_beyond);
+    const double load_train = without_supports(stiffness, supports);
+    if (std::isfinite(load_train) || std::isinf(stiffness)) add(DesignParameter::stiffness, load_train, and_beyond);
     if (!std::isfinite(own)) continue;
     // k L^3/EI decides: what the stiffness must gain, the specimen may lose.
     for (const auto& [parameter, power] : powers_in_bending_stiffness)

@@ -119,6 +119,7 @@ bool is_within(const DesignParameterName& parameter, double value) {
 DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(input)), span_(span_of(input)) {
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   bending_stiffness_ = scales.bending_stiffness();
+  support_compliance_ = support_compliance_of(input);
   const Loading loading = loading_of(input);
   programme_of(input);
   const double travel = scales.reduced_length(loading.travel);
@@ -245,7 +246,8 @@ std::optional<DesignRefusal> DesignCase::fault_of_specimen() const {
 
 std::optional<DesignRefusal> DesignCase::fault_of_loading(const Scales& scales) const {
   const double travel = scales.reduced_length(at(DesignParameter::travel).number);
-  const double stiffness = scales.reduced_stiffness(at(DesignParameter::stiffness).number);
+  const double stiffness =
+      scales.reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_));
   const std::string span = readable(scales.span(), reduced() ? kind::number : kind::length);
   if (!(travel <= farthest_reduced))
     return refusal(DesignFault::not_computable, DesignParameter::travel,
@@ -338,11 +340,12 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
     supports.other = std::get<Friction>(std::move(other));
   }
   Friction along = together(std::move(supports), S_max);
-  PlannedDesign planned{{std::move(along),
-                         {units->reduced_stiffness(at(DesignParameter::stiffness).number)},
-                         travel,
-                         units->reduced_length(at(DesignParameter::step).number)},
-                        {*units, surface(*units)}};
+  PlannedDesign planned{
+      {std::move(along),
+       {units->reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_))},
+       travel,
+       units->reduced_length(at(DesignParameter::step).number)},
+      {*units, surface(*units)}};
   const SpecimenInput& specimen = *input_->specimen;
   if (specimen.strain_at_break)
     planned.design.breaking_curvature = planned.units.surface->curvature_at_strain(*specimen.strain_at_break);

@@ -100,6 +100,8 @@ class DesignCase {
   std::variant<PlannedDesign, DesignRefusal> plan() const;
   // [1/L] from which the specimen wraps the nose (problem.h).
   double nose_curvature(const Scales& scales) const;
+  // [m/N] of the supports (problem.h).
+  double support_compliance() const { return support_compliance_; }
   // Fails:      InputError if it is refused.
   PlannedDesign planned() const;
 
@@ -129,10 +131,11 @@ class DesignCase {
 
   std::shared_ptr<const Case> input_;  // what does not vary
   std::array<Value, count> values_{};
-  double span_;                   // [m] as it was read
-  double bending_stiffness_ = 0;  // [N m^2] likewise
-  Profile profile_;               // the numbers that vary are in values_
-  std::optional<Profile> other_;  // of the other support, which does not vary
+  double span_;                    // [m] as it was read
+  double bending_stiffness_ = 0;   // [N m^2] likewise
+  double support_compliance_ = 0;  // [m/N]
+  Profile profile_;                // the numbers that vary are in values_
+  std::optional<Profile> other_;   // of the other support, which does not vary
 };
 
 }  // namespace flexslip

@@ -89,7 +89,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   const Case input = measurement.test;  // completed with what the file says
   StiffnessSource source = StiffnessSource::initial_slope;
   TestDescription description{.span = span_of(input),
-                              .load_train_stiffness = load_train_stiffness_of(input),
+                              .load_train_stiffness = rig_stiffness_of(input),
                               .bending_stiffness = {},
                               .bending_stiffness_error = {},
                               .points_before_failure = measurement.record.force.size(),

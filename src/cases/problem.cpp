@@ -215,6 +215,14 @@ double load_train_stiffness_of(const Case& input) {
   return *input.rig->stiffness;
 }
 
+double support_compliance_of(const Case& input) {
+  return input.rig && input.rig->support_stiffness ? 0.5 / *input.rig->support_stiffness : 0;
+}
+
+double rig_stiffness_of(const Case& input) {
+  return with_supports(load_train_stiffness_of(input), support_compliance_of(input));
+}
+
 bool states_stiffness(const Case& input) { return stated_stiffness(input).has_value(); }
 
 BendingStiffnessUsed bending_stiffness_of(const Case& input) {
@@ -247,9 +255,7 @@ Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
   }
 }
 
-Rig rig_of(const Case& input, const Scales& scales) {
-  return {scales.reduced_stiffness(load_train_stiffness_of(input))};
-}
+Rig rig_of(const Case& input, const Scales& scales) { return {scales.reduced_stiffness(rig_stiffness_of(input))}; }
 
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales) {
   constexpr double rounding = 1e-3;  // of the four digits that a length is shown in

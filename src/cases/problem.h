@@ -4,6 +4,7 @@
 // that points at the line of the case, or of the file it names, that cannot be computed.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -58,9 +59,24 @@ Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness);
 // Fails:      InputError if the case has no span.
 double span_of(const Case& input);
 
-// [N/m]
+// [N/m] of the load train alone.
 // Fails:      InputError if the case has no stiffness of the rig.
 double load_train_stiffness_of(const Case& input);
+
+// [m/N] What the two supports of a case, each of which carries half the force, add to the compliance of the load train: 0 of rigid ones.
+double support_compliance_of(const Case& input);
+
+// [N/m] Of a load train and supports in line, from that of the load train; and back, infinite where the supports alone are as soft.
+inline double with_supports(double load_train, double compliance) {
+  return compliance == 0 ? load_train : 1 / (1 / load_train + compliance);
+}
+inline double without_supports(double both, double compliance) {
+  return compliance == 0 ? both : 1 / std::max(1 / both - compliance, 0.0);
+}
+
+// [N/m] Of load train and supports together: what stands between the stage and the deflection of the specimen.
+// Fails:      as load_train_stiffness_of.
+double rig_stiffness_of(const Case& input);
 
 // Fails:      InputError if the case has no stiffness of the rig.
 Rig rig_of(const Case& input, const Scales& scales);

@@ -289,7 +289,7 @@ void run_simulate(const SimulateRequest& request) {
   SimulatedTest test = physical_path(history, scales, surface_of(input, scales));
   // A stage in steps stands where it was asked to, without the rounding of there and back.
   if (programme.in_steps) std::copy_n(programme.positions.begin(), test.stage.size(), test.stage.begin());
-  add_noise(test, noise, input.rig->stiffness.value(), request.seed);
+  add_noise(test, noise, rig_stiffness_of(input), request.seed);
 
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};

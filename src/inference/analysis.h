@@ -35,8 +35,8 @@ inline constexpr double usual_stiffness_error = 0.03;
 
 // What is known of a test besides its record.
 struct TestDescription {
-  double span;                                // [m]
-  double load_train_stiffness;                // [N/m] infinite for displacement control
+  double span;                  // [m]
+  double load_train_stiffness;  // [N/m] with that of the supports, if they give way; infinite for displacement control
   std::optional<double> bending_stiffness{};  // [N m^2] EI; not given: from the initial slope of the record
   std::optional<double>
       bending_stiffness_error{};  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says

@@ -102,20 +102,22 @@ std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
 std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
   const std::string yours =
       fmt::format("This one has {}.", shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness)));
+  const std::string_view which =
+      answer.input.support_compliance() > 0 ? "stiffness of load train and supports together" : "load-train stiffness";
   if (answer.critical == 0)
     return fmt::format("In this test no load train, however soft, lets the specimen snap. {}", yours);
   if (!std::isfinite(answer.critical))
     return fmt::format(
-        "There is no critical load-train stiffness: in this test the specimen snaps even where the deflection itself "
+        "There is no critical {}: in this test the specimen snaps even where the deflection itself "
         "is controlled. {}",
-        yours);
+        which, yours);
   const double critical = rounded_up(answer.scales.physical_stiffness(answer.critical));
   const bool is_too_soft = answer.outcome.snaps == 0 && answer.design.rig.stiffness < answer.critical;
   const std::string why =
       is_too_soft ? fmt::format(" It is softer, and yet there is no snap: it bends the specimen by no more than {}.",
                                 shown.length(answer.outcome.w_reached))
                   : "";
-  return fmt::format("The critical load-train stiffness of this test is {}: from that on it does not snap. {}{}",
+  return fmt::format("The critical {} of this test is {}: from that on it does not snap. {}{}", which,
                      shown.stiffness(critical), yours, why);
 }
 
@@ -142,7 +144,8 @@ std::string phases_in_words(const DesignAnswer& answer, const Shown& shown) {
                                 : fmt::format("With {} of {} phases", study.snapping, study.phases);
   const std::string remedy =
       std::isfinite(study.critical)
-          ? fmt::format("On a load train of at least {} it snaps with none of them",
+          ? fmt::format("On a load train{} of at least {} it snaps with none of them",
+                        answer.input.support_compliance() > 0 ? " and supports together" : "",
                         shown.stiffness(rounded_up(answer.scales.physical_stiffness(study.critical))))
           : "With some of them it snaps however stiff the load train";
   return fmt::format("{} {} it snaps{}. {}.", known, count, drops, remedy);

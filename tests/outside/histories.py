@@ -319,6 +319,51 @@ class Nose(InFolder):
             self.refused("simulate", self.file("case.toml", self.RECORD.replace("nose_radius = 0.5", f"nose_radius = {radius}")), says=["[rig] nose_radius"])
 
 
+class SupportsThatGiveWay(InFolder):
+    """Each of 180 N/m, under a load train of 90: together 72 N/m."""
+
+    SECTION = '[specimen]\ndiameter = "34.8 um"\nmodulus = { value = "30 GPa", uncertainty = "3 %" }\n'
+    RIG = '[rig]\nspan = "1278 um"\nstiffness = "90 N/m"\nsupport_stiffness = "180 N/m"\n'
+    TOGETHER = '[rig]\nspan = "1278 um"\nstiffness = "72 N/m"\n'
+    WAVES = '[friction]\nmodel = "sinusoid"\nmu0 = 0.5\namplitude = 0.2\nwavelength = "11 um"\n'
+    STAGE = '[stage]\nprogram = ["0 um", "700 um"]\nstep = "2 um"\n'
+
+    def test_identity_simulated_and_designed_as_with_both_in_line(self):
+        one = self.file("one.toml", self.SECTION + self.RIG + self.WAVES + self.STAGE)
+        two = self.file("two.toml", self.SECTION + self.TOGETHER + self.WAVES + self.STAGE)
+        for here, there in zip(self.json("simulate", one)["path"], self.json("simulate", two)["path"]):
+            for name in "force", "deflection", "length":
+                self.assertAlmostEqual(here[name], there[name], delta=1e-12)
+        here, there = self.json("design", one), self.json("design", two)
+        for name in "snaps", "first_snap_stage", "critical_stiffness":
+            self.assertAlmostEqual(here[name], there[name], delta=1e-9 * there[name])
+        self.assertIn("stiffness of load train and supports together", self.succeeds("design", one))
+        train = [change["to"] for change in here["changes"] if change["parameter"] == "stiffness" and change["and_beyond"]]
+        # no load train is so stiff that both together are stiffer than the supports: 360 N/m
+        self.assertEqual(train != [], here["critical_stiffness"] < 360)
+        thinner = [[change["to"] for change in of["changes"] if change["parameter"] == "diameter"] for of in (here, there)]
+        self.assertEqual(len(thinner[0]) > 0, True)
+        self.assertAlmostEqual(thinner[0][0], thinner[1][0], delta=1e-9 * thinner[1][0])
+
+    def test_identity_a_record_is_read_as_with_both_in_line_by_stage_and_by_the_sinking_midpoint(self):
+        self.succeeds("simulate", self.file("truth.toml", self.SECTION + self.RIG + self.WAVES + self.STAGE), "--noise", "5 uN", "--output", self.folder / "test.csv")
+        stage, force = (numbers((self.folder / "test.csv").read_text(), name) for name in ("w_s [m]", "F [N]"))
+        midpoint = [w_s - F / 90 for w_s, F in zip(stage, force)]
+        self.file("midpoint.csv", "w [m],F [N]\n" + "".join(f"{w!r},{F!r}\n" for w, F in zip(midpoint, force)))
+        by_stage = '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\ncontact = "0 m"\n'
+        by_midpoint = '[record]\nfile = "midpoint.csv"\ndeflection = "w [m]"\nforce = "F [N]"\ncontact = "0 m"\n'
+        answers = [self.json("fit", self.file(f"{name}.toml", self.SECTION + rig + record), "--quiet")["parameters"]["mu0"]["value"]
+                   for name, rig, record in (("a", self.RIG, by_stage), ("b", self.TOGETHER, by_stage), ("c", self.RIG, by_midpoint))]
+        self.assertAlmostEqual(answers[0], 0.5, delta=0.03)
+        self.assertAlmostEqual(answers[1], answers[0], delta=1e-6)
+        self.assertAlmostEqual(answers[2], answers[0], delta=1e-6)
+
+    def test_refused(self):
+        for stiffness in '"0 N/m"', '"-1 N/m"', "180", '"180 N"':
+            case = self.file("case.toml", self.SECTION + self.RIG.replace('"180 N/m"', stiffness) + self.WAVES + self.STAGE)
+            self.refused("simulate", case, says=["[rig] support_stiffness"])
+
+
 class TwoSupports(InFolder):
     def simulated(self, friction, stage, *options):
         return self.json("simulate", self.file("case.toml", friction + stage), *options)
