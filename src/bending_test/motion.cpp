@@ -75,7 +75,7 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
 }
 
 MovingFibre::MovingFibre(BendingTest test, double farthest, double S, double stage)
-    : MovingFibre(std::move(test), farthest) {
+    : MovingFibre({{test.friction.kinetic.from(S), test.friction.static_excess}, test.rig, test.rest}, farthest) {
   const auto at = [&](double length) {
     return held_at(length, stage, test_.rig, test_.friction.kinetic.at(length).mu);
   };

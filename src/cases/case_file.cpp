@@ -107,7 +107,8 @@ constexpr std::array examples{
 // "specimen.diameter" as the user finds it: "[specimen] diameter".
 std::string field_name(std::string_view key) {
   constexpr std::string_view nested = "friction.other";
-  const std::size_t dot = key.starts_with(nested) ? key.find('.', nested.size()) : key.find('.');
+  const bool is_nested = key.starts_with(nested) && key.substr(nested.size()).starts_with('.');
+  const std::size_t dot = is_nested ? nested.size() : key.find('.');
   if (key == nested) return fmt::format("[{}]", key);
   if (dot != std::string_view::npos) return fmt::format("[{}] {}", key.substr(0, dot), key.substr(dot + 1));
   for (const std::string_view section : {"specimen", "rig", "friction", "stage", "record", "sweep"})

@@ -311,7 +311,9 @@ Friction DesignCase::friction(const Profile& profile, const Scales& scales, doub
   return Friction::waves(std::move(waves));
 }
 
-double DesignCase::nose_curvature(const Scales& scales) const { return nose_curvature_of(*input_, scales); }
+double DesignCase::nose_curvature(const Scales& scales) const {
+  return nose_curvature_of(*input_, reduced() ? input_->specimen->section : section(), scales);
+}
 
 std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
   if (auto fault = fault_of_specimen()) return *std::move(fault);

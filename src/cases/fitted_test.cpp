@@ -142,7 +142,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   std::optional<double> strain_at_break = input.specimen ? input.specimen->strain_at_break : std::nullopt;
   if (surface && input.specimen->strength)
     strain_at_break = surface->strain(surface->curvature_at_stress(*input.specimen->strength));
-  const double nose_curvature = nose_curvature_of(input, analysis.scales);
+  const double nose_curvature = nose_curvature_of(input, geometry.section, analysis.scales);
   const std::string& data = input.record.value().file;
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};

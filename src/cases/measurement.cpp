@@ -104,7 +104,7 @@ void require_finite(const Record& record, const Table& table) {
 }
 
 double stiffness_for(const Case& input, const Columns& columns) {
-  if (input.rig && input.rig->stiffness) return *input.rig->stiffness;
+  if (input.rig && input.rig->stiffness) return rig_stiffness_of(input);
   // A deflection with its force needs no stiffness: what the stage did is not asked then.
   if (!columns.has(Reading::stage)) return std::numeric_limits<double>::infinity();
   if (!columns.has(Reading::deflection))
@@ -226,15 +226,6 @@ void note_compliance(const Columns& columns, double stiffness, bool is_stated, S
   if (!is_stiff) value = steps.value(stiffness, {}, kind::stiffness);
   steps.add("compliance", !is_stiff, std::move(words),
             is_stiff ? "[rig] stiffness = \"…\"" : "[rig] stiffness = \"inf\"", value);
-}
-
-// The deflection of the specimen is that of its midpoint less that of its ends.
-void take_supports_off(const Case& input, Record& record, Steps& steps) {
-  const double compliance = support_compliance_of(input);
-  if (compliance == 0) return;
-  for (std::size_t i = 0; i < record.force.size(); ++i) record.deflection[i] -= record.force[i] * compliance;
-  steps.add("supports", true, "the deflection is further less half the force over the stiffness of a support",
-            "[rig] support_stiffness = \"inf\"", steps.value(*input.rig->support_stiffness, {}, kind::stiffness));
 }
 
 // A load train under a force gives way by no more than the stage moves: the rest is the deflection.
@@ -476,9 +467,8 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   for (std::size_t& row : result.sampling.rows) row += first;
   note_sampling(result.sampling, result.rows - first, steps);
   every = picked(every, result.sampling.rows);
-  Record all = zeroed(input, every, columns.has(Reading::stage), stiffness, result.sampling, result.rows, steps);
+  const Record all = zeroed(input, every, columns.has(Reading::stage), stiffness, result.sampling, result.rows, steps);
   note_compliance(columns, stiffness, input.rig && input.rig->stiffness, steps);
-  take_supports_off(input, all, steps);
 
   const std::vector<Leg> legs = find_legs(all.stage);
   std::size_t points = end_of(input, all, legs, until, result, steps);

@@ -370,9 +370,8 @@ std::optional<SurfaceStrain> surface_of(const Case& input, const Scales& scales)
   return section ? std::optional(SurfaceStrain(*section, scales)) : std::nullopt;
 }
 
-double nose_curvature_of(const Case& input, const Scales& scales) {
+double nose_curvature_of(const Case& input, const std::optional<Section>& section, const Scales& scales) {
   if (!input.rig || !input.rig->nose_radius) return std::numeric_limits<double>::infinity();
-  const auto section = input.specimen ? input.specimen->section : std::nullopt;
   return 1 / scales.reduced_length(*input.rig->nose_radius + (section ? 0.5 * depth(*section) : 0));
 }
 

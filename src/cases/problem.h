@@ -136,7 +136,7 @@ std::optional<SurfaceStrain> surface_of(const Case& input, const Scales& scales)
 
 // The curvature at midspan [1/L] from which a specimen wraps the nose of its rig, as its axis is bent more sharply than nose and half depth allow; up to
 // there the radius of the nose has no effect. Infinite for a sharp nose.
-double nose_curvature_of(const Case& input, const Scales& scales);
+double nose_curvature_of(const Case& input, const std::optional<Section>& section, const Scales& scales);
 
 // Where the specimen of a case cracks.
 std::vector<Crack> cracks_of(const Case& input, const Scales& scales);

@@ -23,10 +23,10 @@ namespace {
 struct InvertRequest {
   std::string file;
   bool is_case = false;
-  std::string radius, thickness;  // of rollers, and of the specimen on them
+  std::optional<std::string> radius, thickness;  // of rollers, and of the specimen on them
   Output output;
 
-  bool on_supports() const { return !radius.empty() || !thickness.empty(); }
+  bool on_supports() const { return radius || thickness; }
 };
 
 // A length in spans, of a flag.
@@ -42,11 +42,11 @@ double spans_of(const std::string& text, const char* flag, const Kind& kind, con
 Supports supports_of(const InvertRequest& request, const Kind& kind, const Scales& scales,
                      const std::optional<Section>& section) {
   Supports supports{0, section ? 0.5 * scales.reduced_length(depth(*section)) : 0};
-  if (!request.radius.empty()) supports.radius = spans_of(request.radius, "--roller-radius", kind, scales);
-  if (!request.thickness.empty()) supports.half_depth = 0.5 * spans_of(request.thickness, "--thickness", kind, scales);
+  if (request.radius) supports.radius = spans_of(*request.radius, "--roller-radius", kind, scales);
+  if (request.thickness) supports.half_depth = 0.5 * spans_of(*request.thickness, "--thickness", kind, scales);
   if (supports.radius + supports.half_depth < widest_supports) return supports;
   throw InputError(
-      {.field = request.radius.empty() ? "--thickness" : "--roller-radius",
+      {.field = request.radius ? "--roller-radius" : "--thickness",
        .expected = fmt::format("a radius, and half of a thickness, of less than {:g} spans together", widest_supports),
        .found = fmt::format("{:g} and {:g}", supports.radius, supports.half_depth),
        .remedy = "check their units, and the span"});
@@ -134,11 +134,15 @@ void invert_case(const InvertRequest& request) {
   const ReducedRecord record = to_reduced(measurement.record, scales);
   const Rig rig = rig_of(input, scales);
   const MeasurementErrors errors = errors_of(measurement, stiffness, scales);
-  const FrictionProfile profile =
-      request.on_supports()
-          ? measure_friction_on(supports_of(request, kind_in(input, kind::length), scales, input.specimen->section),
-                                record, rig, errors)
-          : measure_friction(record, rig, errors);
+  constexpr double least_deflection = 0.02;
+  Supports supports{};
+  if (request.on_supports())
+    supports = supports_of(request, kind_in(input, kind::length), scales,
+                           input.specimen ? input.specimen->section : std::nullopt);
+  const FrictionProfile profile = request.on_supports()
+                                      ? measure_friction_on(supports, record, rig, errors, least_deflection)
+                                      : measure_friction(record, rig, errors, least_deflection);
+  const bool is_thick = least_half_depths * supports.half_depth > least_deflection;
   const double most = request.on_supports() ? largest_q_on_supports : largest_q;
   note_assumptions(request.output, stiffness);
   if (!profile.unexplained.empty())
@@ -196,10 +200,11 @@ void invert_case(const InvertRequest& request) {
     write_table(request.output.path, columns);
   }
   if (profile.points.empty())
-    throw CalculationFailed(
-        fmt::format("{}: no reading tells a friction: all deflections are below 0.02 spans, or no friction explains "
-                    "them; check the units",
-                    measurement.file));
+    throw CalculationFailed(fmt::format(
+        "{}: no reading tells a friction: all deflections are below {}, or no friction explains them; "
+        "check the units",
+        measurement.file,
+        is_thick ? "twice the thickness of the specimen, up to where its surface hardly slides" : "0.02 spans"));
 }
 
 void run_invert(const InvertRequest& request) {
@@ -223,8 +228,9 @@ void add_invert_command(CLI::App& app) {
                    "Of fixed rollers as supports, such as \"5 mm\"; without a case, in spans")
       ->type_name("LENGTH");
   command
-      ->add_option("--thickness", request->thickness,
-                   "Friction acts at the surface of a specimen as thick; beside --roller-radius, that of the case")
+      ->add_option(
+          "--thickness", request->thickness,
+          "Of the specimen, at whose surface friction acts; with --roller-radius, that of the case unless it is given")
       ->type_name("LENGTH");
   add_output_options(*command, request->output);
   command->footer(

@@ -243,7 +243,7 @@ std::string lift_in_words(const Case& input, const History& history, const Scale
 
 // Where the specimen first wraps the nose; null where it does not.
 Json wrap_json(const Case& input, const History& history, const Scales& scales) {
-  const double most = nose_curvature_of(input, scales);
+  const double most = nose_curvature_of(input, input.specimen->section, scales);
   if (std::isinf(most)) return nullptr;
   const auto wraps = std::find_if(history.path.begin(), history.path.end(), [&](const PathPoint& point) {
     return curvature_at_midspan(fibre_state(point.S, point.q)) > most;

@@ -184,34 +184,55 @@ class Walk::Tracer {
 };
 
 Walk::Walk(Friction left, Friction right, ContactPoints from, double S_most)
-    : sides_{std::move(left), std::move(right)}, origin_(1 + from.left + from.right) {
+    : Walk({std::move(left), std::move(right)}, from, 1 + from.left + from.right, S_most) {}
+
+Walk::Walk(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most)
+    : sides_(std::move(sides)), origin_(origin) {
   for (const Friction& side : sides_)
     if (side.walk()) throw std::invalid_argument("the friction of a side is that of a walk over two");
   if (!(origin_ >= 1 && S_most >= origin_ && S_most < infinity))
     throw std::invalid_argument("a walk from the length " + std::to_string(origin_) + " to " + std::to_string(S_most));
   pieces_ = Tracer(sides_, from, -1, origin_ - 1).run();
   std::reverse(pieces_.begin(), pieces_.end());
-  const auto inwards = Tracer(sides_, from, 1, std::max(S_most - origin_, 1e-9)).run();
+  if (!pieces_.empty()) pieces_.front().from = 1;
+  pieces_.push_back({origin_, origin_, from, from, Slides::left});
+  const auto inwards = Tracer(sides_, from, 1, S_most - origin_).run();
   pieces_.insert(pieces_.end(), inwards.begin(), inwards.end());
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Piece& piece = pieces_[i];
-    if (i > 0) pieces_[i].from = pieces_[i - 1].to;
-    knots_.push_back(piece.from);
-    for (const bool of_left : {true, false}) {
-      if (piece.slides == (of_left ? Slides::right : Slides::left)) continue;
-      const auto side_at = [&](double S) {
-        const ContactPoints points = points_in(piece, S);
-        return of_left ? points.left : points.right;
-      };
-      for (const double knot : sides_[of_left ? 0 : 1].knots()) {
-        const double x = 0.5 * (knot - 1);
-        if (!(side_at(piece.from) < x && x < side_at(piece.to))) continue;
-        knots_.push_back(first_where(piece.from, piece.to, [&](double S) { return side_at(S) >= x; }));
-      }
-    }
-  }
+  pieces_.back().to = S_most;
+  for (std::size_t i = 1; i < pieces_.size(); ++i) pieces_[i].from = pieces_[i - 1].to;
+  for (const Piece& piece : pieces_) add_knots(piece);
   std::sort(knots_.begin(), knots_.end());
   knots_.erase(std::unique(knots_.begin(), knots_.end()), knots_.end());
+}
+
+// Where it begins, and where a side that slides meets a knot of its own, or begins or ends to be held at zero.
+void Walk::add_knots(const Piece& piece) {
+  knots_.push_back(piece.from);
+  for (const bool of_left : {true, false}) {
+    if (piece.slides == (of_left ? Slides::right : Slides::left)) continue;
+    const Friction& side = sides_[of_left ? 0 : 1];
+    const double begin = of_left ? piece.begin.left : piece.begin.right;
+    const double end = of_left ? piece.end.left : piece.end.right;
+    const auto add = [&](double x) {
+      knots_.push_back(first_where(piece.from, piece.to, [&](double S) {
+        const ContactPoints points = points_in(piece, S);
+        return (of_left ? points.left : points.right) >= x;
+      }));
+    };
+    const auto knots = side.knots();
+    const auto last = std::lower_bound(knots.begin(), knots.end(), 1 + 2 * end);
+    for (auto knot = std::upper_bound(knots.begin(), knots.end(), 1 + 2 * begin); knot < last; ++knot)
+      add(0.5 * (*knot - 1));
+    if (!side.may_be_held() || !(end > begin)) continue;
+    const auto is_held = [&](double x) { return side.unheld(1 + 2 * x) < 0; };
+    const double sample = std::min(0.125 * side.smooth_scale(), end - begin);
+    const auto samples = static_cast<std::size_t>(std::ceil((end - begin) / sample));
+    for (std::size_t k = 0; k < samples; ++k) {
+      const double x = begin + static_cast<double>(k) * sample, next = std::min(x + sample, end);
+      if (const bool then = is_held(next); then != is_held(x))
+        add(first_where(x, next, [&](double at) { return is_held(at) == then; }));
+    }
+  }
 }
 
 const Walk::Piece& Walk::piece_at(double S) const {

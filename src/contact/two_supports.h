@@ -39,7 +39,7 @@ class Walk {
 
   double origin() const { return origin_; }  // [L] the length from which it leads
   double end() const { return pieces_.back().to; }
-  Walk from(double S) const { return {sides_[0], sides_[1], points_at(S), end()}; }
+  Walk from(double S) const { return {sides_, points_at(S), S, end()}; }
 
   double smooth_scale() const;
   double most_up_to(double S_max) const;
@@ -56,6 +56,8 @@ class Walk {
   };
   class Tracer;
 
+  Walk(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most);
+  void add_knots(const Piece& piece);
   const Piece& piece_at(double S) const;
   ContactPoints points_in(const Piece& piece, double S) const;
 

@@ -190,11 +190,11 @@ SupportedState state_on_supports_from_force(double w, double F, const Supports& 
   double low = -largest_q_on_supports, high = largest_q_on_supports;
   double q = 0, before = 0, F_before = 0;
   bool has_before = false;
-  constexpr double good = 1e-12;
+  const double good = 1e-12 * std::max(F, w);
   for (int i = 0; i < 100 && high - low > 4 * epsilon; ++i) {
     const SupportedState state = at(q);
     const bool exists = state.status == FibreStatus::ok;
-    if (exists && std::abs(state.F - F) <= good * F) return state;
+    if (exists && std::abs(state.F - F) <= good) return state;
     const bool is_less = exists ? state.F < F : q < 0;
     (is_less ? low : high) = q;
     double next = 0.5 * (low + high);
@@ -206,9 +206,7 @@ SupportedState state_on_supports_from_force(double w, double F, const Supports& 
     }
     q = next;
   }
-  const SupportedState last = at(q);
-  constexpr double rounding = 1e-9;
-  return last.status == FibreStatus::ok && std::abs(last.F - F) <= rounding * F ? last : no_friction;
+  return no_friction;
 }
 
 }  // namespace flexslip

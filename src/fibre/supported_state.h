@@ -42,13 +42,13 @@ struct SupportedState {
 // Cost:       some 10 µs.
 SupportedState state_on_supports(double w, double q, const Supports& supports);
 
-// Where a force tells no friction: below so many half depths of deflection the surface does not slide inwards with it.
+// Deflections below so many half depths tell no friction. From 1.25 on more friction makes for more force, at first hardly any.
 inline constexpr double least_half_depths = 4;
 inline constexpr double largest_q_on_supports = 2;  // [1] of friction that is looked for
 
 // The inverse: the state with a deflection w and a force F.
 // Domain:     as above; F >= 0.
-// Tolerance:  F is reproduced to 1e-12; q to that over its condition, which w = 1e-3 makes 1e3.
+// Tolerance:  F is reproduced to 1e-12 of the larger of F and w.
 // Fails:      no_friction where none in [-2, 2] gives the force, or w < 4 half depths.
 // Cost:       some 0.1 ms.
 SupportedState state_on_supports_from_force(double w, double F, const Supports& supports);

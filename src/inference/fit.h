@@ -115,6 +115,14 @@ struct FrictionFit {
 // The weight of the explanations without roughness; 0 of a model that has none by itself.
 double weight_without_roughness(const FrictionFit& fit);
 
+// A length along the fibre that a fit tells.
+struct FittedLength {
+  std::string_view name;  // "wavelength" or "correlation_length"
+  double value;           // [L]
+};
+// Of each wave that is claimed, and of roughness where there is some: a fit whose explanations have none by more than half tells none.
+std::vector<FittedLength> lengths_of(const FrictionFit& fit);
+
 // Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
 // Fails:      too_few_points, not_explained. Of more than 1200 points every so many are fitted.
 // Cost:       0.1 s at most for 200 points (bench/analyses).

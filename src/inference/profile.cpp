@@ -90,16 +90,26 @@ FrictionProfile measure_friction_on(const Supports& supports, const ReducedRecor
     if (!(w > least)) continue;
     constexpr double h = 1e-5;  // of what differences are taken over
     const auto told = [&](double deflection, double force) {
-      return F >= 0 && deflection <= 2 ? state_on_supports_from_force(deflection, force, supports) : SupportedState{};
+      return state_on_supports_from_force(deflection, force, supports);
     };
-    const SupportedState state = told(w, F), more = told(w, F * (1 + h)), farther = told(w * (1 + h), F);
-    const bool is_told =
-        state.status == FibreStatus::ok && more.status == FibreStatus::ok && farther.status == FibreStatus::ok && F > 0;
-    if (!is_told) {
+    constexpr double farthest = 2;  // [L] of a deflection
+    if (!(F > 0 && w * (1 + h) <= farthest)) {
       profile.unexplained.push_back(i);
       continue;
     }
-    const double q_F = (more.q - state.q) / (h * F), q_w = (farther.q - state.q) / (h * w);
+    const SupportedState state = told(w, F);
+    if (state.status != FibreStatus::ok) {
+      profile.unexplained.push_back(i);
+      continue;
+    }
+    // Inwards of what may be looked for.
+    const double step = state.q > 0 ? -h : h;
+    const SupportedState other = told(w, F * (1 + step)), farther = told(w * (1 - step), F);
+    if (other.status != FibreStatus::ok || farther.status != FibreStatus::ok) {
+      profile.unexplained.push_back(i);
+      continue;
+    }
+    const double q_F = (other.q - state.q) / (step * F), q_w = (state.q - farther.q) / (step * w);
     const double mu_force = q_F - q_w / rig.stiffness, mu_log_stiffness = -F * q_F;
     profile.points.push_back({.index = i,
                               .S = state.length,

@@ -71,14 +71,15 @@ std::string strain_text(double strain) { return fmt::format("{:.2g} %", 100 * st
 
 // How far the specimen is strained; nothing without a section.
 std::string strain_in_words(const DesignAnswer& answer) {
-  if (!answer.surface) return "";
+  const std::string wraps = answer.wraps_nose
+                                ? " The specimen is bent more sharply than the nose, and wraps it: from there "
+                                  "on the nose is taken to be sharp."
+                                : "";
+  if (!answer.surface) return wraps;
   const double curvature = answer.outcome.greatest_curvature;
   return fmt::format(" Bending strains its surface by up to {}{}.{}", strain_text(answer.surface->strain(curvature)),
                      answer.input.reduced() ? "" : ", " + readable(answer.surface->stress(curvature), kind::pressure),
-                     answer.wraps_nose
-                         ? " It is bent more sharply than the nose, and wraps it: from there on the nose is "
-                           "taken to be sharp."
-                         : "");
+                     wraps);
 }
 
 std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {

@@ -70,15 +70,12 @@ Json wave_json(const FrictionFit& fit, const Units& units) {
   return out;
 }
 
-// The lengths along the specimen if it slid over one support at a time; null where there is none.
+// The lengths along the specimen if it slid over one support at a time.
 Json one_sided_json(const FrictionFit& fit, const Units& units) {
-  const bool has_wave = fit.wave_claimed && !fit.waves.empty();
-  const bool is_rough = fit.model == ProfileModel::roughness && !(weight_without_roughness(fit) > 0.5);
-  const auto length = [&](bool is_there, double of_both) {
-    return is_there ? Json(units.length(one_side_at_a_time * of_both)) : Json();
-  };
-  return {{"wavelength", length(has_wave, has_wave ? fit.waves.front().wavelength.value : 0)},
-          {"correlation_length", length(is_rough, fit.length.value)}};
+  Json out = Json::array();
+  for (const auto& [name, value] : lengths_of(fit))
+    out.push_back({{"name", name}, {"value", units.length(one_side_at_a_time * value)}});
+  return out;
 }
 
 Json explanations_json(const FrictionFit& fit, const Units& units) {
@@ -399,7 +396,7 @@ Json fit_json(const FittedTest& test) {
               {"residual_rms", fitted ? Json(units.force(fit.residual_rms)) : Json()},
               {"checks", checks_json(analysis.checks, units)}};
   out["wave"] = fitted ? wave_json(fit, units) : Json();
-  out["one_side_at_a_time"] = fitted ? one_sided_json(fit, units) : Json();
+  out["one_side_at_a_time"] = fitted ? one_sided_json(fit, units) : Json::array();
   out["explanations"] = explanations_json(fit, units);
   out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
   out["judgement"] = judgement_json(test);

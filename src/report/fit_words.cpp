@@ -261,6 +261,9 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
                  : fmt::format("{} of the {} drops can be no slip.", impossible, analysis.slips.size());
     }
     case Doubt::implausible_friction:
+      if (!analysis.suspects.suspect)
+        return fmt::format("It needs more friction than is plausible: at least {:.2f} on average, with 95 %.",
+                           analysis.fit.mu0.low);
       return fmt::format(
           "It needs more friction than is plausible: above {:g} in {} of {} points past a tenth of the "
           "span.",
@@ -352,7 +355,7 @@ std::string next_step_in_words(const FittedTest& test) {
     case NextStep::stiffer_rig:
       return fmt::format(
           "Next: a stiffer rig; the fibre jumps over more than half of what it passes. From {} on, mean friction such "
-          "as this shows no drop.",
+          "as this does not snap.",
           Print(test).own(test.analysis.scales.physical_stiffness(judgement.stiffness_for_all), kind::stiffness));
     case NextStep::image_length:
       break;
@@ -642,17 +645,11 @@ std::string wave_in_words(const FittedTest& test) {
 }
 
 std::string sides_in_words(const FittedTest& test) {
-  const auto& fit = test.analysis.fit;
-  const Print print(test);
   std::string twice;
-  const auto add = [&](std::string_view name, const ParameterEstimate& length) {
-    twice +=
-        fmt::format("{}a {} of {}", twice.empty() ? "" : ", ", name, print.length(one_side_at_a_time * length.value));
-  };
-  if (fit.wave_claimed)
-    for (const auto& wave : fit.waves) add("wavelength", wave.wavelength);
-  const bool is_rough = fit.model == ProfileModel::roughness && !(weight_without_roughness(fit) > 0.5);
-  if (is_rough) add("correlation length", fit.length);
+  for (const auto& [name, value] : lengths_of(test.analysis.fit))
+    twice += fmt::format("{}a {} of {}", twice.empty() ? "" : ", ",
+                         name == "wavelength" ? "wavelength" : "correlation length",
+                         Print(test).length(one_side_at_a_time * value));
   if (twice.empty()) return "";
   return fmt::format(
       "These lengths hold if the specimen slides over both supports at once. If it slides over one at a time, as it "
@@ -674,10 +671,10 @@ std::optional<LiteratureFriction> literature_of(const FittedTest& test) {
 std::string strain_in_words(const FittedTest& test) {
   const double curvature = greatest_curvature(test.analysis.profile_at_fit);
   if (!std::isfinite(curvature)) return "";
-  const std::string wraps =
-      curvature > test.nose_curvature
-          ? " It was bent more sharply than the nose, and wrapped it: what is read there is read as of a sharp one."
-          : "";
+  const std::string wraps = curvature > test.nose_curvature
+                                ? "The specimen was bent more sharply than the nose, and wrapped it: what is read "
+                                  "there is read as of a sharp one."
+                                : "";
   if (!test.surface) return wraps;
   const double strain = test.surface->strain(curvature);
   std::string words = fmt::format("Bending strained its surface at midspan by up to {:.2g} %", 100 * strain);
@@ -687,7 +684,7 @@ std::string strain_in_words(const FittedTest& test) {
   words += ".";
   if (test.strain_at_break && strain > *test.strain_at_break)
     words += fmt::format(" That is beyond the {:.2g} % at which it should break.", 100 * *test.strain_at_break);
-  return words + wraps;
+  return wraps.empty() ? words : words + " " + wraps;
 }
 
 std::string friction_in_literature(const FittedTest& test) {

@@ -130,7 +130,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("published: rough sides look rougher along and a little smoother in size, and lower (MODEL 13)") {
+TEST_CASE("limit: rough sides look shorter along the fibre, smaller and lower than either is by itself") {
   const double length = 0.005;
   double mean = 0, square = 0, lag = 0, count = 0, side_square = 0, side_lag = 0;
   constexpr double apart = 0.25;  // of a length, along the fibre
@@ -158,7 +158,7 @@ TEST_CASE("limit: a symmetric pair whose friction falls goes one-sided") {
   for (double S = 1; S < 1.3; S += 0.01) {
     CHECK(walk.points_at(S).right == 0);
     CHECK(walk.at(S).mu == doctest::Approx(falling.at(1 + 2 * (S - 1)).mu).epsilon(1e-14));
-    CHECK(walk.at(S).slope == doctest::Approx(S == 1 ? -1 : -1).epsilon(1e-12));
+    CHECK(walk.at(S).slope == doctest::Approx(-1).epsilon(1e-12));
   }
 }
 
@@ -181,11 +181,34 @@ TEST_CASE("limit: a side that holds at all costs leaves the other alone") {
   }
 }
 
+TEST_CASE("limit: a drift that runs into zero leaves knots where it does, and zero beyond") {
+  const Friction falling =
+      Friction::waves({.mu0 = 0.3, .drift = -3, .terms = {}, .S_reference = 1});  // 0 from x = 0.05
+  const Walk walk(falling, wavy(0.5, 0.2, wavelength, 1), {0, 0}, 1.3);
+  const auto held = std::find_if(walk.knots().begin(), walk.knots().end(),
+                                 [&](double S) { return std::abs(walk.points_at(S).left - 0.05) < 1e-12; });
+  REQUIRE(held != walk.knots().end());
+  CHECK(walk.at(*held + 0.01).mu == 0);
+  CHECK(walk.at(*held - 1e-4).mu > 0);
+}
+
+TEST_CASE("limit: a walk may lead nowhere, and on from any length, let out to the straight fibre again and again") {
+  const Friction left = wavy(0.5, 0.2, wavelength, 1), right = wavy(0.52, 0.15, 0.77 * wavelength, 2.5);
+  CHECK(Walk(left, right, {0, 0}, 1).at(1).mu == Walk(left, right, {0, 0}, 1.1).at(1).mu);
+  for (int i = 1; i < 400; ++i) {
+    Walk walk(left, right, {0, 0}, 1.3);
+    for (const double turn : {1 + 0.0007 * i, 1.0, 1.25, 1.0, 1.3, 1.0}) walk = walk.from(turn);
+    CHECK(walk.origin() == 1);
+    CHECK(std::abs(walk.points_at(1).left + walk.points_at(1).right) < 1e-14);
+  }
+}
+
 TEST_CASE("limit: beyond its ends a walk is constant, and it is refused where there is none") {
   const Friction side = wavy(0.5, 0.2, wavelength, 1);
   const Walk walk(side, side, {0, 0}, 1.1);
   CHECK(walk.at(1.2).mu == walk.at(1.1).mu);
   CHECK(walk.at(1.2).slope == 0);
+  CHECK(walk.at(0.9).mu == walk.at(1).mu);
   CHECK_THROWS_AS(Walk(side, side, {0, 0}, 0.9), std::invalid_argument);
   CHECK_THROWS_AS(Walk(side, side, {-0.1, 0}, 1.1), std::invalid_argument);
   CHECK_THROWS_AS(Walk(Friction::on_two_supports(side, side, 1.2), side, {0, 0}, 1.1), std::invalid_argument);

@@ -101,6 +101,18 @@ contact = "0 m"
                 self.assertGreater(point["drawn_in"], point["length"] - 0.064)
                 self.assertGreater(point["mu_error"], 0)
 
+    def test_a_reading_that_no_roller_explains_is_left_out_and_a_case_needs_no_specimen(self):
+        rows = [(0.002 * i, 48 * 0.002 * i * (1 + 0.002 * i)) for i in range(150)] + [(2.5, 30.0)]
+        self.file("far.csv", "w,F\n" + "".join(f"{w!r},{F!r}\n" for w, F in rows))
+        case = self.file("far.toml", 'reduced = true\n[rig]\nstiffness = 1e9\n[record]\nfile = "far.csv"\ndeflection = "w"\nforce = "F"\ncontact = 0\nfailure = "none"\n')
+        result = run("invert", case, "--roller-radius", "0.01", "--json")
+        answer = json.loads(result.stdout)
+        self.assertTrue(all(point["deflection"] < 2 for point in answer["profile"]))
+        self.assertIn(151, answer["unexplained"])
+        self.file("short.csv", "w [mm],F [N]\n" + "".join(f"{0.064 * 1e3 * w!r},{F!r}\n" for w, F in rows[:150]))
+        bare = self.file("bare.toml", '[rig]\nspan = "64 mm"\nstiffness = "1e9 N/m"\n[record]\nfile = "short.csv"\ndeflection = "w [mm]"\nforce = "F [N]"\ncontact = "0 m"\n')
+        self.assertGreater(len(self.json("invert", bare, "--roller-radius", "1 mm", "--quiet")["profile"]), 3)
+
     def test_supports_of_invert_that_are_none_are_refused(self):
         points = self.file("points.csv", "w,F\n0.2,9\n")
         self.refused("invert", points, "--roller-radius", "0.5", says=["--roller-radius", "0.45 spans together", "check their units"])

@@ -345,15 +345,12 @@ class SupportsThatGiveWay(InFolder):
         self.assertEqual(len(thinner[0]) > 0, True)
         self.assertAlmostEqual(thinner[0][0], thinner[1][0], delta=1e-9 * thinner[1][0])
 
-    def test_identity_a_record_is_read_as_with_both_in_line_by_stage_and_by_the_sinking_midpoint(self):
+    def test_identity_a_record_is_read_as_with_both_in_line_by_stage_and_by_deflection(self):
         self.succeeds("simulate", self.file("truth.toml", self.SECTION + self.RIG + self.WAVES + self.STAGE), "--noise", "5 uN", "--output", self.folder / "test.csv")
-        stage, force = (numbers((self.folder / "test.csv").read_text(), name) for name in ("w_s [m]", "F [N]"))
-        midpoint = [w_s - F / 90 for w_s, F in zip(stage, force)]
-        self.file("midpoint.csv", "w [m],F [N]\n" + "".join(f"{w!r},{F!r}\n" for w, F in zip(midpoint, force)))
         by_stage = '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\ncontact = "0 m"\n'
-        by_midpoint = '[record]\nfile = "midpoint.csv"\ndeflection = "w [m]"\nforce = "F [N]"\ncontact = "0 m"\n'
+        by_deflection = '[record]\nfile = "test.csv"\ndeflection = "w"\nforce = "F"\ncontact = "0 m"\n'
         answers = [self.json("fit", self.file(f"{name}.toml", self.SECTION + rig + record), "--quiet")["parameters"]["mu0"]["value"]
-                   for name, rig, record in (("a", self.RIG, by_stage), ("b", self.TOGETHER, by_stage), ("c", self.RIG, by_midpoint))]
+                   for name, rig, record in (("a", self.RIG, by_stage), ("b", self.TOGETHER, by_stage), ("c", self.RIG, by_deflection))]
         self.assertAlmostEqual(answers[0], 0.5, delta=0.03)
         self.assertAlmostEqual(answers[1], answers[0], delta=1e-6)
         self.assertAlmostEqual(answers[2], answers[0], delta=1e-6)
