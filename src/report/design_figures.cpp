@@ -293,10 +293,12 @@ Figure design_figure(const DesignAnswer& answer) {
     first.rows.push_back({nan, nan, nan, nan});
 
   const double right = x * (folds.empty() ? design.travel : folds.back().w);
+  const bool gives =
+      answer.input.support_compliance() > 0;  // then the stiffness is that of load train and supports together
   std::string lines;
   if (std::isfinite(design.rig.stiffness))
-    lines += fmt::format("{:.8g} with lines lw 1.4 lc rgb 'black' title 'This load train', \\\n       ",
-                         z * design.rig.stiffness);
+    lines += fmt::format("{:.8g} with lines lw 1.4 lc rgb 'black' title '{}', \\\n       ", z * design.rig.stiffness,
+                         gives ? "This rig" : "This load train");
   if (std::isfinite(answer.critical) && answer.critical > 0)
     lines += fmt::format("{:.8g} with lines lw 1.4 dt (7,4) lc rgb green title 'Critical stiffness', \\\n       ",
                          z * answer.critical);
@@ -327,7 +329,7 @@ Figure design_figure(const DesignAnswer& answer) {
       1.02 * x * design.travel, 1.15 * y * outcome.greatest_force,
       axis_label("Stage displacement", "{/:Italic w}_s", length), axis_label("Force", "{/:Italic F}", force), right,
       (is_wide ? 2 : 1.12) * z * top, axis_label("Deflection", "{/:Italic w}_0", length),
-      axis_label("Load-train stiffness", "{/:Italic k}", stiffness), lines,
+      axis_label(gives ? "Stiffness of the rig" : "Load-train stiffness", "{/:Italic k}", stiffness), lines,
       outcome.drops > 0 ? "title 'Drops'" : "notitle", outcome.first_snap ? "title 'First snap'" : "notitle",
       fmt::format("{:.6g}", is_wide ? z * least / 3 : 0), is_wide ? "; set logscale y" : "",
       breaks ? "title 'Breaks'" : "notitle");

@@ -598,8 +598,9 @@ std::string friction_in_words(const FittedTest& test) {
                 mean_friction(fit), fit.mu0.low, fit.mu0.high);
   const auto& read = analysis.friction_read;
   words += fmt::format(
-      " Read off the curve point by point, its median is {:.2f}, and four fifths of it lie between {:.2f} and "
-      "{:.2f}.",
+      " Read off the curve point by point, at the bending stiffness fitted, its median is {:.2f}, and four fifths of "
+      "it "
+      "lie between {:.2f} and {:.2f}.",
       read.median, read.low80, read.high80);
   if (weight_without_roughness(fit) > 0.5)
     words += " Beside that, it shows no roughness.";
@@ -736,7 +737,10 @@ std::string snaps_in_words(const FittedTest& test) {
                                                snaps == 1 ? "once" : fmt::format("{} times", snaps));
   words += fmt::format(", where the measured force drops {}.", drops == 1 ? "once" : fmt::format("{} times", drops));
   if (snaps < drops)
-    words += " A mean is smoother than any one profile: those drawn from the fit are compared among the checks.";
+    words +=
+        " Not every fall of the force is a snap, and a mean is smoother than any one profile: profiles drawn from the "
+        "fit are compared "
+        "among the checks.";
   return words;
 }
 
