@@ -80,7 +80,7 @@ void invert_states(const InvertRequest& request) {
       const FibreState state = fibre_state_from_force(w[row], F[row]);
       is_told = state.status == FibreStatus::ok;
       if (is_told) S[row] = state.S, q[row] = state.q;
-    } else if (w[row] > 0 && w[row] <= 2) {
+    } else if (w[row] > 0 && w[row] <= deepest_on_supports) {
       const SupportedState state = state_on_supports_from_force(w[row], F[row], supports);
       is_told = state.status == FibreStatus::ok;
       if (is_told) S[row] = state.length, q[row] = state.q;
@@ -134,15 +134,13 @@ void invert_case(const InvertRequest& request) {
   const ReducedRecord record = to_reduced(measurement.record, scales);
   const Rig rig = rig_of(input, scales);
   const MeasurementErrors errors = errors_of(measurement, stiffness, scales);
-  constexpr double least_deflection = 0.02;
   Supports supports{};
   if (request.on_supports())
     supports = supports_of(request, kind_in(input, kind::length), scales,
                            input.specimen ? input.specimen->section : std::nullopt);
-  const FrictionProfile profile = request.on_supports()
-                                      ? measure_friction_on(supports, record, rig, errors, least_deflection)
-                                      : measure_friction(record, rig, errors, least_deflection);
-  const bool is_thick = least_half_depths * supports.half_depth > least_deflection;
+  const FrictionProfile profile = request.on_supports() ? measure_friction_on(supports, record, rig, errors)
+                                                        : measure_friction(record, rig, errors);
+  const bool is_thick = least_half_depths * supports.half_depth > hardly_bent;
   const double most = request.on_supports() ? largest_q_on_supports : largest_q;
   note_assumptions(request.output, stiffness);
   if (!profile.unexplained.empty())

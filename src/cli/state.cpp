@@ -79,7 +79,8 @@ void require_domain(const Input& input) {
     const double q = input.q[row];
     if (input.first == "S" && !(value >= 1 && std::isfinite(value)))
       refuse(row, "S", "a length of at least 1, in spans", value);
-    if (input.first == "w" && !(value > 0 && value <= 2)) refuse(row, "w", "a deflection of 0 to 2 spans", value);
+    if (input.first == "w" && !(value > 0 && value <= deepest_on_supports))
+      refuse(row, "w", "a deflection of 0 to 2 spans", value);
     if (!(std::abs(q) <= largest_q))
       refuse(row, "q", fmt::format("mobilised friction from {:g} to {:g}", -largest_q, largest_q), q);
   }

@@ -27,9 +27,8 @@ class Walk {
   // Domain:     sides that are no walks; S = 1 + from.left + from.right in [1, S_most]; std::invalid_argument otherwise. Of two sides at one level of
   //             which one falls, the one that falls the more slides; if both are alike, the left; over a crest as high as the friction of the
   //             other side, the one that does.
-  // Max error:  of the lengths at which sides change, 4 ulp of S over dμ/dS; between samples at a sixteenth of the shortest period, and the
-  //             knots of tables, no crest is looked for.
-  // Cost:       3 µs a period.
+  // Tolerance:  lengths at which sides change are bisected to rounding; between samples at a sixteenth of the shortest period, and the knots of
+  //             tables, no crest is looked for.
   Walk(Friction left, Friction right, ContactPoints from, double S_most);
 
   // The friction met at a length: drawn in beyond that of `from`, let out below. Constant beyond the ends.

@@ -149,7 +149,8 @@ SupportedState state_at_phase(double u, double q, const Supports& supports) {
 
 SupportedState state_on_supports(double w, double q, const Supports& supports) {
   const auto& [radius, half_depth] = supports;
-  if (!(w > 0 && w <= 2)) throw std::invalid_argument("no deflection of " + std::to_string(w) + " spans");
+  if (!(w > 0 && w <= deepest_on_supports))
+    throw std::invalid_argument("no deflection of " + std::to_string(w) + " spans");
   if (!(std::abs(q) <= largest_q)) throw std::invalid_argument("no mobilised friction of " + std::to_string(q));
   if (!(radius >= 0 && half_depth >= 0 && radius + half_depth < widest_supports))
     throw std::invalid_argument("rollers of " + std::to_string(radius) + " spans under a half depth of " +

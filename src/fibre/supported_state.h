@@ -17,6 +17,7 @@ struct Supports {
 
 // [L] radius and half depth together: both sides leave a tenth of the span.
 inline constexpr double widest_supports = 0.45;
+inline constexpr double deepest_on_supports = 2;  // [L] of deflection
 
 // Lengths are those of both sides together.
 struct SupportedState {
@@ -34,7 +35,7 @@ struct SupportedState {
 };
 
 // The state with mobilised friction q and a deflection w.
-// Domain:     q in [-20, 20], w in (0, 2]; radius and half depth at least 0, together below widest_supports; std::invalid_argument otherwise.
+// Domain:     q in [-20, 20], w in (0, deepest_on_supports]; radius and half depth at least 0, together below widest_supports; std::invalid_argument otherwise.
 // Max error:  w is reproduced to 1e-12; for w <= 0.35 and q in [-0.8, 1.5] all else to 1e-11 (tests/fibre/supported_state_test.cpp).
 // Fails:      beyond_branch: there is no such state, none with a force, or none was found, as may be on rollers or with a thickness beyond a
 //             tenth of the span, with a friction beyond 2, or a deflection beyond the span.
@@ -50,7 +51,7 @@ inline constexpr double largest_q_on_supports = 2;  // [1] of friction that is l
 // Domain:     as above; F >= 0.
 // Tolerance:  F is reproduced to 1e-12 of the larger of F and w.
 // Fails:      no_friction where none in [-2, 2] gives the force, or w < 4 half depths.
-// Cost:       some 0.1 ms.
+// Method:     the secant method in q, guarded by bisection, on state_on_supports.
 SupportedState state_on_supports_from_force(double w, double F, const Supports& supports);
 
 }  // namespace flexslip

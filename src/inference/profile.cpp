@@ -30,6 +30,34 @@ double friction_on_load_line(double S, double stage, const Rig& rig, double star
   return q;
 }
 
+struct Told {
+  double S, slid;  // [L]
+  double q;        // [1]
+};
+
+// Of friction with respect to force and deflection, and of the length with respect to the force at fixed stage position.
+struct ToldSlopes {
+  double q_F, q_w;  // [L^2/EI], [1/L]
+  double S_force;   // [L^3/EI]
+};
+
+ProfilePoint point_of(std::size_t index, const Told& told, double F, const ToldSlopes& slopes, const Rig& rig,
+                      const MeasurementErrors& errors) {
+  const double mu_force =
+      slopes.q_F - slopes.q_w / rig.stiffness;      // at fixed stage position an error of F is one of w, too
+  const double mu_log_stiffness = -F * slopes.q_F;  // EI enters through the scaling of the force
+  return {.index = index,
+          .S = told.S,
+          .slid = told.slid,
+          .mu = told.q,
+          .from_force = errors.force * std::abs(mu_force),
+          .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
+          .from_contact = errors.contact * std::abs(slopes.q_w),
+          .mu_log_stiffness = mu_log_stiffness,
+          .mu_force = mu_force,
+          .S_force = slopes.S_force};
+}
+
 }  // namespace
 
 double standard_error(const ProfilePoint& point) {
@@ -63,19 +91,9 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
     const double jacobian = slopes.w_S * slopes.F_q - slopes.w_q * slopes.F_S;
     const double q_F = slopes.w_S / jacobian;
     const double q_w = -slopes.F_S / jacobian;
-    const double mu_force = q_F - q_w / rig.stiffness;  // at fixed stage position an error of F is one of w, too
-    const double mu_log_stiffness = -F * q_F;           // EI enters through the scaling of the force
     const double S_force = (-slopes.w_q - slopes.F_q / rig.stiffness) / jacobian;
-    profile.points.push_back({.index = rows[row],
-                              .S = states.S[row],
-                              .slid = states.S[row] - 1,
-                              .mu = states.q[row],
-                              .from_force = errors.force * std::abs(mu_force),
-                              .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
-                              .from_contact = errors.contact * std::abs(q_w),
-                              .mu_log_stiffness = mu_log_stiffness,
-                              .mu_force = mu_force,
-                              .S_force = S_force});
+    profile.points.push_back(
+        point_of(rows[row], {states.S[row], states.S[row] - 1, states.q[row]}, F, {q_F, q_w, S_force}, rig, errors));
   }
   std::sort(profile.unexplained.begin(), profile.unexplained.end());
   return profile;
@@ -92,8 +110,7 @@ FrictionProfile measure_friction_on(const Supports& supports, const ReducedRecor
     const auto told = [&](double deflection, double force) {
       return state_on_supports_from_force(deflection, force, supports);
     };
-    constexpr double farthest = 2;  // [L] of a deflection
-    if (!(F > 0 && w * (1 + h) <= farthest)) {
+    if (!(F > 0 && w * (1 + h) <= deepest_on_supports)) {
       profile.unexplained.push_back(i);
       continue;
     }
@@ -110,17 +127,8 @@ FrictionProfile measure_friction_on(const Supports& supports, const ReducedRecor
       continue;
     }
     const double q_F = (other.q - state.q) / (step * F), q_w = (state.q - farther.q) / (step * w);
-    const double mu_force = q_F - q_w / rig.stiffness, mu_log_stiffness = -F * q_F;
-    profile.points.push_back({.index = i,
-                              .S = state.length,
-                              .slid = state.slid,
-                              .mu = state.q,
-                              .from_force = errors.force * std::abs(mu_force),
-                              .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
-                              .from_contact = errors.contact * std::abs(q_w),
-                              .mu_log_stiffness = mu_log_stiffness,
-                              .mu_force = mu_force,
-                              .S_force = not_a_number});
+    profile.points.push_back(
+        point_of(i, {state.length, state.slid, state.q}, F, {q_F, q_w, not_a_number}, rig, errors));
   }
   return profile;
 }

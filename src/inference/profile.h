@@ -23,6 +23,9 @@ struct MeasurementErrors {
   double contact;            // [L] of the contact point, and so of the deflection
 };
 
+// Deflections [L] below it are left out unless the caller says otherwise: friction is hardly measurable there.
+inline constexpr double hardly_bent = 0.02;
+
 struct ProfilePoint {
   std::size_t index;  // in the record
   double S;           // [L] length between the supports, at which friction is told
@@ -47,13 +50,12 @@ struct FrictionProfile {
 //             friction is hardly measurable (at 0.05 an error of 1 % in EI is one of 0.1 in μ).
 // Cost:       5 µs a point.
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
-                                 double least_deflection = 0.02);
+                                 double least_deflection = hardly_bent);
 
 // The same on rollers, of a specimen with a thickness (fibre/supported_state.h). Of less than twice its thickness nothing is told, nor counted as
 // unexplained.
-// Cost:       0.3 ms a point.
 FrictionProfile measure_friction_on(const Supports& supports, const ReducedRecord& record, const Rig& rig,
-                                    const MeasurementErrors& errors, double least_deflection = 0.02);
+                                    const MeasurementErrors& errors, double least_deflection = hardly_bent);
 
 // The greatest curvature of the fibre at midspan [1/L] in the states of a profile; NaN if it has none.
 double greatest_curvature(const FrictionProfile& profile);
