@@ -350,8 +350,8 @@ void add_simulate_command(CLI::App& app) {
       "also snaps and cracks, the energies of each loading and unloading, and the energy account. The output is a "
       "record that\n"
       "`flexslip fit` reads. If the specimen slips through the supports, the path ends there, and the exit\n"
-      "code is 1. Where the nose lifts off, w stays that of the specimen. The figure of a test that is unloaded shows "
-      "its loops and their direction.\n\n"
+      "code is 1. Where the nose lifts off, w stays that of the specimen. The figure of a test that is unloaded\n"
+      "shows its loops and their direction.\n\n"
       "Examples:\n"
       "  flexslip simulate case.toml --output test.csv\n"
       "  flexslip simulate case.toml --noise \"10 uN\" --seed 7 --json");

@@ -118,8 +118,10 @@ std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
       is_too_soft ? fmt::format(" It is softer, and yet there is no snap: it bends the specimen by no more than {}.",
                                 shown.length(answer.outcome.w_reached))
                   : "";
-  return fmt::format("The critical {} of this test is {}: from that on it does not snap. {}{}", which,
-                     shown.stiffness(critical), yours, why);
+  const bool is_out_of_reach = critical * answer.input.support_compliance() >= 1;
+  return fmt::format("The critical {} of this test is {}: from that on it does not snap. {}{}{}", which,
+                     shown.stiffness(critical), yours, why,
+                     is_out_of_reach ? " No load train, however stiff, gets there on these supports." : "");
 }
 
 std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
