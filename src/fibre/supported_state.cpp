@@ -51,13 +51,14 @@ struct Pendulum {
 
 // The phase at which sd = value, in [0, K).
 double phase_of(double value, const Pendulum& pendulum) {
-  double v = value;
+  double v = value * (1 + value * value * (pendulum.m1 - pendulum.m) / 6);  // sd v = v - (1 - 2 m) v³/6 + ...
   for (int i = 0; i < 30; ++i) {
     const EllipticArc arc = elliptic_arc(v, {pendulum.m, pendulum.m1});
     const double dn2 = pendulum.m1 + pendulum.m * arc.cn * arc.cn;
     const double step = (value - pendulum.sd(arc)) * dn2 / arc.cn;
     v = std::max(v + step, 0.5 * v);
-    if (std::abs(step) <= epsilon * v) break;
+    constexpr double small = 1e-7;  // of a step: the next is its square
+    if (std::abs(step) <= small * v) break;
   }
   return v;
 }
@@ -68,6 +69,8 @@ struct Half {
   double theta0, sin_b;  // slope at the contact; of the force line at midspan
   double squares;        // ∫ (curvature/2a)²
   double curvature;      // [2a] at midspan
+  double at_contact;     // [2a] curvature there
+  double phase_slope;    // how the phase of the contact grows with a
 };
 
 std::optional<Half> half_of(double u, double a, const ForceAngle& angle, const Supports& supports) {
@@ -80,12 +83,19 @@ std::optional<Half> half_of(double u, double a, const ForceAngle& angle, const S
   const double side = e < 0 ? -1 : 1;
   const double v0 = e == 0 ? 0 : phase_of(at_contact, pendulum);
   const double v1 = side * v0 + u;
-  if (!(v1 > 0 && v1 <= complete_elliptic({m, m1}).K)) return std::nullopt;
+  if (!(v1 > 0 && (v1 < 0.5 * std::numbers::pi || v1 <= complete_elliptic({m, m1}).K))) return std::nullopt;
   const EllipticArc middle = elliptic_arc(v1, {m, m1});
   const double theta = pendulum.psi(middle);  // at the inflection
   const Integrals whole = pendulum.integrals(v1, middle, theta);
   const double sd = pendulum.sd(middle), dn2 = m1 + m * middle.cn * middle.cn;
-  Half half{whole.gap, whole.rise, theta, pendulum.swing * middle.cn / dn2, whole.squares, pendulum.swing * sd};
+  Half half{.gap = whole.gap,
+            .rise = whole.rise,
+            .theta0 = theta,
+            .sin_b = pendulum.swing * middle.cn / dn2,
+            .squares = whole.squares,
+            .curvature = pendulum.swing * sd,
+            .at_contact = e,
+            .phase_slope = 0};
   if (e != 0) {
     const EllipticArc contact = elliptic_arc(v0, {m, m1});
     const Integrals before = pendulum.integrals(v0, contact, theta);
@@ -93,6 +103,7 @@ std::optional<Half> half_of(double u, double a, const ForceAngle& angle, const S
     half.rise -= side * before.rise;
     half.squares -= side * before.squares;
     half.theta0 -= pendulum.psi(contact);
+    half.phase_slope = e * (m1 + m * contact.cn * contact.cn) / (a * pendulum.swing * contact.cn);
   }
   half.squares *= pendulum.swing * pendulum.swing;
   return half;
@@ -103,6 +114,54 @@ SupportedState none(double q) {
   state.status = FibreStatus::beyond_branch;
   state.q = q;
   return state;
+}
+
+SupportedState state_of(const Half& half, double u, double a, const ForceAngle& angle, double q,
+                        const Supports& supports) {
+  const double R = supports.radius + supports.half_depth;
+  const double X = u - half.gap, sine = std::sin(half.theta0), versine = 1 - std::cos(half.theta0);
+  const double beyond = (half.gap - 2 * R * u * sine) / X;  // S - 1
+  const bool leans = half.theta0 < 0.5 * std::numbers::pi;
+  const double imaged = R == 0  ? 1 + beyond
+                        : leans ? 1 + beyond + 2 * R * std::tan(half.theta0)
+                                : std::numeric_limits<double>::quiet_NaN();
+  return {.status = FibreStatus::ok,
+          .length = 1 + beyond,
+          .slid = beyond + 2 * supports.radius * half.theta0,
+          .imaged = imaged,
+          .q = q,
+          .w = half.rise / (2 * a) + R * versine,
+          .F = 8 * a * a * half.sin_b,
+          .theta0 = half.theta0,
+          .Pn = 4 * a * a * angle.sine,
+          .U = 2 * a * half.squares,
+          .curvature = 2 * a * half.curvature};
+}
+
+// Phase and half span together, by Newton's iteration, from the fibre that is hardly bent. How the parameter grows with the couple is left out
+// of its slopes.
+SupportedState state_nearby(double w, double q, const Supports& supports) {
+  const ForceAngle angle = force_angle(q);
+  const double R = supports.radius + supports.half_depth;
+  double u = std::sqrt(3 * w / angle.sine), a = u;
+  for (int i = 0; i < 20; ++i) {
+    const auto half = half_of(u, a, angle, supports);
+    if (!half || !(half->sin_b >= 0)) break;
+    const double X = u - half->gap, Z = half->rise, sine = std::sin(half->theta0), cosine = std::cos(half->theta0);
+    const double ell = 1 - 2 * R * sine, lever = 2 * a * R * cosine, k = half->curvature;
+    const double miss_a = X - a * ell, miss_w = Z / (2 * a) + R * (1 - cosine) - w;
+    const double theta_a = (k - half->at_contact) * half->phase_slope;
+    const double a_u = 1 - k * Z + lever * k, a_a = (1 - k * Z - cosine) * half->phase_slope - ell + lever * theta_a;
+    const double w_u = k * X / (2 * a) + R * sine * k;
+    const double w_a = ((k * X - sine) * half->phase_slope - Z / a) / (2 * a) + R * sine * theta_a;
+    const double determinant = a_u * w_a - a_a * w_u;
+    const double du = (a_a * miss_w - w_a * miss_a) / determinant, da = (w_u * miss_a - a_u * miss_w) / determinant;
+    if (std::abs(miss_a) <= 4 * epsilon * a && std::abs(miss_w) <= 4 * epsilon * w)
+      return state_of(*half, u, a, angle, q, supports);
+    if (!(std::abs(du) < 0.5 * u && std::abs(da) < 0.5 * a)) break;
+    u += du, a += da;
+  }
+  return none(q);
 }
 
 // The state at a phase: the half span solved for, since the curvature at the contact depends on it.
@@ -126,23 +185,7 @@ SupportedState state_at_phase(double u, double q, const Supports& supports) {
     a = slope < -0.1 ? a - miss / slope : image;
   }
   if (!half || !(a > 0) || !(half->sin_b >= 0)) return none(q);
-  const double X = u - half->gap, sine = std::sin(half->theta0), versine = 1 - std::cos(half->theta0);
-  const double beyond = (half->gap - 2 * R * u * sine) / X;  // S - 1
-  const bool leans = half->theta0 < 0.5 * std::numbers::pi;
-  const double imaged = R == 0  ? 1 + beyond
-                        : leans ? 1 + beyond + 2 * R * std::tan(half->theta0)
-                                : std::numeric_limits<double>::quiet_NaN();
-  return {.status = FibreStatus::ok,
-          .length = 1 + beyond,
-          .slid = beyond + 2 * supports.radius * half->theta0,
-          .imaged = imaged,
-          .q = q,
-          .w = half->rise / (2 * a) + R * versine,
-          .F = 8 * a * a * half->sin_b,
-          .theta0 = half->theta0,
-          .Pn = 4 * a * a * angle.sine,
-          .U = 2 * a * half->squares,
-          .curvature = 2 * a * half->curvature};
+  return state_of(*half, u, a, angle, q, supports);
 }
 
 }  // namespace
@@ -155,6 +198,7 @@ SupportedState state_on_supports(double w, double q, const Supports& supports) {
   if (!(radius >= 0 && half_depth >= 0 && radius + half_depth < widest_supports))
     throw std::invalid_argument("rollers of " + std::to_string(radius) + " spans under a half depth of " +
                                 std::to_string(half_depth) + " leave no span");
+  if (const SupportedState found = state_nearby(w, q, supports); found.status == FibreStatus::ok) return found;
   // The deflection rises with the phase, hardly bent as its square.
   const double s0 = force_angle(q).sine;
   double low = 0, high = std::numeric_limits<double>::infinity();

@@ -1,0 +1,405 @@
+// Compiled once for each instruction set (Highway's foreach_target.h).
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fibre/cell_table.cpp"
+#include "fibre/cell_table.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <hwy/foreach_target.h>  // must come before highway.h
+
+#include "fibre/lanes-inl.h"
+
+#ifndef FLEXSLIP_FIBRE_CELL_TABLE_CPP_
+#define FLEXSLIP_FIBRE_CELL_TABLE_CPP_
+namespace flexslip {
+
+// A cell in memory: a polynomial of degree 7 in each of x and y, its coordinates in [-1, 1] along x and q: eight rows, one for each power of y,
+// of the coefficients of 1, x, ..., x^7 for the first quantity and then those for the second. A row fills vectors of any width.
+struct CellLayout {
+  static constexpr std::size_t terms = 8;  // of each polynomial
+  static constexpr std::size_t row = 2 * terms;
+  static constexpr std::size_t cell = terms * row;
+};
+
+struct CellGrid {
+  const std::atomic<const double*>* cells;
+  double x_scale, q_scale, q_least, x_cells, q_cells;
+};
+
+// Where points lie in the table: the number of the cell, and the coordinates in it.
+inline constexpr std::size_t block = 64;
+struct Places {
+  alignas(64) double along[block];
+  alignas(64) double x[block];
+  alignas(64) double y[block];
+  alignas(64) double cell[block];
+};
+
+}  // namespace flexslip
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace flexslip::HWY_NAMESPACE {
+
+// As many vectors as hold a row's coefficients of one quantity.
+using RowTag = hn::CappedTag<double, CellLayout::terms>;
+using RowVector = hn::Vec<RowTag>;
+constexpr RowTag row_tag;
+constexpr std::size_t row_vectors = CellLayout::terms / hn::MaxLanes(row_tag);
+struct Row {
+  RowVector part[row_vectors];
+};
+
+HWY_INLINE Row load_row(const double* from) {
+  Row row;
+  for (std::size_t i = 0; i < row_vectors; ++i) row.part[i] = hn::LoadU(row_tag, from + i * hn::MaxLanes(row_tag));
+  return row;
+}
+
+// a y + b
+HWY_INLINE Row times_plus(const Row& a, RowVector y, const Row& b) {
+  Row row;
+  for (std::size_t i = 0; i < row_vectors; ++i) row.part[i] = hn::Add(hn::Mul(a.part[i], y), b.part[i]);
+  return row;
+}
+
+// The sum of a vector's lanes, upper half upon lower half until one is left: in the same order whatever the width.
+template <class D>
+HWY_INLINE double folded([[maybe_unused]] D tag, hn::Vec<D> vector) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (hn::MaxLanes(tag) > 1) {
+    const hn::Half<D> half;
+    return folded(half, hn::Add(hn::LowerHalf(half, vector), hn::UpperHalf(half, vector)));
+  }
+#endif
+  return hn::GetLane(vector);
+}
+
+HWY_INLINE Row times(const Row& a, const Row& b) {
+  Row product;
+  for (std::size_t i = 0; i < row_vectors; ++i) product.part[i] = hn::Mul(a.part[i], b.part[i]);
+  return product;
+}
+
+HWY_INLINE double dot(const Row& a, const Row& b) {
+  Row product = times(a, b);
+  for (std::size_t n = row_vectors / 2; n > 0; n /= 2)
+    for (std::size_t i = 0; i < n; ++i) product.part[i] = hn::Add(product.part[i], product.part[i + n]);
+  return folded(row_tag, product.part[0]);
+}
+
+// Powers of x up to the seventh, put together from x, x^2 and x^4 by the bits of the exponents.
+class Powers {
+ public:
+  HWY_INLINE explicit Powers(const double (&exponents)[CellLayout::terms]) {
+    const Row all = load_row(exponents);
+    for (std::size_t i = 0; i < row_vectors; ++i) {
+      const auto bits = hn::ConvertTo(hn::RebindToSigned<RowTag>(), all.part[i]);
+      for (std::size_t bit = 0; bit < 3; ++bit) {
+        const auto value = hn::Set(hn::RebindToSigned<RowTag>(), std::int64_t{1} << bit);
+        has_[bit][i] = hn::RebindMask(row_tag, hn::Eq(hn::And(bits, value), value));
+      }
+    }
+  }
+
+  HWY_INLINE Row of(double x) const {
+    const RowVector one = hn::Set(row_tag, 1.0);
+    const RowVector x1 = hn::Set(row_tag, x);
+    const RowVector x2 = hn::Mul(x1, x1);
+    const RowVector x4 = hn::Mul(x2, x2);
+    Row row;
+    for (std::size_t i = 0; i < row_vectors; ++i)
+      row.part[i] = hn::Mul(hn::Mul(hn::IfThenElse(has_[0][i], x1, one), hn::IfThenElse(has_[1][i], x2, one)),
+                            hn::IfThenElse(has_[2][i], x4, one));
+    return row;
+  }
+
+ private:
+  hn::Mask<RowTag> has_[3][row_vectors];  // whether the exponent has this bit
+};
+
+// The coordinate of what is given, and the slope of X = x g there, from g and dg/dx.
+struct OfLength {
+  static HWY_INLINE Lanes coordinate(Lanes S) { return sqrt(S - 1.0); }
+  static HWY_INLINE double slope(double sigma, double g, double g_sigma) {
+    return 0.5 * (g / sigma + g_sigma);  // dσ/dS = 1/(2σ)
+  }
+};
+struct OfCoordinate {
+  static HWY_INLINE Lanes coordinate(Lanes x) { return x; }
+  static HWY_INLINE double slope(double x, double g, double g_x) { return g + x * g_x; }
+};
+
+template <class Of>
+HWY_INLINE void find_places(const CellGrid& grid, const double* at, const double* q, std::size_t count,
+                            Places& places) {
+  for_each_lanes(at, q, count, [&](std::size_t i, std::size_t n, Lanes given, Lanes frictions) HWY_ATTR {
+    const Lanes coordinate = Of::coordinate(given);
+    const Lanes along = coordinate * grid.x_scale;
+    const Lanes across = (frictions - grid.q_least) * grid.q_scale;
+    const Lanes i_x(hn::Floor(along.v));
+    const Lanes i_q(hn::Floor(across.v));
+    const auto inside = (Lanes(0.0) < along) & (along < Lanes(grid.x_cells)) & (Lanes(-1.0) < i_q) &
+                        (i_q < Lanes(grid.q_cells));
+    store(coordinate, places.along + i, n);
+    store(2.0 * (along - i_x) - 1.0, places.x + i, n);
+    store(2.0 * (across - i_q) - 1.0, places.y + i, n);
+    store(choose(inside, i_x * grid.q_cells + i_q, Lanes(grid.x_cells * grid.q_cells)), places.cell + i, n);
+  });
+}
+
+// One polynomial at y, in powers of x.
+HWY_INLINE Row at_y(const double* rows, RowVector y) {
+  Row sum = load_row(rows + (CellLayout::terms - 1) * CellLayout::row);
+  for (std::size_t r = CellLayout::terms - 1; r-- > 0;)
+    sum = times_plus(sum, y, load_row(rows + r * CellLayout::row));
+  return sum;
+}
+
+// The same with its derivative in y.
+struct RowSlope {
+  Row value, slope;
+};
+HWY_INLINE RowSlope at_y_with_slope(const double* rows, RowVector y) {
+  Row sum = load_row(rows + (CellLayout::terms - 1) * CellLayout::row);
+  Row slope = sum;
+  sum = times_plus(sum, y, load_row(rows + (CellLayout::terms - 2) * CellLayout::row));
+  for (std::size_t r = CellLayout::terms - 2; r-- > 0;) {
+    slope = times_plus(slope, y, sum);
+    sum = times_plus(sum, y, load_row(rows + r * CellLayout::row));
+  }
+  return {sum, slope};
+}
+
+HWY_INLINE const double* cell_at(const CellGrid& grid, const Places& places, std::size_t i) {
+  return grid.cells[static_cast<std::size_t>(places.cell[i])].load(std::memory_order_acquire);
+}
+
+// Calls f(i, places, j) for each point i, whose place is the j-th of some.
+template <class Of, class Function>
+HWY_INLINE void for_each_place(const CellGrid& grid, const double* at, const double* q, std::size_t count,
+                               const Function& f) {
+  Places places;
+  for (std::size_t i = 0; i < count; i += block) {
+    const std::size_t n = count - i < block ? count - i : block;
+    find_places<Of>(grid, at + i, q + i, n, places);
+    for (std::size_t j = 0; j < n; ++j) f(i + j, places, j);
+  }
+}
+
+template <class Of>
+HWY_INLINE void interpolate(const CellGrid& grid, const double* at, const double* q, std::size_t count, double* first,
+                            double* second) {
+  const Powers powers({0, 1, 2, 3, 4, 5, 6, 7});
+  for_each_place<Of>(grid, at, q, count, [&](std::size_t i, const Places& places, std::size_t j) HWY_ATTR {
+    const double* rows = cell_at(grid, places, j);
+    const RowVector y = hn::Set(row_tag, places.y[j]);
+    const Row x = powers.of(places.x[j]);
+    first[i] = places.along[j] * dot(at_y(rows, y), x);
+    second[i] = places.along[j] * dot(at_y(rows + CellLayout::terms, y), x);
+  });
+}
+
+template <class Of>
+HWY_INLINE void interpolate_slopes(const CellGrid& grid, const double* at, const double* q, std::size_t count,
+                                   double* const* columns) {
+  const Powers powers({0, 1, 2, 3, 4, 5, 6, 7});
+  const Powers lower_powers({0, 0, 1, 2, 3, 4, 5, 6});
+  HWY_ALIGN constexpr double exponents[] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const Row factors = load_row(exponents);
+  for_each_place<Of>(grid, at, q, count, [&](std::size_t i, const Places& places, std::size_t j) HWY_ATTR {
+    const double* rows = cell_at(grid, places, j);
+    const RowVector y = hn::Set(row_tag, places.y[j]);
+    const Row x = powers.of(places.x[j]);
+    const Row dx = times(factors, lower_powers.of(places.x[j]));
+    const double along = places.along[j];
+    for (std::size_t k = 0; k < 2; ++k) {
+      const RowSlope polynomial = at_y_with_slope(rows + k * CellLayout::terms, y);
+      const double value = dot(polynomial.value, x);  // g of X = x g
+      columns[k][i] = along * value;
+      columns[2 + 2 * k][i] = Of::slope(along, value, 2 * grid.x_scale * dot(polynomial.value, dx));
+      columns[3 + 2 * k][i] = along * (2 * grid.q_scale) * dot(polynomial.slope, x);
+    }
+  });
+}
+
+void at_lengths(const CellGrid& grid, const double* at, const double* q, std::size_t n, double* first, double* second) {
+  interpolate<OfLength>(grid, at, q, n, first, second);
+}
+void at_coordinates(const CellGrid& grid, const double* at, const double* q, std::size_t n, double* first,
+                    double* second) {
+  interpolate<OfCoordinate>(grid, at, q, n, first, second);
+}
+void slopes_at_lengths(const CellGrid& grid, const double* at, const double* q, std::size_t n, double* const* columns) {
+  interpolate_slopes<OfLength>(grid, at, q, n, columns);
+}
+void slopes_at_coordinates(const CellGrid& grid, const double* at, const double* q, std::size_t n,
+                           double* const* columns) {
+  interpolate_slopes<OfCoordinate>(grid, at, q, n, columns);
+}
+
+}  // namespace flexslip::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace flexslip {
+namespace {
+
+HWY_EXPORT(at_lengths);
+HWY_EXPORT(at_coordinates);
+HWY_EXPORT(slopes_at_lengths);
+HWY_EXPORT(slopes_at_coordinates);
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t terms = CellLayout::terms;
+using Matrix = std::array<std::array<double, terms>, terms>;
+
+double node(std::size_t j) { return std::cos(std::numbers::pi * (static_cast<double>(j) + 0.5) / terms); }
+
+// From values at the Chebyshev nodes to the coefficients of powers.
+Matrix powers_from_values() {
+  Matrix chebyshev{};  // T_k in powers
+  chebyshev[0][0] = 1;
+  chebyshev[1][1] = 1;
+  for (std::size_t k = 2; k < terms; ++k)
+    for (std::size_t p = 0; p < terms; ++p)
+      chebyshev[k][p] = (p > 0 ? 2 * chebyshev[k - 1][p - 1] : 0) - chebyshev[k - 2][p];
+  Matrix result{};
+  for (std::size_t p = 0; p < terms; ++p)
+    for (std::size_t j = 0; j < terms; ++j)
+      for (std::size_t k = 0; k < terms; ++k)
+        result[p][j] += chebyshev[k][p] * (k == 0 ? 1.0 : 2.0) / terms *
+                        std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) / terms);
+  return result;
+}
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix result{};
+  for (std::size_t i = 0; i < terms; ++i)
+    for (std::size_t k = 0; k < terms; ++k)
+      for (std::size_t j = 0; j < terms; ++j) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
+Matrix transposed(const Matrix& a) {
+  Matrix result{};
+  for (std::size_t i = 0; i < terms; ++i)
+    for (std::size_t j = 0; j < terms; ++j) result[j][i] = a[i][j];
+  return result;
+}
+
+const std::vector<double> nothing(CellLayout::cell, not_a_number);
+
+CellGrid grid_of(const CellTable::Axes& axes, const std::atomic<const double*>* cells) {
+  const auto real = [](std::size_t n) { return static_cast<double>(n); };
+  return {cells,
+          real(axes.x_cells) / axes.x_most,
+          real(axes.q_cells) / (axes.q_most - axes.q_least),
+          axes.q_least,
+          real(axes.x_cells),
+          real(axes.q_cells)};
+}
+
+}  // namespace
+
+CellTable::CellTable(Along along, const Axes& axes, Source source)
+    : along_(along), axes_(axes), source_(std::move(source)), cells_(axes.x_cells * axes.q_cells + 1) {
+  for (auto& cell : cells_) cell.store(nothing.data(), std::memory_order_relaxed);
+}
+
+std::vector<double> CellTable::coefficients_of(std::size_t x_cell, std::size_t q_cell) const {
+  static const Matrix to_powers = powers_from_values();
+  const CellGrid grid = grid_of(axes_, nullptr);
+  const auto at = [](std::size_t cell, double x, double scale) {
+    return (static_cast<double>(cell) + 0.5 * (1 + x)) / scale;
+  };
+  std::vector<double> x, q;
+  for (std::size_t a = 0; a < terms; ++a)
+    for (std::size_t b = 0; b < terms; ++b) {
+      x.push_back(at(x_cell, node(a), grid.x_scale));
+      q.push_back(at(q_cell, node(b), grid.q_scale) + axes_.q_least);
+    }
+  x.push_back(at(x_cell, 1, grid.x_scale));
+  q.push_back(at(q_cell, -1, grid.q_scale) + axes_.q_least);
+  const Pair pair = source_(x, q);
+  if (std::isnan(pair.first.back())) return nothing;
+  std::vector<double> cell(CellLayout::cell);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::vector<double>& values = k == 0 ? pair.first : pair.second;
+    Matrix per_x{};
+    for (std::size_t a = 0; a < terms; ++a)
+      for (std::size_t b = 0; b < terms; ++b) per_x[a][b] = values[a * terms + b];
+    const Matrix coefficients = product(to_powers, transposed(product(to_powers, per_x)));
+    for (std::size_t r = 0; r < terms; ++r)
+      std::copy(coefficients[r].begin(), coefficients[r].end(),
+                cell.begin() + static_cast<std::ptrdiff_t>(r * CellLayout::row + k * terms));
+  }
+  return cell;
+}
+
+// Whether a point lies within the axes; if so its cell is there afterwards.
+bool CellTable::build(double at, double q) const {
+  const CellGrid grid = grid_of(axes_, nullptr);
+  const double along = (along_ == Along::length ? std::sqrt(at - 1) : at) * grid.x_scale;
+  const double across = (q - grid.q_least) * grid.q_scale;
+  if (!(along > 0 && along < grid.x_cells && across >= 0 && across < grid.q_cells)) return false;
+  const auto x_cell = static_cast<std::size_t>(along), q_cell = static_cast<std::size_t>(across);
+  auto& cell = cells_[x_cell * axes_.q_cells + q_cell];
+  const std::scoped_lock lock(building_);
+  if (cell.load(std::memory_order_relaxed) == nothing.data()) {
+    built_.push_back(std::make_unique<const std::vector<double>>(coefficients_of(x_cell, q_cell)));
+    cell.store(built_.back()->data(), std::memory_order_release);
+  }
+  return true;
+}
+
+// The points without a value that lie within the axes: their cells were not yet there.
+std::vector<std::size_t> CellTable::built_for(const double* at, const double* q, std::span<const double> values) const {
+  std::vector<std::size_t> built;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::isnan(values[i]) && build(at[i], q[i])) built.push_back(i);
+  return built;
+}
+
+void CellTable::values(const double* at, const double* q, std::size_t count, double* first, double* second) const {
+  const auto interpolated = [&](const double* x, const double* y, std::size_t n, double* a, double* b) {
+    const CellGrid grid = grid_of(axes_, cells_.data());
+    if (along_ == Along::length)
+      HWY_DYNAMIC_DISPATCH(at_lengths)(grid, x, y, n, a, b);
+    else
+      HWY_DYNAMIC_DISPATCH(at_coordinates)(grid, x, y, n, a, b);
+  };
+  interpolated(at, q, count, first, second);
+  for (const std::size_t i : built_for(at, q, {first, count})) interpolated(at + i, q + i, 1, first + i, second + i);
+}
+
+void CellTable::slopes(const double* at, const double* q, std::size_t count,
+                       const std::array<double*, 6>& columns) const {
+  const auto interpolated = [&](const double* x, const double* y, std::size_t n, double* const* to) {
+    const CellGrid grid = grid_of(axes_, cells_.data());
+    if (along_ == Along::length)
+      HWY_DYNAMIC_DISPATCH(slopes_at_lengths)(grid, x, y, n, to);
+    else
+      HWY_DYNAMIC_DISPATCH(slopes_at_coordinates)(grid, x, y, n, to);
+  };
+  interpolated(at, q, count, columns.data());
+  for (const std::size_t i : built_for(at, q, {columns[0], count})) {
+    std::array<double*, 6> there = columns;
+    for (double*& column : there) column += i;
+    interpolated(at + i, q + i, 1, there.data());
+  }
+}
+
+}  // namespace flexslip
+
+#endif  // HWY_ONCE

@@ -1,0 +1,349 @@
+#include "fibre/fibre.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "fibre/cell_table.h"
+#include "fibre/state_table.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double greatest_w = 0.9;
+
+FibreState nothing_at(double S, double q) {
+  FibreState none{};
+  none.status = FibreStatus::beyond_branch;
+  none.S = S;
+  none.q = q;
+  return none;
+}
+
+// A pair of quantities of many states with their slopes along w and in q.
+struct PairSlopes {
+  std::array<std::vector<double>, 6> columns;  // first, second, first_w, first_q, second_w, second_q
+  explicit PairSlopes(std::size_t n) {
+    for (auto& column : columns) column.resize(n);
+  }
+  std::array<double*, 6> data() {
+    std::array<double*, 6> to{};
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] = columns[k].data();
+    return to;
+  }
+};
+
+}  // namespace
+
+// S - 1 with F, and θ0 with U, over deflection and friction.
+class Fibre::Tables {
+ public:
+  explicit Tables(const Supports& on)
+      : supports(on),
+        sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
+        bending_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::U)) {}
+
+  PairSlopes sliding(std::span<const double> w, std::span<const double> q) const {
+    return slopes(sliding_, &SupportedState::slid, &SupportedState::F, w, q);
+  }
+  PairSlopes bending(std::span<const double> w, std::span<const double> q) const {
+    return slopes(bending_, &SupportedState::theta0, &SupportedState::U, w, q);
+  }
+
+  // Deflections of lengths: by Newton's iteration; the length is convex in the deflection.
+  std::vector<double> deflections(std::span<const double> S, std::span<const double> q) const {
+    const std::size_t n = S.size();
+    const double tau = supports.half_depth;
+    std::vector<double> w(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double rise = (S[i] - 1) / 2.4 + 1.5625 * tau * tau;
+      w[i] = 1.25 * tau + std::sqrt(std::max(rise, 0.0));
+    }
+    std::vector<std::size_t> active(n);
+    std::iota(active.begin(), active.end(), 0);
+    for (int round = 0; round < 40 && !active.empty(); ++round) {
+      std::vector<double> w_now, q_now;
+      for (const std::size_t i : active) {
+        w_now.push_back(w[i]);
+        q_now.push_back(q[i]);
+      }
+      const PairSlopes at = sliding(w_now, q_now);
+      std::size_t left = 0;
+      for (std::size_t j = 0; j < active.size(); ++j) {
+        const std::size_t i = active[j];
+        const double step = (S[i] - 1 - at.columns[0][j]) / at.columns[2][j];
+        constexpr double small = 1e-8;  // of the deflection: what is left is its square
+        if (!std::isfinite(step) || !(at.columns[2][j] > 0)) {
+          w[i] = beyond(S[i], q[i]);
+          continue;
+        }
+        w[i] = std::clamp(w[i] + step, 0.5 * w[i], 2 * w[i]);
+        if (!(w[i] < deepest_on_supports)) w[i] = not_a_number;
+        else if (!(std::abs(step) <= small * w[i])) active[left++] = i;
+      }
+      active.resize(left);
+    }
+    for (const std::size_t i : active) w[i] = beyond(S[i], q[i]);
+    return w;
+  }
+
+  const Supports supports;
+
+ private:
+  using Field = double SupportedState::*;
+
+  static CellTable::Axes axes() { return {greatest_w, 27, table_q.least, table_q.greatest, 48}; }
+
+  SupportedState state(double w, double q) const {
+    if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q) return state_on_supports(w, q, supports);
+    SupportedState none{};
+    none.status = FibreStatus::beyond_branch;
+    return none;
+  }
+
+  CellTable::Source source(Field first, Field second) const {
+    return [this, first, second](std::span<const double> w, std::span<const double> q) {
+      CellTable::Pair pair;
+      for (std::size_t i = 0; i < w.size(); ++i) {
+        const SupportedState at = state(w[i], q[i]);
+        const bool exists = at.status == FibreStatus::ok;
+        pair.first.push_back(exists ? at.*first / w[i] : not_a_number);
+        pair.second.push_back(exists ? at.*second / w[i] : not_a_number);
+      }
+      return pair;
+    };
+  }
+
+  // Where a table has nothing, from states nearby.
+  PairSlopes slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
+                    std::span<const double> q) const {
+    PairSlopes at(w.size());
+    table.slopes(w.data(), q.data(), w.size(), at.data());
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      if (!std::isnan(at.columns[0][i])) continue;
+      const SupportedState here = state(w[i], q[i]);
+      if (here.status != FibreStatus::ok) continue;
+      constexpr double near = 1e-5;
+      const double dw = near * w[i], dq = near;
+      const auto slope = [&](Field field, double along_w, double along_q) {
+        const SupportedState ahead = state(w[i] + along_w, q[i] + along_q);
+        const SupportedState behind = state(w[i] - along_w, q[i] - along_q);
+        const bool has_ahead = ahead.status == FibreStatus::ok, has_behind = behind.status == FibreStatus::ok;
+        const double h = along_w + along_q;
+        if (has_ahead && has_behind) return (ahead.*field - behind.*field) / (2 * h);
+        return has_ahead ? (ahead.*field - here.*field) / h : (here.*field - behind.*field) / h;
+      };
+      const std::array values{here.*first,           here.*second,          slope(first, dw, 0),
+                              slope(first, 0, dq),   slope(second, dw, 0),  slope(second, 0, dq)};
+      for (std::size_t k = 0; k < values.size(); ++k) at.columns[k][i] = values[k];
+    }
+    return at;
+  }
+
+  // By bisection, where Newton's iteration leads nowhere: close to the end of the branch.
+  double beyond(double S, double q) const {
+    double low = 1.25 * supports.half_depth, high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9;
+    const auto slid = [&](double w) {
+      const SupportedState at = state(w, q);
+      return at.status == FibreStatus::ok ? at.slid : not_a_number;
+    };
+    while (slid(high) < S - 1 && high < deepest_on_supports) high *= 1.1;
+    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+      (slid(middle) < S - 1 ? low : high) = middle;
+    const double reached = slid(low);
+    constexpr double close = 1e-10;  // of the length
+    return std::abs(reached - (S - 1)) <= close ? low : not_a_number;
+  }
+
+  CellTable sliding_, bending_;
+};
+
+Fibre::Fibre(const Supports& supports) {
+  static_cast<void>(state_on_supports(0.01, 0, supports));  // refuses what leaves no span
+  if (supports.radius > 0 || supports.half_depth > 0) tables_ = std::make_shared<const Tables>(supports);
+}
+
+const Supports& Fibre::supports() const {
+  static constexpr Supports edges{0, 0};
+  return tables_ ? tables_->supports : edges;
+}
+
+Fibre::BentState Fibre::bent(double w, double q) const {
+  const PairSlopes sliding = tables_->sliding({&w, 1}, {&q, 1}), bending = tables_->bending({&w, 1}, {&q, 1});
+  const auto slid = [&](std::size_t k) { return sliding.columns[k][0]; };
+  const auto turned = [&](std::size_t k) { return bending.columns[k][0]; };
+  BentState at{};
+  if (w == 0) {
+    at.state = fibre_state(1, 0);
+    at.S_w = -6 * supports().half_depth;
+    at.F_w = 48 / (1 + 3 * q * supports().half_depth);
+    at.theta0_w = 3;
+    return at;
+  }
+  if (std::isnan(slid(0))) {
+    at.state = nothing_at(not_a_number, q);
+    return at;
+  }
+  const double theta0 = turned(0);
+  at.state = {.status = FibreStatus::ok,
+              .S = 1 + slid(0),
+              .q = q,
+              .w = w,
+              .F = slid(1),
+              .theta0 = theta0,
+              .Pn = 0.5 * slid(1) / (std::cos(theta0) + q * std::sin(theta0)),  // equilibrium of half the fibre
+              .U = turned(1),
+              .u = 0};
+  at.S_w = slid(2), at.S_q = slid(3), at.F_w = slid(4), at.F_q = slid(5);
+  at.theta0_w = turned(2), at.theta0_q = turned(3);
+  return at;
+}
+
+FibreState Fibre::state(double S, double q) const {
+  return on_edges() ? fibre_state(S, q) : state_slopes(S, q).state;
+}
+
+FibreStateSlopes Fibre::state_slopes(double S, double q) const {
+  if (on_edges()) return fibre_state_slopes(S, q);
+  FibreStateSlopes result{};
+  if (S == 1 && supports().half_depth == 0) {
+    result.state = fibre_state(1, q);
+    return result;
+  }
+  const double w = tables_->deflections({&S, 1}, {&q, 1})[0];
+  result.state = nothing_at(S, q);
+  if (std::isnan(w)) return result;
+  const BentState at = bent(w, q);
+  if (at.state.status != FibreStatus::ok) return result;
+  result.state = at.state;
+  result.state.S = S;
+  auto& d = result.slopes;
+  d.w_S = 1 / at.S_w;
+  d.w_q = -at.S_q / at.S_w;
+  d.F_S = at.F_w * d.w_S;
+  d.F_q = at.F_q + at.F_w * d.w_q;
+  d.theta0_S = at.theta0_w * d.w_S;
+  d.theta0_q = at.theta0_q + at.theta0_w * d.w_q;
+  const FibreState& s = at.state;
+  const double sine = std::sin(s.theta0), cosine = std::cos(s.theta0), share = cosine + q * sine;
+  const double share_theta = -sine + q * cosine;
+  d.Pn_S = (0.5 * d.F_S - s.Pn * share_theta * d.theta0_S) / share;
+  d.Pn_q = (0.5 * d.F_q - s.Pn * (sine + share_theta * d.theta0_q)) / share;
+  // dU = F dw - (q Pn dS + what is lost of the axis that leaves)
+  const double r2 = 2 * supports().radius, lost = lost_bending(s);
+  d.U_S = s.F * d.w_S - q * s.Pn - lost * (1 - r2 * d.theta0_S);
+  d.U_q = s.F * d.w_q + lost * r2 * d.theta0_q;
+  return result;
+}
+
+SlopeArrays Fibre::slopes_at(const FibrePoints& points) const {
+  const std::size_t n = points.size();
+  const std::span<const double> S{points.lengths(), n}, q{points.frictions(), n};
+  const std::vector<double> w = tables_->deflections(S, q);
+  const PairSlopes at = tables_->sliding(w, q);
+  SlopeArrays result(n);
+  const bool has_straight = supports().half_depth == 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (has_straight && S[i] == 1) {
+      result.w[i] = result.F[i] = 0;
+      result.w_S[i] = result.w_q[i] = result.F_S[i] = result.F_q[i] = not_a_number;
+      continue;
+    }
+    const double S_w = at.columns[2][i];
+    const bool exists = !std::isnan(w[i]) && !std::isnan(at.columns[0][i]);
+    result.w[i] = exists ? w[i] : not_a_number;
+    result.F[i] = exists ? at.columns[1][i] : not_a_number;
+    result.w_S[i] = 1 / S_w;
+    result.w_q[i] = -at.columns[3][i] / S_w;
+    result.F_S[i] = at.columns[4][i] / S_w;
+    result.F_q[i] = at.columns[5][i] + at.columns[4][i] * result.w_q[i];
+  }
+  return result;
+}
+
+StateArrays Fibre::tabulated_states(const FibrePoints& points) const {
+  if (on_edges()) return flexslip::tabulated_states(points);
+  SlopeArrays at = slopes_at(points);
+  StateArrays states(0);
+  states.w = std::move(at.w);
+  states.F = std::move(at.F);
+  return states;
+}
+
+SlopeArrays Fibre::tabulated_states_slopes(const FibrePoints& points) const {
+  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_at(points);
+}
+
+StateArrays Fibre::states(const FibrePoints& points) const {
+  return on_edges() ? fibre_states(points) : tabulated_states(points);
+}
+
+SlopeArrays Fibre::states_slopes(const FibrePoints& points) const {
+  return on_edges() ? fibre_states_slopes(points) : slopes_at(points);
+}
+
+InverseArrays Fibre::tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) const {
+  return on_edges() ? flexslip::tabulated_states_from_forces(w, F) : states_from_forces(w, F);
+}
+
+InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<const double> F) const {
+  if (on_edges()) return fibre_states_from_forces(w, F);
+  const std::size_t n = w.size();
+  InverseArrays found{std::vector<double>(n, not_a_number), std::vector<double>(n, not_a_number)};
+  std::vector<double> q(n, 0.0);
+  std::vector<std::size_t> active;
+  const double least = least_half_depths * supports().half_depth;
+  for (std::size_t i = 0; i < n; ++i)
+    if (w[i] > 0 && w[i] >= least && w[i] <= deepest_on_supports) active.push_back(i);
+  // The force rises with friction, nearly in proportion.
+  for (int round = 0; round < 12 && !active.empty(); ++round) {
+    std::vector<double> w_now, q_now;
+    for (const std::size_t i : active) {
+      w_now.push_back(w[i]);
+      q_now.push_back(q[i]);
+    }
+    const PairSlopes at = tables_->sliding(w_now, q_now);
+    std::size_t left = 0;
+    for (std::size_t j = 0; j < active.size(); ++j) {
+      const std::size_t i = active[j];
+      const double step = (F[i] - at.columns[1][j]) / at.columns[5][j];
+      constexpr double small = 1e-8;
+      if (std::isfinite(step) && std::abs(step) <= small) {
+        found.q[i] = q[i] + step;
+        found.S[i] = 1 + at.columns[0][j] + at.columns[3][j] * step;
+      } else if (std::isfinite(step)) {
+        q[i] = std::clamp(q[i] + step, q[i] - 0.8, q[i] + 0.8);
+        if (std::abs(q[i]) < largest_q) active[left++] = i;
+      } else if (q[i] < largest_q_on_supports) {
+        q[i] += 0.25;  // where the branch has ended more friction makes a force
+        active[left++] = i;
+      }
+    }
+    active.resize(left);
+  }
+  return found;
+}
+
+FibreState Fibre::state_from_force(double w, double F) const {
+  if (on_edges()) return fibre_state_from_force(w, F);
+  const InverseArrays found = states_from_forces({&w, 1}, {&F, 1});
+  if (!std::isnan(found.q[0])) return bent(w, found.q[0]).state;
+  FibreState none = nothing_at(1, 0);
+  none.status = FibreStatus::no_friction;
+  none.w = w;
+  none.F = F;
+  return none;
+}
+
+double Fibre::curvature_at_midspan(const FibreState& state) const {
+  if (on_edges()) return flexslip::curvature_at_midspan(state);
+  return state.w > 0 ? state_on_supports(state.w, state.q, supports()).curvature : 0;
+}
+
+}  // namespace flexslip

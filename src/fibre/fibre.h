@@ -1,0 +1,74 @@
+// The fibre on its supports: one map Ψ for whatever the supports are.
+//
+// On knife edges, of a specimen without thickness, it is that of elastica.h, bit by bit. On rollers, or with a thickness, that of
+// supported_state.h by tables (cell_table.h) built where they are asked for; S then is Σ, what has been drawn in along the surface past the
+// contacts of the straight fibre, plus the span: what slides, what sticks, and what a snap jumps in. Copies share the tables.
+//
+// With a thickness the surface slides outwards first, so that two states belong to a length below 1 and just above: here a length means the
+// more bent one. States are told apart by their deflection.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "fibre/batch.h"
+#include "fibre/batch_inverse.h"
+#include "fibre/elastica.h"
+#include "fibre/supported_state.h"
+
+namespace flexslip {
+
+class Fibre {
+ public:
+  Fibre() = default;
+  // Domain: as state_on_supports.
+  explicit Fibre(const Supports& supports);
+
+  bool on_edges() const { return tables_ == nullptr; }
+  const Supports& supports() const;
+
+  // As fibre_state and its kin. Domain besides, if not on edges: deflections up to deepest_on_supports.
+  // Max error:  if not on edges, for w <= 0.35 and q in [-0.8, 2]: relative, 1e-12 in w, F, theta0, Pn and U; of slopes 1e-9 of the larger of |X_S|
+  //             and |X|/w, of X_q likewise of |X_q| and |X|/(1 + |q|) (tests/fibre/fibre_test.cpp).
+  // Cost:       if not on edges, about 0.5 µs, and 0.3 ms for a new cell; 10 µs and more beyond the tables (w = 0.9, q in [-2, 4)).
+  FibreState state(double S, double q) const;
+  FibreStateSlopes state_slopes(double S, double q) const;
+  FibreState state_from_force(double w, double F) const;
+
+  StateArrays states(const FibrePoints& points) const;
+  SlopeArrays states_slopes(const FibrePoints& points) const;
+  StateArrays tabulated_states(const FibrePoints& points) const;
+  SlopeArrays tabulated_states_slopes(const FibrePoints& points) const;
+  InverseArrays states_from_forces(std::span<const double> w, std::span<const double> F) const;
+  InverseArrays tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) const;
+
+  // The state that is bent so far, on either side of the least length. Slopes are those along w at fixed q, and in q at fixed w.
+  // Domain:     not on edges; 0 <= w; the straight fibre has q = 0.
+  struct BentState {
+    FibreState state;
+    double S_w, S_q, F_w, F_q, theta0_w, theta0_q;
+  };
+  BentState bent(double w, double q) const;
+
+  // [L] The length of axis between the contacts, at which friction is looked up.
+  double length_between_contacts(const FibreState& state) const {
+    return state.S - 2 * supports().radius * state.theta0;
+  }
+
+  // [EI/L^2] The bending that axis loses as it leaves the span, by length of it: κ0²/2, of the curvature that friction at the surface forces on it.
+  double lost_bending(const FibreState& state) const {
+    const double couple = state.q * state.Pn * supports().half_depth;
+    return 0.5 * couple * couple;
+  }
+
+  // As curvature_at_midspan.
+  double curvature_at_midspan(const FibreState& state) const;
+
+ private:
+  class Tables;
+  SlopeArrays slopes_at(const FibrePoints& points) const;
+
+  std::shared_ptr<const Tables> tables_;
+};
+
+}  // namespace flexslip

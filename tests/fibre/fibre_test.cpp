@@ -1,0 +1,133 @@
+#include "fibre/fibre.h"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/approximately.h"
+#include "tests/generators.h"
+
+namespace flexslip {
+namespace {
+
+const Fibre& some_fibre() {
+  static const std::vector<Fibre> fibres{Fibre({0, .0157}), Fibre({.008, .0157}), Fibre({.078125, .03125}),
+                                         Fibre({.02, 0})};
+  return fibres[*rc::gen::inRange<std::size_t>(0, fibres.size())];
+}
+
+// Bent beyond where its length is the least.
+struct Bent {
+  double w, q;
+};
+Bent some_bent(const Fibre& fibre) {
+  return {*between(3 * fibre.supports().half_depth + 0.005, 0.35), *between(-0.8, 2)};
+}
+
+}  // namespace
+
+TEST_CASE("fibre, limit: on edges it is the map of elastica.h, bit by bit") {
+  CHECK(rc::check([] {
+    const double S = 1 + std::pow(10, *between(-5, 0)), q = *between(-1, 2);
+    const Fibre fibre;
+    const FibreStateSlopes a = fibre.state_slopes(S, q), b = fibre_state_slopes(S, q);
+    RC_ASSERT(a.state.status == b.state.status);
+    if (a.state.status != FibreStatus::ok) return;
+    RC_ASSERT(a.state.w == b.state.w);
+    RC_ASSERT(a.state.F == b.state.F);
+    RC_ASSERT(a.slopes.F_S == b.slopes.F_S);
+    RC_ASSERT(fibre.length_between_contacts(a.state) == S);
+    RC_ASSERT(fibre.lost_bending(a.state) == 0);
+  }));
+}
+
+TEST_CASE("fibre, oracle: the tables give the states of supported_state.h, by length and by force") {
+  CHECK(rc::check([] {
+    const Fibre& fibre = some_fibre();
+    const auto [w, q] = some_bent(fibre);
+    const SupportedState exact = state_on_supports(w, q, fibre.supports());
+    if (q < 0 && exact.status != FibreStatus::ok) return;  // such friction may leave no force
+    RC_ASSERT(exact.status == FibreStatus::ok);
+    constexpr double close = 2e-12;
+    const double condition = 1 + q * q + (w * exact.Pn * std::abs(q) / exact.F);
+    const FibreState state = fibre.state(1 + exact.slid, q);
+    RC_ASSERT(state.status == FibreStatus::ok);
+    RC_ASSERT(state.w == to(close * (1 + 1e-4 / exact.slid), w));  // a length has an absolute rounding
+    const Fibre::BentState bent = fibre.bent(w, q);
+    RC_ASSERT(std::abs(bent.state.S - 1 - exact.slid) <= close);
+    RC_ASSERT(bent.state.F == to(close * condition, exact.F));
+    RC_ASSERT(bent.state.theta0 == to(close, exact.theta0));
+    RC_ASSERT(bent.state.Pn == to(close * condition, exact.Pn));
+    RC_ASSERT(bent.state.U == to(close, exact.U));
+    RC_ASSERT(fibre.length_between_contacts(bent.state) == to(close, exact.length));
+    RC_ASSERT(fibre.curvature_at_midspan(bent.state) == exact.curvature);
+    if (w < least_half_depths * fibre.supports().half_depth || std::abs(q) > 1.9) return;
+    const FibreState back = fibre.state_from_force(w, exact.F);
+    RC_ASSERT(back.status == FibreStatus::ok);
+    RC_ASSERT(std::abs(back.q - q) < 1e-10 / (w * w));
+  }));
+}
+
+TEST_CASE("fibre, definition: slopes along a length and in friction are those of differences") {
+  CHECK(rc::check([] {
+    const Fibre& fibre = some_fibre();
+    const auto [w, q] = some_bent(fibre);
+    if (q < -0.5) return;
+    const double S = fibre.bent(w, q).state.S;
+    if (!(S > 1)) return;
+    const double h = 1e-5 * (S - 1 + 0.01);
+    const auto at = [&](double dS, double dq) { return fibre.state(S + dS, q + dq); };
+    const auto [state, d] = fibre.state_slopes(S, q);
+    const auto close = [](double a, double b, double size) { return std::abs(a - b) <= 1e-6 * (std::abs(a) + size); };
+    const auto along = [&](double FibreState::*of) { return (at(h, 0).*of - at(-h, 0).*of) / (2 * h); };
+    const auto across = [&](double FibreState::*of) { return (at(0, 1e-4).*of - at(0, -1e-4).*of) / 2e-4; };
+    if (S - h < 1) return;
+    RC_ASSERT(close(d.w_S, along(&FibreState::w), 1));
+    RC_ASSERT(close(d.F_S, along(&FibreState::F), 48));
+    RC_ASSERT(close(d.Pn_S, along(&FibreState::Pn), 48));
+    RC_ASSERT(close(d.U_S, along(&FibreState::U), 1));
+    RC_ASSERT(close(d.theta0_S, along(&FibreState::theta0), 3));
+    RC_ASSERT(close(d.w_q, across(&FibreState::w), w));
+    RC_ASSERT(close(d.F_q, across(&FibreState::F), state.F));
+    RC_ASSERT(close(d.Pn_q, across(&FibreState::Pn), state.Pn));
+    RC_ASSERT(close(d.U_q, across(&FibreState::U), state.U));
+    RC_ASSERT(close(d.theta0_q, across(&FibreState::theta0), 1));
+  }));
+}
+
+TEST_CASE("fibre, identity: more friction makes for more force where the surface slides in as the fibre is bent, and for less before") {
+  CHECK(rc::check([] {
+    const Fibre& fibre = some_fibre();
+    const double w = *between(0.002, 0.3), q = *between(-0.3, 1.5);
+    const Fibre::BentState at = fibre.bent(w, q);
+    RC_ASSERT(at.state.status == FibreStatus::ok);
+    constexpr double least = 1e-3;  // of slopes that have a sign
+    if (std::abs(at.S_w) > least) RC_ASSERT((at.F_q > 0) == (at.S_w > 0));
+  }));
+}
+
+TEST_CASE("fibre, definition: many states are the same as one by one") {
+  const Fibre fibre({.008, .0157});
+  std::vector<double> S, q;
+  for (int i = 0; i < 300; ++i) {
+    S.push_back(1 + 0.0005 * i);
+    q.push_back(-0.5 + 0.005 * i);
+  }
+  const SlopeArrays at = fibre.states_slopes({S, q});
+  for (std::size_t i = 0; i < S.size(); ++i) {
+    const auto [state, d] = fibre.state_slopes(S[i], q[i]);
+    CHECK(at.w[i] == state.w);
+    CHECK(at.F[i] == state.F);
+    CHECK(at.w_S[i] == d.w_S);
+    CHECK(at.F_q[i] == d.F_q);
+  }
+}
+
+TEST_CASE("fibre, bad input: supports that leave no span") {
+  CHECK_THROWS_AS(Fibre({0.4, 0.1}), std::invalid_argument);
+  CHECK_THROWS_AS(Fibre({-0.1, 0.1}), std::invalid_argument);
+}
+
+}  // namespace flexslip
