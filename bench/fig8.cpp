@@ -10,7 +10,7 @@ namespace flexslip {
 namespace {
 
 const Friction friction = Friction::sinusoid(0.6, 0.4, 0.0628318530717959, 0);
-constexpr Rig rig{30};
+const Rig rig{30};
 constexpr double longest = 1.5;
 
 void fig8_folds(benchmark::State& run) {

@@ -9,6 +9,6 @@
 namespace flexslip {
 
 inline Friction friction_of_fig_8() { return Friction::sinusoid(0.6, 0.4, 0.02 * std::numbers::pi, 0); }
-constexpr Rig rig_of_fig_8{30};
+inline const Rig rig_of_fig_8{30};
 
 }  // namespace flexslip

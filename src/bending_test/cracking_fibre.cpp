@@ -66,7 +66,7 @@ Stretch CrackingFibre::crack() {
   Stretch stretch{state(), {}, {}};
   left_ *= 1 - cracks_.back().loss;
   cracks_.pop_back();
-  fibre_ = MovingFibre({fibre_.friction(), rig(), test_.rest}, farthest_, stretch.from.S, stretch.from.stage);
+  fibre_ = MovingFibre({fibre_.friction(), rig(), test_.rest}, farthest_, stretch.from);
   stretch.to = state();
   stretch.to.motion = Motion::crack;
   const EnergyAccount before = energy(stretch.from), after = energy(stretch.to);

@@ -41,7 +41,7 @@ class CrackingFibre {
   Stretch in_first_units(Stretch stretch) const;
   std::optional<Stretch> advance_to_next(double stage);
   Stretch crack();
-  Rig rig() const { return {test_.rig.stiffness / left_}; }
+  Rig rig() const { return {test_.rig.stiffness / left_, test_.rig.fibre}; }
 
   BendingTest test_;
   double farthest_;

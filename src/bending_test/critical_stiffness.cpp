@@ -6,7 +6,6 @@
 
 #include "bending_test/reach.h"
 #include "bending_test/rig.h"
-#include "fibre/elastica.h"
 
 namespace flexslip {
 namespace {
@@ -19,7 +18,8 @@ struct Stretch {
 
 // Follows a fold from a stretch on which k(S) exceeds what it is at the beginning to a maximum of it, maybe at the end.
 // Method: parabolas through the best three points, golden sections where they lead nowhere (Brent): friction may have kinks.
-double stiffness_of_cusp(const Friction& friction, const Stretch& stretch) {
+double stiffness_of_cusp(const Friction& friction, const Fibre& fibre, const Stretch& stretch) {
+  const auto k_at = [&](double S) { return stiffness_of_fold(friction, S, fibre); };
   constexpr double golden = 0.3819660112501051;
   constexpr double flat = 1e-8;  // of the stretch: k(S) at the maximum is as flat, and known to the square of it
   double low = stretch.from;
@@ -27,7 +27,7 @@ double stiffness_of_cusp(const Friction& friction, const Stretch& stretch) {
   double x = low + golden * (high - low);
   double second = x;
   double third = x;
-  double k = stiffness_of_fold(friction, x);
+  double k = k_at(x);
   double k_second = k;
   double k_third = k;
   double step = 0;
@@ -42,7 +42,7 @@ double stiffness_of_cusp(const Friction& friction, const Stretch& stretch) {
     step_before = is_good ? step : (x < middle ? high : low) - x;
     step = is_good ? parabola : golden * step_before;
     const double next = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
-    const double k_next = stiffness_of_fold(friction, next);
+    const double k_next = k_at(next);
     if (k_next >= k) {
       (next >= x ? low : high) = x;
       third = second;
@@ -64,7 +64,7 @@ double stiffness_of_cusp(const Friction& friction, const Stretch& stretch) {
       }
     }
   }
-  return std::max(k, stiffness_of_fold(friction, stretch.to));
+  return std::max(k, k_at(stretch.to));
 }
 
 // The pair of folds whose cusp is likely to be the stiffest.
@@ -74,7 +74,7 @@ Stretch stiffest_pair(const SlidingCurve& curve) {
   for (std::size_t i = 0; i < curve.folds.size(); i += 2) {
     const RigPoint& other = i + 1 < curve.folds.size() ? curve.folds[i + 1].point : curve.end;
     const Stretch pair{curve.folds[i].point.S, other.S};
-    const double k = stiffness_of_fold(curve.friction, 0.5 * (pair.from + pair.to));
+    const double k = stiffness_of_fold(curve.friction, 0.5 * (pair.from + pair.to), curve.rig.fibre);
     if (k > most) stiffest = pair;
     most = std::max(most, k);
   }
@@ -83,16 +83,16 @@ Stretch stiffest_pair(const SlidingCurve& curve) {
 
 }  // namespace
 
-double stiffness_of_fold(const Friction& friction, double S) {
+double stiffness_of_fold(const Friction& friction, double S, const Fibre& fibre) {
   const auto mu = friction.at(S);
-  const auto [state, slopes] = fibre_state_slopes(S, mu.mu);
+  const auto [state, slopes] = fibre.state_slopes(S, mu.mu);
   return -(slopes.F_S + slopes.F_q * mu.slope) / (slopes.w_S + slopes.w_q * mu.slope);
 }
 
-double critical_stiffness(const Friction& friction, double w_max) {
+double critical_stiffness(const Friction& friction, double w_max, const Fibre& fibre) {
   constexpr double softest = 1e-6;
   constexpr double above = 1e-9;  // of k: folds nearer to a cusp than that are one to the tracer
-  const Rig stiff{infinity};
+  const Rig stiff{infinity, fibre};
   const auto controlled = trace_loading_curve(friction, stiff, longest_in_loading(friction, stiff, w_max));
   const StablePart part = stable_part_from(controlled, controlled.begin);
   if (!controlled.folds.empty() && part.to.stage <= w_max) return infinity;
@@ -101,9 +101,9 @@ double critical_stiffness(const Friction& friction, double w_max) {
   double critical = 0;
   double stiffness = softest;
   while (true) {
-    const auto curve = trace_loading_curve(friction, {stiffness}, S_end);
+    const auto curve = trace_loading_curve(friction, {stiffness, fibre}, S_end);
     if (curve.folds.empty()) return critical;
-    const double cusp = stiffness_of_cusp(friction, stiffest_pair(curve));
+    const double cusp = stiffness_of_cusp(curve.friction, fibre, stiffest_pair(curve));
     if (!(cusp > stiffness)) return critical;  // what the tracer saw is rounding
     critical = cusp;
     stiffness = (1 + above) * cusp;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/friction.h"
+#include "fibre/fibre.h"
 
 namespace flexslip {
 
@@ -16,10 +17,11 @@ namespace flexslip {
 //             until the tracer, which misses none, finds no fold. A maximum of k(S) is flat and needs no second derivatives
 //             (theory.md, "The critical stiffness").
 // Cost:       about three traces, and 20 µs for each cusp; at worst a trace for every maximum of k(S).
-double critical_stiffness(const Friction& friction, double w_max);
+double critical_stiffness(const Friction& friction, double w_max, const Fibre& fibre = {});
 
 // -F'/w' along q = μ(S) [EI/L^3]: on the rig of that stiffness the fibre is at a fold at this length.
 // Domain:     S > 1, where a state exists.
-double stiffness_of_fold(const Friction& friction, double S);
+// The friction is that met on the way (contact/over_rollers.h).
+double stiffness_of_fold(const Friction& friction, double S, const Fibre& fibre = {});
 
 }  // namespace flexslip

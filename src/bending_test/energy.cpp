@@ -1,7 +1,5 @@
 #include "bending_test/energy.h"
 
-#include "fibre/elastica.h"
-
 namespace flexslip {
 
 EnergyAccount account_after(const EnergyAccount& account, const Stretch& stretch, const Rig& rig) {
@@ -10,7 +8,7 @@ EnergyAccount account_after(const EnergyAccount& account, const Stretch& stretch
   next.friction += stretch.work.friction;
   next.snaps += stretch.work.released;
   next.cracks += stretch.work.cracked;
-  next.bending = stretch.to.left * fibre_state(stretch.to.S, stretch.to.q).U;
+  next.bending = stretch.to.left * state_at(rig.fibre, stretch.to).U;
   next.load_train = 0.5 * stretch.to.F * stretch.to.F / rig.stiffness;
   next.imbalance = next.stage_work - (next.bending + next.load_train + next.friction + next.snaps + next.cracks);
   return next;

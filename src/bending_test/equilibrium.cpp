@@ -6,9 +6,8 @@
 #include <string>
 
 #include "bending_test/curve_samples.h"
+#include "contact/over_rollers.h"
 #include "fibre/batch.h"
-#include "fibre/elastica.h"
-#include "fibre/state_table.h"
 
 namespace flexslip {
 namespace {
@@ -19,16 +18,18 @@ void require_range(double S_max, int n) {
   if (n < 2) throw std::invalid_argument("a curve needs at least 2 points, not " + std::to_string(n));
 }
 
-double length_at(double S_max, int i, int n) {
+double length_at(const Fibre& fibre, double S_max, int i, int n) {
+  if (i == n - 1) return S_max;
   const double fraction = static_cast<double>(i) / (n - 1);
-  return i == n - 1 ? S_max : 1 + (S_max - 1) * fraction * fraction;
+  if (fibre.begins_straight()) return 1 + (S_max - 1) * fraction * fraction;
+  return fibre.length_at(fibre.way(1) + (fibre.way(S_max) - fibre.way(1)) * fraction);
 }
 
 EquilibriumPoint point_of(const FibreState& state) { return {state.S, state.q, state.w, state.F}; }
 
 // The last state before the branch ends between two lengths.
-EquilibriumPoint last_point(const Friction& friction, double sign, double exists, double ended) {
-  const auto state_at = [&](double S) { return fibre_state(S, sign * friction.at(S).mu); };
+EquilibriumPoint last_point(const Friction& friction, const Fibre& fibre, double sign, double exists, double ended) {
+  const auto state_at = [&](double S) { return fibre.state(S, sign * friction.at(S).mu); };
   while (ended - exists > 0x1p-52 * ended) {
     const double middle = 0.5 * (exists + ended);
     if (middle <= exists || middle >= ended) break;
@@ -38,23 +39,25 @@ EquilibriumPoint last_point(const Friction& friction, double sign, double exists
 }
 
 template <class States>
-EquilibriumCurve curve_of(const Friction& friction, Sliding sliding, double S_max, int n, const States& states) {
+EquilibriumCurve curve_of(const Friction& along, const Fibre& fibre, Sliding sliding, double S_max, int n,
+                          const States& states) {
   require_range(S_max, n);
   constexpr int at_once = 4096;  // in the processor's caches
   const double sign = direction_of(sliding);
+  const Friction friction = met(along, fibre, sign, S_max);
   EquilibriumCurve curve{EquilibriumStatus::ok, {}};
   curve.points.reserve(static_cast<std::size_t>(n));
   std::vector<double> S;
   S.reserve(at_once);
   for (int first = 0; first < n; first += at_once) {
     S.clear();
-    for (int i = first; i < std::min(n, first + at_once); ++i) S.push_back(length_at(S_max, i, n));
+    for (int i = first; i < std::min(n, first + at_once); ++i) S.push_back(length_at(fibre, S_max, i, n));
     std::vector<double> q = friction.at(S).mu;
     for (double& value : q) value *= sign;
     const StateArrays at = states(FibrePoints(S, q));
     for (std::size_t i = 0; i < S.size(); ++i) {
       if (std::isnan(at.w[i])) {
-        curve.points.push_back(last_point(friction, sign, curve.points.back().S, S[i]));
+        curve.points.push_back(last_point(friction, fibre, sign, curve.points.back().S, S[i]));
         curve.status = EquilibriumStatus::branch_ended;
         return curve;
       }
@@ -66,27 +69,31 @@ EquilibriumCurve curve_of(const Friction& friction, Sliding sliding, double S_ma
 
 }  // namespace
 
-EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n) {
-  return curve_of(friction, sliding, S_max, n, [](const FibrePoints& points) { return fibre_states(points); });
+EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n, const Fibre& fibre) {
+  return curve_of(friction, fibre, sliding, S_max, n, [&](const FibrePoints& points) { return fibre.states(points); });
 }
 
-EquilibriumCurve tabulated_equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n) {
-  return curve_of(friction, sliding, S_max, n, [](const FibrePoints& points) { return tabulated_states(points); });
+EquilibriumCurve tabulated_equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n,
+                                             const Fibre& fibre) {
+  return curve_of(friction, fibre, sliding, S_max, n,
+                  [&](const FibrePoints& points) { return fibre.tabulated_states(points); });
 }
 
-std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, double S_max, int n_S, int n_q) {
+std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, double S_max, int n_S, int n_q,
+                                                 const Fibre& fibre) {
   require_range(S_max, n_S);
   if (n_q < 2) throw std::invalid_argument("a region needs at least 2 values of q, not " + std::to_string(n_q));
+  const Friction in = met(friction, fibre, 1, S_max), out = met(friction, fibre, -1, S_max);
   std::vector<double> S, q;
   for (int i = 0; i < n_S; ++i) {
-    const double length = length_at(S_max, i, n_S);
-    const double mu = friction.at(length).mu;
+    const double length = length_at(fibre, S_max, i, n_S);
+    const double most = in.at(length).mu, least = -out.at(length).mu;
     for (int j = 0; j < n_q; ++j) {
       S.push_back(length);
-      q.push_back(mu * (2.0 * j / (n_q - 1) - 1));
+      q.push_back(0.5 * (most + least) + 0.5 * (most - least) * (2.0 * j / (n_q - 1) - 1));
     }
   }
-  const StateArrays at = fibre_states({S, q});
+  const StateArrays at = fibre.states({S, q});
   std::vector<EquilibriumPoint> region;
   for (std::size_t i = 0; i < S.size(); ++i)
     if (!std::isnan(at.w[i])) region.push_back({S[i], q[i], at.w[i], at.F[i]});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/friction.h"
+#include "fibre/fibre.h"
 
 namespace flexslip {
 
@@ -30,14 +31,18 @@ struct EquilibriumCurve {
 
 // The envelope of the equilibrium region on which the fibre slides: (4.28).
 // Domain:     S_max > 1; n >= 2; std::invalid_argument otherwise.
-// Method:     n points evenly spaced in √(S - 1), in which the curve starts as a straight line. Each point is exact.
-EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n);
+// Method:     n points evenly spaced in √(S - 1) (Fibre::way), in which the curve starts as a straight line. Each point is exact.
+EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n,
+                                   const Fibre& fibre = {});
 
 // The same for bulk work, each point to the accuracy of the table (fibre/state_table.h).
-EquilibriumCurve tabulated_equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n);
+EquilibriumCurve tabulated_equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n,
+                                             const Fibre& fibre = {});
 
-// The equilibrium region: n_S by n_q points, q from -μ(S) to μ(S) (Algorithm 1, with its step corrected, theory.md).
+// The equilibrium region: n_S by n_q points, q from -μ(S) to μ(S) (Algorithm 1, with its step corrected, theory.md); on rollers from the friction
+// met on the way out to that met on the way in.
 // Domain:     as above; n_q >= 2. Points of the grid beyond the end of the branch are left out.
-std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, double S_max, int n_S, int n_q);
+std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, double S_max, int n_S, int n_q,
+                                                 const Fibre& fibre = {});
 
 }  // namespace flexslip

@@ -52,17 +52,17 @@ class FoldSearch {
       : friction_(friction), rig_(rig), sliding_(sliding) {}
 
   SlidingCurve along(double S_from, double S_to) {
-    const CurveSample first = sample(way_at(sliding_, S_from));
+    const CurveSample first = sample(way_at(rig_.fibre, sliding_, S_from));
     if (!first.exists)
       throw std::invalid_argument("no fibre of the length S = " + std::to_string(S_from) + " slides out under a force");
     double S = S_from;
-    double x = way_at(sliding_, S_from);
+    double x = way_at(rig_.fibre, sliding_, S_from);
     std::optional<double> ended;  // a point beyond the end of the branch
     while (S != S_to && !ended) {
       std::vector<Cell> cells;
       for (double a = x; cells.size() < cells_at_once && S != S_to; a = cells.back().b) {
-        S = end_of_stretch(friction_, S, S_to, 1);
-        cells.push_back({a, way_at(sliding_, S)});
+        S = end_of_stretch(friction_, rig_.fibre, S, S_to, 1);
+        cells.push_back({a, way_at(rig_.fibre, sliding_, S)});
       }
       ended = search(cells, x);
     }
@@ -81,7 +81,8 @@ class FoldSearch {
     const auto lost =
         std::find_if(folds.begin(), folds.end(), [](const Fold& fold) { return std::isnan(fold.point.stage); });
     if (lost != folds.end()) {
-      x = last_existing(brackets_[static_cast<std::size_t>(lost - folds.begin())].low, way_at(sliding_, lost->point.S));
+      x = last_existing(brackets_[static_cast<std::size_t>(lost - folds.begin())].low,
+                        way_at(rig_.fibre, sliding_, lost->point.S));
       reason = CurveEnd::branch_ended;
       folds.erase(lost, folds.end());
     }
@@ -154,7 +155,7 @@ class FoldSearch {
     const bool smooth = !friction_.may_be_held() || !may_have_kink(cell);
     const bool resolved =
         smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;  // S itself is rounded, too
-    const double error = std::max(4 * tail, source.error * scale);
+    const double error = std::max(4 * tail, (rig_.fibre.on_edges() ? source.error : tabulated_error) * scale);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && sign_changes(bernstein) == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
     const bool smallest = halvings == most_halvings;
@@ -175,7 +176,7 @@ class FoldSearch {
     Values mu;
     for (std::size_t j = 0; j <= degree; ++j) {
       const double x = node_in(cell, j);
-      mu[j] = friction_.unheld(1 + x * x);
+      mu[j] = friction_.unheld(rig_.fibre.length_at(x));
     }
     const Values bernstein = Polynomial::bernstein(mu);
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());

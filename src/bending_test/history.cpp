@@ -73,7 +73,8 @@ class Recorder {
   void record(const PathPoint& point) {
     history_.path.push_back(point);
     history_.energy_at.push_back(history_.energy);
-    if (const Walk* walk = fibre_.friction().kinetic.walk()) history_.contacts.push_back(walk->points_at(point.S));
+    if (const Walk* walk = fibre_.friction().kinetic.walk())
+      history_.contacts.push_back(walk->points_at(std::max(point.S, 1.0)));
   }
 
   PathPoint state() const { return fibre_.state(); }

@@ -10,8 +10,9 @@
 
 #include "bending_test/curve_samples.h"
 #include "bending_test/quadrature.h"
+#include "bending_test/reach.h"
+#include "contact/over_rollers.h"
 #include "contact/two_supports.h"
-#include "fibre/elastica.h"
 
 namespace flexslip {
 namespace {
@@ -34,29 +35,52 @@ void require_bending(const Rig& rig, double farthest) {
   }
 }
 
-// At fixed S: ∫ F dG over q.
-double work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
-  if (S == 1) return 0;           // no force bends the straight fibre
-  constexpr double smooth = 0.5;  // of q
+// How far the way in is traced: states far beyond the programme cost more on supports that are no edges.
+double longest_on_the_way(const BendingTest& test, double farthest) {
+  return test.rig.fibre.on_edges() ? longest_at_stage(farthest)
+                                   : longest_in_loading(test.friction.kinetic, test.rig, farthest);
+}
+
+struct StickWork {
+  double stage = 0;     // ∫ F dG over q
+  double friction = 0;  // what the axis loses that leaves the span, rolling
+  StickWork& operator+=(const StickWork& other) {
+    stage += other.stage;
+    friction += other.friction;
+    return *this;
+  }
+  friend StickWork operator*(double factor, const StickWork& work) {
+    return {factor * work.stage, factor * work.friction};
+  }
+};
+
+// At fixed S.
+StickWork work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
+  if (S == 1 && rig.fibre.begins_straight()) return {};  // no force bends the straight fibre
+  constexpr double smooth = 0.5;                         // of q
   const double c = 1 / rig.stiffness;
   const double way = q_to - q_from;
   const auto power = [&](double q) {
-    const auto [state, slopes] = fibre_state_slopes(S, q);
-    return state.F * (slopes.w_q + c * slopes.F_q);
+    const auto [state, slopes] = rig.fibre.state_slopes(S, q);
+    const double leaves = -2 * rig.fibre.supports().radius * slopes.theta0_q;
+    return StickWork{state.F * (slopes.w_q + c * slopes.F_q), rig.fibre.lost_bending(state) * leaves};
   };
   if (std::abs(way) <= 0.1 * smooth) return integral(gauss_3, q_from, q_to, power);
   const int pieces = static_cast<int>(std::ceil(std::abs(way) / smooth));
-  double work = 0;
+  StickWork work;
   for (int i = 0; i < pieces; ++i)
     work += integral(gauss_10, q_from + way * i / pieces, q_from + way * (i + 1) / pieces, power);
   return work;
 }
 
+bool begins_shallow(const Stretch& stretch) { return std::min(stretch.from.S, stretch.to.S) < 1; }
+
 // From where to where a stretch leads, in what state_within takes.
-std::pair<double, double> extent_of(const Stretch& stretch) {
+std::pair<double, double> extent_of(const Fibre& fibre, const Stretch& stretch) {
   const auto& [from, to, work] = stretch;
+  if (begins_shallow(stretch)) return {from.w, to.w};
   if (to.motion == Motion::stick) return {from.q, to.q};
-  return {std::sqrt(from.S - 1), std::sqrt(to.S - 1)};
+  return {fibre.way(from.S), fibre.way(to.S)};
 }
 
 }  // namespace
@@ -64,18 +88,26 @@ std::pair<double, double> extent_of(const Stretch& stretch) {
 MovingFibre::MovingFibre(BendingTest test, double farthest)
     : test_(std::move(test)),
       farthest_(farthest),
-      in_(trace_loading_curve(test_.friction.kinetic, test_.rig, longest_at_stage(farthest))),
+      in_(trace_loading_curve(test_.friction.kinetic, test_.rig, longest_on_the_way(test_, farthest))),
       table_in_(test_.friction.kinetic, test_.rig, Sliding::in),
       table_out_(test_.friction.kinetic, test_.rig, Sliding::out) {
   require_bending(test_.rig, farthest);
   if (test_.friction.kinetic.walk() &&
       (test_.rest == SnapRest::overshoot || test_.friction.static_excess.most_up_to(longest_at_stage(farthest)) > 0))
     throw std::invalid_argument("on two supports that are not alike there is neither static excess nor overshoot");
-  state_ = path_point(in_.begin, Motion::stick);
+  const Fibre& fibre = test_.rig.fibre;
+  if (fibre.supports().radius > 0 && test_.friction.static_excess.most_up_to(longest_at_stage(farthest)) > 0)
+    throw std::invalid_argument("on rollers there is no static excess");
+  state_ = fibre.begins_straight() ? path_point(in_.begin, Motion::stick) : shallow().straight();
 }
 
-MovingFibre::MovingFibre(BendingTest test, double farthest, double S, double stage)
-    : MovingFibre({{test.friction.kinetic.from(S), test.friction.static_excess}, test.rig, test.rest}, farthest) {
+MovingFibre::MovingFibre(BendingTest test, double farthest, const PathPoint& there)
+    : MovingFibre({{test.friction.kinetic.from(there.S), test.friction.static_excess}, test.rig, test.rest}, farthest) {
+  const double S = there.S, stage = there.stage;
+  if (Shallow::holds(test_.rig.fibre, S, there.w)) {
+    state_ = shallow().held(stage, there.q);
+    return;
+  }
   const auto at = [&](double length) {
     return held_at(length, stage, test_.rig, test_.friction.kinetic.at(length).mu);
   };
@@ -105,7 +137,9 @@ void MovingFibre::return_to(const Position& position) {
 }
 
 std::optional<Stretch> MovingFibre::settle() {
-  if (end_ != MotionEnd::none || std::abs(state_.q) <= static_friction(test_.friction, state_.S)) return std::nullopt;
+  if (end_ != MotionEnd::none || std::abs(state_.q) <= limit_at(state_.q > 0 ? Sliding::in : Sliding::out))
+    return std::nullopt;
+  if (Shallow::holds(test_.rig.fibre, state_.S, state_.w)) return std::nullopt;
   return snap(state_.q > 0 ? Sliding::in : Sliding::out);
 }
 
@@ -113,7 +147,7 @@ std::optional<Stretch> MovingFibre::settle() {
 void MovingFibre::lead_on_from(double S) {
   Friction& friction = test_.friction.kinetic;
   friction = friction.from(S);
-  in_ = trace_loading_curve(friction, test_.rig, longest_at_stage(farthest_));
+  in_ = trace_loading_curve(friction, test_.rig, longest_on_the_way(test_, farthest_));
   out_.reset();
   table_in_ = SlidingTable(friction, test_.rig, Sliding::in);
   table_out_ = SlidingTable(friction, test_.rig, Sliding::out);
@@ -132,7 +166,7 @@ const SlidingCurve& MovingFibre::curve_of(Sliding sliding, double S) {
   if (!out_ && !walk) {
     // From the end of the programme it serves all reversals, unless the force falls to zero on the way down.
     const auto last = landing_after(in_, 1, farthest_);
-    if (last && last->S > S && fibre_state(last->S, -last->q).status == FibreStatus::ok)
+    if (last && last->S > S && test_.rig.fibre.state(last->S, -last->q).status == FibreStatus::ok)
       out_ = trace_unloading_curve(friction, test_.rig, last->S);
   }
   if (!covers()) out_ = trace_unloading_curve(friction, test_.rig, S);
@@ -146,17 +180,38 @@ std::optional<Stretch> MovingFibre::advance_towards(double stage) {
   if (end_ != MotionEnd::none || stage == state_.stage) return std::nullopt;
   const Sliding sliding = stage > state_.stage ? Sliding::in : Sliding::out;
   if (is_free() && (sliding == Sliding::out || state_.stage < state_.w)) return move_apart(stage);
+  if (is_shallow(sliding)) {
+    glide_.reset();
+    return move_to(shallow().next(state_, stage));
+  }
   if (glide_ && glide_->sliding != sliding) glide_.reset();
   if (glide_) return slide(sliding, stage);
-  const double limit = direction_of(sliding) * static_friction(test_.friction, state_.S);
+  const double limit = direction_of(sliding) * limit_at(sliding);
   if (direction_of(sliding) * (limit - state_.q) > 0) return stick(sliding, limit, stage);
   return test_.friction.static_excess.at(state_.S).mu > 0 ? snap(sliding) : slide(sliding, stage);
+}
+
+// The friction that the fibre has to overcome to slide.
+double MovingFibre::limit_at(Sliding sliding) const {
+  const Friction& kinetic = test_.friction.kinetic;
+  if (const auto over = met_without_knots(kinetic, test_.rig.fibre, direction_of(sliding)))
+    return over->at(state_.S).mu;
+  return static_friction(test_.friction, state_.S);
+}
+
+// On the first part of the way of a specimen with a thickness.
+bool MovingFibre::is_shallow(Sliding sliding) const {
+  const Fibre& fibre = test_.rig.fibre;
+  if (fibre.begins_straight()) return false;
+  constexpr double level = 1e-11, rounding = 1e-14;
+  const bool slides_out = sliding == Sliding::out && state_.S - 1 <= rounding && state_.q <= -limit_at(sliding) + level;
+  return slides_out || Shallow::holds(fibre, state_.S, state_.w);
 }
 
 // At fixed S, until friction is exhausted, or the force.
 std::optional<Stretch> MovingFibre::stick(Sliding sliding, double limit, double stage) {
   const double S = state_.S;
-  const FibreState last = fibre_state(S, limit);
+  const FibreState last = test_.rig.fibre.state(S, limit);
   const double last_stage = last.w + last.F / test_.rig.stiffness;
   if (last.status == FibreStatus::ok && direction_of(sliding) * (stage - last_stage) >= 0)
     return move_to({last_stage, last.w, last.F, S, limit, Motion::stick});
@@ -242,7 +297,8 @@ std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& n
     if (std::abs(rest.q) <= static_friction(test_.friction, S))
       return jump_to({state_.stage, rest.w, rest.F, S, rest.q, Motion::snap}, work);
     sliding = rest.q > 0 ? Sliding::in : Sliding::out;
-    if (fibre_state(S, direction_of(sliding) * kinetic.at(S).mu).status != FibreStatus::ok) return lose(sliding);
+    if (test_.rig.fibre.state(S, direction_of(sliding) * kinetic.at(S).mu).status != FibreStatus::ok)
+      return lose(sliding);
     const auto landing = landing_after(curve_of(sliding, S), S, state_.stage);
     if (!landing) return lose(sliding);
     S_landing = landing->S;
@@ -257,7 +313,11 @@ std::optional<Stretch> MovingFibre::lose(Sliding sliding) {
 
 StretchWork MovingFibre::work_between(const PathPoint& from, const PathPoint& to) {
   if (to.motion == Motion::apart) return {0, 0, 0};
-  if (to.motion == Motion::stick) return {work_of_stick(from.S, from.q, to.q, test_.rig), 0, 0};
+  if (std::min(from.S, to.S) < 1) return shallow().work(from, to);
+  if (to.motion == Motion::stick) {
+    const StickWork work = work_of_stick(from.S, from.q, to.q, test_.rig);
+    return {work.stage, work.friction, 0};
+  }
   const SlidingWork work = (to.motion == Motion::slip_in ? table_in_ : table_out_).work(from.S, to.S);
   return {work.stage, work.friction, 0};
 }
@@ -274,20 +334,28 @@ Stretch MovingFibre::jump_to(const PathPoint& point, const SnapWork& work) {
   return stretch;
 }
 
-// At rest `along` is q, in sliding √(S - 1).
-FibreState MovingFibre::state_within(Motion motion, double S_at_rest, double along) const {
-  if (motion == Motion::stick) return fibre_state(S_at_rest, along);
-  const double S = 1 + along * along;
-  return fibre_state(S, (motion == Motion::slip_in ? 1 : -1) * test_.friction.kinetic.at(S).mu);
+// At rest `along` is q, in sliding √(S - 1), and w where it is shallow.
+PathPoint MovingFibre::point_within(const Stretch& stretch, double along) const {
+  const auto& [from, to, work] = stretch;
+  if (begins_shallow(stretch)) return shallow().point_at(from, to, along);
+  const Fibre& fibre = test_.rig.fibre;
+  FibreState state;
+  if (to.motion == Motion::stick) {
+    state = fibre.state(from.S, along);
+  } else {
+    const double S = fibre.length_at(along), direction = to.motion == Motion::slip_in ? 1 : -1;
+    const auto over = met_without_knots(test_.friction.kinetic, fibre, direction);
+    state = fibre.state(S, direction * (over ? *over : test_.friction.kinetic).at(S).mu);
+  }
+  return {state.w + state.F / test_.rig.stiffness, state.w, state.F, state.S, state.q, to.motion};
 }
 
 double MovingFibre::stage_at_deflection(const Stretch& stretch, double w) const {
-  auto [low, high] = extent_of(stretch);
-  const auto at = [&](double along) { return state_within(stretch.to.motion, stretch.from.S, along); };
+  auto [low, high] = extent_of(test_.rig.fibre, stretch);
+  const auto at = [&](double along) { return point_within(stretch, along); };
   double middle = 0.5 * (low + high);
   for (; low < middle && middle < high; middle = 0.5 * (low + high)) (at(middle).w < w ? low : high) = middle;
-  const FibreState state = at(high);
-  return std::clamp(state.w + state.F / test_.rig.stiffness, stretch.from.stage, stretch.to.stage);
+  return std::clamp(at(high).stage, stretch.from.stage, stretch.to.stage);
 }
 
 std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
@@ -295,7 +363,7 @@ std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
   const auto& [from, to, work] = stretch;
   if (from.stage == to.stage) return {stretch};
   const Motion motion = to.motion;
-  const auto [low, high] = extent_of(stretch);
+  const auto [low, high] = extent_of(test_.rig.fibre, stretch);
   std::vector<Stretch> parts;
   parts.reserve(static_cast<std::size_t>(n - 1));
   PathPoint last = from;
@@ -304,8 +372,7 @@ std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
     if (motion == Motion::apart) {
       next.stage = i < n - 1 ? from.stage + (to.stage - from.stage) * i / (n - 1) : to.stage;
     } else if (i < n - 1) {
-      const FibreState state = state_within(motion, from.S, low + (high - low) * i / (n - 1));
-      next = {state.w + state.F / test_.rig.stiffness, state.w, state.F, state.S, state.q, motion};
+      next = point_within(stretch, low + (high - low) * i / (n - 1));
     }
     parts.push_back({last, next, work_between(last, next)});
     last = next;

@@ -9,25 +9,14 @@
 #include <optional>
 #include <vector>
 
+#include "bending_test/path_point.h"
 #include "bending_test/rig.h"
+#include "bending_test/shallow.h"
 #include "bending_test/sliding_table.h"
 #include "bending_test/snap.h"
 #include "contact/friction_law.h"
 
 namespace flexslip {
-
-// apart: the nose is off a fibre that friction holds bent, without a force. crack: cracking_fibre.h.
-enum class Motion { stick, slip_in, slip_out, snap, crack, apart };
-
-struct PathPoint {
-  double stage;     // [L] below w of a fibre that the nose is off
-  double w;         // [L]
-  double F;         // [EI/L^2]
-  double S;         // [L]
-  double q;         // [1]
-  Motion motion;    // by which the fibre came to this point from the one before
-  double left = 1;  // [1] share of the first bending stiffness: less after cracks
-};
 
 // Where a snap comes to rest.
 enum class SnapRest {
@@ -42,14 +31,6 @@ struct BendingTest {
       friction;  // on two supports that are not alike without a static excess, and at rest at the nearest stable state
   Rig rig;
   SnapRest rest = SnapRest::nearest_stable;
-};
-
-// [EI/L]
-struct StretchWork {
-  double stage;        // ∫ F d(stage)
-  double friction;     // heat at the supports
-  double released;     // what a snap sets free beyond friction
-  double cracked = 0;  // what a crack sets free
 };
 
 // Part of the way between two events, or to the stage position asked for.
@@ -71,14 +52,14 @@ inline constexpr double least_slip = 1e-6;
 class MovingFibre {
  public:
   // Straight, at the stage position 0. It can be moved up to `farthest` [L].
-  // Domain: rig.stiffness > 0, farthest >= 1e-6, static friction at most 20 wherever the fibre gets; test as said there; std::invalid_argument
+  // Domain: rig.stiffness > 0, farthest >= 1e-6, static friction at most 20 wherever the fibre gets; test as said there; no static excess on rollers; std::invalid_argument
   //         otherwise.
   MovingFibre(BendingTest test, double farthest);
 
   // The same, at rest for the moment at a length and a stage position, at which friction may not hold it: see settle(). Where not even
   // a friction of 20 holds it there, at the least length at which that does; where there is none, it has slipped through.
-  // Domain: S >= 1, stage >= 0 besides.
-  MovingFibre(BendingTest test, double farthest, double S, double stage);
+  // Domain: there.S >= 1, unless it is shallow (shallow.h), where it is held with its friction; there.stage >= 0 besides.
+  MovingFibre(BendingTest test, double farthest, const PathPoint& there);
 
   const PathPoint& state() const { return state_; }
   MotionEnd end() const { return end_; }
@@ -96,7 +77,7 @@ class MovingFibre {
   // Cost:       a few µs; the first that slides in a direction traces its curve (rig.h).
   std::optional<Stretch> advance_towards(double stage);
 
-  // The same stretch in n - 1 parts of equal length: in √(S - 1) where the fibre slides, in q where it sticks. A stretch at a
+  // The same stretch in n - 1 parts of equal length: in √(S - 1) (Fibre::way) where the fibre slides, in q where it sticks, in w where it is shallow. A stretch at a
   // fixed stage position is one part.
   // Domain:     n >= 2; a stretch of this fibre.
   std::vector<Stretch> parts_of(const Stretch& stretch, int n);
@@ -121,7 +102,10 @@ class MovingFibre {
     double to_S;  // [L] infinite: until the stage turns back or halts
   };
 
-  FibreState state_within(Motion motion, double S_at_rest, double along) const;
+  PathPoint point_within(const Stretch& stretch, double along) const;
+  bool is_shallow(Sliding sliding) const;
+  double limit_at(Sliding sliding) const;
+  Shallow shallow() const { return {test_.friction.kinetic, test_.rig}; }
   std::optional<Stretch> stick(Sliding sliding, double limit, double stage);
   std::optional<Stretch> slide(Sliding sliding, double stage);
   bool is_free() const { return state_.F == 0 && state_.S > 1; }

@@ -10,7 +10,7 @@ namespace flexslip {
 // through the supports before.
 // Domain:     rig.stiffness > 0, stage >= 1e-6; std::invalid_argument otherwise.
 // Method:     the loading stops before any length at which G reaches the stage position, or at which the branch has ended;
-//             such a length is found by bisection below longest_at_stage(), in √(S - 1).
+//             such a length is found by bisection below longest_at_stage(), in √(S - 1) (Fibre::way).
 // Cost:       3 µs.
 double longest_in_loading(const Friction& friction, const Rig& rig, double stage);
 

@@ -9,6 +9,7 @@
 
 #include "bending_test/curve_samples.h"
 #include "bending_test/fold_search.h"
+#include "contact/over_rollers.h"
 
 namespace flexslip {
 namespace {
@@ -27,7 +28,9 @@ double advance_of(const SlidingCurve& curve, const RigPoint& point) {
   return direction_of(curve.sliding) * point.stage;
 }
 
-double way_of(const SlidingCurve& curve, const RigPoint& point) { return way_at(curve.sliding, point.S); }
+double way_of(const SlidingCurve& curve, const RigPoint& point) {
+  return way_at(curve.rig.fibre, curve.sliding, point.S);
+}
 
 // What G lacks at a point of the way, and its slope there.
 struct Miss {
@@ -99,7 +102,7 @@ void require_traceable(const Friction& friction, const Rig& rig, double S_max) {
 
 // The first fold beyond a length, on the way; the number of folds if there is none.
 std::size_t first_fold_beyond(const SlidingCurve& curve, double S) {
-  const double x = way_at(curve.sliding, S);
+  const double x = way_at(curve.rig.fibre, curve.sliding, S);
   const auto fold = std::partition_point(curve.folds.begin(), curve.folds.end(),
                                          [&](const Fold& f) { return way_of(curve, f.point) <= x; });
   return static_cast<std::size_t>(fold - curve.folds.begin());
@@ -113,12 +116,12 @@ const RigPoint& fold_or_end(const SlidingCurve& curve, std::size_t i) {
 
 SlidingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max) {
   require_traceable(friction, rig, S_max);
-  return find_folds(friction, rig, Sliding::in, 1, S_max);
+  return find_folds(met(friction, rig.fibre, 1, S_max), rig, Sliding::in, 1, S_max);
 }
 
 SlidingCurve trace_unloading_curve(const Friction& friction, const Rig& rig, double S_from) {
   require_traceable(friction, rig, S_from);
-  return find_folds(friction, rig, Sliding::out, S_from, 1);
+  return find_folds(met(friction, rig.fibre, -1, S_from), rig, Sliding::out, S_from, 1);
 }
 
 double longest_at_stage(double stage) {
@@ -138,7 +141,7 @@ RigPoint point_at_length(const SlidingCurve& curve, double S) {
                                 std::to_string(curve.begin.S) + " to " + std::to_string(curve.end.S));
   if (direction * (S - curve.begin.S) <= 0) return curve.begin;
   if (direction * (curve.end.S - S) <= 0) return curve.end;
-  return sample_on(curve, way_at(curve.sliding, S)).point;
+  return sample_on(curve, way_at(curve.rig.fibre, curve.sliding, S)).point;
 }
 
 std::vector<OverallEquilibrium> overall_equilibria(const SlidingCurve& curve, double stage) {
@@ -200,22 +203,21 @@ RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, doubl
 }
 
 RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage, double S_guess) {
-  return point_in(curve, part, stage, way_at(curve.sliding, S_guess));
+  return point_in(curve, part, stage, way_at(curve.rig.fibre, curve.sliding, S_guess));
 }
 
-double end_of_stretch(const Friction& friction, double S, double S_to, double scales) {
+double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, double S_to, double scales) {
   constexpr double smooth_step = 0.125;  // in σ, over which the elastica itself varies little
-  const double sigma = std::sqrt(S - 1);
-  const double step = scales * friction.smooth_scale();
+  const double sigma = fibre.way(S);
   const auto knots = friction.knots();
   if (S_to > S) {
     const auto knot = std::upper_bound(knots.begin(), knots.end(), S);
-    const double end = std::min({S_to, S + step, 1 + (sigma + smooth_step) * (sigma + smooth_step)});
+    const double end = std::min({S_to, friction.end_of(S, scales, true), fibre.length_at(sigma + smooth_step)});
     return knot == knots.end() ? end : std::min(end, *knot);
   }
-  const double shorter = std::max(sigma - smooth_step, 0.0);
   const auto knot = std::lower_bound(knots.begin(), knots.end(), S);
-  const double end = std::max({S_to, S - step, 1 + shorter * shorter});
+  const double end =
+      std::max({S_to, friction.end_of(S, scales, false), fibre.length_at(std::max(sigma - smooth_step, 0.0))});
   return knot == knots.begin() ? end : std::max(end, *std::prev(knot));
 }
 

@@ -10,11 +10,13 @@
 
 #include "bending_test/equilibrium.h"
 #include "contact/friction.h"
+#include "fibre/fibre.h"
 
 namespace flexslip {
 
 struct Rig {
   double stiffness;  // [EI/L^3] of whatever carries the load cell; infinity for displacement control; > 0
+  Fibre fibre = {};  // on its supports
 };
 
 // A point of a sliding curve with the stage position that holds it.
@@ -40,7 +42,7 @@ enum class CurveEnd {
 // A sliding curve from one length to another, on the way that the fibre slides, cut at its folds: between two of them G is
 // strictly monotone.
 struct SlidingCurve {
-  Friction friction;
+  Friction friction;  // as met on this way (contact/over_rollers.h)
   Rig rig;
   Sliding sliding;
   RigPoint begin;
@@ -49,7 +51,8 @@ struct SlidingCurve {
   CurveEnd end_reason;
 };
 
-// The curve on which the fibre is drawn in, from S = 1 to S_max; and that on which it is let out, from S_from down to 1.
+// The curve on which the fibre is drawn in, from S = 1 to S_max; and that on which it is let out, from S_from down to 1: of a friction of the
+// specimen's points.
 // Domain:     rig.stiffness > 0, S_max > 1; S_from > 1, where a state with q = -μ exists; std::invalid_argument otherwise.
 // Tolerance:  no fold is missed whose snap is longer than 1e-6 of the roughness's period, whatever the wavelength: G' is
 //             interpolated by Chebyshev polynomials of degree 8 on cells no longer than half the shortest period (and the
@@ -105,7 +108,7 @@ RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, doubl
 RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage, double S_guess);
 
 // The end of a stretch of the way from S towards S_to, over which friction and the elastica bend so little that polynomials in
-// √(S - 1) of low degree follow them: at most `scales` smooth scales of the friction (friction.h), and no knot inside.
-double end_of_stretch(const Friction& friction, double S, double S_to, double scales);
+// √(S - 1) (Fibre::way) of low degree follow them: at most `scales` smooth scales of the friction (friction.h), and no knot inside.
+double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, double S_to, double scales);
 
 }  // namespace flexslip

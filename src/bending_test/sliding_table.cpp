@@ -8,31 +8,37 @@
 
 #include "bending_test/curve_samples.h"
 #include "bending_test/interpolant.h"
-#include "fibre/elastica.h"
+#include "contact/over_rollers.h"
 
 namespace flexslip {
-SlidingTable::SlidingTable(Friction friction, const Rig& rig, Sliding sliding)
-    : friction_(std::move(friction)), rig_(rig), direction_(direction_of(sliding)) {}
+SlidingTable::SlidingTable(const Friction& friction, const Rig& rig, Sliding sliding)
+    : friction_(met(friction, rig.fibre, direction_of(sliding), longest_sliding)),
+      rig_(rig),
+      direction_(direction_of(sliding)) {}
 
 SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
-  const double S = 1 + sigma * sigma;
-  if (S == 1) return {0, {0, 0}, 0};
-  const double rounded = std::sqrt(S - 1);  // what follows belongs to it; w, F and Pn start in proportion to it
+  const Fibre& fibre = rig_.fibre;
+  const double S = fibre.length_at(sigma);
+  if (S == 1 && fibre.begins_straight()) return {0, {0, 0}, 0};
+  const double rounded = fibre.way(S);  // what follows belongs to it; w, F and Pn start in proportion to it
   const double c = 1 / rig_.stiffness;
   const auto mu = friction_.at(S);
-  const auto [state, slopes] = fibre_state_slopes(S, direction_ * mu.mu);
+  const auto [state, slopes] = fibre.state_slopes(S, direction_ * mu.mu);
   if (state.status != FibreStatus::ok) return {0, {0, 0}, 0};
   const double G_S = slopes.w_S + c * slopes.F_S + direction_ * (slopes.w_q + c * slopes.F_q) * mu.slope;
   const double corrected = sigma / rounded;
   // The slopes err by their own accuracy, and friction and its slope by the rounding of the length where they vary fast.
   const double per_period = 0x1p-50 / friction_.smooth_scale() * std::abs(mu.slope);
-  const double slope_error =
-      4e-14 * (state.w + c * state.F) * (std::abs(mu.slope) + 1 / (S - 1)) + per_period * (slopes.w_q + c * slopes.F_q);
+  const double slope_error = 4e-14 * (state.w + c * state.F) * (std::abs(mu.slope) + 1 / (rounded * rounded)) +
+                             per_period * (slopes.w_q + c * slopes.F_q);
   const double friction_error = 0x1p-50 * std::abs(mu.slope) * state.Pn;
   const double G = (state.w + c * state.F) * corrected;
+  const double leaves = 1 - 2 * fibre.supports().radius * (slopes.theta0_S + direction_ * slopes.theta0_q * mu.slope);
+  const double friction = direction_ * mu.mu * state.Pn + fibre.lost_bending(state) * leaves;
+  const double table_error = fibre.on_edges() ? 0 : tabulated_error * state.F * std::abs(G_S);
   return {G,
-          {state.F * G_S * 2 * sigma, direction_ * mu.mu * state.Pn * 2 * sigma * corrected},
-          std::max(slope_error * state.F, friction_error) * 2 * sigma};
+          {state.F * G_S * 2 * sigma, friction * 2 * sigma * corrected},
+          std::max({slope_error * state.F, friction_error, table_error}) * 2 * sigma};
 }
 
 void SlidingTable::fill(Cell& cell, double from, double to, double scale, int halvings) const {
@@ -75,13 +81,14 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
 
 const SlidingTable::Cell& SlidingTable::cell(std::size_t i) {
   Cell& found = cells_[i];
-  if (found.empty()) fill(found, std::sqrt(edges_[i] - 1), std::sqrt(edges_[i + 1] - 1), 0, 0);
+  if (found.empty()) fill(found, rig_.fibre.way(edges_[i]), rig_.fibre.way(edges_[i + 1]), 0, 0);
   return found;
 }
 
 // The cell with edges_[i] <= S < edges_[i + 1].
 std::size_t SlidingTable::cell_of(double S) {
-  while (edges_.back() <= S) edges_.push_back(end_of_stretch(friction_, edges_.back(), 2 * longest_sliding, 1));
+  while (edges_.back() <= S)
+    edges_.push_back(end_of_stretch(friction_, rig_.fibre, edges_.back(), 2 * longest_sliding, 1));
   return static_cast<std::size_t>(std::upper_bound(edges_.begin(), edges_.end(), S) - edges_.begin()) - 1;
 }
 
@@ -104,14 +111,14 @@ SlidingWork SlidingTable::work(double S_from, double S_to) {
   }
   const std::size_t last = cell_of(S_to);
   const std::size_t first = cell_of(S_from);
-  const SlidingWork start = up_to(cell(first), std::sqrt(S_from - 1));
+  const SlidingWork start = up_to(cell(first), rig_.fibre.way(S_from));
   SlidingWork sum{-start.stage, -start.friction};
   const auto add = [&](const SlidingWork& more) {
     sum.stage += more.stage;
     sum.friction += more.friction;
   };
-  for (std::size_t i = first; i < last; ++i) add(up_to(cell(i), std::sqrt(edges_[i + 1] - 1)));
-  add(up_to(cell(last), std::sqrt(S_to - 1)));
+  for (std::size_t i = first; i < last; ++i) add(up_to(cell(i), rig_.fibre.way(edges_[i + 1])));
+  add(up_to(cell(last), rig_.fibre.way(S_to)));
   return sum;
 }
 
@@ -123,13 +130,13 @@ double SlidingTable::length_at_stage(double stage, double S_from, double S_to) {
   const std::size_t last = cell_of(S_to);
   std::size_t i = cell_of(S_from);
   const auto lies_beyond = [&](double edge) {
-    const double sigma = std::sqrt(edge - 1);
+    const double sigma = rig_.fibre.way(edge);
     const Piece& piece = piece_at(cell(i), sigma);
     return (series_at(piece.G, place_on(piece, sigma)) < stage) == onwards;
   };
   while (i != last && lies_beyond(edges_[onwards ? i + 1 : i])) i = onwards ? i + 1 : i - 1;
-  double low = std::sqrt(std::max(edges_[i], std::min(S_from, S_to)) - 1);
-  double high = std::sqrt(std::min(edges_[i + 1], std::max(S_from, S_to)) - 1);
+  double low = rig_.fibre.way(std::max(edges_[i], std::min(S_from, S_to)));
+  double high = rig_.fibre.way(std::min(edges_[i + 1], std::max(S_from, S_to)));
   const Cell& here = cell(i);
   const auto miss = [&](double sigma) {
     const Piece& piece = piece_at(here, sigma);
@@ -138,7 +145,7 @@ double SlidingTable::length_at_stage(double stage, double S_from, double S_to) {
   };
   const double close = 1e-11 * (high - low);
   const double sigma = zero_between(miss, low, high, 0.5 * (low + high), true, close);
-  return 1 + sigma * sigma;
+  return rig_.fibre.length_at(sigma);
 }
 
 }  // namespace flexslip

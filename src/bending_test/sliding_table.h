@@ -14,17 +14,17 @@ inline constexpr double longest_sliding = 100;  // [L]
 
 struct SlidingWork {
   double stage;     // [EI/L] ∫ F dG, of the force on the stage position that holds the fibre
-  double friction;  // [EI/L] ∫ q Pn dS
+  double friction;  // [EI/L] ∫ q Pn dS, and what bending axis loses as it leaves the span (fibre.h)
 };
 
 class SlidingTable {
  public:
-  SlidingTable(Friction friction, const Rig& rig, Sliding sliding);
+  SlidingTable(const Friction& friction, const Rig& rig, Sliding sliding);
 
   // The work done from one length to another, in either order.
   // Domain:     lengths in [1, longest_sliding] between which the curve exists; std::invalid_argument otherwise.
   // Max error:  1e-12 of the work on the cells it touches, and what rounding does to friction: 2^-50 dμ/dS, relative to μ.
-  // Method:     Chebyshev polynomials of degree 16 in √(S - 1), integrated, on cells of a quarter of the shortest period of the
+  // Method:     Chebyshev polynomials of degree 16 in √(S - 1) (Fibre::way), integrated, on cells of a quarter of the shortest period of the
   //             roughness, halved where it has kinks. A cell is computed when it is first met.
   // Cost:       0.2 µs; 10 µs for each new cell.
   SlidingWork work(double S_from, double S_to);
@@ -39,7 +39,7 @@ class SlidingTable {
   using Series = std::array<double, degree + 1>;  // Chebyshev coefficients
   using Integral = std::array<double, degree + 2>;
 
-  // A stretch of σ = √(S - 1).
+  // A stretch of σ (Fibre::way).
   struct Piece {
     double from, to;           // [√L]
     Series G;                  // [L]

@@ -1,10 +1,12 @@
 #include "bending_test/snap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "bending_test/quadrature.h"
+#include "contact/over_rollers.h"
 
 namespace flexslip {
 namespace {
@@ -28,30 +30,32 @@ class Slide {
  public:
   Slide(const Friction& friction, const Rig& rig, double stage, double S, double S_to)
       : friction_(friction),
+        met_(met_without_knots(friction, rig.fibre, S_to >= S ? 1 : -1)),
         rig_(rig),
         stage_(stage),
         direction_(S_to >= S ? 1 : -1),
         q_(direction_ * friction.at(S).mu) {}
 
-  // With respect to σ = √(S - 1), in which Π is smooth at S = 1.
+  // With respect to σ (Fibre::way), in which Π is smooth at S = 1.
   Power power_at(double sigma) {
-    const double S = 1 + sigma * sigma;
-    const double resisting = direction_ * friction_.at(S).mu;
-    const auto [q, Pn] = held_friction(S);
-    return {resisting * Pn * 2 * sigma, (q - resisting) * Pn * 2 * sigma};
+    const double S = rig_.fibre.length_at(sigma);
+    const auto [q, Pn, at_contacts, lost] = held_friction(S);
+    const double resisting = direction_ * friction_.at(at_contacts).mu;
+    return {(resisting * Pn + lost) * 2 * sigma, (q - resisting) * Pn * 2 * sigma};
   }
 
   Power work(double S_from, double S_to) {
-    return integral(gauss_6, std::sqrt(S_from - 1), std::sqrt(S_to - 1), [this](double x) { return power_at(x); });
+    return integral(gauss_6, rig_.fibre.way(S_from), rig_.fibre.way(S_to), [this](double x) { return power_at(x); });
   }
 
   // Near the straight fibre q varies like a power of 1/σ: there stretches are a part of σ.
   double next(double S, double S_to) const {
     constexpr double part = 0.15;
     constexpr double least = 1e-12;  // of S - 1: what is left is less than its rounding
-    const double end = end_of_stretch(friction_, S, S_to, 1);
-    if (S - 1 <= least) return end;
-    const double near = 1 + (S - 1) * (1 + direction_ * part) * (1 + direction_ * part);
+    const double end = end_of_stretch(met_ ? *met_ : friction_, rig_.fibre, S, S_to, 1),
+                 before = rig_.fibre.least_length();
+    if (S - before <= least) return end;
+    const double near = before + (S - before) * (1 + direction_ * part) * (1 + direction_ * part);
     return direction_ > 0 ? std::min(end, near) : std::max(end, near);
   }
 
@@ -69,26 +73,44 @@ class Slide {
  private:
   struct Held {
     double q, Pn;
+    double at_contacts;  // [L] where friction is looked up
+    double lost;         // [EI/L^2] of the bending of axis that leaves the span, per length slid
   };
+
+  Held held(const FibreState& state, const FibreSlopes& slopes) const {
+    const Fibre& fibre = rig_.fibre;
+    const double lost = fibre.lost_bending(state);
+    if (lost == 0) return {state.q, state.Pn, fibre.length_between_contacts(state), 0};
+    const double c = 1 / rig_.stiffness;  // at a fixed stage position
+    const double q_S = -(slopes.w_S + c * slopes.F_S) / (slopes.w_q + c * slopes.F_q);
+    const double leaves = 1 - 2 * fibre.supports().radius * (slopes.theta0_S + slopes.theta0_q * q_S);
+    return {state.q, state.Pn, fibre.length_between_contacts(state), lost * leaves};
+  }
 
   // As held_at, from the q of the length before.
   Held held_friction(double S) {
     const double c = 1 / rig_.stiffness;
     for (int iteration = 0; iteration < 10; ++iteration) {
-      const auto [state, slopes] = fibre_state_slopes(S, q_);
+      auto [state, slopes] = rig_.fibre.state_slopes(S, q_);
       if (state.status != FibreStatus::ok) break;
       const double step = (stage_ - state.w - c * state.F) / (slopes.w_q + c * slopes.F_q);
       if (!(std::abs(q_ + step) < largest_q)) break;
       q_ += step;
-      if (std::abs(step) <= 1e-6) return {q_, state.Pn + slopes.Pn_q * step};  // to the square of the step
+      if (std::abs(step) <= 1e-6) {  // to the square of the step
+        state.q = q_;
+        state.Pn += slopes.Pn_q * step;
+        state.theta0 += slopes.theta0_q * step;
+        return held(state, slopes);
+      }
     }
-    const HeldState held = held_at(S, stage_, rig_, direction_ * friction_.at(S).mu);
-    if (held.holding != Holding::held) holding_ = held.holding;
-    q_ = held.state.q;
-    return {q_, held.state.Pn};
+    const HeldState found = held_at(S, stage_, rig_, direction_ * friction_.at(S).mu);
+    if (found.holding != Holding::held) holding_ = found.holding;
+    q_ = found.state.q;
+    return held(found.state, rig_.fibre.state_slopes(S, q_).slopes);
   }
 
   const Friction& friction_;
+  std::optional<Friction> met_;  // on rollers
   const Rig& rig_;
   double stage_;
   double direction_;
@@ -97,14 +119,14 @@ class Slide {
 };
 
 // Where, between two lengths, the energy left is spent: by Newton's iteration guarded by bisection.
-Swing end_between(Slide& slide, const Power& left, double S, double next) {
+Swing end_between(Slide& slide, const Rig& rig, const Power& left, double S, double next) {
   double holds = S;
   double spent = next;
   double end = 0.5 * (S + next);
   for (int iteration = 0; iteration < 60; ++iteration) {
     const double released = left.released + slide.work(S, end).released;
     (released > 0 ? holds : spent) = end;
-    const double sigma = std::sqrt(end - 1);
+    const double sigma = rig.fibre.way(end);
     double better = end - released / slide.power_at(sigma).released * 2 * sigma;
     if (!((better > holds && better < spent) || (better < holds && better > spent))) better = 0.5 * (holds + spent);
     if (std::abs(better - end) <= 0x1p-50 * end) break;
@@ -121,13 +143,13 @@ HeldState held_at(double S, double stage, const Rig& rig, double q) {
     throw std::invalid_argument("no fibre rests at S = " + std::to_string(S) + ", stage " + std::to_string(stage) +
                                 ", q " + std::to_string(q));
   const double c = 1 / rig.stiffness;
-  double low = -largest_q;
-  double high = largest_q;
+  double low = rig.fibre.on_edges() ? -largest_q : -largest_q_on_supports;
+  double high = rig.fibre.on_edges() ? largest_q : 2 * largest_q_on_supports;
   FibreState held{};
   bool is_below = false;   // the stage stands beyond a state met,
   bool is_beyond = false;  // or before it
   for (int iteration = 0; iteration < 100; ++iteration) {
-    const auto [state, slopes] = fibre_state_slopes(S, q);
+    const auto [state, slopes] = rig.fibre.state_slopes(S, q);
     double next = low;
     if (state.status == FibreStatus::ok) {
       const double error = state.w + c * state.F - stage;
@@ -182,7 +204,7 @@ Swing swing(const Friction& friction, const Rig& rig, double stage, double S_fro
       continue;
     }
     if (!work) return {slide.holding(), S, 0};
-    if (sum.released + work->released <= 0) return end_between(slide, sum, S, next);
+    if (sum.released + work->released <= 0) return end_between(slide, rig, sum, S, next);
     sum += *work;
     S = next;
     reach *= 2;

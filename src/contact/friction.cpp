@@ -176,13 +176,15 @@ Friction Friction::from(double S) const {
   return walk() ? Friction(std::make_shared<const Walk>(walk()->from(S))) : *this;
 }
 
-const Walk* Friction::walk() const {
-  const auto* walk = std::get_if<std::shared_ptr<const Walk>>(&form_);
-  return walk ? walk->get() : nullptr;
+const FrictionOnAWay* Friction::way() const {
+  const auto* way = std::get_if<std::shared_ptr<const FrictionOnAWay>>(&form_);
+  return way ? way->get() : nullptr;
 }
 
+const Walk* Friction::walk() const { return dynamic_cast<const Walk*>(way()); }
+
 FrictionPoint Friction::at(double S) const {
-  if (walk()) return walk()->at(S);
+  if (way()) return way()->at(S);
   if (std::holds_alternative<FrictionTable>(form_)) return in_table(S);
   const auto [mu, slope] = held(wave_sum<double>(std::get<FrictionWaves>(form_), terms_.data(), S));
   return {mu, slope};
@@ -230,7 +232,7 @@ bool Friction::may_be_held() const {
 }
 
 double Friction::most_up_to(double S_max) const {
-  if (walk()) return walk()->most_up_to(S_max);
+  if (way()) return way()->most_up_to(S_max);
   if (const auto* table = std::get_if<FrictionTable>(&form_)) {
     double most = std::max(at(1).mu, at(S_max).mu);  // monotone between the knots
     for (std::size_t i = 0; i < table->S.size(); ++i)
@@ -244,14 +246,20 @@ double Friction::most_up_to(double S_max) const {
 }
 
 double Friction::smooth_scale() const {
-  if (walk()) return walk()->smooth_scale();
+  if (way()) return way()->smooth_scale();
   double highest = 0;
   for (const WaveTerm& term : terms_) highest = std::max(highest, term.frequency);
   return highest > 0 ? 0.25 / highest : infinity;
 }
 
+double Friction::end_of(double S, double scales, bool inwards) const {
+  if (way()) return way()->end_of(S, scales, inwards);
+  const double step = scales * smooth_scale();
+  return inwards ? S + step : S - step;
+}
+
 std::span<const double> Friction::knots() const {
-  if (walk()) return walk()->knots();
+  if (way()) return way()->knots();
   const auto* table = std::get_if<FrictionTable>(&form_);
   return table ? std::span<const double>(table->S) : std::span<const double>();
 }

@@ -55,6 +55,20 @@ struct WaveTerm {
   double steepness;  // [1/L] the greatest slope
 };
 
+// Friction as it is met on a way, in or out, from the lengths of which it makes more than a profile (two_supports.h, over_rollers.h).
+class FrictionOnAWay {
+ public:
+  virtual ~FrictionOnAWay() = default;
+  virtual FrictionPoint at(double S) const = 0;
+  virtual double smooth_scale() const = 0;
+  virtual double end_of(double S, double scales, bool inwards) const {
+    const double step = scales * smooth_scale();
+    return inwards ? S + step : S - step;
+  }
+  virtual double most_up_to(double S_max) const = 0;
+  virtual std::span<const double> knots() const = 0;
+};
+
 class Walk;
 
 class Friction {
@@ -74,11 +88,13 @@ class Friction {
   // Of two supports that are not alike, from where the fibre is straight, up to a length S_most (two_supports.h).
   static Friction on_two_supports(Friction left, Friction right, double S_most);
 
+  static Friction on_a_way(std::shared_ptr<const FrictionOnAWay> way) { return Friction(std::move(way)); }
+
   // The friction on a way that leads on from a length, inwards or outwards: of one profile, the same.
   Friction from(double S) const;
   const Walk* walk() const;  // none of one profile
 
-  // Domain: S >= 1.
+  // Domain: S > 0; a table is constant before its first knot.
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
   FrictionPoint at(double S) const;
 
@@ -98,14 +114,18 @@ class Friction {
   double smooth_scale() const;
   std::span<const double> knots() const;
 
-  using Form = std::variant<FrictionWaves, FrictionTable, std::shared_ptr<const Walk>>;
+  // The end of a stretch of so many smooth scales, on the way in or out: infinite as these are.
+  double end_of(double S, double scales, bool inwards) const;
+
+  using Form = std::variant<FrictionWaves, FrictionTable, std::shared_ptr<const FrictionOnAWay>>;
   const Form& form() const { return form_; }
 
  private:
   explicit Friction(FrictionWaves waves);
   explicit Friction(FrictionTable table);
-  explicit Friction(std::shared_ptr<const Walk> walk) : form_(std::move(walk)) {}
+  explicit Friction(std::shared_ptr<const FrictionOnAWay> way) : form_(std::move(way)) {}
 
+  const FrictionOnAWay* way() const;
   FrictionPoint in_table(double S) const;
 
   Form form_;

@@ -20,7 +20,7 @@ struct ContactPoints {
 };
 
 // The way from a pair of contact points, inwards and outwards.
-class Walk {
+class Walk final : public FrictionOnAWay {
  public:
   // Drawn in up to a length S_most, and let out down to the straight fibre. The friction of a side is stated as for both together: at(S) is
   // that of the point (S - 1)/2 from where the straight fibre touches.
@@ -32,7 +32,7 @@ class Walk {
   Walk(Friction left, Friction right, ContactPoints from, double S_most);
 
   // The friction met at a length: drawn in beyond that of `from`, let out below. Constant beyond the ends.
-  FrictionPoint at(double S) const;
+  FrictionPoint at(double S) const override;
 
   ContactPoints points_at(double S) const;
 
@@ -40,9 +40,9 @@ class Walk {
   double end() const { return pieces_.back().to; }
   Walk from(double S) const { return {sides_, points_at(S), S, end()}; }
 
-  double smooth_scale() const;
-  double most_up_to(double S_max) const;
-  std::span<const double> knots() const { return knots_; }
+  double smooth_scale() const override;
+  double most_up_to(double S_max) const override;
+  std::span<const double> knots() const override { return knots_; }
 
  private:
   enum class Slides { left, right, both };

@@ -16,14 +16,10 @@ namespace flexslip {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double greatest_w = 0.9;
 
 FibreState nothing_at(double S, double q) {
-  FibreState none{};
-  none.status = FibreStatus::beyond_branch;
-  none.S = S;
-  none.q = q;
-  return none;
+  constexpr double n = not_a_number;
+  return {.status = FibreStatus::beyond_branch, .S = S, .q = q, .w = n, .F = n, .theta0 = n, .Pn = n, .U = n, .u = n};
 }
 
 // A pair of quantities of many states with their slopes along w and in q.
@@ -41,19 +37,26 @@ struct PairSlopes {
 
 }  // namespace
 
-// S - 1 with F, and θ0 with U, over deflection and friction.
+// S - 1 with F, θ0 with Pn, and U with the curvature, over deflection and friction.
 class Fibre::Tables {
  public:
   explicit Tables(const Supports& on)
       : supports(on),
         sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
-        bending_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::U)) {}
+        contacts_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::Pn)),
+        bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)) {}
 
   PairSlopes sliding(std::span<const double> w, std::span<const double> q) const {
     return slopes(sliding_, &SupportedState::slid, &SupportedState::F, w, q);
   }
-  PairSlopes bending(std::span<const double> w, std::span<const double> q) const {
-    return slopes(bending_, &SupportedState::theta0, &SupportedState::U, w, q);
+  PairSlopes contacts(std::span<const double> w, std::span<const double> q) const {
+    return slopes(contacts_, &SupportedState::theta0, &SupportedState::Pn, w, q);
+  }
+
+  double energy(double w, double q) const {
+    double U = 0, curvature = 0;
+    bent_.values(&w, &q, 1, &U, &curvature);
+    return std::isnan(U) ? state(w, q).U : U;
   }
 
   // Deflections of lengths: by Newton's iteration; the length is convex in the deflection.
@@ -84,8 +87,10 @@ class Fibre::Tables {
           continue;
         }
         w[i] = std::clamp(w[i] + step, 0.5 * w[i], 2 * w[i]);
-        if (!(w[i] < deepest_on_supports)) w[i] = not_a_number;
-        else if (!(std::abs(step) <= small * w[i])) active[left++] = i;
+        if (!(w[i] < deepest_on_supports))
+          w[i] = not_a_number;
+        else if (!(std::abs(step) <= small * w[i]))
+          active[left++] = i;
       }
       active.resize(left);
     }
@@ -98,10 +103,10 @@ class Fibre::Tables {
  private:
   using Field = double SupportedState::*;
 
-  static CellTable::Axes axes() { return {greatest_w, 27, table_q.least, table_q.greatest, 48}; }
+  static CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
 
   SupportedState state(double w, double q) const {
-    if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q) return state_on_supports(w, q, supports);
+    if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q) return state_led_on(w, q, supports);
     SupportedState none{};
     none.status = FibreStatus::beyond_branch;
     return none;
@@ -139,8 +144,8 @@ class Fibre::Tables {
         if (has_ahead && has_behind) return (ahead.*field - behind.*field) / (2 * h);
         return has_ahead ? (ahead.*field - here.*field) / h : (here.*field - behind.*field) / h;
       };
-      const std::array values{here.*first,           here.*second,          slope(first, dw, 0),
-                              slope(first, 0, dq),   slope(second, dw, 0),  slope(second, 0, dq)};
+      const std::array values{here.*first,         here.*second,         slope(first, dw, 0),
+                              slope(first, 0, dq), slope(second, dw, 0), slope(second, 0, dq)};
       for (std::size_t k = 0; k < values.size(); ++k) at.columns[k][i] = values[k];
     }
     return at;
@@ -161,12 +166,13 @@ class Fibre::Tables {
     return std::abs(reached - (S - 1)) <= close ? low : not_a_number;
   }
 
-  CellTable sliding_, bending_;
+  CellTable sliding_, contacts_, bent_;
 };
 
 Fibre::Fibre(const Supports& supports) {
   static_cast<void>(state_on_supports(0.01, 0, supports));  // refuses what leaves no span
   if (supports.radius > 0 || supports.half_depth > 0) tables_ = std::make_shared<const Tables>(supports);
+  least_length_ = 1 - 3.75 * supports.half_depth * supports.half_depth;
 }
 
 const Supports& Fibre::supports() const {
@@ -175,39 +181,37 @@ const Supports& Fibre::supports() const {
 }
 
 Fibre::BentState Fibre::bent(double w, double q) const {
-  const PairSlopes sliding = tables_->sliding({&w, 1}, {&q, 1}), bending = tables_->bending({&w, 1}, {&q, 1});
+  const PairSlopes sliding = tables_->sliding({&w, 1}, {&q, 1}), contacts = tables_->contacts({&w, 1}, {&q, 1});
   const auto slid = [&](std::size_t k) { return sliding.columns[k][0]; };
-  const auto turned = [&](std::size_t k) { return bending.columns[k][0]; };
+  const auto turned = [&](std::size_t k) { return contacts.columns[k][0]; };
   BentState at{};
   if (w == 0) {
     at.state = fibre_state(1, 0);
     at.S_w = -6 * supports().half_depth;
     at.F_w = 48 / (1 + 3 * q * supports().half_depth);
     at.theta0_w = 3;
+    at.Pn_w = 0.5 * at.F_w;
     return at;
   }
-  if (std::isnan(slid(0))) {
+  if (!(slid(1) >= 0)) {
     at.state = nothing_at(not_a_number, q);
     return at;
   }
-  const double theta0 = turned(0);
   at.state = {.status = FibreStatus::ok,
               .S = 1 + slid(0),
               .q = q,
               .w = w,
               .F = slid(1),
-              .theta0 = theta0,
-              .Pn = 0.5 * slid(1) / (std::cos(theta0) + q * std::sin(theta0)),  // equilibrium of half the fibre
-              .U = turned(1),
+              .theta0 = turned(0),
+              .Pn = turned(1),
+              .U = tables_->energy(w, q),
               .u = 0};
   at.S_w = slid(2), at.S_q = slid(3), at.F_w = slid(4), at.F_q = slid(5);
-  at.theta0_w = turned(2), at.theta0_q = turned(3);
+  at.theta0_w = turned(2), at.theta0_q = turned(3), at.Pn_w = turned(4), at.Pn_q = turned(5);
   return at;
 }
 
-FibreState Fibre::state(double S, double q) const {
-  return on_edges() ? fibre_state(S, q) : state_slopes(S, q).state;
-}
+FibreState Fibre::state(double S, double q) const { return on_edges() ? fibre_state(S, q) : state_slopes(S, q).state; }
 
 FibreStateSlopes Fibre::state_slopes(double S, double q) const {
   if (on_edges()) return fibre_state_slopes(S, q);
@@ -231,15 +235,22 @@ FibreStateSlopes Fibre::state_slopes(double S, double q) const {
   d.theta0_S = at.theta0_w * d.w_S;
   d.theta0_q = at.theta0_q + at.theta0_w * d.w_q;
   const FibreState& s = at.state;
-  const double sine = std::sin(s.theta0), cosine = std::cos(s.theta0), share = cosine + q * sine;
-  const double share_theta = -sine + q * cosine;
-  d.Pn_S = (0.5 * d.F_S - s.Pn * share_theta * d.theta0_S) / share;
-  d.Pn_q = (0.5 * d.F_q - s.Pn * (sine + share_theta * d.theta0_q)) / share;
+  d.Pn_S = at.Pn_w * d.w_S;
+  d.Pn_q = at.Pn_q + at.Pn_w * d.w_q;
   // dU = F dw - (q Pn dS + what is lost of the axis that leaves)
   const double r2 = 2 * supports().radius, lost = lost_bending(s);
   d.U_S = s.F * d.w_S - q * s.Pn - lost * (1 - r2 * d.theta0_S);
   d.U_q = s.F * d.w_q + lost * r2 * d.theta0_q;
   return result;
+}
+
+Fibre::Contact Fibre::contact(double S, double q) const {
+  if (on_edges()) return {S, 1, 0};
+  const double w = tables_->deflections({&S, 1}, {&q, 1})[0];
+  const PairSlopes sliding = tables_->sliding({&w, 1}, {&q, 1}), contacts = tables_->contacts({&w, 1}, {&q, 1});
+  const double rolled = 2 * supports().radius, S_w = sliding.columns[2][0], S_q = sliding.columns[3][0];
+  const double theta0 = contacts.columns[0][0], theta0_w = contacts.columns[2][0], theta0_q = contacts.columns[3][0];
+  return {S - rolled * theta0, 1 - rolled * theta0_w / S_w, -rolled * (theta0_q - theta0_w * S_q / S_w)};
 }
 
 SlopeArrays Fibre::slopes_at(const FibrePoints& points) const {
@@ -256,7 +267,7 @@ SlopeArrays Fibre::slopes_at(const FibrePoints& points) const {
       continue;
     }
     const double S_w = at.columns[2][i];
-    const bool exists = !std::isnan(w[i]) && !std::isnan(at.columns[0][i]);
+    const bool exists = !std::isnan(w[i]) && at.columns[1][i] >= 0;
     result.w[i] = exists ? w[i] : not_a_number;
     result.F[i] = exists ? at.columns[1][i] : not_a_number;
     result.w_S[i] = 1 / S_w;

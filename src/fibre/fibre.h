@@ -8,6 +8,7 @@
 // more bent one. States are told apart by their deflection.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 
@@ -30,7 +31,7 @@ class Fibre {
   // As fibre_state and its kin. Domain besides, if not on edges: deflections up to deepest_on_supports.
   // Max error:  if not on edges, for w <= 0.35 and q in [-0.8, 2]: relative, 1e-12 in w, F, theta0, Pn and U; of slopes 1e-9 of the larger of |X_S|
   //             and |X|/w, of X_q likewise of |X_q| and |X|/(1 + |q|) (tests/fibre/fibre_test.cpp).
-  // Cost:       if not on edges, about 0.5 µs, and 0.3 ms for a new cell; 10 µs and more beyond the tables (w = 0.9, q in [-2, 4)).
+  // Cost:       if not on edges, about 0.5 µs, and 0.3 ms for a new cell; 10 µs and more for q beyond [-2, 4).
   FibreState state(double S, double q) const;
   FibreStateSlopes state_slopes(double S, double q) const;
   FibreState state_from_force(double w, double F) const;
@@ -46,7 +47,7 @@ class Fibre {
   // Domain:     not on edges; 0 <= w; the straight fibre has q = 0.
   struct BentState {
     FibreState state;
-    double S_w, S_q, F_w, F_q, theta0_w, theta0_q;
+    double S_w, S_q, F_w, F_q, theta0_w, theta0_q, Pn_w, Pn_q;
   };
   BentState bent(double w, double q) const;
 
@@ -54,6 +55,21 @@ class Fibre {
   double length_between_contacts(const FibreState& state) const {
     return state.S - 2 * supports().radius * state.theta0;
   }
+
+  // The same with its slopes, led on beyond the end of the branch. NaN where there is nothing to lead on to.
+  struct Contact {
+    double length, length_S, length_q;
+  };
+  Contact contact(double S, double q) const;
+
+  // A coordinate of the way that the fibre slides, in which its curves have no singularity: σ = √(S - Σ0), Σ0 being the least length of the
+  // fibre hardly bent, 1 on edges. S >= 1.
+  double way(double S) const { return std::sqrt(S - least_length_); }
+  double length_at(double sigma) const { return least_length_ + sigma * sigma; }
+  double least_length() const { return least_length_; }
+  bool begins_straight() const {
+    return least_length_ == 1;
+  }  // no thickness: what slides only slides in as the fibre is bent
 
   // [EI/L^2] The bending that axis loses as it leaves the span, by length of it: κ0²/2, of the curvature that friction at the surface forces on it.
   double lost_bending(const FibreState& state) const {
@@ -69,6 +85,7 @@ class Fibre {
   SlopeArrays slopes_at(const FibrePoints& points) const;
 
   std::shared_ptr<const Tables> tables_;
+  double least_length_ = 1;  // [L] Σ0
 };
 
 }  // namespace flexslip

@@ -83,7 +83,8 @@ std::optional<Half> half_of(double u, double a, const ForceAngle& angle, const S
   const double side = e < 0 ? -1 : 1;
   const double v0 = e == 0 ? 0 : phase_of(at_contact, pendulum);
   const double v1 = side * v0 + u;
-  if (!(v1 > 0 && (v1 < 0.5 * std::numbers::pi || v1 <= complete_elliptic({m, m1}).K))) return std::nullopt;
+  // Up to K there is a force. The map is smooth there and led on beyond.
+  if (!(v1 > 0 && (v1 < 0.5 * std::numbers::pi || v1 <= 1.8 * complete_elliptic({m, m1}).K))) return std::nullopt;
   const EllipticArc middle = elliptic_arc(v1, {m, m1});
   const double theta = pendulum.psi(middle);  // at the inflection
   const Integrals whole = pendulum.integrals(v1, middle, theta);
@@ -143,10 +144,15 @@ SupportedState state_of(const Half& half, double u, double a, const ForceAngle& 
 SupportedState state_nearby(double w, double q, const Supports& supports) {
   const ForceAngle angle = force_angle(q);
   const double R = supports.radius + supports.half_depth;
-  double u = std::sqrt(3 * w / angle.sine), a = u;
-  for (int i = 0; i < 20; ++i) {
+  double u = std::sqrt(3 * w / angle.sine), a = u, last_u = 0, last_a = 0;
+  for (int i = 0; i < 40; ++i) {
     const auto half = half_of(u, a, angle, supports);
-    if (!half || !(half->sin_b >= 0)) break;
+    if (!half) {  // a step too far
+      if (i == 0) last_u = last_a = 0.5 * u;
+      u -= 0.6 * last_u, a -= 0.6 * last_a;
+      last_u *= 0.4, last_a *= 0.4;
+      continue;
+    }
     const double X = u - half->gap, Z = half->rise, sine = std::sin(half->theta0), cosine = std::cos(half->theta0);
     const double ell = 1 - 2 * R * sine, lever = 2 * a * R * cosine, k = half->curvature;
     const double miss_a = X - a * ell, miss_w = Z / (2 * a) + R * (1 - cosine) - w;
@@ -156,10 +162,13 @@ SupportedState state_nearby(double w, double q, const Supports& supports) {
     const double w_a = ((k * X - sine) * half->phase_slope - Z / a) / (2 * a) + R * sine * theta_a;
     const double determinant = a_u * w_a - a_a * w_u;
     const double du = (a_a * miss_w - w_a * miss_a) / determinant, da = (w_u * miss_a - a_u * miss_w) / determinant;
-    if (std::abs(miss_a) <= 4 * epsilon * a && std::abs(miss_w) <= 4 * epsilon * w)
-      return state_of(*half, u, a, angle, q, supports);
-    if (!(std::abs(du) < 0.5 * u && std::abs(da) < 0.5 * a)) break;
-    u += du, a += da;
+    const bool solved = std::abs(miss_a) <= 4 * epsilon * a && std::abs(miss_w) <= 4 * epsilon * w;
+    const bool stands = std::abs(du) <= 4 * epsilon * u && std::abs(da) <= 4 * epsilon * a;
+    if (solved || stands) return state_of(*half, u, a, angle, q, supports);
+    if (!std::isfinite(du) || !std::isfinite(da)) break;
+    constexpr double longest = 0.3;  // of what is changed
+    last_u = std::clamp(du, -longest * u, longest * u), last_a = std::clamp(da, -longest * a, longest * a);
+    u += last_u, a += last_a;
   }
   return none(q);
 }
@@ -190,7 +199,9 @@ SupportedState state_at_phase(double u, double q, const Supports& supports) {
 
 }  // namespace
 
-SupportedState state_on_supports(double w, double q, const Supports& supports) {
+namespace {
+
+SupportedState solved_state(double w, double q, const Supports& supports, bool led_on) {
   const auto& [radius, half_depth] = supports;
   if (!(w > 0 && w <= deepest_on_supports))
     throw std::invalid_argument("no deflection of " + std::to_string(w) + " spans");
@@ -198,7 +209,9 @@ SupportedState state_on_supports(double w, double q, const Supports& supports) {
   if (!(radius >= 0 && half_depth >= 0 && radius + half_depth < widest_supports))
     throw std::invalid_argument("rollers of " + std::to_string(radius) + " spans under a half depth of " +
                                 std::to_string(half_depth) + " leave no span");
-  if (const SupportedState found = state_nearby(w, q, supports); found.status == FibreStatus::ok) return found;
+  const SupportedState found = state_nearby(w, q, supports);
+  if (led_on) return found;
+  if (found.status == FibreStatus::ok) return found.F >= 0 ? found : none(q);
   // The deflection rises with the phase, hardly bent as its square.
   const double s0 = force_angle(q).sine;
   double low = 0, high = std::numeric_limits<double>::infinity();
@@ -222,6 +235,14 @@ SupportedState state_on_supports(double w, double q, const Supports& supports) {
   constexpr double good = 1e-12;  // of w where neighbouring phases are as far apart
   return state.status == FibreStatus::ok && std::abs(state.w - w) <= good * w ? state : none(q);
 }
+
+}  // namespace
+
+SupportedState state_on_supports(double w, double q, const Supports& supports) {
+  return solved_state(w, q, supports, false);
+}
+
+SupportedState state_led_on(double w, double q, const Supports& supports) { return solved_state(w, q, supports, true); }
 
 SupportedState state_on_supports_from_force(double w, double F, const Supports& supports) {
   if (!(F >= 0 && std::isfinite(F))) throw std::invalid_argument("no force of " + std::to_string(F));

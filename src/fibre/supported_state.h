@@ -39,9 +39,12 @@ struct SupportedState {
 // Max error:  w is reproduced to 1e-12; for w <= 0.35 and q in [-0.8, 1.5] all else to 1e-11 (tests/fibre/supported_state_test.cpp).
 // Fails:      beyond_branch: there is no such state, none with a force, or none was found, as may be on rollers or with a thickness beyond a
 //             tenth of the span, with a friction beyond 2, or a deflection beyond the span.
-// Method:     closed form in Jacobi's functions of the half span and the phase; both by Newton's and the secant method.
-// Cost:       some 10 µs.
+// Method:     closed form in Jacobi's functions of the half span and the phase; both by Newton's iteration, or the secant method within brackets.
+// Cost:       4 µs; some 100 µs where there is no state, or one much bent that Newton's iteration does not find.
 SupportedState state_on_supports(double w, double q, const Supports& supports);
+
+// The same, led on beyond the end of the branch as far as it is smooth: with a force below 0, which no support bears.
+SupportedState state_led_on(double w, double q, const Supports& supports);
 
 // Deflections below so many half depths tell no friction. From 1.25 on more friction makes for more force, at first hardly any.
 inline constexpr double least_half_depths = 4;

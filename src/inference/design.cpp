@@ -10,8 +10,9 @@
 
 #include "bending_test/quadrature.h"
 #include "bending_test/reach.h"
+#include "bending_test/shallow.h"
 #include "bending_test/snap.h"
-#include "fibre/elastica.h"
+#include "contact/over_rollers.h"
 #include "inference/readings.h"
 #include "inference/sliding_piece.h"
 
@@ -27,7 +28,7 @@ struct Rest {
 
 Rest rest_at(const Rig& rig, double S, double q) {
   const double c = 1 / rig.stiffness;
-  const auto [state, slopes] = fibre_state_slopes(S, q);
+  const auto [state, slopes] = rig.fibre.state_slopes(S, q);
   const double q_slope = -(slopes.w_S + c * slopes.F_S) / (slopes.w_q + c * slopes.F_q);
   return {state, state.U + 0.5 * c * state.F * state.F, slopes.Pn_S + slopes.Pn_q * q_slope};
 }
@@ -53,7 +54,8 @@ class Loading {
  private:
   DesignStatus walk() {
     RigPoint here = curve_.begin;
-    Rest rest{fibre_state(here.S, here.q), 0, 0};
+    if (!fibre().begins_straight() && !bend_shallow(here)) return breaks_ ? DesignStatus::breaks : DesignStatus::ok;
+    Rest rest{fibre().state(here.S, here.q), 0, 0};
     for (std::size_t i = 0;; i += 2) {
       RigPoint to = point(i);
       const bool arrives = to.stage >= design_.travel;
@@ -83,6 +85,30 @@ class Loading {
     }
   }
 
+  // Up to where the surface slides in beyond the original contact (bending_test/shallow.h). Does the loading lead on?
+  bool bend_shallow(const RigPoint& begin) {
+    const Shallow shallow(design_.friction, design_.rig);
+    const double stage = std::min(begin.stage, design_.travel);
+    PathPoint here = shallow.straight();
+    while (here.stage < stage && here.S <= 1 && !(here.S == 1 && here.w > 0)) {
+      const PathPoint to = shallow.next(here, stage);
+      const StretchWork work = shallow.work(here, to);
+      const double c = 1 / design_.rig.stiffness;
+      outcome_.work += work.stage - 0.5 * c * (to.F * to.F - here.F * here.F);
+      outcome_.friction_heat += work.friction;
+      here = to;
+    }
+    breaks_ = sees(fibre().bent(here.w, here.q).state);
+    outcome_.stage_reached = here.stage;
+    outcome_.w_reached = here.w;
+    see(here.F);
+    if (readings_) next_ = readings_->first_beyond(here.stage);
+    drops_.read(here.F);
+    return !breaks_ && here.stage < design_.travel;
+  }
+
+  const Fibre& fibre() const { return design_.rig.fibre; }
+
   const RigPoint& point(std::size_t i) const { return i < curve_.folds.size() ? curve_.folds[i].point : curve_.end; }
 
   RigPoint landing(const RigPoint& low, const RigPoint& high, double stage) const {
@@ -96,7 +122,7 @@ class Loading {
   // Has a state so much curvature that the fibre breaks?
   bool sees(const FibreState& state) {
     if (state.status != FibreStatus::ok) return false;
-    const double curvature = curvature_at_midspan(state);
+    const double curvature = fibre().curvature_at_midspan(state);
     outcome_.greatest_curvature =
         std::max(outcome_.greatest_curvature, std::min(curvature, design_.breaking_curvature));
     return curvature >= design_.breaking_curvature;
@@ -105,7 +131,7 @@ class Loading {
   // How far on a stretch the fibre gets before it breaks.
   double sound_until(double S_from, double S_to) {
     const int parts = std::isinf(design_.breaking_curvature) ? 2 : 4;
-    const auto breaks_at = [&](double S) { return sees(fibre_state(S, design_.friction.at(S).mu)); };
+    const auto breaks_at = [&](double S) { return sees(fibre().state(S, curve_.friction.at(S).mu)); };
     double low = S_from;
     for (int i = 1; i <= parts; ++i) {
       double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
@@ -127,12 +153,12 @@ class Loading {
     slid_to_ = from.S;
     bool is_held = true;
     for (double S = from.S; is_held && !breaks_ && S < to.S;) {
-      const double end = sound_until(S, end_of_stretch(design_.friction, S, to.S, scales));
+      const double end = sound_until(S, end_of_stretch(curve_.friction, fibre(), S, to.S, scales));
       is_held = end == S || read_along(S, end, 0);
       S = end;
     }
     is_held = is_held && !breaks_;
-    const FibreState reached = is_held ? rest_to.state : fibre_state(slid_to_, design_.friction.at(slid_to_).mu);
+    const FibreState reached = is_held ? rest_to.state : fibre().state(slid_to_, curve_.friction.at(slid_to_).mu);
     outcome_.friction_heat += outcome_.work - work_before - (reached.U - rest_from.state.U);
     outcome_.stage_reached = is_held ? to.stage : reached.w + reached.F / design_.rig.stiffness;
     outcome_.w_reached = reached.w;
@@ -144,7 +170,7 @@ class Loading {
   bool read_along(double S_from, double S_to, int halvings) {
     constexpr double accuracy = 1e-6;  // of the last coefficients: of the polynomial, a hundredth
     constexpr int most_halvings = 12;  // only a friction that begins or ends to be held at zero needs them
-    const SlidingPiece piece(design_.friction, design_.rig, S_from, S_to);
+    const SlidingPiece piece(curve_.friction, design_.rig, S_from, S_to);
     const double middle = 0.5 * (S_from + S_to);
     const bool can_halve = halvings < most_halvings && S_from < middle && middle < S_to;
     if (can_halve && (!piece.exists() || piece.error() > accuracy))
@@ -194,8 +220,8 @@ class Loading {
     constexpr double near = 0.15;         // of S - 1
     constexpr double longest_part = 0.1;  // [L]
     const double length = to.state.S - from.state.S;
-    const int parts =
-        static_cast<int>(std::ceil(std::max(length / (near * (from.state.S - 1)), length / longest_part)));
+    const int parts = static_cast<int>(
+        std::ceil(std::max(length / (near * (from.state.S - fibre().least_length())), length / longest_part)));
     double heat = 0;
     Rest a = from;
     for (int i = 1; i <= parts; ++i) {
@@ -218,12 +244,14 @@ class Loading {
       const double t = (S - a.state.S) / length;
       const double s = 1 - t;
       const double Pn = a.state.Pn + rise * t * t * (1 + 2 * s) + length * t * s * (a.Pn_slope * s - b.Pn_slope * t);
-      return design_.friction.at(S).mu * Pn;
+      const double mu = curve_.friction.at(S).mu, tau = fibre().supports().half_depth;
+      return mu * Pn *
+             (1 + 0.5 * mu * Pn * tau * tau);  // and what the couple at the contact bends (Fibre::lost_bending)
     };
     constexpr double scales = 2;  // half the shortest period
     double heat = 0;
     for (double S = a.state.S; S < b.state.S;) {
-      const double end = end_of_stretch(design_.friction, S, b.state.S, scales);
+      const double end = end_of_stretch(curve_.friction, fibre(), S, b.state.S, scales);
       heat += integral(gauss_6, S, end, power);
       S = end;
     }
@@ -255,12 +283,14 @@ double breaking_deflection(const Design& design, const Rig& rig) {
   if (std::isinf(design.breaking_curvature)) return design.breaking_curvature;
   constexpr double scales = 0.75;
   const double S_max = longest_in_loading(design.friction, rig, design.travel);
-  const auto state_at = [&](double S) { return fibre_state(S, design.friction.at(S).mu); };
+  const Fibre& fibre = rig.fibre;
+  const Friction friction = met(design.friction, fibre, 1, S_max);
+  const auto state_at = [&](double S) { return fibre.state(S, friction.at(S).mu); };
   const auto breaks = [&](const FibreState& state) {
-    return state.status == FibreStatus::ok && curvature_at_midspan(state) >= design.breaking_curvature;
+    return state.status == FibreStatus::ok && fibre.curvature_at_midspan(state) >= design.breaking_curvature;
   };
   for (double S = 1; S < S_max;) {
-    double low = S, high = end_of_stretch(design.friction, S, S_max, scales);
+    double low = S, high = end_of_stretch(friction, fibre, S, S_max, scales);
     S = high;
     if (!breaks(state_at(high))) continue;
     for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
@@ -312,15 +342,15 @@ double critical_stiffness(const Design& design) {
   constexpr double settled = 1e-9;
   constexpr double least = 1e-6;  // [L] of a deflection: what a curve can be traced for
   double stiffness = std::numeric_limits<double>::infinity();
-  const double breaks = breaking_deflection(design, {stiffness});
+  const double breaks = breaking_deflection(design, {stiffness, design.rig.fibre});
   double deflection = std::min(design.travel, breaks);
   while (true) {
-    const double critical = (1 + above) * critical_stiffness(design.friction, deflection);
+    const double critical = (1 + above) * critical_stiffness(design.friction, deflection, design.rig.fibre);
     if (!(critical < (1 - settled) * stiffness)) return critical;
     // A rig that soft hardly bends the fibre, which has not begun to slide.
     if (!(design.travel / (1 + 48 / critical) > least)) return 0;
     stiffness = critical;
-    const Rig rig{stiffness};
+    const Rig rig{stiffness, design.rig.fibre};
     const auto curve =
         trace_loading_curve(design.friction, rig, longest_in_loading(design.friction, rig, design.travel));
     const StablePart part = stable_part_from(curve, curve.begin);
@@ -333,26 +363,26 @@ double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
   constexpr double most = 3;
   constexpr double least_deflection = 1e-6;
   const double w = outcome.status == DesignStatus::slipped_through ? design.travel : outcome.w_reached;
-  const double critical = critical_stiffness(design.friction, std::max(w, least_deflection));
+  const double critical = critical_stiffness(design.friction, std::max(w, least_deflection), design.rig.fibre);
   if (std::isinf(critical)) return -most;
   return std::clamp(std::log(design.rig.stiffness / critical), -most, most);
 }
 
-std::vector<FoldPoint> folds_up_to(const Friction& friction, double w_max) {
+std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fibre& fibre) {
   constexpr double per_period = 96;
   constexpr double per_knot = 8;
-  const double S_max = longest_in_loading(friction, {std::numeric_limits<double>::infinity()}, w_max);
+  const double S_max = longest_in_loading(along, {std::numeric_limits<double>::infinity(), fibre}, w_max);
+  const Friction friction = met(along, fibre, 1, S_max);
   const double for_waves = per_period * (S_max - 1) / (4 * friction.smooth_scale());
   const double for_knots = per_knot * static_cast<double>(friction.knots().size());
   const int n = static_cast<int>(std::clamp(std::max(for_waves, for_knots), 400.0, 20000.0));
   std::vector<FoldPoint> points;
   points.reserve(static_cast<std::size_t>(n));
   for (int i = 1; i <= n; ++i) {
-    const double sigma = std::sqrt(S_max - 1) * i / n;
-    const double S = 1 + sigma * sigma;
-    const auto state = fibre_state(S, friction.at(S).mu);
+    const double S = fibre.length_at(fibre.way(1) + (fibre.way(S_max) - fibre.way(1)) * i / n);
+    const auto state = fibre.state(S, friction.at(S).mu);
     if (state.status != FibreStatus::ok || state.w > w_max) break;
-    points.push_back({state.w, state.F, stiffness_of_fold(friction, S)});
+    points.push_back({state.w, state.F, stiffness_of_fold(friction, S, fibre)});
   }
   return points;
 }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "bending_test/interpolant.h"
-#include "fibre/state_table.h"
 
 namespace flexslip {
 namespace {
@@ -72,16 +71,16 @@ void add_roots(const Slope& b, double low, double high, int halvings, std::vecto
 SlidingPiece::SlidingPiece(const Friction& friction, const Rig& rig, double S_from, double S_to) {
   if (!(S_from >= 1 && S_to > S_from))
     throw std::invalid_argument("no piece leads from S = " + std::to_string(S_from) + " to " + std::to_string(S_to));
-  const double low = std::sqrt(S_from - 1);
-  const double high = std::sqrt(S_to - 1);
+  const double low = rig.fibre.way(S_from);
+  const double high = rig.fibre.way(S_to);
   Values S{};
   Values q{};
   for (std::size_t j = 0; j <= degree; ++j) {
     const double sigma = 0.5 * (low + high) + 0.5 * (high - low) * Polynomial::node(j);
-    S[j] = j == 0 ? S_from : j == degree ? S_to : 1 + sigma * sigma;
+    S[j] = j == 0 ? S_from : j == degree ? S_to : rig.fibre.length_at(sigma);
     q[j] = friction.at(S[j]).mu;
   }
-  const auto states = tabulated_states(FibrePoints(S, q));
+  const auto states = rig.fibre.tabulated_states(FibrePoints(S, q));
   double most = 0;
   for (std::size_t j = 0; j <= degree; ++j) {
     exists_ = exists_ && !std::isnan(states.F[j]);

@@ -262,7 +262,7 @@ Figure design_figure(const DesignAnswer& answer) {
   const bool breaks = outcome.status == DesignStatus::breaks;
   const auto readings =
       record_of({design.friction, design.rig}, breaks ? outcome.stage_reached : design.travel, design.step);
-  const auto folds = folds_up_to(design.friction, design.travel);
+  const auto folds = folds_up_to(design.friction, design.travel, design.rig.fibre);
   double top = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : 0;
   for (const auto& fold : folds) top = std::max(top, std::min(fold.stiffness, 1e6));
   if (std::isfinite(answer.critical)) top = std::max(top, answer.critical);

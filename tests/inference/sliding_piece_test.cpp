@@ -15,7 +15,7 @@ namespace {
 
 // Three quarters of a period, as long as pieces are taken.
 const Friction friction = Friction::sinusoid(0.6, 0.4, 0.02 * std::numbers::pi, 0);
-constexpr Rig stiff{200};  // on which the stage rises all along
+const Rig stiff{200};  // on which the stage rises all along
 constexpr double S_from = 1.2;
 constexpr double S_to = S_from + 0.75 * 0.04 * std::numbers::pi;
 

@@ -1,0 +1,57 @@
+// The beginning of a test of a specimen with a thickness: bent by less than some half depths its surface slides outwards first, sticks, and then
+// slides in (theory.md, "Rollers and thickness").
+//
+// Two states belong to each length there, so that the way is told in the deflection, which only rises while the stage advances: friction matters
+// too little for a snap. Friction is kinetic.
+#pragma once
+
+#include <vector>
+
+#include "bending_test/path_point.h"
+#include "bending_test/rig.h"
+#include "contact/friction.h"
+
+namespace flexslip {
+
+class Shallow {
+ public:
+  // Domain: a fibre that does not begin straight; references that outlive this.
+  Shallow(const Friction& friction, const Rig& rig) : friction_(friction), rig_(rig) {}
+
+  // Whether a state is on this part of the way: below a length of 1, or the less bent of two.
+  static bool holds(const Fibre& fibre, double S, double w);
+
+  PathPoint straight() const;
+
+  // The end of the next stretch towards a stage position: there, at the end of sticking or sliding, or at the length 1 drawn in.
+  // Domain:     a point on this part; a stage position other than its own, >= 0.
+  // Max error:  of the stage position, its rounding.
+  PathPoint next(const PathPoint& from, double stage) const;
+
+  // Between two points of one stretch.
+  StretchWork work(const PathPoint& from, const PathPoint& to) const;
+  PathPoint point_at(const PathPoint& from, const PathPoint& to, double w) const;
+
+  // At a stage position, with a friction, or as much of it as there is.
+  PathPoint held(double stage, double q) const;
+
+ private:
+  struct Place {
+    Fibre::BentState at;
+    double q_w;       // [1/L] along the way
+    double length_w;  // [L/L] of what lies between the contacts
+  };
+  // Sliding in (1) or out (-1), or at rest at a length.
+  struct Way {
+    double direction;  // 0: at rest
+    double S;
+  };
+  Place place(const Way& way, double w, double q_near) const;
+  double stage_of(const Place& place) const { return place.at.state.w + place.at.state.F / rig_.stiffness; }
+  double friction_at(const FibreState& state) const;
+
+  const Friction& friction_;
+  const Rig& rig_;
+};
+
+}  // namespace flexslip

@@ -1,0 +1,104 @@
+#include "contact/over_rollers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace flexslip {
+namespace {
+
+// How the slope at the contacts grows with the way √(Σ - Σ0): θ0 = 3 w of the fibre hardly bent, and less beyond.
+constexpr double slope_by_way = 1.94;
+
+}  // namespace
+
+OverRollers::OverRollers(Friction along, Fibre fibre, double direction, double S_most)
+    : along_(std::move(along)), fibre_(std::move(fibre)), direction_(direction) {
+  if (along_.walk()) throw std::invalid_argument("two supports that are not alike are edges, not rollers");
+  if (S_most > 1 && !along_.knots().empty()) add_knots(S_most);
+}
+
+FrictionPoint OverRollers::at(double S) const {
+  double low = 0, high = along_.most_up_to(S + 1);  // of the friction sought
+  double mu = std::clamp(along_.at(S).mu, low, high);
+  FrictionPoint met{mu, 0};
+  for (int i = 0; i < 60; ++i) {
+    const auto [length, length_S, length_q] = fibre_.contact(S, direction_ * mu);
+    if (!std::isfinite(length_S)) return met;
+    const FrictionPoint there = along_.at(length);
+    const double slope_in_mu = 1 - direction_ * there.slope * length_q;
+    met = {mu, there.slope * length_S / slope_in_mu};
+    const double miss = mu - there.mu;
+    (miss < 0 ? low : high) = mu;
+    const double newton = mu - miss / slope_in_mu;
+    constexpr double small = 1e-13;
+    if (std::abs(newton - mu) <= small * (1 + mu) || !(low < high)) return met;
+    mu = newton > low && newton < high ? newton : 0.5 * (low + high);
+  }
+  return met;
+}
+
+// At most so many smooth scales of what lies between the contacts: y² is Σ less its least value, and S - Σ = -2 r θ0.
+double OverRollers::end_of(double S, double scales, bool inwards) const {
+  const double scale = scales * along_.smooth_scale();
+  const double a = slope_by_way * fibre_.supports().radius, y = fibre_.way(S);
+  const double square = (y + a) * (y + a) + (inwards ? scale : -scale);
+  const double end = std::sqrt(std::max(square, a * a)) - a;
+  return std::isinf(scale) ? (inwards ? scale : 1.0) : std::max(fibre_.length_at(end), 1.0);
+}
+
+// Where the knots of the specimen's friction touch: while the fibre rolls back over them, and where it is drawn in over them.
+void OverRollers::add_knots(double S_most) {
+  const auto knots = along_.knots();
+  const double rolled = 2 * fibre_.supports().radius;
+  struct Place {
+    double length, slope, S;
+  };
+  const auto place = [&](double w, double mu) {
+    const Fibre::BentState at = fibre_.bent(w, direction_ * mu);
+    return Place{fibre_.length_between_contacts(at.state), at.S_w - rolled * at.theta0_w, at.state.S};
+  };
+  // The deflection at which the length between the contacts is the least; it falls up to there, and rises then.
+  const double turns = 1.25 * (fibre_.supports().radius + fibre_.supports().half_depth);
+  for (const double side : {-1.0, 1.0}) {
+    double begin = turns;
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+      const double knot = knots[i], mu = along_.at(knot).mu;
+      double low = begin, high = begin;
+      double reach = 0.01;
+      while (place(high, mu).length < knot && high > 0 && high < 1) {
+        high = std::clamp(high + side * reach, 0.0, 1.0);
+        reach *= 1.5;
+      }
+      if (!(place(low, mu).length < knot) || !(place(high, mu).length >= knot)) continue;
+      double w = 0.5 * (low + high);
+      for (int step = 0; step < 60 && std::abs(high - low) > 1e-14; ++step) {
+        const auto [length, slope, S] = place(w, mu);
+        (length < knot ? low : high) = w;
+        const double newton = w - (length - knot) / slope;
+        if (std::abs(newton - w) <= 1e-14) break;
+        w = (newton - low) * (newton - high) < 0 ? newton : 0.5 * (low + high);
+      }
+      const double S = place(w, mu).S;
+      if (S > S_most) break;
+      if (S > 1) knots_.push_back(S);
+      begin = low;
+    }
+  }
+  std::sort(knots_.begin(), knots_.end());
+  knots_.erase(std::unique(knots_.begin(), knots_.end()), knots_.end());
+}
+
+Friction met(const Friction& along, const Fibre& fibre, double direction, double S_most) {
+  if (fibre.supports().radius == 0) return along;
+  return Friction::on_a_way(std::make_shared<const OverRollers>(along, fibre, direction, S_most));
+}
+
+std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fibre, double direction) {
+  if (fibre.supports().radius == 0) return std::nullopt;
+  return met(along, fibre, direction, 1);
+}
+
+}  // namespace flexslip
