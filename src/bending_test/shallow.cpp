@@ -41,7 +41,7 @@ bool Shallow::holds(const Fibre& fibre, double S, double w) {
 }
 
 double Shallow::friction_at(const FibreState& state) const {
-  return friction_.at(rig_.fibre.length_between_contacts(state)).mu;
+  return friction_.at(friction_.is_met() ? state.S : rig_.fibre.length_between_contacts(state)).mu;
 }
 
 PathPoint Shallow::straight() const { return {0, 0, 0, 1, -friction_.at(1).mu, Motion::stick}; }
@@ -58,8 +58,9 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
       step = (way.S - at.state.S) / at.S_q;
       found.q_w = -at.S_w / at.S_q;
     } else {
-      const FrictionPoint there = friction_.at(rig_.fibre.length_between_contacts(at.state));
-      const double slope = way.direction * there.slope, in_q = 1 - slope * length_q;
+      const FrictionPoint there =
+          friction_.at(friction_.is_met() ? at.state.S : rig_.fibre.length_between_contacts(at.state));
+      const double slope = friction_.is_met() ? 0 : way.direction * there.slope, in_q = 1 - slope * length_q;
       step = (way.direction * there.mu - q) / in_q;
       found.q_w = slope * length_w / in_q;
     }

@@ -40,7 +40,7 @@ class Slide {
   Power power_at(double sigma) {
     const double S = rig_.fibre.length_at(sigma);
     const auto [q, Pn, at_contacts, lost] = held_friction(S);
-    const double resisting = direction_ * friction_.at(at_contacts).mu;
+    const double resisting = direction_ * friction_.at(friction_.is_met() ? S : at_contacts).mu;
     return {(resisting * Pn + lost) * 2 * sigma, (q - resisting) * Pn * 2 * sigma};
   }
 

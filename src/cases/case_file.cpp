@@ -233,7 +233,8 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
 }
 
 RigInput read_rig(const Keys& keys, const Case& input) {
-  keys.only({"span", "stiffness", "support_material", "nose_radius", "support_stiffness"});
+  keys.only(
+      {"span", "stiffness", "support_material", "nose_radius", "support_stiffness", "roller_radius", "friction_at"});
   RigInput rig{keys.optional_quantity("span", kind::length, Range::positive), std::nullopt};
   if (input.reduced && rig.span.value_or(1) != 1)
     keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
@@ -242,6 +243,12 @@ RigInput read_rig(const Keys& keys, const Case& input) {
   if (keys.has("support_material")) rig.support_material = keys.text("support_material");
   rig.nose_radius = keys.optional_quantity("nose_radius", kind::length, Range::positive);
   rig.support_stiffness = keys.optional_quantity("support_stiffness", kind::stiffness, Range::positive_or_infinite);
+  rig.roller_radius = keys.optional_quantity("roller_radius", kind::length, Range::non_negative);
+  if (keys.has("friction_at")) {
+    const std::string at = keys.text("friction_at");
+    if (at != "surface" && at != "axis") keys.refuse("friction_at", R"("surface" or "axis")", in_quotes(at));
+    rig.friction_at = at == "surface" ? FrictionAt::surface : FrictionAt::axis;
+  }
   return rig;
 }
 
@@ -629,6 +636,8 @@ void write(Writer& out, const RigInput& rig) {
   if (rig.stiffness) out.line("stiffness", out.quantity(*rig.stiffness, kind::stiffness));
   if (rig.support_material) out.line("support_material", basic_string(*rig.support_material));
   if (rig.nose_radius) out.line("nose_radius", out.quantity(*rig.nose_radius, kind::length));
+  if (rig.roller_radius) out.line("roller_radius", out.quantity(*rig.roller_radius, kind::length));
+  if (rig.friction_at) out.line("friction_at", *rig.friction_at == FrictionAt::surface ? "\"surface\"" : "\"axis\"");
   if (rig.support_stiffness) out.line("support_stiffness", out.quantity(*rig.support_stiffness, kind::stiffness));
 }
 

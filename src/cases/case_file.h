@@ -62,12 +62,17 @@ struct SpecimenInput {
   bool operator==(const SpecimenInput&) const = default;
 };
 
+// Where friction acts on the specimen: at its surface, or, as the paper has it, at its axis, as if it had no thickness.
+enum class FrictionAt { surface, axis };
+
 struct RigInput {
   std::optional<double> span;                     // [m] reduced: 1; none: the export of the record says it
   std::optional<double> stiffness;                // [N/m] infinite for displacement control
   std::optional<std::string> support_material{};  // "steel", likewise
   std::optional<double> nose_radius{};            // [m] none: sharp
   std::optional<double> support_stiffness{};      // [N/m] of each support, vertically; none: rigid
+  std::optional<double> roller_radius{};          // [m] of fixed rollers; none: edges
+  std::optional<FrictionAt> friction_at{};        // none: as default_friction_at (problem.h) says
   bool operator==(const RigInput&) const = default;
 };
 

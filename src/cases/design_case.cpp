@@ -344,7 +344,8 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
   Friction along = together(std::move(supports), S_max);
   PlannedDesign planned{
       {std::move(along),
-       {units->reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_))},
+       {units->reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_)),
+        fibre_of(*input_, reduced() ? input_->specimen->section : section(), *units)},
        travel,
        units->reduced_length(at(DesignParameter::step).number)},
       {*units, surface(*units)}};

@@ -255,7 +255,27 @@ Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
   }
 }
 
-Rig rig_of(const Case& input, const Scales& scales) { return {scales.reduced_stiffness(rig_stiffness_of(input))}; }
+FrictionAt default_friction_at(const RigInput& rig) {
+  return rig.roller_radius.value_or(0) > 0 ? FrictionAt::surface : FrictionAt::axis;
+}
+
+Fibre fibre_of(const Case& input, const std::optional<Section>& section, const Scales& scales) {
+  const RigInput& rig = *input.rig;
+  const bool is_thick = section && rig.friction_at.value_or(default_friction_at(rig)) == FrictionAt::surface;
+  const Supports supports{scales.reduced_length(rig.roller_radius.value_or(0)),
+                          is_thick ? 0.5 * scales.reduced_length(depth(*section)) : 0};
+  if (!(supports.radius + supports.half_depth < widest_supports))
+    throw wrong_value(
+        input, "rig.roller_radius",
+        fmt::format("a radius, and half of a thickness, of less than {:g} spans together", widest_supports),
+        fmt::format("{:g} and {:g} spans", supports.radius, supports.half_depth), "check their units, and the span");
+  return Fibre(supports);
+}
+
+Rig rig_of(const Case& input, const Scales& scales) {
+  const auto section = input.specimen ? input.specimen->section : std::nullopt;
+  return {scales.reduced_stiffness(rig_stiffness_of(input)), fibre_of(input, section, scales)};
+}
 
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales) {
   constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
@@ -350,6 +370,12 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
   if (excess > 0 && most > largest_q)
     throw wrong_value(input, "friction.static_excess", fmt::format("static friction of at most {:g}", largest_q),
                       fmt::format("{:g}, which brings it to {:g}", excess, most), "write a smaller one");
+  if (kinetic.walk() && rig.fibre.supports().radius > 0)
+    throw wrong_value(input, "rig.roller_radius", "edges, where [friction.other] says that the supports are not alike",
+                      "rollers", "delete it, or [friction.other]");
+  if (excess > 0 && rig.fibre.supports().radius > 0)
+    throw wrong_value(input, "friction.static_excess", "no static friction above the kinetic one, on rollers",
+                      fmt::format("{:g}", excess), "delete it, or roller_radius");
   if (kinetic.walk() && input.stage && input.stage->snaps == SnapRest::overshoot)
     throw wrong_value(input, "stage.snaps",
                       "snaps that rest at the nearest stable state, on two supports that are not alike",

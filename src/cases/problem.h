@@ -78,6 +78,14 @@ inline double without_supports(double both, double compliance) {
 // Fails:      as load_train_stiffness_of.
 double rig_stiffness_of(const Case& input);
 
+// Where friction acts where a case says nothing: on rollers at the surface, on edges at the axis.
+FrictionAt default_friction_at(const RigInput& rig);
+
+// The specimen of a case on its supports: fixed rollers or edges, with its thickness if friction acts at its surface. Of a section that may be
+// another than that of the case.
+// Fails:      InputError if rollers and thickness leave no span.
+Fibre fibre_of(const Case& input, const std::optional<Section>& section, const Scales& scales);
+
 // Fails:      InputError if the case has no stiffness of the rig.
 Rig rig_of(const Case& input, const Scales& scales);
 

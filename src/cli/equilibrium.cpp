@@ -59,13 +59,14 @@ void run_equilibrium(const EquilibriumRequest& request) {
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const double S_max = longest_of(request, input, scales);
   const Friction friction = friction_of(input, scales, S_max);
+  const Fibre fibre = fibre_of(input, input.specimen->section, scales);
   const int n = request.points > 0 ? request.points : request.region ? 100 : points_for(friction, S_max);
   EquilibriumStatus status = EquilibriumStatus::ok;
   std::vector<EquilibriumPoint> points;
   if (request.region) {
-    points = equilibrium_region(friction, S_max, n, request.levels);
+    points = equilibrium_region(friction, S_max, n, request.levels, fibre);
   } else {
-    auto curve = equilibrium_curve(friction, Sliding::in, S_max, n);
+    auto curve = equilibrium_curve(friction, Sliding::in, S_max, n, fibre);
     status = curve.status;
     points = std::move(curve.points);
   }
@@ -92,7 +93,8 @@ void run_equilibrium(const EquilibriumRequest& request) {
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};
     draw_for(request.output,
-             request.region ? region_figure(friction, S_max, units) : equilibrium_figure(friction, S_max, units),
+             request.region ? region_figure(friction, fibre, S_max, units)
+                            : equilibrium_figure(friction, fibre, S_max, units),
              request.figure);
   }
   if (json)

@@ -132,32 +132,32 @@ void invert_case(const InvertRequest& request) {
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   const Scales scales = scales_of(input, stiffness);
   const ReducedRecord record = to_reduced(measurement.record, scales);
-  const Rig rig = rig_of(input, scales);
-  const MeasurementErrors errors = errors_of(measurement, stiffness, scales);
-  Supports supports{};
+  Rig rig = rig_of(input, scales);
   if (request.on_supports())
-    supports = supports_of(request, kind_in(input, kind::length), scales,
-                           input.specimen ? input.specimen->section : std::nullopt);
-  const FrictionProfile profile = request.on_supports() ? measure_friction_on(supports, record, rig, errors)
-                                                        : measure_friction(record, rig, errors);
+    rig.fibre = Fibre(supports_of(request, kind_in(input, kind::length), scales,
+                                  input.specimen ? input.specimen->section : std::nullopt));
+  const MeasurementErrors errors = errors_of(measurement, stiffness, scales);
+  const FrictionProfile profile = measure_friction(record, rig, errors);
+  const Supports& supports = rig.fibre.supports();
   const bool is_thick = least_half_depths * supports.half_depth > hardly_bent;
-  const double most = request.on_supports() ? largest_q_on_supports : largest_q;
+  const double most = rig.fibre.on_edges() ? largest_q : largest_q_on_supports;
   note_assumptions(request.output, stiffness);
   if (!profile.unexplained.empty())
     note(request.output,
          fmt::format("no friction from {:g} to {:g} explains {} readings, left out; the first is row {}", -most, most,
                      profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
 
-  std::vector<double> row, stage, deflection, force, length, drawn_in, position, mu, error, from_force, from_stiffness,
-      from_contact;
+  std::vector<double> row, stage, deflection, force, length, drawn_in, imaged, position, mu, error, from_force,
+      from_stiffness, from_contact;
   for (const ProfilePoint& point : profile.points) {
     row.push_back(static_cast<double>(file_row(measurement, point.index)));
     stage.push_back(measurement.record.stage[point.index]);
     deflection.push_back(measurement.record.deflection[point.index]);
     force.push_back(measurement.record.force[point.index]);
-    length.push_back(scales.physical_length(point.S));
-    drawn_in.push_back(scales.physical_length(point.slid));
-    position.push_back(scales.physical_length(0.5 * point.S));
+    length.push_back(scales.physical_length(point.length));
+    drawn_in.push_back(scales.physical_length(point.S - 1));
+    imaged.push_back(scales.physical_length(point.imaged));
+    position.push_back(scales.physical_length(0.5 * point.length));
     mu.push_back(point.mu);
     error.push_back(standard_error(point));
     from_force.push_back(point.from_force);
@@ -174,6 +174,7 @@ void invert_case(const InvertRequest& request) {
                                           {title(json ? "force" : "F", "N"), force},
                                           {title(json ? "length" : "S", "m"), length},
                                           {title("drawn_in", "m"), drawn_in},
+                                          {title("imaged", "m"), imaged},
                                           {title("position", "m"), position},
                                           {"mu", mu},
                                           {"mu_error", error},
@@ -234,11 +235,13 @@ void add_invert_command(CLI::App& app) {
   command->footer(
       "From CSV: reduced variables, w in spans and F in EI/L^2; writes w,F,S,q. A point that no friction\n"
       "explains is written as nan, and the exit code is 1.\n"
-      "From a case: the friction along the specimen in its test up to failure, in SI. drawn_in is S - L;\n"
+      "From a case: the friction along the specimen in its test up to failure, in SI. drawn_in is S - L on edges;\n"
+      "imaged is the axis between the verticals through the supports, as a camera sees it.\n"
       "position is that of the support, counted along the specimen from midspan. mu_error is the standard\n"
       "error; its parts stem from the noise of the force, the bending stiffness and the contact point, the\n"
       "last two of which move all points together.\n"
-      "Supports are knife edges, and friction acts at the axis of the specimen, unless flags say more: then S is\n"
+      "Supports are knife edges, and friction acts at the axis of the specimen, unless the case or flags say more: "
+      "then S is\n"
       "the axis between the contacts, drawn_in what has slid, the arc over the roller included, and nothing is\n"
       "told below a deflection of twice the thickness.\n\n"
       "Examples:\n"

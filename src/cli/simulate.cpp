@@ -61,7 +61,8 @@ struct SimulatedTest {
   std::vector<double> stage_work, bending, load_train, friction_heat, snaps, cracks;  // from the start of the test
 };
 
-SimulatedTest physical_path(const History& history, const Scales& scales, const std::optional<SurfaceStrain>& surface) {
+SimulatedTest physical_path(const History& history, const Fibre& fibre, const Scales& scales,
+                            const std::optional<SurfaceStrain>& surface) {
   SimulatedTest test;
   for (const PathPoint& point : history.path) {
     test.stage.push_back(scales.physical_length(point.stage));
@@ -71,7 +72,7 @@ SimulatedTest physical_path(const History& history, const Scales& scales, const 
     test.friction.push_back(point.q);
     test.motion.push_back(name_of(point.motion));
     if (!surface) continue;
-    const double curvature = curvature_at_midspan(fibre_state(point.S, point.q));
+    const double curvature = fibre.curvature_at_midspan(state_at(fibre, point));
     test.strain.push_back(surface->strain(curvature));
     test.stress.push_back(surface->stress(curvature) * point.left);
   }
@@ -242,11 +243,11 @@ std::string lift_in_words(const Case& input, const History& history, const Scale
 }
 
 // Where the specimen first wraps the nose; null where it does not.
-Json wrap_json(const Case& input, const History& history, const Scales& scales) {
+Json wrap_json(const Case& input, const History& history, const Fibre& fibre, const Scales& scales) {
   const double most = nose_curvature_of(input, input.specimen->section, scales);
   if (std::isinf(most)) return nullptr;
   const auto wraps = std::find_if(history.path.begin(), history.path.end(), [&](const PathPoint& point) {
-    return curvature_at_midspan(fibre_state(point.S, point.q)) > most;
+    return fibre.curvature_at_midspan(state_at(fibre, point)) > most;
   });
   return wraps == history.path.end() ? Json() : Json(scales.physical_length(wraps->stage));
 }
@@ -277,7 +278,7 @@ void run_simulate(const SimulateRequest& request) {
                               ? follow_in_steps(bending_test, stages, cracks, progress)
                               : follow_continuously(bending_test, stages, request.points, cracks, progress);
   if (const std::string lift = lift_in_words(input, history, scales); !lift.empty()) note(request.output, lift);
-  const Json wraps = wrap_json(input, history, scales);
+  const Json wraps = wrap_json(input, history, bending_test.rig.fibre, scales);
   if (!wraps.is_null())
     note(
         request.output,
@@ -286,7 +287,7 @@ void run_simulate(const SimulateRequest& request) {
                     readable(wraps.get<double>(), input.reduced ? kind::number : kind::length)));
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
 
-  SimulatedTest test = physical_path(history, scales, surface_of(input, scales));
+  SimulatedTest test = physical_path(history, bending_test.rig.fibre, scales, surface_of(input, scales));
   // A stage in steps stands where it was asked to, without the rounding of there and back.
   if (programme.in_steps) std::copy_n(programme.positions.begin(), test.stage.size(), test.stage.begin());
   add_noise(test, noise, rig_stiffness_of(input), request.seed);
@@ -296,7 +297,7 @@ void run_simulate(const SimulateRequest& request) {
     // Also between the readings of a stage in steps.
     const History drawn = programme.in_steps ? follow_continuously(bending_test, stages, 2, cracks) : history;
     draw_for(request.output,
-             marked.empty() ? measured_figure(bending_test.friction, drawn, legs_of(drawn, leg_options), units)
+             marked.empty() ? measured_figure(bending_test, drawn, legs_of(drawn, leg_options), units)
                             : overall_equilibria_figure(bending_test.friction.kinetic, bending_test.rig, marked, units),
              request.figure);
   }

@@ -67,6 +67,8 @@ class FrictionOnAWay {
   }
   virtual double most_up_to(double S_max) const = 0;
   virtual std::span<const double> knots() const = 0;
+  // As the fibre meets it, at what has been drawn in: else of the points of the specimen.
+  virtual bool is_met() const { return false; }
 };
 
 class Walk;
@@ -87,6 +89,10 @@ class Friction {
 
   // Of two supports that are not alike, from where the fibre is straight, up to a length S_most (two_supports.h).
   static Friction on_two_supports(Friction left, Friction right, double S_most);
+
+  // A table over what has been drawn in, as a fibre on rollers meets it on the way in: on edges a table.
+  static Friction as_met(FrictionTable table);
+  bool is_met() const { return way() && way()->is_met(); }
 
   static Friction on_a_way(std::shared_ptr<const FrictionOnAWay> way) { return Friction(std::move(way)); }
 

@@ -92,12 +92,12 @@ void OverRollers::add_knots(double S_most) {
 }
 
 Friction met(const Friction& along, const Fibre& fibre, double direction, double S_most) {
-  if (fibre.supports().radius == 0) return along;
+  if (fibre.supports().radius == 0 || along.is_met()) return along;
   return Friction::on_a_way(std::make_shared<const OverRollers>(along, fibre, direction, S_most));
 }
 
 std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fibre, double direction) {
-  if (fibre.supports().radius == 0) return std::nullopt;
+  if (fibre.supports().radius == 0 || along.is_met()) return std::nullopt;
   return met(along, fibre, direction, 1);
 }
 

@@ -26,6 +26,7 @@ class OverRollers final : public FrictionOnAWay {
   double end_of(double S, double scales, bool inwards) const override;
   double most_up_to(double S_max) const override { return along_.most_up_to(S_max); }
   std::span<const double> knots() const override { return knots_; }
+  bool is_met() const override { return true; }
 
  private:
   void add_knots(double S_most);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <mutex>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -45,6 +48,20 @@ class Fibre::Tables {
         sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
         contacts_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::Pn)),
         bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)) {}
+
+  // Those of supports met not long ago are shared.
+  static std::shared_ptr<const Tables> of(const Supports& supports) {
+    static std::mutex looking;
+    static std::deque<std::shared_ptr<const Tables>> known;
+    constexpr std::size_t most = 16;
+    const std::scoped_lock lock(looking);
+    for (const auto& tables : known)
+      if (tables->supports.radius == supports.radius && tables->supports.half_depth == supports.half_depth)
+        return tables;
+    known.push_front(std::make_shared<const Tables>(supports));
+    if (known.size() > most) known.pop_back();
+    return known.front();
+  }
 
   PairSlopes sliding(std::span<const double> w, std::span<const double> q) const {
     return slopes(sliding_, &SupportedState::slid, &SupportedState::F, w, q);
@@ -171,7 +188,7 @@ class Fibre::Tables {
 
 Fibre::Fibre(const Supports& supports) {
   static_cast<void>(state_on_supports(0.01, 0, supports));  // refuses what leaves no span
-  if (supports.radius > 0 || supports.half_depth > 0) tables_ = std::make_shared<const Tables>(supports);
+  if (supports.radius > 0 || supports.half_depth > 0) tables_ = Tables::of(supports);
   least_length_ = 1 - 3.75 * supports.half_depth * supports.half_depth;
 }
 
@@ -350,6 +367,13 @@ FibreState Fibre::state_from_force(double w, double F) const {
   none.w = w;
   none.F = F;
   return none;
+}
+
+double Fibre::imaged_length(const FibreState& state) const {
+  const double R = supports().radius + supports().half_depth;
+  if (R == 0) return state.S;
+  if (!(state.theta0 < 0.5 * std::numbers::pi)) return not_a_number;
+  return length_between_contacts(state) + 2 * R * std::tan(state.theta0);
 }
 
 double Fibre::curvature_at_midspan(const FibreState& state) const {

@@ -56,7 +56,10 @@ class Fibre {
     return state.S - 2 * supports().radius * state.theta0;
   }
 
-  // The same with its slopes, led on beyond the end of the branch. NaN where there is nothing to lead on to.
+  // [L] Of axis between the verticals through the supports, as a camera sees it; NaN from an upright slope on.
+  double imaged_length(const FibreState& state) const;
+
+  // The length between the contacts with its slopes, led on beyond the end of the branch. NaN where there is nothing to lead on to.
   struct Contact {
     double length, length_S, length_q;
   };

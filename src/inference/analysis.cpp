@@ -35,7 +35,7 @@ Replay replay_of(const TestAnalysis& analysis) {
       last = analysis.reduced.stage[i];
       stages.push_back(last);
     }
-  const auto curve = trace_loading_curve(Friction::table(replay.table), analysis.rig,
+  const auto curve = trace_loading_curve(Friction::as_met(replay.table), analysis.rig,
                                          std::max(replay.table.S.back() * (1 + 1e-9), 1.0001));
   const auto parts = stable_parts(curve);
   double sum = 0;
@@ -72,7 +72,7 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
   };
   FibreState previous{};
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const FibreState state = fibre_state(points[k].S, points[k].mu);
+    const FibreState state = analysis.rig.fibre.state(points[k].S, points[k].mu);
     if (state.status != FibreStatus::ok) continue;
     if (k == 0) {
       // Up to the first point μ is not measurable; the friction of the small slip there is that of the first value.
@@ -128,7 +128,8 @@ FrictionProfile profile_at_fit(const TestAnalysis& analysis) {
   const MeasurementErrors errors{.force = analysis.errors.force / stiffness.value,
                                  .bending_stiffness = stiffness.standard_error / stiffness.value,
                                  .contact = analysis.errors.contact};
-  return measure_friction(to_reduced(analysis.record, scales), Rig{analysis.rig.stiffness / stiffness.value}, errors,
+  return measure_friction(to_reduced(analysis.record, scales),
+                          Rig{analysis.rig.stiffness / stiffness.value, analysis.rig.fibre}, errors,
                           friction_shows_from);
 }
 
@@ -193,7 +194,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   const Scales scales(L, EI);
   TestAnalysis analysis{.status = AnalysisStatus::ok,
                         .scales = scales,
-                        .rig = {scales.reduced_stiffness(description.load_train_stiffness)},
+                        .rig = {scales.reduced_stiffness(description.load_train_stiffness), description.fibre},
                         .bending_stiffness_error = description.bending_stiffness_error.value_or(usual_error),
                         .stiffness_from_slope = from_slope,
                         .stiffness_over_slope = ratio,
@@ -268,8 +269,8 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
 
   // The mean in its own units: those of the estimated bending stiffness.
   const double stiffening = analysis.fit.bending_stiffness.value;
-  const Rig rig{analysis.rig.stiffness / stiffening};
-  const Friction friction = Friction::table(analysis.fit.mean);
+  const Rig rig{analysis.rig.stiffness / stiffening, analysis.rig.fibre};
+  const Friction friction = Friction::as_met(analysis.fit.mean);
   std::vector<double> stages;
   for (const double stage : analysis.reduced.stage)
     stages.push_back(std::max(stage, stages.empty() ? 0.0 : stages.back()));

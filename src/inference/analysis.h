@@ -42,6 +42,7 @@ struct TestDescription {
       bending_stiffness_error{};  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says
   std::optional<std::size_t> points_before_failure{};  // not given: found
   std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: as found
+  Fibre fibre{};                          // on its supports
   double contact = 0;                     // [m] stage position of the contact, taken off stage and deflection
 };
 

@@ -68,7 +68,7 @@ Estimate estimate_at(const ReducedRecord& record, double stiffening, const Slidi
 ConstantFit fit_constant(const FitProblem& problem) {
   const auto& record = problem.record;
   const double w_max = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const SlidingLadder ladder(std::min(1 + 2.5 * w_max * w_max, longest_ladder), 0.002);
+  const SlidingLadder ladder(std::min(1 + 2.5 * w_max * w_max, longest_ladder), 0.002, problem.rig.fibre);
   const auto nominal = estimate_at(record, 1, ladder);
   const double deviation = problem.errors.bending_stiffness;
   const double shift =

@@ -104,9 +104,9 @@ std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double le
       const double w = record.deflection[i] - contact;
       const double F = record.force[i] * scale;
       if (!(w > least_deflection && F > 0)) continue;
-      const auto state = fibre_state_from_force(w, F);
+      const auto state = rig.fibre.state_from_force(w, F);
       if (state.status != FibreStatus::ok) continue;
-      const auto d = fibre_state_slopes(state.S, state.q).slopes;
+      const auto d = rig.fibre.state_slopes(state.S, state.q).slopes;
       // The inverse of the Jacobian of Ψ: its second row.
       const double jacobian = d.w_S * d.F_q - d.w_q * d.F_S;
       const double q_F = d.w_S / jacobian;

@@ -56,7 +56,7 @@ LoopReplay replay_of(const ReducedRecord& record, const Rig& rig, const CyclicFr
     for (std::size_t i = rows.first; i < rows.last; ++i)
       stages[i] = std::max(record.stage[i] - loop.contact.value, 0.0);
   }
-  replay.force = forces_of({Friction::table(friction.table), {rig.stiffness / stiffening}}, stages, loops);
+  replay.force = forces_of({Friction::as_met(friction.table), {rig.stiffness / stiffening, rig.fibre}}, stages, loops);
   for (double& force : replay.force) force *= stiffening;
   const double greatest = *std::max_element(record.force.begin(), record.force.end());
   for (const FrictionLoop& loop : friction.loops) {
@@ -83,7 +83,7 @@ double work_over(const ReducedRecord& record, std::size_t first, std::size_t las
   return work;
 }
 
-std::vector<LoopEnergy> energies_of(const ReducedRecord& record, const CyclicFriction& friction,
+std::vector<LoopEnergy> energies_of(const ReducedRecord& record, const Fibre& fibre, const CyclicFriction& friction,
                                     const CyclesOptions& options) {
   const double stiffening = std::exp(friction.log_stiffness.value);
   std::vector<LoopEnergy> energies;
@@ -104,8 +104,8 @@ std::vector<LoopEnergy> energies_of(const ReducedRecord& record, const CyclicFri
     for (const CyclicPoint& point : friction.points) {
       if (point.leg != loop.loading && point.leg != loop.unloading) continue;
       if (last && last->motion == point.motion && point.motion != LegMotion::stuck) {
-        const double at_last = last->q * fibre_state(last->S, last->q).Pn;
-        const double here = point.q * fibre_state(point.S, point.q).Pn;
+        const double at_last = last->q * fibre.state(last->S, last->q).Pn;
+        const double here = point.q * fibre.state(point.S, point.q).Pn;
         energy.friction += stiffening * 0.5 * (at_last + here) * (point.S - last->S);
       }
       last = &point;
@@ -126,7 +126,7 @@ CyclicTest analyse_cycles(const Record& record, const Scales& scales, const Rig&
     if (leg.direction == Direction::loading) loadings.push_back({leg.first, leg.last});
   if (!loadings.empty()) test.stiffness = compare_loadings(record, loadings);
   if (friction.status != CyclesStatus::ok && friction.status != CyclesStatus::no_mirror) return test;
-  test.energy = energies_of(reduced, friction, options);
+  test.energy = energies_of(reduced, rig.fibre, friction, options);
   test.replay = replay_of(reduced, rig, friction);
   return test;
 }

@@ -41,8 +41,8 @@ struct InverseSlopes {
   std::vector<double> F, S_w, S_F, q_w, q_F;
 };
 
-InverseSlopes inverse_slopes(std::span<const double> S, std::span<const double> q) {
-  const auto s = tabulated_states_slopes({S, q});
+InverseSlopes inverse_slopes(const Fibre& fibre, std::span<const double> S, std::span<const double> q) {
+  const auto s = fibre.tabulated_states_slopes({S, q});
   const std::size_t n = S.size();
   InverseSlopes slopes{s.F, std::vector<double>(n), std::vector<double>(n), std::vector<double>(n),
                        std::vector<double>(n)};
@@ -66,8 +66,10 @@ InverseSlopes inverse_slopes(std::span<const double> S, std::span<const double> 
 Passages passages_of(const FitProblem& problem) {
   const auto& record = problem.record;
   const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_shows_from);
+  const double from = std::max({std::min(usually_from, 0.5 * greatest), friction_shows_from,
+                                least_half_depths * problem.rig.fibre.supports().half_depth});
   Passages p{};
+  p.fibre = problem.rig.fibre;
   p.noise = noise_of(record.force);
   const auto within = within_drops(record.force, p.noise);
   p.compliance = 1 / problem.rig.stiffness;
@@ -87,7 +89,7 @@ Passages passages_of(const FitProblem& problem) {
     F.push_back(record.force[i]);
   }
   p.judged = rows.size();
-  const auto states = tabulated_states_from_forces(w, F);
+  const auto states = p.fibre.tabulated_states_from_forces(w, F);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (!(states.q[k] > least_q && states.q[k] < greatest_q && states.S[k] > least_S && states.S[k] < greatest_S))
       continue;
@@ -98,7 +100,7 @@ Passages passages_of(const FitProblem& problem) {
     p.q.push_back(states.q[k]);
   }
   if (p.size() == 0) return p;
-  const auto slopes = tabulated_states_slopes({p.S, p.q});
+  const auto slopes = p.fibre.tabulated_states_slopes({p.S, p.q});
   p.advance.assign(p.size(), 0);
   for (std::size_t i = 1; i < p.size(); ++i)
     p.advance[i] = (p.stage[i] - p.stage[i - 1]) / (slopes.w_S[i] + slopes.F_S[i] * p.compliance);
@@ -118,9 +120,9 @@ void complete(Linearisation& at, const Passages& passages) {
   at.S = non_falling(at.S);
   for (double& mu : at.mu) mu = std::clamp(mu, least_mu, greatest_mu);
   // The friction at which the fibre passes here, by the stage alone; what the force says beside it is how far it errs.
-  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.compliance, at.eta);
+  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.fibre, passages.compliance, at.eta);
   for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i].m, least_mu, greatest_mu);
-  const auto slopes = inverse_slopes(at.S, at.mu);
+  const auto slopes = inverse_slopes(passages.fibre, at.S, at.mu);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
   for (auto* column :
        {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
@@ -147,13 +149,13 @@ void complete(Linearisation& at, const Passages& passages) {
 }
 
 std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
-                             double compliance, double eta) {
+                             const Fibre& fibre, double compliance, double eta) {
   const std::size_t n = S.size();
   const double stiffer = compliance * elementary::exp(eta);
   std::vector<double> q(near.begin(), near.end());
   std::vector<Level> levels(n);
   for (int iteration = 0; iteration < 12; ++iteration) {
-    const auto s = tabulated_states_slopes({S, q});
+    const auto s = fibre.tabulated_states_slopes({S, q});
     double moved = 0;
     for (std::size_t j = 0; j < n; ++j) {
       const double G_q = s.w_q[j] + s.F_q[j] * stiffer;

@@ -20,6 +20,7 @@ struct Passages {
   std::vector<double> stage, force;  // [L], [EI/L^2]
   std::vector<double> S, q;          // [L], [1] inverted at the nominal EI
   std::vector<double> advance;       // [L] of S since the reading before, were friction constant
+  Fibre fibre;                       // on its supports
   double compliance;                 // [L^3/EI] of the load train
   double stiffness_error;            // [1] standard deviation of ln EI beforehand
   double contact_error;              // [L]
@@ -65,7 +66,7 @@ struct Level {
 
 // Domain:     S in (1, 2.1); `near` are frictions not far from those sought.
 std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
-                             double compliance, double eta);
+                             const Fibre& fibre, double compliance, double eta);
 
 // Where the search begins: S over the stage cut into the straight, non-falling pieces of least cost.
 // Method:     dynamic programming; a piece costs 1.5 ln n. Noise: second differences of the force.

@@ -13,8 +13,8 @@ ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const
   std::vector<double> differences;
   for (const auto& point : profile.points) {
     if (!(point.index < pulled_in.size()) || !std::isfinite(pulled_in[point.index])) continue;
-    compared.points.push_back({point.index, point.S - 1, pulled_in[point.index]});
-    differences.push_back(point.S - 1 - pulled_in[point.index]);
+    compared.points.push_back({point.index, point.imaged - 1, pulled_in[point.index]});
+    differences.push_back(point.imaged - 1 - pulled_in[point.index]);
   }
   if (differences.empty()) return compared;
   compared.offset = median_of(differences);

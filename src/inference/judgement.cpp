@@ -198,7 +198,7 @@ Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles) {
   else if (drops > 0 && jumped_part(analysis) > most_jumped) {
     const double deflection = *std::max_element(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end());
     judgement.stiffness_for_all =
-        critical_stiffness(Friction::table(fit.mean), deflection) * fit.bending_stiffness.value;
+        critical_stiffness(Friction::as_met(fit.mean), deflection, analysis.rig.fibre) * fit.bending_stiffness.value;
     if (std::isfinite(judgement.stiffness_for_all)) judgement.next = NextStep::stiffer_rig;
   }
   return judgement;

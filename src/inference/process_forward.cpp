@@ -58,7 +58,7 @@ ForwardRun::ForwardRun(const Passages& passages) : passages_(passages) {
 ForwardStates ForwardRun::states(std::span<const double> mu, double eta) const {
   std::vector<double> q(mu.begin(), mu.end());
   for (double& value : q) value = std::clamp(value, 0.0, 2.0);
-  const auto curve = tabulated_states({S_, q});
+  const auto curve = passages_.fibre.tabulated_states({S_, q});
   const double stiffer = elementary::exp(eta);
   const std::size_t n = S_.size();
   const auto stage = [&](std::size_t i) { return curve.w[i] + stiffer * curve.F[i] * passages_.compliance; };

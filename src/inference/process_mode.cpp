@@ -120,7 +120,7 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
     stage.push_back(passages_.stage[site.reading]);
     near.push_back(mode.at.mu[site.reading]);
   }
-  const auto levels = levels_of(S, stage, near, passages_.compliance, mode.at.eta);
+  const auto levels = levels_of(S, stage, near, passages_.fibre, passages_.compliance, mode.at.eta);
   std::vector<Node> nodes;
   for (std::size_t j = 0; j < S.size(); ++j) {
     const GapSite& site = mode.sites[j];

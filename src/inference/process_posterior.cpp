@@ -425,13 +425,13 @@ ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Co
   return Posterior(process, components).result();
 }
 
-std::vector<double> forces_of(const FrictionTable& friction, double stiffness, std::span<const double> stages) {
+std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std::span<const double> stages) {
   const double seen = friction.S.back() - friction.S.front();
   const double S_max = std::min(friction.S.back() + std::max(0.1 * seen, 0.01), longest_ladder);
-  const SlidingLadder ladder(S_max, std::max(seen / 1000, 1e-6));
+  const SlidingLadder ladder(S_max, std::max(seen / 1000, 1e-6), rig.fibre);
   const auto mu = Friction::table(friction).at(ladder.lengths()).mu;
   const auto curve = ladder.curve(mu);
-  return measured_curve(curve.w, curve.F, 1 / stiffness, stages).F;
+  return measured_curve(curve.w, curve.F, 1 / rig.stiffness, stages).F;
 }
 
 }  // namespace flexslip

@@ -50,6 +50,6 @@ ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Co
 
 // The force at stage positions, each beyond the last, that friction along the fibre gives.
 // Domain:     table of at least two lengths.
-std::vector<double> forces_of(const FrictionTable& friction, double stiffness, std::span<const double> stages);
+std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std::span<const double> stages);
 
 }  // namespace flexslip

@@ -20,7 +20,7 @@ double friction_on_load_line(double S, double stage, const Rig& rig, double star
   const double c = 1 / rig.stiffness;
   double q = start;
   for (int iteration = 0; iteration < 50; ++iteration) {
-    const auto [state, slopes] = fibre_state_slopes(S, q);
+    const auto [state, slopes] = rig.fibre.state_slopes(S, q);
     if (state.status != FibreStatus::ok) return q;
     const double next = std::clamp(q - (state.w + c * state.F - stage) / (slopes.w_q + c * slopes.F_q), 0.0, 20.0);
     const bool done = std::abs(next - q) <= 1e-12 * (1 + q);  // far below what a measurement resolves
@@ -30,25 +30,21 @@ double friction_on_load_line(double S, double stage, const Rig& rig, double star
   return q;
 }
 
-struct Told {
-  double S, slid;  // [L]
-  double q;        // [1]
-};
-
 // Of friction with respect to force and deflection, and of the length with respect to the force at fixed stage position.
 struct ToldSlopes {
   double q_F, q_w;  // [L^2/EI], [1/L]
   double S_force;   // [L^3/EI]
 };
 
-ProfilePoint point_of(std::size_t index, const Told& told, double F, const ToldSlopes& slopes, const Rig& rig,
+ProfilePoint point_of(std::size_t index, const FibreState& told, double F, const ToldSlopes& slopes, const Rig& rig,
                       const MeasurementErrors& errors) {
   const double mu_force =
       slopes.q_F - slopes.q_w / rig.stiffness;      // at fixed stage position an error of F is one of w, too
   const double mu_log_stiffness = -F * slopes.q_F;  // EI enters through the scaling of the force
   return {.index = index,
           .S = told.S,
-          .slid = told.slid,
+          .length = rig.fibre.length_between_contacts(told),
+          .imaged = rig.fibre.imaged_length(told),
           .mu = told.q,
           .from_force = errors.force * std::abs(mu_force),
           .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
@@ -66,11 +62,12 @@ double standard_error(const ProfilePoint& point) {
 
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                                  double least_deflection) {
+  const double least = std::max(least_deflection, least_half_depths * rig.fibre.supports().half_depth);
   FrictionProfile profile;
   std::vector<std::size_t> rows;
   std::vector<double> deflections, forces;
   for (std::size_t i = 0; i < record.force.size(); ++i) {
-    if (!(record.deflection[i] > least_deflection)) continue;
+    if (!(record.deflection[i] > least)) continue;
     if (record.force[i] < 0) {
       profile.unexplained.push_back(i);
       continue;
@@ -79,64 +76,30 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
     deflections.push_back(record.deflection[i]);
     forces.push_back(record.force[i]);
   }
-  const InverseArrays states = fibre_states_from_forces(deflections, forces);
+  const Fibre& fibre = rig.fibre;
+  const InverseArrays states = fibre.states_from_forces(deflections, forces);
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (std::isnan(states.q[row])) {
       profile.unexplained.push_back(rows[row]);
       continue;
     }
     const double F = forces[row];
-    const auto slopes = fibre_state_slopes(states.S[row], states.q[row]).slopes;
+    const auto [state, slopes] = fibre.state_slopes(states.S[row], states.q[row]);
     // The inverse of the Jacobian of Ψ: its second row.
     const double jacobian = slopes.w_S * slopes.F_q - slopes.w_q * slopes.F_S;
     const double q_F = slopes.w_S / jacobian;
     const double q_w = -slopes.F_S / jacobian;
     const double S_force = (-slopes.w_q - slopes.F_q / rig.stiffness) / jacobian;
-    profile.points.push_back(
-        point_of(rows[row], {states.S[row], states.S[row] - 1, states.q[row]}, F, {q_F, q_w, S_force}, rig, errors));
+    profile.points.push_back(point_of(rows[row], state, F, {q_F, q_w, S_force}, rig, errors));
   }
   std::sort(profile.unexplained.begin(), profile.unexplained.end());
   return profile;
 }
 
-FrictionProfile measure_friction_on(const Supports& supports, const ReducedRecord& record, const Rig& rig,
-                                    const MeasurementErrors& errors, double least_deflection) {
-  const double least = std::max(least_deflection, least_half_depths * supports.half_depth);
-  FrictionProfile profile;
-  for (std::size_t i = 0; i < record.force.size(); ++i) {
-    const double w = record.deflection[i], F = record.force[i];
-    if (!(w > least)) continue;
-    constexpr double h = 1e-5;  // of what differences are taken over
-    const auto told = [&](double deflection, double force) {
-      return state_on_supports_from_force(deflection, force, supports);
-    };
-    if (!(F > 0 && w * (1 + h) <= deepest_on_supports)) {
-      profile.unexplained.push_back(i);
-      continue;
-    }
-    const SupportedState state = told(w, F);
-    if (state.status != FibreStatus::ok) {
-      profile.unexplained.push_back(i);
-      continue;
-    }
-    // Inwards of what may be looked for.
-    const double step = state.q > 0 ? -h : h;
-    const SupportedState other = told(w, F * (1 + step)), farther = told(w * (1 - step), F);
-    if (other.status != FibreStatus::ok || farther.status != FibreStatus::ok) {
-      profile.unexplained.push_back(i);
-      continue;
-    }
-    const double q_F = (other.q - state.q) / (step * F), q_w = (state.q - farther.q) / (step * w);
-    profile.points.push_back(
-        point_of(i, {state.length, state.slid, state.q}, F, {q_F, q_w, not_a_number}, rig, errors));
-  }
-  return profile;
-}
-
-double greatest_curvature(const FrictionProfile& profile) {
+double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre) {
   double greatest = std::numeric_limits<double>::quiet_NaN();
   for (const auto& point : profile.points)
-    greatest = std::fmax(greatest, curvature_at_midspan(fibre_state(point.S, point.mu)));
+    greatest = std::fmax(greatest, fibre.curvature_at_midspan(fibre.state(point.S, point.mu)));
   return greatest;
 }
 

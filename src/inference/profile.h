@@ -28,37 +28,34 @@ inline constexpr double hardly_bent = 0.02;
 
 struct ProfilePoint {
   std::size_t index;  // in the record
-  double S;           // [L] length between the supports, at which friction is told
-  double slid;        // [L] drawn in since contact, over both: S - 1 on edges
-  double mu;          // [1] mobilised friction; the coefficient of friction while the fibre slips
+  double
+      S;  // [L] 1 and what has been drawn in over both supports since contact: the length between them, if they are edges
+  double length;  // [L] of axis between the contacts, where friction is met (fibre.h); S, if they are edges
+  double imaged;  // [L] of axis between the verticals through the supports
+  double mu;      // [1] mobilised friction; the coefficient of friction while the fibre slips
   // The parts of the standard deviation of μ [1]. The first differs from point to point, the others move all points together.
   double from_force, from_bending_stiffness, from_contact;
   // Slopes of μ, for those who fit: with respect to ln EI at fixed deflection, and to the force at fixed stage position.
   double mu_log_stiffness, mu_force;
-  double
-      S_force;  // [L^3/EI] of S with respect to the force, likewise; NaN on supports with a radius or of a thick specimen
+  double S_force;  // [L^3/EI] of S with respect to the force, likewise
 };
 
 double standard_error(const ProfilePoint& point);
 
 struct FrictionProfile {
-  std::vector<ProfilePoint> points;      // in the order of the record
-  std::vector<std::size_t> unexplained;  // points of the record that no friction in [-20, 20] explains
+  std::vector<ProfilePoint> points;  // in the order of the record
+  std::vector<std::size_t>
+      unexplained;  // points of the record that no friction in [-20, 20] explains; on rollers or with a thickness in [-2, 2]
 };
 
 // Domain:     a record without faults; rig.stiffness > 0; errors >= 0; deflections below least_deflection [L] are left out, where
-//             friction is hardly measurable (at 0.05 an error of 1 % in EI is one of 0.1 in μ).
+//             friction is hardly measurable (at 0.05 an error of 1 % in EI is one of 0.1 in μ), and those below twice the thickness.
 // Cost:       5 µs a point.
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                                  double least_deflection = hardly_bent);
 
-// The same on rollers, of a specimen with a thickness (fibre/supported_state.h). Of less than twice its thickness nothing is told, nor counted as
-// unexplained.
-FrictionProfile measure_friction_on(const Supports& supports, const ReducedRecord& record, const Rig& rig,
-                                    const MeasurementErrors& errors, double least_deflection = hardly_bent);
-
 // The greatest curvature of the fibre at midspan [1/L] in the states of a profile; NaN if it has none.
-double greatest_curvature(const FrictionProfile& profile);
+double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre = {});
 
 // Can a drop of the force be a slip of the specimen over its supports?
 enum class SlipVerdict {

@@ -18,24 +18,46 @@ std::vector<double> bounded(std::span<const double> mu) {
 
 }  // namespace
 
-SlidingLadder::SlidingLadder(double S_max, double S_step) {
+SlidingLadder::SlidingLadder(double S_max, double S_step, const Fibre& fibre) : fibre_(fibre) {
   if (!(S_max > 1 && S_max <= longest_ladder))
     throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
   if (!(S_step > 0)) throw std::invalid_argument("S_step must be positive, not " + std::to_string(S_step));
-  const double sigma_max = std::sqrt(S_max - 1);
+  const double sigma_max = fibre.way(S_max), from = fibre.way(1);  // bent as if that much were before it
   const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
-  sigma_step_ = sigma_max / static_cast<double>(n - 1);
+  sigma_step_ = (sigma_max + from) / static_cast<double>(n - 1);
   S_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double sigma = sigma_step_ * static_cast<double>(i);
-    S_[i] = 1 + sigma * sigma;
+    const double sigma = sigma_step_ * static_cast<double>(i) - from;
+    S_[i] = sigma >= from ? fibre.length_at(sigma) : 1;
+    if (sigma < from) shallow_.push_back(fibre.state(1, 0).w * (sigma + from) / (2 * from));
   }
 }
 
-StateArrays SlidingLadder::curve(std::span<const double> mu) const { return tabulated_states({S_, bounded(mu)}); }
+StateArrays SlidingLadder::curve(std::span<const double> mu) const {
+  StateArrays states = fibre_.tabulated_states({S_, bounded(mu)});
+  for (std::size_t i = 0; i < shallow_.size(); ++i) {
+    const auto [w, F] = bent_shallow(i, mu[i]);
+    states.w[i] = w;
+    states.F[i] = F;
+  }
+  return states;
+}
+
+// The surface slides out up to 1.2 half depths of deflection, holds, and slides in from 1.35 on: some hundredths of the friction between.
+SlidingLadder::Bent SlidingLadder::bent_shallow(std::size_t i, double mu) const {
+  const double w = shallow_[i];
+  const double q = mu * std::clamp((w / fibre_.supports().half_depth - 1.27) / 0.08, -1.0, 1.0);
+  return {w, fibre_.bent(w, q).state.F};
+}
 
 SlopeArrays SlidingLadder::slopes(std::span<const double> mu) const {
-  SlopeArrays slopes = tabulated_states_slopes({S_, bounded(mu)});
+  SlopeArrays slopes = fibre_.tabulated_states_slopes({S_, bounded(mu)});
+  for (std::size_t i = 0; i < shallow_.size(); ++i) {
+    const auto [w, F] = bent_shallow(i, mu[i]);
+    slopes.w[i] = w;
+    slopes.F[i] = F;
+    slopes.w_q[i] = slopes.F_q[i] = 0;
+  }
   slopes.w_q.front() = 0;  // the straight fibre
   slopes.F_q.front() = 0;
   return slopes;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "fibre/batch.h"
+#include "fibre/fibre.h"
 
 namespace flexslip {
 
@@ -13,11 +13,12 @@ inline constexpr double longest_ladder = 2.1;  // [L] before the branch ends, wh
 
 class SlidingLadder {
  public:
-  // Lengths evenly spaced in √(S - 1) from 1 to S_max, their largest distance being S_step.
+  // Lengths evenly spaced in √(S - 1) (Fibre::way) from 1 to S_max, their largest distance being S_step; of a specimen with a thickness those
+  // before it slides in count as 1.
   // Domain:     1 < S_max <= longest_ladder, 0 < S_step; std::invalid_argument otherwise.
-  SlidingLadder(double S_max, double S_step);
+  SlidingLadder(double S_max, double S_step, const Fibre& fibre = {});
 
-  std::span<const double> lengths() const { return S_; }  // [L] 1 + (i step)^2
+  std::span<const double> lengths() const { return S_; }  // [L]
   double sigma_step() const { return sigma_step_; }       // [√L] the step in √(S - 1)
 
   // The sliding curve of a friction profile given at those lengths, to the accuracy of the table (fibre/state_table.h). Values outside
@@ -28,8 +29,15 @@ class SlidingLadder {
   SlopeArrays slopes(std::span<const double> mu) const;
 
  private:
+  struct Bent {
+    double w, F;
+  };
+  Bent bent_shallow(std::size_t i, double mu) const;
+
+  Fibre fibre_;
   double sigma_step_;
   std::vector<double> S_;
+  std::vector<double> shallow_;  // [L] deflections before it slides in, of the first lengths
 };
 
 // A test in which the stage only advances, on a curve given at a ladder of lengths.

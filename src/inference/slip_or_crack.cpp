@@ -106,7 +106,7 @@ double inverse(const Series& series, double value) {
 }
 
 // Ψ at the deflection of each row: by friction from least_q to greatest_q, where the branch reaches greatest_w, and by force.
-void expand(std::vector<Row>& rows) {
+void expand(std::vector<Row>& rows, const Fibre& fibre) {
   constexpr double least_q = -0.2, greatest_q = 2;
   const Nodes nodes = nodes_between(least_q, greatest_q);
   std::vector<double> S, q;
@@ -116,14 +116,14 @@ void expand(std::vector<Row>& rows) {
       q.push_back(node);
     }
   for (int iteration = 0; iteration < 8; ++iteration) {
-    const auto at = tabulated_states_slopes({S, q});
+    const auto at = fibre.tabulated_states_slopes({S, q});
     for (std::size_t i = 0; i < S.size(); ++i) {  // Newton in w², which is nearly straight in S
       const double w = rows[i / terms].w;
       const double step = (w * w - at.w[i] * at.w[i]) / (2 * at.w[i] * at.w_S[i]);
       S[i] += std::clamp(step, -0.5 * (S[i] - 1), 0.1);
     }
   }
-  const auto states = tabulated_states({S, q});
+  const auto states = fibre.tabulated_states({S, q});
   for (std::size_t r = 0; r < rows.size(); ++r) {
     Row& row = rows[r];
     const auto of_row = [&](const std::vector<double>& values) { return std::span(values).subspan(r * terms, terms); };
@@ -211,7 +211,7 @@ Least least_of(const Function& f, const Starts& starts, const std::vector<double
 class Rises {
  public:
   Rises(const ReducedRecord& record, const Rig& rig, std::span<const Drop> drops) : rows_(rows_of(record, drops)) {
-    expand(rows_);
+    expand(rows_, rig.fibre);
     n_ = rows_.size();
     for (std::size_t i = 0; i < n_; ++i)
       if (i == 0 || rows_[i].rise != rows_[i - 1].rise) begin_.push_back(i);
@@ -225,7 +225,7 @@ class Rises {
       q.push_back(std::clamp(row.q, 0.0, 1.2));
       S.push_back(length_at(q.back()));
     }
-    const auto slopes = tabulated_states_slopes({S, q});
+    const auto slopes = rig.fibre.tabulated_states_slopes({S, q});
     for (std::size_t i = 0; i < n_; ++i) {
       const double tangent = slopes.F_S[i] / slopes.w_S[i];  // dF/dw at constant friction
       rows_[i].to_stage = 1 / (1 + std::max(tangent, -0.5 * rig.stiffness) / rig.stiffness);

@@ -118,9 +118,9 @@ std::optional<Middle> middle_of(const Rise& rise, const Rig& rig, const Shift& s
   const double F = rise.force * scale;
   const double w = rise.stage - shift.contact - F / stiffness;
   if (!(w > 0 && F > 0)) return std::nullopt;
-  const auto state = fibre_state_from_force(w, F);
+  const auto state = rig.fibre.state_from_force(w, F);
   if (state.status != FibreStatus::ok || !(state.S > 1)) return std::nullopt;
-  const auto [again, slopes] = fibre_state_slopes(state.S, state.q);
+  const auto [again, slopes] = rig.fibre.state_slopes(state.S, state.q);
   if (again.status != FibreStatus::ok) return std::nullopt;
   return Middle{.slope = rise.slope * scale,
                 .slope_error = rise.slope_error * scale,
@@ -229,10 +229,10 @@ SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig, st
   return result;
 }
 
-FibreState state_at(const ReducedRecord& record, std::size_t row) {
+FibreState state_at(const ReducedRecord& record, const Fibre& fibre, std::size_t row) {
   const double w = record.deflection[row], F = record.force[row];
   if (w > 0 && F > 0)
-    if (const auto state = fibre_state_from_force(w, F); state.status == FibreStatus::ok) return state;
+    if (const auto state = fibre.state_from_force(w, F); state.status == FibreStatus::ok) return state;
   FibreState unknown{};
   unknown.S = unknown.q = not_a_number;
   return unknown;
@@ -270,7 +270,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
       const auto shifted = middle_of(rise, rig, shift);
       return shifted ? value(*shifted) : not_a_number;
     };
-    const FibreState begin = state_at(record, rise.first), end = state_at(record, rise.last - 1);
+    const FibreState begin = state_at(record, rig.fibre, rise.first), end = state_at(record, rig.fibre, rise.last - 1);
     const auto advance = [&](const Middle& m) { return (1 - m.position()) / m.G_S * rise.travel; };
     const double width = middle.stick() - middle.slide();
     Tooth tooth{.first = rise.first,

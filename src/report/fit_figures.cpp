@@ -45,8 +45,9 @@ History drawn_model(const FittedTest& test) {
   const double stiffening = fit.bending_stiffness.value;
   const auto& stage = test.analysis.reduced.stage;
   const double farthest = *std::max_element(stage.begin(), stage.end());
-  History history = follow_continuously({Friction::table(fit.mean), Rig{test.analysis.rig.stiffness / stiffening}},
-                                        {&farthest, 1}, points);
+  History history = follow_continuously(
+      {Friction::as_met(fit.mean), Rig{test.analysis.rig.stiffness / stiffening, test.analysis.rig.fibre}},
+      {&farthest, 1}, points);
   for (auto& point : history.path) point.F *= stiffening;
   return history;
 }

@@ -400,7 +400,7 @@ Json fit_json(const FittedTest& test) {
   out["explanations"] = explanations_json(fit, units);
   out["snaps"] = fitted ? snaps_json(analysis.model.snaps, analysis.scales) : Json::array();
   out["judgement"] = judgement_json(test);
-  const double curvature = fitted ? greatest_curvature(analysis.profile_at_fit) : 0;
+  const double curvature = fitted ? greatest_curvature(analysis.profile_at_fit, analysis.rig.fibre) : 0;
   const auto bent = [&](auto value) {
     return fitted && test.surface ? Json(((*test.surface).*value)(curvature)) : Json();
   };

@@ -670,7 +670,7 @@ std::optional<LiteratureFriction> literature_of(const FittedTest& test) {
 }
 
 std::string strain_in_words(const FittedTest& test) {
-  const double curvature = greatest_curvature(test.analysis.profile_at_fit);
+  const double curvature = greatest_curvature(test.analysis.profile_at_fit, test.analysis.rig.fibre);
   if (!std::isfinite(curvature)) return "";
   const std::string wraps = curvature > test.nose_curvature
                                 ? "The specimen was bent more sharply than the nose, and wrapped it: what is read "

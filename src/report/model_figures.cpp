@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "bending_test/equilibrium.h"
-#include "fibre/elastica.h"
+#include "contact/over_rollers.h"
 
 namespace flexslip {
 namespace {
@@ -65,8 +65,9 @@ FigureData euler_bernoulli(double w_max, const Axes& axes) {
   return {"beam", {axes.title("deflection"), axes.title("force")}, {{0, 0}, {axes.x(w_max), axes.y(48 * w_max)}}};
 }
 
-FigureData sliding_curve(const Friction& friction, double S_max, const Axes& axes) {
-  return curve_data("curve", equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max)).points, axes);
+FigureData sliding_curve(const Friction& friction, const Fibre& fibre, double S_max, const Axes& axes) {
+  return curve_data("curve", equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max), fibre).points,
+                    axes);
 }
 
 struct TrackPoint {
@@ -198,10 +199,10 @@ constexpr std::string_view one_panel =
 
 }  // namespace
 
-Figure region_figure(const Friction& friction, double S_max, const DrawnIn& units) {
+Figure region_figure(const Friction& friction, const Fibre& fibre, double S_max, const DrawnIn& units) {
   const int n = points_for(friction, S_max);
-  const auto upper = equilibrium_curve(friction, Sliding::in, S_max, n).points;
-  auto lower = equilibrium_curve(friction, Sliding::out, S_max, n).points;
+  const auto upper = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
+  auto lower = equilibrium_curve(friction, Sliding::out, S_max, n, fibre).points;
   const auto extent = extent_of(upper);
   const Axes axes(units, extent.w, extent.F);
 
@@ -209,11 +210,11 @@ Figure region_figure(const Friction& friction, double S_max, const DrawnIn& unit
   boundary.insert(boundary.end(), lower.rbegin(), lower.rend());
   // One length, at every friction it may have: seven tenths of the way into the figure.
   const double S = 1 + 0.7 * (upper.back().S - 1);
-  const double mu = friction.at(S).mu;
+  const double most = met(friction, fibre, 1, S_max).at(S).mu, least = -met(friction, fibre, -1, S_max).at(S).mu;
   FigureData locus{"locus", {axes.title("deflection"), axes.title("force"), axes.title("length")}, {}};
   constexpr int levels = 60;
   for (int i = 0; i <= levels; ++i) {
-    const FibreState state = fibre_state(S, mu * (2.0 * i / levels - 1));
+    const FibreState state = fibre.state(S, least + (most - least) * i / levels);
     if (state.status == FibreStatus::ok) locus.rows.push_back({axes.x(state.w), axes.y(state.F), axes.x(state.S)});
   }
   // Arrows along the curve, in the direction of growing length.
@@ -266,10 +267,10 @@ Figure region_figure(const Friction& friction, double S_max, const DrawnIn& unit
           .script = panels};
 }
 
-Figure equilibrium_figure(const Friction& friction, double S_max, const DrawnIn& units) {
+Figure equilibrium_figure(const Friction& friction, const Fibre& fibre, double S_max, const DrawnIn& units) {
   const int n = points_for(friction, S_max);
-  const auto sliding = equilibrium_curve(friction, Sliding::in, S_max, n).points;
-  const auto smooth = equilibrium_curve(Friction::constant(0), Sliding::in, S_max, n).points;
+  const auto sliding = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
+  const auto smooth = equilibrium_curve(Friction::constant(0), Sliding::in, S_max, n, fibre).points;
   const auto extent = extent_of(sliding);
   const Axes axes(units, extent.w, extent.F);
   const double w_max = std::max(extent.w, extent_of(smooth).w);
@@ -338,10 +339,12 @@ bool is_snap(const TrackPoint& point) { return point.motion == Motion::snap || p
 
 std::string_view title_of_snaps(const History& history) { return history.cracks.empty() ? "Snaps" : "Cracks, snaps"; }
 
-Figure loading_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs, const DrawnIn& units) {
+Figure loading_figure(const BendingTest& test, const History& history, std::span<const Leg> legs,
+                      const DrawnIn& units) {
+  const Fibre& fibre = test.rig.fibre;
   const double S_max = longest_of(history);
-  const Friction& friction = law.kinetic;
-  auto extent = extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max)).points);
+  const Friction& friction = test.friction.kinetic;
+  auto extent = extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max), fibre).points);
   const auto track = track_of(history, legs);
   for (const auto& point : track) extent = {std::max(extent.w, point.w), std::max(extent.F, point.F)};
   const Axes axes(units, extent.w, extent.F);
@@ -363,7 +366,7 @@ Figure loading_figure(const FrictionLaw& law, const History& history, std::span<
               history.snaps.size(), history.cracks.empty() ? "" : fmt::format(" and {} cracks", history.cracks.size())),
           .width = one_column,
           .height = 66,
-          .data = {sliding_curve(friction, S_max, axes),
+          .data = {sliding_curve(friction, fibre, S_max, axes),
                    pieces_of("measured", track, axes, extent, [](const auto& point) { return !is_snap(point); }),
                    pieces_of("snaps", track, axes, extent, is_snap)},
           .script = script};
@@ -380,13 +383,14 @@ FigureData arrow_data(std::string name, const std::vector<Arrow>& arrows, const 
   return data;
 }
 
-Figure loops_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs, const DrawnIn& units) {
+Figure loops_figure(const BendingTest& test, const History& history, std::span<const Leg> legs, const DrawnIn& units) {
+  const Fibre& fibre = test.rig.fibre;
   const double S_max = longest_of(history);
-  const Friction& friction = law.kinetic;
+  const Friction& friction = test.friction.kinetic;
   const auto track = track_of(history, legs);
   const int n = points_for(friction, S_max);
-  auto upper = equilibrium_curve(friction, Sliding::in, S_max, n).points;
-  auto lower = equilibrium_curve(friction, Sliding::out, S_max, n).points;
+  auto upper = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
+  auto lower = equilibrium_curve(friction, Sliding::out, S_max, n, fibre).points;
   if (friction.walk()) lower.clear();  // it depends on where the specimen turns back
   Extent extent = extent_of(upper);
   double q_least = 0;
@@ -478,13 +482,14 @@ Figure loops_figure(const FrictionLaw& law, const History& history, std::span<co
 
 }  // namespace
 
-Figure measured_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs,
+Figure measured_figure(const BendingTest& test, const History& history, std::span<const Leg> legs,
                        const DrawnIn& units) {
-  return legs.size() < 2 ? loading_figure(law, history, legs, units) : loops_figure(law, history, legs, units);
+  return legs.size() < 2 ? loading_figure(test, history, legs, units) : loops_figure(test, history, legs, units);
 }
 
 Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::span<const double> stages,
                                  const DrawnIn& units) {
+  const Fibre& fibre = rig.fibre;
   const double farthest = *std::max_element(stages.begin(), stages.end());
   const auto traced = trace_loading_curve(friction, rig, longest_at_stage(farthest));
   double S_max = 1.01;
@@ -494,7 +499,8 @@ Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::
     for (const auto& equilibrium : at_stage.back()) S_max = std::max(S_max, equilibrium.point.S);
   }
   S_max = std::min(1 + 1.1 * (S_max - 1), traced.end.S);
-  const auto extent = extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max)).points);
+  const auto extent =
+      extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max), fibre).points);
   const Axes axes(units, extent.w, extent.F);
 
   const std::vector<std::string> titles{axes.title("deflection"), axes.title("force")};
@@ -538,7 +544,7 @@ Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::
               stages.size()),
           .width = one_column,
           .height = 66,
-          .data = {sliding_curve(friction, S_max, axes), std::move(lines), std::move(stable), std::move(partial),
+          .data = {sliding_curve(friction, fibre, S_max, axes), std::move(lines), std::move(stable), std::move(partial),
                    std::move(unstable)},
           .script = script};
 }

@@ -22,14 +22,15 @@ struct DrawnIn {
 // For all: Domain: S_max > 1.
 
 // All equilibria of the specimen in three spaces: deflection and force, length and deflection, length and force (Fig. 7).
-Figure region_figure(const Friction& friction, double S_max, const DrawnIn& units);
+Figure region_figure(const Friction& friction, const Fibre& fibre, double S_max, const DrawnIn& units);
 
 // The curve along which the specimen slides, with that of no friction and the Euler-Bernoulli line (Fig. 8A).
-Figure equilibrium_figure(const Friction& friction, double S_max, const DrawnIn& units);
+Figure equilibrium_figure(const Friction& friction, const Fibre& fibre, double S_max, const DrawnIn& units);
 
 // What a test measures, its snaps dashed: over the equilibrium curve (Fig. 8C) if it only loads; otherwise its loops with their
 // direction, beside the boxes that they are in length and mobilised friction. The history is one followed continuously.
-Figure measured_figure(const FrictionLaw& law, const History& history, std::span<const Leg> legs, const DrawnIn& units);
+Figure measured_figure(const BendingTest& test, const History& history, std::span<const Leg> legs,
+                       const DrawnIn& units);
 
 // The overall equilibria at some stage positions [L]: stable ones filled, unstable ones open, partially stable ones in red; load lines
 // of the rig through them (Fig. 8B).

@@ -69,7 +69,7 @@ TEST_CASE("identity: at the friction of a level, the stage position is the one a
   const auto G = [&](std::size_t i, double q, double with_eta) { return at_length(S[i], q, with_eta); };
   std::vector<double> stage;
   for (std::size_t i = 0; i < S.size(); ++i) stage.push_back(G(i, mu[i], eta));
-  const auto levels = levels_of(S, stage, near, compliance, eta);
+  const auto levels = levels_of(S, stage, near, {}, compliance, eta);
   for (std::size_t i = 0; i < S.size(); ++i) {
     constexpr double of_the_table = 1e-9;  // its 1e-12 of the stage, over its slope in μ
     CHECK(std::abs(levels[i].m - mu[i]) < of_the_table);

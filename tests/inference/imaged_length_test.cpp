@@ -14,11 +14,11 @@ TEST_CASE("identity: offset and scatter of what was imaged are those it was made
   for (std::size_t i = 1; i <= 200; ++i) {
     ProfilePoint point{};
     point.index = i;
-    point.S = 1 + 1e-3 * static_cast<double>(i);
+    point.imaged = 1 + 1e-3 * static_cast<double>(i);
     profile.points.push_back(point);
     // Scatter that is even from -0.01 to 0.01: its median absolute deviation is 0.005.
     const double scatter = 0.01 * (2 * std::fmod(0.618034 * static_cast<double>(i), 1) - 1);
-    pulled_in.push_back(i % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : point.S - 1 - 0.02 + scatter);
+    pulled_in.push_back(i % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : point.imaged - 1 - 0.02 + scatter);
   }
   const auto compared = compare_with_images(profile, pulled_in);
   CHECK(compared.points.size() == 196);
@@ -31,7 +31,7 @@ TEST_CASE("identity: offset and scatter of what was imaged are those it was made
 
 TEST_CASE("limit: without images there is nothing to compare") {
   ProfilePoint point{};
-  point.S = 1.1;
+  point.imaged = 1.1;
   for (const std::vector<double>& pulled_in :
        {std::vector<double>{}, std::vector<double>{std::numeric_limits<double>::quiet_NaN()}}) {
     const auto compared = compare_with_images({{point}, {}}, pulled_in);

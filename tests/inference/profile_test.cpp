@@ -64,7 +64,8 @@ TEST_CASE("identity: slips of a periodic roughness are one wavelength apart alon
 TEST_CASE("limit: each drop that can be no slip says why") {
   const ProfilePoint usual{.index = 0,
                            .S = 1.1,
-                           .slid = 0.1,
+                           .length = 1.1,
+                           .imaged = 1.1,
                            .mu = 0.6,
                            .from_force = 0.01,
                            .from_bending_stiffness = 0,

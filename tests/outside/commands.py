@@ -101,6 +101,54 @@ contact = "0 m"
                 self.assertGreater(point["drawn_in"], point["length"] - 0.064)
                 self.assertGreater(point["mu_error"], 0)
 
+    BAR = '''[specimen]
+height = "4 mm"
+width = "10 mm"
+modulus = {{ value = "3 GPa", uncertainty = "1 %" }}
+[rig]
+span = "64 mm"
+stiffness = "{stiffness}"
+{rig}
+[friction]
+model = "constant"
+{rest}
+'''
+
+    def bar(self, name, rest, rig='roller_radius = "5 mm"', stiffness="2 kN/mm"):
+        return self.file(name, self.BAR.format(rest=rest, rig=rig, stiffness=stiffness))
+
+    def test_oracle_a_simulated_bar_on_rollers_is_fitted_back_within_0_01_and_edges_are_far_off(self):
+        for mu in 0, 0.15, 0.3:
+            case = self.bar("truth.toml", f'mu0 = {mu}\n[stage]\nprogram = ["0 mm", "13 mm"]\nstep = "0.05 mm"')
+            self.succeeds("simulate", case, "--noise", "0.02 N", "--seed", "3", "--output", self.folder / "bar_test.csv")
+            for rig, most in ('roller_radius = "5 mm"', 0.01), ("", None):
+                record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=rig)
+                mean = self.json("fit", record, "--quiet")["parameters"]["mu0"]["value"]
+                if most:
+                    self.assertAlmostEqual(mean, mu, delta=most)
+                else:
+                    self.assertGreater(mean - mu, 0.3)
+
+    def test_identity_design_and_simulation_on_rollers_agree(self):
+        case = self.bar("planned.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', stiffness="100 N/mm")
+        design = self.json("design", case, "--quiet")
+        last = self.json("simulate", case, "--quiet")
+        path = last["path"]
+        self.assertAlmostEqual(design["greatest_force"], max(point["force"] for point in path), delta=1e-6 * design["greatest_force"])
+        work = last["energy"]["stage_work"] - last["energy"]["load_train"]
+        self.assertAlmostEqual(design["work"], work, delta=1e-6 * work)
+        curve = self.json("equilibrium", case, "--longest", "70 mm", "--quiet")["curve"]
+        self.assertAlmostEqual(curve[0]["length"], 0.064)
+        self.assertGreater(curve[0]["deflection"], 0.002)  # 2.5 half depths and more
+
+    def test_supports_of_a_case_that_are_none_are_refused(self):
+        ends = 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]'
+        self.refused("simulate", self.bar("a.toml", ends, rig='roller_radius = "30 mm"'), says=["roller_radius", "0.45 spans together"])
+        self.refused("simulate", self.bar("b.toml", ends, rig='roller_radius = "-1 mm"'), says=["roller_radius"])
+        self.refused("simulate", self.bar("c.toml", ends, rig='roller_radius = 5'), says=["roller_radius", "unit"])
+        self.refused("simulate", self.bar("d.toml", ends, rig='friction_at = "skin"'), says=["friction_at", '"surface" or "axis"'])
+        self.refused("simulate", self.bar("e.toml", "static_excess = 0.1\n" + ends), says=["static_excess", "rollers"])
+
     def test_a_reading_that_no_roller_explains_is_left_out_and_a_case_needs_no_specimen(self):
         rows = [(0.002 * i, 48 * 0.002 * i * (1 + 0.002 * i)) for i in range(150)] + [(2.5, 30.0)]
         self.file("far.csv", "w,F\n" + "".join(f"{w!r},{F!r}\n" for w, F in rows))
