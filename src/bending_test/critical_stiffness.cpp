@@ -94,6 +94,7 @@ double critical_stiffness(const Friction& friction, double w_max, const Fibre& f
   constexpr double above = 1e-9;  // of k: folds nearer to a cusp than that are one to the tracer
   const Rig stiff{infinity, fibre};
   const auto controlled = trace_loading_curve(friction, stiff, longest_in_loading(friction, stiff, w_max));
+  if (controlled.begin.stage >= w_max) return 0;  // a thick specimen has not begun to slide in
   const StablePart part = stable_part_from(controlled, controlled.begin);
   if (!controlled.folds.empty() && part.to.stage <= w_max) return infinity;
   const double S_end = part.to.stage > w_max ? point_at_stage(controlled, part, w_max).S : part.to.S;

@@ -78,7 +78,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const double advance = stage > from.stage ? 1 : -1;
   const Fibre& fibre = rig_.fibre;
   const Fibre::BentState here = fibre.bent(from.w, from.q);
-  const double inwards = here.S_w * advance > 0 ? 1 : -1;  // which way the surface would slide
+  const double inwards = here.S_w * advance >= 0 ? 1 : -1;  // which way the surface would slide
   const double mu = from.w == 0 ? friction_.at(1).mu : friction_at(here.state);
   constexpr double level = 1e-11;
   const bool slides = inwards * from.q >= mu - level;
@@ -93,6 +93,10 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     const FibreState& state = there.at.state;
     return PathPoint{stage_of(there), w, state.F, state.S, state.q, motion};
   };
+  // Each stretch gets on by some of the way at least, so that none is lost between friction and what it does to itself on rollers.
+  constexpr double least = 1e-7;  // of a half depth
+  const double on = from.w + advance * std::min(least * fibre.supports().half_depth, std::abs(far - from.w));
+  const double first = on == far || passed(at(on)) ? from.w : on;
   if (slides) {
     const bool leaves = advance > 0 && inwards > 0;
     const auto ends = [&](double w) {
@@ -100,7 +104,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
       const Place there = at(w);
       return passed(there) || there.at.S_w * advance * inwards <= 0 || (leaves && there.at.state.S >= 1);
     };
-    const double w = first_where(from.w, far, ends);
+    const double w = first_where(first, far, ends);
     PathPoint to =
         w > 0 ? to_point(w, Motion::stick) : PathPoint{0, 0, 0, 1, inwards * friction_.at(1).mu, Motion::stick};
     to.motion = inwards > 0 ? Motion::slip_in : Motion::slip_out;
@@ -111,11 +115,11 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     return to;
   }
   // Friction first falls or rises to where the length is the least of its friction, then the other way.
-  const double turn = first_where(from.w, far, [&](double w) {
+  const double turn = first_where(first, far, [&](double w) {
     const Place there = at(w);
     return !std::isfinite(there.at.state.q) || there.at.S_w * here.S_w <= 0;
   });
-  double begin = from.w;
+  double begin = first;
   for (const double end : {turn, far}) {
     const auto ends = [&](double w) {
       const Place there = at(w);

@@ -342,10 +342,13 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
     supports.other = std::get<Friction>(std::move(other));
   }
   Friction along = together(std::move(supports), S_max);
+  Fibre fibre = fibre_of(*input_, reduced() ? input_->specimen->section : section(), *units);
+  if (auto fault = too_rough_for(fibre, along, S_max))
+    return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
   PlannedDesign planned{
       {std::move(along),
        {units->reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_)),
-        fibre_of(*input_, reduced() ? input_->specimen->section : section(), *units)},
+        std::move(fibre)},
        travel,
        units->reduced_length(at(DesignParameter::step).number)},
       {*units, surface(*units)}};

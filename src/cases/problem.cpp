@@ -277,6 +277,16 @@ Rig rig_of(const Case& input, const Scales& scales) {
   return {scales.reduced_stiffness(rig_stiffness_of(input)), fibre_of(input, section, scales)};
 }
 
+std::optional<InputFault> too_rough_for(const Fibre& fibre, const Friction& kinetic, double S_max) {
+  const double most = kinetic.most_up_to(S_max);
+  if (fibre.on_edges() || most <= largest_q_on_supports) return std::nullopt;
+  return InputFault{
+      .field = "mu0",
+      .expected = fmt::format("friction of at most {:g} where it acts at the surface", largest_q_on_supports),
+      .found = fmt::format("{:g}", most),
+      .remedy = "write a smaller one, or friction_at = \"axis\" without rollers"};
+}
+
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales) {
   constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
   const double S = scales.reduced_length(reference);
@@ -370,6 +380,8 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
   if (excess > 0 && most > largest_q)
     throw wrong_value(input, "friction.static_excess", fmt::format("static friction of at most {:g}", largest_q),
                       fmt::format("{:g}, which brings it to {:g}", excess, most), "write a smaller one");
+  if (const auto fault = too_rough_for(rig.fibre, kinetic, S_max))
+    throw wrong_value(input, "friction." + fault->field, fault->expected, fault->found, fault->remedy);
   if (kinetic.walk() && rig.fibre.supports().radius > 0)
     throw wrong_value(input, "rig.roller_radius", "edges, where [friction.other] says that the supports are not alike",
                       "rollers", "delete it, or [friction.other]");

@@ -98,6 +98,9 @@ std::optional<InputFault> misplaced(const Case& input, double reference, const S
 std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
                                     const Scales& scales, double S_max);
 
+// Likewise, of a specimen on rollers or with a thickness.
+std::optional<InputFault> too_rough_for(const Fibre& fibre, const Friction& kinetic, double S_max);
+
 // The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: of two supports that are not alike
 // one may slide alone.
 double one_sided_reach(const Case& input, double S_max);

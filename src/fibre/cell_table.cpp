@@ -141,8 +141,8 @@ HWY_INLINE void find_places(const CellGrid& grid, const double* at, const double
     const Lanes across = (frictions - grid.q_least) * grid.q_scale;
     const Lanes i_x(hn::Floor(along.v));
     const Lanes i_q(hn::Floor(across.v));
-    const auto inside = (Lanes(0.0) < along) & (along < Lanes(grid.x_cells)) & (Lanes(-1.0) < i_q) &
-                        (i_q < Lanes(grid.q_cells));
+    const auto inside =
+        (Lanes(0.0) < along) & (along < Lanes(grid.x_cells)) & (Lanes(-1.0) < i_q) & (i_q < Lanes(grid.q_cells));
     store(coordinate, places.along + i, n);
     store(2.0 * (along - i_x) - 1.0, places.x + i, n);
     store(2.0 * (across - i_q) - 1.0, places.y + i, n);
@@ -153,8 +153,7 @@ HWY_INLINE void find_places(const CellGrid& grid, const double* at, const double
 // One polynomial at y, in powers of x.
 HWY_INLINE Row at_y(const double* rows, RowVector y) {
   Row sum = load_row(rows + (CellLayout::terms - 1) * CellLayout::row);
-  for (std::size_t r = CellLayout::terms - 1; r-- > 0;)
-    sum = times_plus(sum, y, load_row(rows + r * CellLayout::row));
+  for (std::size_t r = CellLayout::terms - 1; r-- > 0;) sum = times_plus(sum, y, load_row(rows + r * CellLayout::row));
   return sum;
 }
 

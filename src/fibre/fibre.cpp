@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fibre/cell_table.h"
+#include "fibre/elementary.h"
 #include "fibre/state_table.h"
 
 namespace flexslip {
@@ -285,8 +286,12 @@ SlopeArrays Fibre::slopes_at(const FibrePoints& points) const {
     }
     const double S_w = at.columns[2][i];
     const bool exists = !std::isnan(w[i]) && at.columns[1][i] >= 0;
-    result.w[i] = exists ? w[i] : not_a_number;
-    result.F[i] = exists ? at.columns[1][i] : not_a_number;
+    if (!exists) {
+      for (double* column : result.columns()) column[i] = not_a_number;
+      continue;
+    }
+    result.w[i] = w[i];
+    result.F[i] = at.columns[1][i];
     result.w_S[i] = 1 / S_w;
     result.w_q[i] = -at.columns[3][i] / S_w;
     result.F_S[i] = at.columns[4][i] / S_w;
@@ -373,7 +378,8 @@ double Fibre::imaged_length(const FibreState& state) const {
   const double R = supports().radius + supports().half_depth;
   if (R == 0) return state.S;
   if (!(state.theta0 < 0.5 * std::numbers::pi)) return not_a_number;
-  return length_between_contacts(state) + 2 * R * std::tan(state.theta0);
+  const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
+  return length_between_contacts(state) + 2 * R * sine / cosine;
 }
 
 double Fibre::curvature_at_midspan(const FibreState& state) const {

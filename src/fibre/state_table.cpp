@@ -11,8 +11,7 @@ namespace flexslip {
 namespace {
 
 const CellTable& table() {
-  static const CellTable states(CellTable::Along::length,
-                                {table_sigma, 32, table_q.least, table_q.greatest, 48},
+  static const CellTable states(CellTable::Along::length, {table_sigma, 32, table_q.least, table_q.greatest, 48},
                                 [](std::span<const double> sigma, std::span<const double> q) {
                                   std::vector<double> S;
                                   S.reserve(sigma.size());

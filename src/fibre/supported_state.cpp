@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "fibre/elementary.h"
 #include "fibre/elliptic.h"
 
 namespace flexslip {
@@ -27,6 +28,12 @@ ForceAngle force_angle(double q) {
   return {sine, -q * sine, q < 0 ? smaller : larger, q < 0 ? larger : smaller};
 }
 
+// 1 - cos x
+double versine_of(double x) {
+  const double sine = elementary::sine_and_cosine(0.5 * x).sine;
+  return 2 * sine * sine;
+}
+
 // Integrals over the phase from the inflection, at an angle θ to the span there: of 1 - cos θ, sin θ and the square of the curvature.
 struct Integrals {
   double gap, rise, squares;
@@ -37,14 +44,15 @@ struct Pendulum {
   double m, m1;
   double swing;  // 2 √(m m1): the curvature is so much times sd, in units of the rate
 
-  double psi(const EllipticArc& arc) const { return 2 * std::atan2(0.5 * swing * arc.one_minus_cn, m1 + m * arc.cn); }
+  double psi(const EllipticArc& arc) const {
+    return 2 * elementary::angle(0.5 * swing * arc.one_minus_cn, m1 + m * arc.cn);
+  }
   double sd(const EllipticArc& arc) const {
     return std::sqrt(arc.one_minus_cn * (1 + arc.cn)) / std::sqrt(m1 + m * arc.cn * arc.cn);
   }
   Integrals integrals(double phase, const EllipticArc& arc, double theta) const {
     const double p = swing * arc.P, r = 0.5 * swing * swing * arc.R;
-    const double half = std::sin(0.5 * theta), versine = 2 * half * half;
-    const double sine = std::sin(theta), cosine = 1 - versine;
+    const double versine = versine_of(theta), sine = elementary::sine_and_cosine(theta).sine, cosine = 1 - versine;
     return {phase * versine + cosine * r - sine * p, sine * (phase - r) - cosine * p, 2 * arc.P - (m1 - m) * arc.R};
   }
 };
@@ -120,11 +128,12 @@ SupportedState none(double q) {
 SupportedState state_of(const Half& half, double u, double a, const ForceAngle& angle, double q,
                         const Supports& supports) {
   const double R = supports.radius + supports.half_depth;
-  const double X = u - half.gap, sine = std::sin(half.theta0), versine = 1 - std::cos(half.theta0);
+  const auto [sine, cosine] = elementary::sine_and_cosine(half.theta0);
+  const double X = u - half.gap, versine = versine_of(half.theta0);
   const double beyond = (half.gap - 2 * R * u * sine) / X;  // S - 1
   const bool leans = half.theta0 < 0.5 * std::numbers::pi;
   const double imaged = R == 0  ? 1 + beyond
-                        : leans ? 1 + beyond + 2 * R * std::tan(half.theta0)
+                        : leans ? 1 + beyond + 2 * R * sine / cosine
                                 : std::numeric_limits<double>::quiet_NaN();
   return {.status = FibreStatus::ok,
           .length = 1 + beyond,
@@ -153,17 +162,19 @@ SupportedState state_nearby(double w, double q, const Supports& supports) {
       last_u *= 0.4, last_a *= 0.4;
       continue;
     }
-    const double X = u - half->gap, Z = half->rise, sine = std::sin(half->theta0), cosine = std::cos(half->theta0);
+    const auto [sine, cosine] = elementary::sine_and_cosine(half->theta0);
+    const double X = u - half->gap, Z = half->rise, versine = versine_of(half->theta0);
     const double ell = 1 - 2 * R * sine, lever = 2 * a * R * cosine, k = half->curvature;
-    const double miss_a = X - a * ell, miss_w = Z / (2 * a) + R * (1 - cosine) - w;
+    const double miss_a = X - a * ell, miss_w = Z / (2 * a) + R * versine - w;
     const double theta_a = (k - half->at_contact) * half->phase_slope;
     const double a_u = 1 - k * Z + lever * k, a_a = (1 - k * Z - cosine) * half->phase_slope - ell + lever * theta_a;
     const double w_u = k * X / (2 * a) + R * sine * k;
     const double w_a = ((k * X - sine) * half->phase_slope - Z / a) / (2 * a) + R * sine * theta_a;
     const double determinant = a_u * w_a - a_a * w_u;
     const double du = (a_a * miss_w - w_a * miss_a) / determinant, da = (w_u * miss_a - a_u * miss_w) / determinant;
-    const bool solved = std::abs(miss_a) <= 4 * epsilon * a && std::abs(miss_w) <= 4 * epsilon * w;
-    const bool stands = std::abs(du) <= 4 * epsilon * u && std::abs(da) <= 4 * epsilon * a;
+    const double rounding = (i < 10 ? 4 : 64) * epsilon;
+    const bool solved = std::abs(miss_a) <= rounding * a && std::abs(miss_w) <= rounding * w;
+    const bool stands = std::abs(du) <= rounding * u && std::abs(da) <= rounding * a;
     if (solved || stands) return state_of(*half, u, a, angle, q, supports);
     if (!std::isfinite(du) || !std::isfinite(da)) break;
     constexpr double longest = 0.3;  // of what is changed
@@ -180,7 +191,8 @@ SupportedState state_at_phase(double u, double q, const Supports& supports) {
   std::optional<Half> half;
   const auto next = [&](double a) {
     half = half_of(u, a, angle, supports);
-    return half ? (u - half->gap) / (1 - 2 * R * std::sin(half->theta0)) : std::numeric_limits<double>::quiet_NaN();
+    return half ? (u - half->gap) / (1 - 2 * R * elementary::sine_and_cosine(half->theta0).sine)
+                : std::numeric_limits<double>::quiet_NaN();
   };
   double a = u, image = next(a);
   double before = a, miss_before = image - a;

@@ -104,7 +104,7 @@ class Loading {
     see(here.F);
     if (readings_) next_ = readings_->first_beyond(here.stage);
     drops_.read(here.F);
-    return !breaks_ && here.stage < design_.travel;
+    return !breaks_ && here.stage < design_.travel && begin.stage < design_.travel;
   }
 
   const Fibre& fibre() const { return design_.rig.fibre; }
@@ -353,6 +353,7 @@ double critical_stiffness(const Design& design) {
     const Rig rig{stiffness, design.rig.fibre};
     const auto curve =
         trace_loading_curve(design.friction, rig, longest_in_loading(design.friction, rig, design.travel));
+    if (curve.begin.stage >= design.travel) return critical;  // a thick specimen has not begun to slide in
     const StablePart part = stable_part_from(curve, curve.begin);
     const double reached = part.to.stage > design.travel ? point_at_stage(curve, part, design.travel).w : part.to.w;
     deflection = std::max(std::min(reached, breaks), least);

@@ -97,13 +97,15 @@ TEST_CASE("fibre, definition: slopes along a length and in friction are those of
   }));
 }
 
-TEST_CASE("fibre, identity: more friction makes for more force where the surface slides in as the fibre is bent, and for less before") {
+TEST_CASE(
+    "fibre, identity: more friction makes for more force where the surface slides in as the fibre is bent, and for "
+    "less before") {
   CHECK(rc::check([] {
     const Fibre& fibre = some_fibre();
     const double w = *between(0.002, 0.3), q = *between(-0.3, 1.5);
     const Fibre::BentState at = fibre.bent(w, q);
     RC_ASSERT(at.state.status == FibreStatus::ok);
-    constexpr double least = 1e-3;  // of slopes that have a sign
+    constexpr double least = 0.02;  // of slopes that have a sign: what the axis loses that leaves the span is left out
     if (std::abs(at.S_w) > least) RC_ASSERT((at.F_q > 0) == (at.S_w > 0));
   }));
 }
