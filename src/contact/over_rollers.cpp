@@ -64,8 +64,8 @@ void OverRollers::add_knots(double S_most) {
   const double turns = 1.25 * (fibre_.supports().radius + fibre_.supports().half_depth);
   for (const double side : {-1.0, 1.0}) {
     double begin = turns;
-    for (std::size_t i = 0; i < knots.size(); ++i) {
-      const double knot = knots[i], mu = along_.at(knot).mu;
+    for (const double knot : knots) {
+      const double mu = along_.at(knot).mu;
       double low = begin, high = begin;
       double reach = 0.01;
       while (place(high, mu).length < knot && high > 0 && high < 1) {
