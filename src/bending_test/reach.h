@@ -12,6 +12,6 @@ namespace flexslip {
 // Method:     the loading stops before any length at which G reaches the stage position, or at which the branch has ended;
 //             such a length is found by bisection below longest_at_stage(), in √(S - 1) (Fibre::way).
 // Cost:       3 µs.
-double longest_in_loading(const Friction& friction, const Rig& rig, double stage);
+double longest_in_loading(const Friction& along, const Rig& rig, double stage);
 
 }  // namespace flexslip

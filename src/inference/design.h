@@ -96,6 +96,6 @@ struct FoldPoint {
 
 // Points along the curve up to a deflection, close enough to be drawn as lines.
 // Domain:     w_max >= 1e-6, finite.
-std::vector<FoldPoint> folds_up_to(const Friction& friction, double w_max, const Fibre& fibre = {});
+std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fibre& fibre = {});
 
 }  // namespace flexslip
