@@ -25,12 +25,13 @@ struct SomeTest {
   std::vector<double> programme;
 };
 SomeTest some_test() {
-  const Supports supports{*between(0, 0.06), *between(0.005, 0.03)};
+  static const std::vector<Fibre> fibres{Fibre({0, .0157}), Fibre({.004, .02}), Fibre({.03, .008}), Fibre({.06, .03})};
   const double mu0 = *between(0.05, 0.7), wavelength = *between(0.02, 0.2);
   const Friction friction = *rc::gen::arbitrary<bool>()
                                 ? Friction::sinusoid(mu0, *between(0, 0.5), wavelength, *between(0, 6))
                                 : Friction::rough(mu0, *between(0, 0.3), 0.5 * wavelength, 7, 2);
-  SomeTest some{{friction, {std::pow(10, *between(1, 3)), Fibre(supports)}}, {}};
+  SomeTest some{{friction, {std::pow(10, *between(1, 3)), fibres[*rc::gen::inRange<std::size_t>(0, fibres.size())]}},
+                {}};
   const double most = 0.4 * (1 + 30 / some.test.rig.stiffness);
   some.programme.push_back(*between(0.2, 1) * most);
   for (int i = 0; i < 4; ++i) some.programme.push_back(*between(0, 1) * (*whole(0, 3) == 0 ? 0.1 : 1) * most);
