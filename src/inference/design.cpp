@@ -244,9 +244,10 @@ class Loading {
       const double t = (S - a.state.S) / length;
       const double s = 1 - t;
       const double Pn = a.state.Pn + rise * t * t * (1 + 2 * s) + length * t * s * (a.Pn_slope * s - b.Pn_slope * t);
-      const double mu = curve_.friction.at(S).mu, tau = fibre().supports().half_depth;
-      return mu * Pn *
-             (1 + 0.5 * mu * Pn * tau * tau);  // and what the couple at the contact bends (Fibre::lost_bending)
+      FibreState held{};
+      held.q = a.state.q + (b.state.q - a.state.q) * t;
+      held.Pn = Pn;
+      return curve_.friction.at(S).mu * Pn + fibre().lost_bending(held);
     };
     constexpr double scales = 2;  // half the shortest period
     double heat = 0;
