@@ -5,8 +5,6 @@
 // too little for a snap. Friction is kinetic.
 #pragma once
 
-#include <vector>
-
 #include "bending_test/path_point.h"
 #include "bending_test/rig.h"
 #include "contact/friction.h"
