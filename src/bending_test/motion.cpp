@@ -41,21 +41,8 @@ double longest_on_the_way(const BendingTest& test, double farthest) {
                                    : longest_in_loading(test.friction.kinetic, test.rig, farthest);
 }
 
-struct StickWork {
-  double stage = 0;     // ∫ F dG over q
-  double friction = 0;  // what the axis loses that leaves the span, rolling
-  StickWork& operator+=(const StickWork& other) {
-    stage += other.stage;
-    friction += other.friction;
-    return *this;
-  }
-  friend StickWork operator*(double factor, const StickWork& work) {
-    return {factor * work.stage, factor * work.friction};
-  }
-};
-
-// At fixed S.
-StickWork work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
+// At fixed S: in rolling the axis that leaves the span loses bending, no friction works.
+SlidingWork work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
   if (S == 1 && rig.fibre.begins_straight()) return {};  // no force bends the straight fibre
   constexpr double smooth = 0.5;                         // of q
   const double c = 1 / rig.stiffness;
@@ -63,11 +50,11 @@ StickWork work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
   const auto power = [&](double q) {
     const auto [state, slopes] = rig.fibre.state_slopes(S, q);
     const double leaves = -2 * rig.fibre.supports().radius * slopes.theta0_q;
-    return StickWork{state.F * (slopes.w_q + c * slopes.F_q), rig.fibre.lost_bending(state) * leaves};
+    return SlidingWork{state.F * (slopes.w_q + c * slopes.F_q), rig.fibre.lost_bending(state) * leaves};
   };
   if (std::abs(way) <= 0.1 * smooth) return integral(gauss_3, q_from, q_to, power);
   const int pieces = static_cast<int>(std::ceil(std::abs(way) / smooth));
-  StickWork work;
+  SlidingWork work;
   for (int i = 0; i < pieces; ++i)
     work += integral(gauss_10, q_from + way * i / pieces, q_from + way * (i + 1) / pieces, power);
   return work;
@@ -315,7 +302,7 @@ StretchWork MovingFibre::work_between(const PathPoint& from, const PathPoint& to
   if (to.motion == Motion::apart) return {0, 0, 0};
   if (std::min(from.S, to.S) < 1) return shallow().work(from, to);
   if (to.motion == Motion::stick) {
-    const StickWork work = work_of_stick(from.S, from.q, to.q, test_.rig);
+    const SlidingWork work = work_of_stick(from.S, from.q, to.q, test_.rig);
     return {work.stage, work.friction, 0};
   }
   const SlidingWork work = (to.motion == Motion::slip_in ? table_in_ : table_out_).work(from.S, to.S);

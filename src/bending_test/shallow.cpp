@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bending_test/quadrature.h"
+#include "bending_test/sliding_table.h"
 
 namespace flexslip {
 namespace {
@@ -20,16 +21,6 @@ double first_where(double is_false, double end, const Predicate& is_true) {
   }
   return is_so;
 }
-
-struct Work {
-  double stage = 0, friction = 0;
-  Work& operator+=(const Work& other) {
-    stage += other.stage;
-    friction += other.friction;
-    return *this;
-  }
-  friend Work operator*(double factor, const Work& work) { return {factor * work.stage, factor * work.friction}; }
-};
 
 double direction_of(Motion motion) { return motion == Motion::slip_in ? 1 : motion == Motion::slip_out ? -1 : 0; }
 
@@ -145,16 +136,16 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
     const Place there = place(way, w, 0.5 * (from.q + to.q));
     const FibreState& state = there.at.state;
     const double F_w = there.at.F_w + there.at.F_q * there.q_w;
-    return Work{state.F * (1 + F_w / rig_.stiffness),
-                state.q * state.Pn * (way.direction == 0 ? 0 : there.at.S_w + there.at.S_q * there.q_w) +
-                    fibre.lost_bending(state) * there.length_w};
+    return SlidingWork{state.F * (1 + F_w / rig_.stiffness),
+                       state.q * state.Pn * (way.direction == 0 ? 0 : there.at.S_w + there.at.S_q * there.q_w) +
+                           fibre.lost_bending(state) * there.length_w};
   };
   const double rolled = 2 * fibre.supports().radius * 3 * std::abs(to.w - from.w), slid = std::abs(to.S - from.S);
   const auto knots = friction_.knots();
   const double for_knots = knots.size() > 1 ? static_cast<double>(knots.size()) / (knots.back() - knots.front()) : 0;
   const double scales = (rolled + slid) * std::max(1 / friction_.smooth_scale(), for_knots);
   const int pieces = 2 + static_cast<int>(std::ceil(2 * scales));
-  Work sum;
+  SlidingWork sum;
   for (int i = 0; i < pieces; ++i)
     sum +=
         integral(gauss_10, from.w + (to.w - from.w) * i / pieces, from.w + (to.w - from.w) * (i + 1) / pieces, power);

@@ -113,12 +113,8 @@ SlidingWork SlidingTable::work(double S_from, double S_to) {
   const std::size_t first = cell_of(S_from);
   const SlidingWork start = up_to(cell(first), rig_.fibre.way(S_from));
   SlidingWork sum{-start.stage, -start.friction};
-  const auto add = [&](const SlidingWork& more) {
-    sum.stage += more.stage;
-    sum.friction += more.friction;
-  };
-  for (std::size_t i = first; i < last; ++i) add(up_to(cell(i), rig_.fibre.way(edges_[i + 1])));
-  add(up_to(cell(last), rig_.fibre.way(S_to)));
+  for (std::size_t i = first; i < last; ++i) sum += up_to(cell(i), rig_.fibre.way(edges_[i + 1]));
+  sum += up_to(cell(last), rig_.fibre.way(S_to));
   return sum;
 }
 

@@ -13,8 +13,16 @@ namespace flexslip {
 inline constexpr double longest_sliding = 100;  // [L]
 
 struct SlidingWork {
-  double stage;     // [EI/L] ∫ F dG, of the force on the stage position that holds the fibre
-  double friction;  // [EI/L] ∫ q Pn dS, and what bending axis loses as it leaves the span (fibre.h)
+  double stage = 0;     // [EI/L] ∫ F dG, of the force on the stage position that holds the fibre
+  double friction = 0;  // [EI/L] ∫ q Pn dS, and what bending axis loses as it leaves the span (fibre.h)
+  SlidingWork& operator+=(const SlidingWork& other) {
+    stage += other.stage;
+    friction += other.friction;
+    return *this;
+  }
+  friend SlidingWork operator*(double factor, const SlidingWork& work) {
+    return {factor * work.stage, factor * work.friction};
+  }
 };
 
 class SlidingTable {
