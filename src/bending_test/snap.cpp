@@ -143,7 +143,7 @@ HeldState held_at(double S, double stage, const Rig& rig, double q) {
     throw std::invalid_argument("no fibre rests at S = " + std::to_string(S) + ", stage " + std::to_string(stage) +
                                 ", q " + std::to_string(q));
   const double c = 1 / rig.stiffness;
-  double low = rig.fibre.on_edges() ? -largest_q : -largest_q_on_supports;
+  double low = -rig.fibre.most_friction();
   double high = rig.fibre.on_edges() ? largest_q : 2 * largest_q_on_supports;
   FibreState held{};
   bool is_below = false;   // the stage stands beyond a state met,

@@ -27,7 +27,8 @@ CampaignCurves curves_of(const TestAnalysis& analysis) {
 }
 
 std::string reason_of(const std::string& status) {
-  if (status == "too_few_points") return "fewer than 20 rows with a deflection beyond a twentieth of the span";
+  if (status == "too_few_points")
+    return "fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness";
   if (status == "not_explained") return "no sliding with a friction of 0 to 2 gives this record";
   if (status == "no_initial_slope")
     return "the force does not rise where the record begins: state the bending stiffness";

@@ -637,7 +637,7 @@ void write(Writer& out, const RigInput& rig) {
   if (rig.support_material) out.line("support_material", basic_string(*rig.support_material));
   if (rig.nose_radius) out.line("nose_radius", out.quantity(*rig.nose_radius, kind::length));
   if (rig.roller_radius) out.line("roller_radius", out.quantity(*rig.roller_radius, kind::length));
-  if (rig.friction_at) out.line("friction_at", *rig.friction_at == FrictionAt::surface ? "\"surface\"" : "\"axis\"");
+  if (rig.friction_at == FrictionAt::axis) out.line("friction_at", "\"axis\"");
   if (rig.support_stiffness) out.line("support_stiffness", out.quantity(*rig.support_stiffness, kind::stiffness));
 }
 

@@ -72,7 +72,7 @@ struct RigInput {
   std::optional<double> nose_radius{};            // [m] none: sharp
   std::optional<double> support_stiffness{};      // [N/m] of each support, vertically; none: rigid
   std::optional<double> roller_radius{};          // [m] of fixed rollers; none: edges
-  std::optional<FrictionAt> friction_at{};        // none: on rollers the surface, else the axis
+  FrictionAt friction_at = FrictionAt::surface;   // one with the axis where no section says how thick the specimen is
   bool operator==(const RigInput&) const = default;
 };
 

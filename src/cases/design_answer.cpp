@@ -20,10 +20,12 @@ constexpr double close = 1e-4;  // to where a change is reached
 struct PowerInBendingStiffness {
   DesignParameter parameter;
   int power;
+  bool is_depth;
 };
-constexpr std::array powers_in_bending_stiffness{
-    PowerInBendingStiffness{DesignParameter::diameter, 4}, PowerInBendingStiffness{DesignParameter::height, 3},
-    PowerInBendingStiffness{DesignParameter::width, 1}, PowerInBendingStiffness{DesignParameter::modulus, 1}};
+constexpr std::array powers_in_bending_stiffness{PowerInBendingStiffness{DesignParameter::diameter, 4, true},
+                                                 PowerInBendingStiffness{DesignParameter::height, 3, true},
+                                                 PowerInBendingStiffness{DesignParameter::width, 1, false},
+                                                 PowerInBendingStiffness{DesignParameter::modulus, 1, false}};
 
 // None if there is no such design.
 std::optional<DesignOutcome> outcome_with(DesignCase input, DesignParameter parameter, double value) {
@@ -169,23 +171,23 @@ DesignAnswer answer_of(const DesignCase& input) {
   const double supports = input.support_compliance();
   const double own = with_supports(input.value(DesignParameter::stiffness), supports);
   const double critical = scales.physical_stiffness(answer.critical);
+  // The depth decides elsewhere, too, of a specimen that stands half of it off its supports, or that may break.
+  const bool depth_is_more = design.rig.fibre.supports().half_depth > 0 || std::isfinite(design.breaking_curvature);
   for (const double stiffness : stiffness_changes(input, own, now, critical)) {
     const bool and_beyond = now && stiffness == critical;
     const double load_train = without_supports(stiffness, supports);
     if (std::isfinite(load_train) || std::isinf(stiffness)) add(DesignParameter::stiffness, load_train, and_beyond);
     if (!std::isfinite(own)) continue;
     // k L^3/EI decides: what the stiffness must gain, the specimen may lose.
-    for (const auto& [parameter, power] : powers_in_bending_stiffness)
-      if (input.has(parameter))
+    for (const auto& [parameter, power, is_depth] : powers_in_bending_stiffness)
+      if (input.has(parameter) && !(is_depth && depth_is_more))
         add(parameter, input.value(parameter) * std::pow(own / stiffness, 1.0 / power), and_beyond);
   }
   std::vector<DesignParameter> others{DesignParameter::span};
   // Of supports that are not alike the case varies one.
   if (!design.friction.walk())
     others.insert(others.end(), {DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength});
-  // Of a specimen that may break the depth decides twice.
-  if (std::isfinite(design.breaking_curvature))
-    others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});
+  if (depth_is_more) others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});
   for (const auto parameter : others)
     if (input.has(parameter) && !is_told(parameter))
       for (const double to : nearest_changes(input, parameter, now, 1)) add(parameter, to, false);

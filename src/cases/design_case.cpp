@@ -124,7 +124,7 @@ DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(
   programme_of(input);
   const double travel = scales.reduced_length(loading.travel);
   bending_test_of(input, scales, travel);
-  const SupportFrictions supports = frictions_of(input, scales, longest_at_stage(travel));
+  const SupportFrictions supports = frictions_of(input, fibre_of(input, scales), scales, longest_at_stage(travel));
 
   add(DesignParameter::travel, loading.travel);
   add(DesignParameter::step, loading.step);
@@ -325,11 +325,12 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
   const double travel = units->reduced_length(at(DesignParameter::travel).number);
   const double S_max = longest_at_stage(travel);
   const double reach = one_sided_reach(*input_, S_max);
+  Fibre fibre = fibre_of(*input_, reduced() ? input_->specimen->section : section(), *units);
   const auto of_support = [&](const Profile& profile,
                               const FrictionProfileInput& input) -> std::variant<Friction, DesignRefusal> {
     if (auto fault = fault_of_roughness(profile, *units, reach)) return *std::move(fault);
     Friction along = friction(profile, *units, reach);
-    if (auto fault = uncovered(*input_, input, along, *units, reach))
+    if (auto fault = uncovered(*input_, input, along, fibre, *units, reach))
       return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
     return along;
   };
@@ -342,9 +343,6 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
     supports.other = std::get<Friction>(std::move(other));
   }
   Friction along = together(std::move(supports), S_max);
-  Fibre fibre = fibre_of(*input_, reduced() ? input_->specimen->section : section(), *units);
-  if (auto fault = too_rough_for(fibre, along, S_max))
-    return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
   PlannedDesign planned{
       {std::move(along),
        {units->reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_)),

@@ -88,14 +88,13 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   Measurement measurement = read_measurement(asked, least_points);
   const Case input = measurement.test;  // completed with what the file says
   StiffnessSource source = StiffnessSource::initial_slope;
-  TestDescription description{
-      .span = span_of(input),
-      .load_train_stiffness = rig_stiffness_of(input),
-      .bending_stiffness = {},
-      .bending_stiffness_error = {},
-      .points_before_failure = measurement.record.force.size(),
-      .contact_error = measurement.contact_error,
-      .fibre = fibre_of(input, input.specimen ? input.specimen->section : std::nullopt, Scales(span_of(input), 1))};
+  TestDescription description{.span = span_of(input),
+                              .load_train_stiffness = rig_stiffness_of(input),
+                              .bending_stiffness = {},
+                              .bending_stiffness_error = {},
+                              .points_before_failure = measurement.record.force.size(),
+                              .contact_error = measurement.contact_error,
+                              .fibre = fibre_of(input, Scales(span_of(input), 1))};
   if (states_stiffness(input)) {
     const auto stiffness = bending_stiffness_of(input);
     static_cast<void>(scales_of(input, stiffness));  // refuses what is no slender beam

@@ -255,13 +255,9 @@ Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
   }
 }
 
-FrictionAt default_friction_at(const RigInput& rig) {
-  return rig.roller_radius.value_or(0) > 0 ? FrictionAt::surface : FrictionAt::axis;
-}
-
 Fibre fibre_of(const Case& input, const std::optional<Section>& section, const Scales& scales) {
   const RigInput& rig = *input.rig;
-  const bool is_thick = section && rig.friction_at.value_or(default_friction_at(rig)) == FrictionAt::surface;
+  const bool is_thick = section && rig.friction_at == FrictionAt::surface;
   const Supports supports{scales.reduced_length(rig.roller_radius.value_or(0)),
                           is_thick ? 0.5 * scales.reduced_length(depth(*section)) : 0};
   if (!(supports.radius + supports.half_depth < widest_supports))
@@ -272,19 +268,12 @@ Fibre fibre_of(const Case& input, const std::optional<Section>& section, const S
   return Fibre(supports);
 }
 
-Rig rig_of(const Case& input, const Scales& scales) {
-  const auto section = input.specimen ? input.specimen->section : std::nullopt;
-  return {scales.reduced_stiffness(rig_stiffness_of(input)), fibre_of(input, section, scales)};
+Fibre fibre_of(const Case& input, const Scales& scales) {
+  return fibre_of(input, input.specimen ? input.specimen->section : std::nullopt, scales);
 }
 
-std::optional<InputFault> too_rough_for(const Fibre& fibre, const Friction& kinetic, double S_max) {
-  const double most = kinetic.most_up_to(S_max);
-  if (fibre.on_edges() || most <= largest_q_on_supports) return std::nullopt;
-  return InputFault{
-      .field = "mu0",
-      .expected = fmt::format("friction of at most {:g} where it acts at the surface", largest_q_on_supports),
-      .found = fmt::format("{:g}", most),
-      .remedy = "write a smaller one, or friction_at = \"axis\" without rollers"};
+Rig rig_of(const Case& input, const Scales& scales) {
+  return {scales.reduced_stiffness(rig_stiffness_of(input)), fibre_of(input, scales)};
 }
 
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales) {
@@ -298,11 +287,16 @@ std::optional<InputFault> misplaced(const Case& input, double reference, const S
                     .remedy = "check its unit"};
 }
 
+std::string friction_limit(const Fibre& fibre) {
+  return fmt::format("friction of at most {:g}{}", fibre.most_friction(), fibre.on_edges() ? "" : " at the surface");
+}
+
 std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
-                                    const Scales& scales, double S_max) {
+                                    const Fibre& fibre, const Scales& scales, double S_max) {
   const double most = kinetic.most_up_to(S_max);
-  if (most <= largest_q) return std::nullopt;
-  InputFault fault{.expected = fmt::format("friction of at most {:g}", largest_q), .found = fmt::format("{:g}", most)};
+  const double limit = fibre.most_friction();
+  if (most <= limit) return std::nullopt;
+  InputFault fault{.expected = friction_limit(fibre), .found = fmt::format("{:g}", most)};
   const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
   if (!waves) {
     const bool is_rough = std::holds_alternative<RoughFriction>(profile);
@@ -314,7 +308,7 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
   double without_drift = waves->mu0;
   for (const Sinusoid& term : waves->terms) without_drift += waves->mu0 * term.amplitude;
   fault.expected += ", its waves and drift included";
-  if (!(without_drift <= largest_q)) {
+  if (!(without_drift <= limit)) {
     fault.field = "mu0";
     fault.remedy = "write a smaller one";
     return fault;
@@ -329,7 +323,7 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
   return fault;
 }
 
-SupportFrictions frictions_of(const Case& input, const Scales& scales, double S_max) {
+SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scales& scales, double S_max) {
   if (!input.friction) throw missing(input, "friction");
   if (!input.friction->model) throw missing(input, "friction.model");
   if (input.friction->model == FrictionModel::roughness)
@@ -341,7 +335,7 @@ SupportFrictions frictions_of(const Case& input, const Scales& scales, double S_
   const auto of_support = [&](const Place& place, const FrictionProfileInput& profile) {
     Friction friction =
         std::visit([&](const auto& form) { return friction_from(place, form, scales, reach); }, profile);
-    if (const auto fault = uncovered(input, profile, friction, scales, reach)) throw place.fault(*fault);
+    if (const auto fault = uncovered(input, profile, friction, fibre, scales, reach)) throw place.fault(*fault);
     return friction;
   };
   SupportFrictions supports{of_support({input, "friction"}, *input.friction->profile), std::nullopt};
@@ -354,8 +348,8 @@ Friction together(SupportFrictions supports, double S_max) {
   return Friction::on_two_supports(std::move(supports.first), *std::move(supports.other), S_max);
 }
 
-Friction friction_of(const Case& input, const Scales& scales, double S_max) {
-  return together(frictions_of(input, scales, S_max), S_max);
+Friction friction_of(const Case& input, const Fibre& fibre, const Scales& scales, double S_max) {
+  return together(frictions_of(input, fibre, scales, S_max), S_max);
 }
 
 double one_sided_reach(const Case& input, double S_max) {
@@ -374,14 +368,12 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
                       fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
                       readable(load_train_stiffness_of(input), kind_in(input, kind::stiffness)), "check its unit");
   const double S_max = longest_at_stage(farthest);
-  Friction kinetic = friction_of(input, scales, S_max);
+  Friction kinetic = friction_of(input, rig.fibre, scales, S_max);
   const double excess = input.friction->static_excess;
   const double most = kinetic.most_up_to(S_max) + excess;
-  if (excess > 0 && most > largest_q)
-    throw wrong_value(input, "friction.static_excess", fmt::format("static friction of at most {:g}", largest_q),
+  if (excess > 0 && most > rig.fibre.most_friction())
+    throw wrong_value(input, "friction.static_excess", "static " + friction_limit(rig.fibre),
                       fmt::format("{:g}, which brings it to {:g}", excess, most), "write a smaller one");
-  if (const auto fault = too_rough_for(rig.fibre, kinetic, S_max))
-    throw wrong_value(input, "friction." + fault->field, fault->expected, fault->found, fault->remedy);
   if (kinetic.walk() && rig.fibre.supports().radius > 0)
     throw wrong_value(input, "rig.roller_radius", "edges, where [friction.other] says that the supports are not alike",
                       "rollers", "delete it, or [friction.other]");

@@ -22,7 +22,7 @@
 
 namespace flexslip {
 
-// The limits of what is computed; that of friction is largest_q.
+// The limits of what is computed; that of friction is the most_friction of the fibre.
 inline constexpr double thickest = 0.2;          // [L] beyond it shear, which the elastica leaves out, adds 10 % to w
 inline constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
 inline constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
@@ -78,13 +78,11 @@ inline double without_supports(double both, double compliance) {
 // Fails:      as load_train_stiffness_of.
 double rig_stiffness_of(const Case& input);
 
-// Where friction acts where a case says nothing: on rollers at the surface, on edges at the axis.
-FrictionAt default_friction_at(const RigInput& rig);
-
 // The specimen of a case on its supports: fixed rollers or edges, with its thickness if friction acts at its surface. Of a section that may be
 // another than that of the case.
 // Fails:      InputError if rollers and thickness leave no span.
 Fibre fibre_of(const Case& input, const std::optional<Section>& section, const Scales& scales);
+Fibre fibre_of(const Case& input, const Scales& scales);
 
 // Fails:      InputError if the case has no stiffness of the rig.
 Rig rig_of(const Case& input, const Scales& scales);
@@ -93,13 +91,10 @@ Rig rig_of(const Case& input, const Scales& scales);
 // The field of this fault and of the next is the key of [friction] that brings it about; they have neither file nor line.
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales);
 
-// What the mechanics does not cover of the friction of a support, and the profile it was made from, at lengths up to S_max [L]: more than
-// largest_q. None if it covers all.
+// What the mechanics of a fibre does not cover of the friction of a support, and the profile it was made from, at lengths up to S_max [L]: more
+// than its most_friction. None if it covers all.
 std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
-                                    const Scales& scales, double S_max);
-
-// Likewise, of a specimen on rollers or with a thickness.
-std::optional<InputFault> too_rough_for(const Fibre& fibre, const Friction& kinetic, double S_max);
+                                    const Fibre& fibre, const Scales& scales, double S_max);
 
 // The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: of two supports that are not alike
 // one may slide alone.
@@ -113,14 +108,14 @@ struct SupportFrictions {
 
 // Of each support for lengths up to S_max [L] of the specimen; a table is read from its file.
 // Fails:      InputError if the case has none, several models, one without parameters, or one that is not covered.
-SupportFrictions frictions_of(const Case& input, const Scales& scales, double S_max);
+SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scales& scales, double S_max);
 
 // Of both together: on supports that are not alike, that of the way on which the specimen is drawn in (contact/two_supports.h).
 Friction together(SupportFrictions supports, double S_max);
 
 // The kinetic friction of a case for lengths up to S_max [L], of both supports together.
 // Fails:      as frictions_of.
-Friction friction_of(const Case& input, const Scales& scales, double S_max);
+Friction friction_of(const Case& input, const Fibre& fibre, const Scales& scales, double S_max);
 
 // What the stage is to do.
 struct StageProgramme {

@@ -58,8 +58,8 @@ void run_equilibrium(const EquilibriumRequest& request) {
   const Case input = read_case(request.file);
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const double S_max = longest_of(request, input, scales);
-  const Friction friction = friction_of(input, scales, S_max);
-  const Fibre fibre = fibre_of(input, input.specimen->section, scales);
+  const Fibre fibre = fibre_of(input, scales);
+  const Friction friction = friction_of(input, fibre, scales, S_max);
   const int n = request.points > 0 ? request.points : request.region ? 100 : points_for(friction, S_max);
   EquilibriumStatus status = EquilibriumStatus::ok;
   std::vector<EquilibriumPoint> points;

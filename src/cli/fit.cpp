@@ -32,8 +32,10 @@ struct FitRequest {
 
 std::string what_failed(const FittedTest& test, const std::string& status) {
   if (status == "too_few_points")
-    return fmt::format("{}: fewer than 20 rows with a deflection beyond a twentieth of the span: they tell no friction",
-                       test.measurement.file);
+    return fmt::format(
+        "{}: fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
+        "they tell no friction",
+        test.measurement.file);
   if (status == "not_explained")
     return fmt::format(
         "{}: no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "

@@ -140,7 +140,7 @@ void invert_case(const InvertRequest& request) {
   const FrictionProfile profile = measure_friction(record, rig, errors);
   const Supports& supports = rig.fibre.supports();
   const bool is_thick = least_half_depths * supports.half_depth > hardly_bent;
-  const double most = rig.fibre.on_edges() ? largest_q : largest_q_on_supports;
+  const double most = rig.fibre.most_friction();
   note_assumptions(request.output, stiffness);
   if (!profile.unexplained.empty())
     note(request.output,

@@ -55,7 +55,8 @@ std::string_view name_of(Motion motion) {
 // The path of a history in SI, as it is written.
 struct SimulatedTest {
   std::vector<double> stage, deflection, force, length, friction;
-  std::vector<double> strain, stress;  // of the surface at midspan; empty without a section
+  std::vector<double> drawn_in, imaged;  // empty where both are told by the length: on edges, of no thickness
+  std::vector<double> strain, stress;    // of the surface at midspan; empty without a section
   std::vector<std::string_view> motion;
   std::vector<double> left, right;  // drawn in over each support; empty where both are alike
   std::vector<double> stage_work, bending, load_train, friction_heat, snaps, cracks;  // from the start of the test
@@ -68,11 +69,16 @@ SimulatedTest physical_path(const History& history, const Fibre& fibre, const Sc
     test.stage.push_back(scales.physical_length(point.stage));
     test.deflection.push_back(scales.physical_length(point.w));
     test.force.push_back(scales.physical_force(point.F));
-    test.length.push_back(scales.physical_length(point.S));
     test.friction.push_back(point.q);
     test.motion.push_back(name_of(point.motion));
+    const FibreState state = state_at(fibre, point);
+    test.length.push_back(scales.physical_length(fibre.length_between_contacts(state)));
+    if (!fibre.on_edges()) {
+      test.drawn_in.push_back(scales.physical_length(point.S - 1));
+      test.imaged.push_back(scales.physical_length(fibre.imaged_length(state)));
+    }
     if (!surface) continue;
-    const double curvature = fibre.curvature_at_midspan(state_at(fibre, point));
+    const double curvature = fibre.curvature_at_midspan(state);
     test.strain.push_back(surface->strain(curvature));
     test.stress.push_back(surface->stress(curvature) * point.left);
   }
@@ -184,6 +190,10 @@ std::vector<OutputColumn> columns_of(const SimulatedTest& test, const SimulateRe
                                     {title("S", "length", "m"), test.length},
                                     {"q", test.friction},
                                     {"motion", test.motion}};
+  if (!test.imaged.empty()) {
+    columns.push_back({title("drawn_in", "drawn_in", "m"), test.drawn_in});
+    columns.push_back({title("imaged", "imaged", "m"), test.imaged});
+  }
   if (!test.strain.empty()) {
     columns.push_back({"strain", test.strain});
     columns.push_back({title("stress", "stress", "Pa"), test.stress});

@@ -27,6 +27,8 @@ class Fibre {
 
   bool on_edges() const { return tables_ == nullptr; }
   const Supports& supports() const;
+  // [1] Of friction that is computed.
+  double most_friction() const { return on_edges() ? largest_q : largest_q_on_supports; }
 
   // As fibre_state and its kin. Domain besides, if not on edges: deflections up to deepest_on_supports.
   // Max error:  if not on edges, for w <= 0.35 and q in [-0.8, 2]: relative, 1e-12 in w, F, theta0, Pn and U; of slopes 1e-9 of the larger of |X_S|

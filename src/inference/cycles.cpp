@@ -13,6 +13,7 @@
 
 #include "data/order.h"
 #include "fibre/elastica.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -96,7 +97,7 @@ std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double le
                           std::span<const std::size_t> columns) {
   std::vector<Point> points;
   points.reserve(record.force.size());
-  const double scale = std::exp(-calibration.log_stiffness);  // of forces
+  const double scale = elementary::exp(-calibration.log_stiffness);  // of forces
   const double c = 1 / (rig.stiffness * scale);
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
     const double contact = calibration.contact[columns[leg]];
@@ -307,7 +308,7 @@ Information whiten(const Pairs& places, const Noise& noise) {
   double variance = power;
   for (std::size_t i = 0; i < places.S.size(); ++i) {
     if (i > 0) {
-      const double decay = std::exp(-(places.S[i] - places.S[i - 1]) / noise.length);
+      const double decay = elementary::exp(-(places.S[i] - places.S[i - 1]) / noise.length);
       mean *= decay;
       variance = decay * decay * variance + power * (1 - decay * decay);
     }
@@ -317,7 +318,7 @@ Information whiten(const Pairs& places, const Noise& noise) {
     const Eigen::Vector4d y(places.in[i] - places.out[i], out[0] - in[0], out[1] - in[1], 1);
     const Eigen::Vector4d innovation = y - mean;
     information.gram.noalias() += innovation * innovation.transpose() / total;
-    information.log_determinant += std::log(total);
+    information.log_determinant += elementary::log(total);
     mean += variance / total * innovation;
     variance -= variance * variance / total;
   }
@@ -384,11 +385,13 @@ class Estimator {
 
 // Maximises the restricted likelihood over the logarithms of the noise, by steps along each that shrink to 5 %.
 Noise likely_noise(const Estimator& estimator, const Noise& start, double reading, double shortest, double longest) {
-  const std::array<double, 3> low{std::log(reading + 1e-12), std::log(1e-5), std::log(shortest)};
-  const std::array<double, 3> high{std::log(1e2 * reading + 1e-9), std::log(2.0), std::log(longest)};
-  std::array<double, 3> at{std::log(start.force + 1e-11), std::log(start.difference), std::log(start.length)};
+  const std::array<double, 3> low{elementary::log(reading + 1e-12), elementary::log(1e-5), elementary::log(shortest)};
+  const std::array<double, 3> high{elementary::log(1e2 * reading + 1e-9), elementary::log(2.0),
+                                   elementary::log(longest)};
+  std::array<double, 3> at{elementary::log(start.force + 1e-11), elementary::log(start.difference),
+                           elementary::log(start.length)};
   const auto noise_at = [](const std::array<double, 3>& x) {
-    return Noise{std::exp(x[0]), std::exp(x[1]), std::exp(x[2])};
+    return Noise{elementary::exp(x[0]), elementary::exp(x[1]), elementary::exp(x[2])};
   };
   for (std::size_t i = 0; i < 3; ++i) at[i] = std::clamp(at[i], low[i], high[i]);
   double best = estimator.estimate(noise_at(at), 0).objective;
@@ -441,7 +444,7 @@ Smoothed smooth(const Block& block, const Noise& noise) {
       step.predicted_covariance << diffuse, 0, 0, power;
     } else {
       const double distance = row.S - block.rows[i - 1].S;
-      const double decay = std::exp(-distance / noise.length);
+      const double decay = elementary::exp(-distance / noise.length);
       step.transition << 1, 0, 0, decay;
       step.predicted = step.transition * steps.back().mean;
       step.predicted_covariance = step.transition * steps.back().covariance * step.transition;

@@ -6,6 +6,7 @@
 
 #include "bending_test/history.h"
 #include "fibre/elastica.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -46,7 +47,7 @@ LoopReplay replay_of(const ReducedRecord& record, const Rig& rig, const CyclicFr
   LoopReplay replay;
   replay.force.assign(record.force.size(), not_a_number);
   if (friction.table.S.size() < 2) return replay;
-  const double stiffening = std::exp(friction.log_stiffness.value);
+  const double stiffening = elementary::exp(friction.log_stiffness.value);
   std::vector<double> stages(record.stage);
   std::vector<LoopRows> loops;
   loops.reserve(friction.loops.size());
@@ -85,7 +86,7 @@ double work_over(const ReducedRecord& record, std::size_t first, std::size_t las
 
 std::vector<LoopEnergy> energies_of(const ReducedRecord& record, const Fibre& fibre, const CyclicFriction& friction,
                                     const CyclesOptions& options) {
-  const double stiffening = std::exp(friction.log_stiffness.value);
+  const double stiffening = elementary::exp(friction.log_stiffness.value);
   std::vector<LoopEnergy> energies;
   energies.reserve(friction.loops.size());
   for (const FrictionLoop& loop : friction.loops) {

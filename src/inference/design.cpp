@@ -112,7 +112,9 @@ class Loading {
   const RigPoint& point(std::size_t i) const { return i < curve_.folds.size() ? curve_.folds[i].point : curve_.end; }
 
   RigPoint landing(const RigPoint& low, const RigPoint& high, double stage) const {
-    stage = std::clamp(stage, low.stage, high.stage);  // the folds of a snap may differ by less than rounding
+    // The folds of a snap may differ by less than rounding.
+    if (!(low.stage < high.stage)) return high;
+    stage = std::clamp(stage, low.stage, high.stage);
     // G is level at both; of the cubic between them, the part that has risen.
     const double share = (stage - low.stage) / (high.stage - low.stage);
     const double t = 0.5 - std::sin(std::asin(1 - 2 * share) / 3);

@@ -12,6 +12,7 @@
 #include "data/distributions.h"
 #include "data/line.h"
 #include "fibre/elastica.h"
+#include "fibre/elementary.h"
 #include "inference/chi_squared.h"
 
 namespace flexslip {
@@ -113,8 +114,8 @@ struct Middle {
 };
 
 std::optional<Middle> middle_of(const Rise& rise, const Rig& rig, const Shift& shift) {
-  const double scale = std::exp(-shift.log_stiffness);  // of all that is measured in units of EI
-  const double stiffness = rig.stiffness * scale * std::exp(shift.log_load_train);
+  const double scale = elementary::exp(-shift.log_stiffness);  // of all that is measured in units of EI
+  const double stiffness = rig.stiffness * scale * elementary::exp(shift.log_load_train);
   const double F = rise.force * scale;
   const double w = rise.stage - shift.contact - F / stiffness;
   if (!(w > 0 && F > 0)) return std::nullopt;
@@ -221,7 +222,7 @@ SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig, st
   result.error = 1 / std::sqrt(information);
   // What moves EI by a factor moves the unit of C by it as well.
   result.systematic = systematic_error(shifts, C, [&](const Shift& shift) {
-    return common_compliance(middles_at(shift)) * std::exp(-shift.log_stiffness);
+    return common_compliance(middles_at(shift)) * elementary::exp(-shift.log_stiffness);
   });
   result.chi_squared = chi_squared_of(middles, C);
   result.freedom = middles.size() - 1;

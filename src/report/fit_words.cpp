@@ -377,10 +377,11 @@ std::string answer_of(const FittedTest& test) {
                      Print(test).length(greatest_deflection(analysis)), greatest_deflection(analysis),
                      Print(test).length(1))
                : fmt::format(
-                     "No answer: too few points lie beyond a deflection of a twentieth of the span, where friction "
-                     "shows. The "
-                     "greatest "
-                     "deflection is {}, {:.2g} % of the span of {}: if it should be more, check their units.",
+                     "No answer: too few points lie beyond a deflection of a twentieth of the span and of twice the "
+                     "specimen's "
+                     "thickness, where friction shows. The greatest deflection is {}, {:.2g} % of the span of {}: if "
+                     "it "
+                     "should be more, check their units.",
                      Print(test).length(greatest_deflection(analysis)), 100 * greatest_deflection(analysis),
                      Print(test).length(1));
   if (analysis.status == AnalysisStatus::not_explained) {

@@ -27,7 +27,7 @@ TEST_CASE("design case, identity: unchanged, it is the test that the case descri
   CHECK(design.rig.stiffness == rig_of(input, scales).stiffness);
   CHECK(design.travel == scales.reduced_length(700e-6));
   CHECK(design.step == scales.reduced_length(2e-6));
-  const Friction friction = friction_of(input, scales, 2);
+  const Friction friction = friction_of(input, Fibre(), scales, 2);
   for (const double S : {1.0, 1.1, 1.37}) CHECK(design.friction.at(S).mu == friction.at(S).mu);
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("design case, identity: friction drifts from its reference, which can 
   const std::string drifting = with("phase = 1.0", "phase = 1.0\ndrift = \"0.8 1/mm\"\nreference = \"1.4 mm\"");
   const Case input = read_case(drifting, "case.toml");
   DesignCase design(input);
-  const Friction friction = friction_of(input, scales_of(input, bending_stiffness_of(input)), 2);
+  const Friction friction = friction_of(input, Fibre(), scales_of(input, bending_stiffness_of(input)), 2);
   for (const double S : {1.0, 1.1, 1.37}) CHECK(design.planned().design.friction.at(S).mu == friction.at(S).mu);
 
   design.set(DesignParameter::reference, 1.5e-3);
@@ -98,16 +98,17 @@ TEST_CASE("design case, identity: friction drifts from its reference, which can 
 }
 
 TEST_CASE(
-    "design case, limit: a span beyond the reference, and friction beyond 20 with its drift, are refused by name") {
+    "design case, limit: a span beyond the reference, and friction beyond its limit with its drift, are refused by "
+    "name") {
   DesignCase design = design_of(with("phase = 1.0", "drift = \"0.8 1/mm\"\nreference = \"1.4 mm\""));
   design.set(DesignParameter::span, 2e-3);
   CHECK(message_of([&] { design.planned(); }) ==
         "reference: expected a length between the supports, from the span, 2 mm, to 100 spans, found 1.4 mm; check its "
         "unit");
-  DesignCase steep = design_of(with("phase = 1.0", "drift = \"15 1/mm\""));
+  DesignCase steep = design_of(with("phase = 1.0", "drift = \"1 1/mm\""));
   CHECK(message_of([&] { steep.planned(); }) == "");
-  steep.set(DesignParameter::mu0, 10);
-  CHECK(message_of([&] { steep.planned(); }).find("drift: expected friction of at most 20") == 0);
+  steep.set(DesignParameter::mu0, 1.5);
+  CHECK(message_of([&] { steep.planned(); }).find("drift: expected friction of at most 2 at the surface") == 0);
 }
 
 TEST_CASE("design case, contract: what cannot be loaded once is refused at its line") {

@@ -22,6 +22,12 @@ std::string with_friction(const std::string& keys) {
   return spicule.substr(0, from) + "[friction]\n" + keys + spicule.substr(spicule.find("[stage]"));
 }
 
+// Where friction may be ten times as great.
+std::string at_the_axis(std::string text) {
+  const std::string_view rig = "[rig]";
+  return text.replace(text.find(rig), rig.size(), "[rig]\nfriction_at = \"axis\"");
+}
+
 History simulated(const std::string& text) {
   const Case input = read_case(text, "case.toml");
   const Scales scales = scales_of(input, bending_stiffness_of(input));
@@ -93,29 +99,36 @@ TEST_CASE("limit: friction that a drift carries below zero is zero, with a refer
 }
 
 TEST_CASE("table: friction beyond what is computed is refused with key, value, limit and remedy") {
-  const auto drifting = [](const std::string& keys) { return with_friction("model = \"constant\"\n" + keys); };
-  CHECK(refusal_of(drifting("mu0 = 21\n")) ==
-        "case.toml:9: [friction] mu0: expected friction of at most 20, its waves and drift included, found 21; write a "
-        "smaller one");
+  const auto drifting = [](const std::string& keys) {
+    return at_the_axis(with_friction("model = \"constant\"\n" + keys));
+  };
+  CHECK(
+      refusal_of(drifting("mu0 = 21\n")) ==
+      "case.toml:10: [friction] mu0: expected friction of at most 20, its waves and drift included, found 21; write a "
+      "smaller one");
   // 700 um are 0.548 spans: the specimen is at most 1 + 2.4 0.548^2 = 1.72 spans long.
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"40 1/mm\"\n")) ==
-        "case.toml:10: [friction] drift: expected friction of at most 20, its waves and drift included, found 40 1/mm, "
+        "case.toml:11: [friction] drift: expected friction of at most 20, its waves and drift included, found 40 1/mm, "
         "which brings it from 19 at 1.278 mm to 55.8075 at 2.198 mm; check its unit, or go less far");
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\n")) == "");
   CHECK(
       refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\nreference = \"1.4 mm\"\n")) ==
-      "case.toml:10: [friction] drift: expected friction of at most 20, its waves and drift included, found -40 1/mm, "
+      "case.toml:11: [friction] drift: expected friction of at most 20, its waves and drift included, found -40 1/mm, "
       "which brings it from 19 at 1.4 mm to 23.88 at 1.278 mm; check its unit, and that of reference");
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"1 1/mm\"\nreference = \"2.5 mm\"\n")) == "");
   CHECK(
       refusal_of(drifting("mu0 = 0.3\nstatic_excess = 19.8\n")) ==
-      "case.toml:10: [friction] static_excess: expected static friction of at most 20, found 19.8, which brings it to "
+      "case.toml:11: [friction] static_excess: expected static friction of at most 20, found 19.8, which brings it to "
       "20.1; write a smaller one");
   CHECK(begins(refusal_of(drifting("mu0 = 0.3\ndrift = \"1 1/mm\"\nstatic_excess = 19\n")),
-               "case.toml:11: [friction] static_excess: expected static friction of at most 20"));
-  CHECK(begins(
-      refusal_of(with_friction("model = \"rough\"\nmu0 = 19\nrms = 1\ncorrelation_length = \"5 um\"\nseed = 1\n")),
-      "case.toml:9: [friction] mu0: expected friction of at most 20, its roughness included"));
+               "case.toml:12: [friction] static_excess: expected static friction of at most 20"));
+  const auto rough = [](const std::string& mu0) {
+    return with_friction("model = \"rough\"\nmu0 = " + mu0 + "\nrms = 1\ncorrelation_length = \"5 um\"\nseed = 1\n");
+  };
+  CHECK(begins(refusal_of(at_the_axis(rough("19"))),
+               "case.toml:10: [friction] mu0: expected friction of at most 20, its roughness included"));
+  CHECK(begins(refusal_of(rough("1.9")),
+               "case.toml:9: [friction] mu0: expected friction of at most 2 at the surface, its roughness included"));
 }
 
 TEST_CASE("table: a reference that is no length between the supports is refused") {

@@ -58,9 +58,9 @@ class Design(InFolder):
         self.assertIn("softer load train", self.succeeds("design", self.file("inf.toml", CASE.replace("90.65 N/m", "inf"))))
 
     def test_limit_hidden_between_readings(self):
-        fine = CASE.replace("40 um", "10.9 um").replace("700 um", "450 um")
+        fine = CASE.replace("40 um", "10.9 um").replace("700 um", "466 um")
         self.assertIn("Yes: the specimen will snap, once", self.succeeds("design", self.file("fine.toml", fine)))
-        coarse = self.file("coarse.toml", fine.replace('"2 um"', '"225 um"'))
+        coarse = self.file("coarse.toml", fine.replace('"2 um"', '"233 um"'))
         self.assertIn("will not show it", self.succeeds("design", coarse))
 
     def test_the_page_on_planning_is_true(self):

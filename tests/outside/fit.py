@@ -131,6 +131,7 @@ class Options(InFolder):
         snaps = []
         for stiffness in (90.65, 900):
             case = self.file("rig.toml", f'''[specimen]
+diameter = "34.8 um"
 bending_stiffness = "{fit["draws"]["bending_stiffness"][0]!r} N m^2"
 [rig]
 span = "1278 um"

@@ -344,7 +344,7 @@ class SupportsThatGiveWay(InFolder):
         self.assertEqual("gets there on these supports" in self.succeeds("design", one), here["critical_stiffness"] > 360)
         thinner = [[change["to"] for change in of["changes"] if change["parameter"] == "diameter"] for of in (here, there)]
         self.assertEqual(len(thinner[0]) > 0, True)
-        self.assertAlmostEqual(thinner[0][0], thinner[1][0], delta=1e-9 * thinner[1][0])
+        self.assertAlmostEqual(thinner[0][0], thinner[1][0], delta=1e-4 * thinner[1][0])  # what a search leaves, critical.h
 
     def test_identity_a_record_is_read_as_with_both_in_line_by_stage_and_by_deflection(self):
         self.succeeds("simulate", self.file("truth.toml", self.SECTION + self.RIG + self.WAVES + self.STAGE), "--noise", "5 uN", "--output", self.folder / "test.csv")

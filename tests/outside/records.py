@@ -11,7 +11,7 @@ from program import SOURCE, InFolder, run
 EXAMPLE = SOURCE / "examples/simulated/test.csv"
 READINGS = [tuple(map(float, row)) for row in csv.reader(EXAMPLE.read_text(encoding="utf-8").splitlines()[2:]) if row and row[0][0].isdigit()]
 FLAGS = ["--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
-DROPS = 36
+DROPS = 35  # falls of the force in the example, 32 of which are snaps
 SHARED = SOURCE / "../shared/data"
 
 
@@ -77,7 +77,7 @@ class Records(InFolder):
             fit = self.json("fit", self.folder / "fast.csv", *flags, "--quiet")
             self.assertEqual(fit["slip_or_crack"]["verdict"], "not_by_cracks_alone")
             self.assertEqual(fit["judgement"]["standing"], "sound")
-            self.assertIn(len(fit["drops"]), (DROPS - 1, DROPS))
+            self.assertTrue(32 <= len(fit["drops"]) <= DROPS, len(fit["drops"]))
             low, high = fit["parameters"]["mu0"]["interval95"]
             self.assertTrue(low < 0.5 < high, (low, high))
 
@@ -101,7 +101,7 @@ class Records(InFolder):
         truth = (SOURCE / "examples/simulated/truth.toml").read_text(encoding="utf-8").replace('"30.192 GPa"', '"29.6 GPa"')
         simulated = list(csv.DictReader(self.succeeds("simulate", self.file("truth.toml", truth), "--noise", "10 uN").splitlines()))
         noise = random.Random(3)
-        rows = [(float(row["w_s [m]"]), float(row["F [N]"]), float(row["S [m]"]) - 1278e-6 - 2e-6 + 0.5e-6 * noise.gauss(0, 1)) for row in simulated]
+        rows = [(float(row["w_s [m]"]), float(row["F [N]"]), float(row["imaged [m]"]) - 1278e-6 - 2e-6 + 0.5e-6 * noise.gauss(0, 1)) for row in simulated]
         self.file("imaged.csv", "stage [m],force [N],dS [m]\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in rows))
         case = self.case("other.csv", READINGS, "").replace("other.csv", "imaged.csv").replace('"force"', '"force"\nlength = "dS [m]"')
         fit = self.json("fit", self.file("case.toml", case))
@@ -144,8 +144,8 @@ class Remedies(InFolder):
 
     def test_a_record_steeper_than_its_load_train_is_told_by_how_much(self):
         said = self.says(READINGS, stiffness="20 N/m")
-        self.assertIn("which 12.47 mN bends by 623.5 µm, but the stage moved 512 µm", said)
-        self.assertIn("the stage moved 512 nm", self.says([(a / 1000, b) for a, b in READINGS]))
+        self.assertIn("which 12.68 mN bends by 634.2 µm, but the stage moved 536 µm", said)
+        self.assertIn("the stage moved 536 nm", self.says([(a / 1000, b) for a, b in READINGS]))
 
     def test_a_span_in_the_wrong_unit_is_told_by_the_deflection(self):
         self.assertIn("0.06 % of the span of 1.278 m", self.says(READINGS, span="1278 mm", code=1))
@@ -165,7 +165,7 @@ class Remedies(InFolder):
         for bar in sorted((SHARED / "instruments/mts793_pla").glob("*.dat")):
             fit = run("fit", bar, "--displacement", "deflection", "--stiffness", "inf", "--span", "40.28 mm", "--width", "10 mm",
                       "--height", "4 mm", "--modulus", "fit", "--json").stdout
-            self.assertNotEqual(json.loads(fit)["judgement"]["standing"], "sound", bar.name)
+            self.assertIsNone(json.loads(fit)["judgement"], bar.name)  # it bends by less than twice its thickness
             self.assertNotIn("glass", fit)
 
 

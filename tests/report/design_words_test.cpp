@@ -30,7 +30,7 @@ TEST_CASE("table: the answer in a sentence, for every kind of test") {
     return design_in_short(answer_of(input));
   };
   CHECK(design_in_short(answer_of(fine())).starts_with("Yes, you will see a sawtooth: the force drops by up to "));
-  CHECK(with_value(DesignParameter::travel, 428e-6).starts_with("Yes: the specimen will snap, once."));
+  CHECK(with_value(DesignParameter::travel, 466e-6).starts_with("Yes: the specimen will snap, once."));
   CHECK(with_value(DesignParameter::stiffness, 600).starts_with("No sawtooth, but a wavy force"));
   CHECK(with_value(DesignParameter::mu0, 0).ends_with("past a smooth peak of the force."));
   CHECK(with_value(DesignParameter::travel, 300e-6).ends_with("and the force never falls."));
@@ -39,9 +39,9 @@ TEST_CASE("table: the answer in a sentence, for every kind of test") {
   waves.set(DesignParameter::wavelength, 400e-9);
   CHECK(design_in_short(answer_of(waves)).starts_with("No sawtooth to be seen: the specimen will snap "));
   DesignCase coarse = fine();
-  coarse.set(DesignParameter::travel, 450e-6);
-  coarse.set(DesignParameter::step, 225e-6);
-  CHECK(design_in_short(answer_of(coarse)).ends_with("but readings 225 µm apart will not show it."));
+  coarse.set(DesignParameter::travel, 466e-6);
+  coarse.set(DesignParameter::step, 233e-6);
+  CHECK(design_in_short(answer_of(coarse)).ends_with("but readings 233 µm apart will not show it."));
 }
 
 TEST_CASE("identity: the words say the numbers of the answer") {
