@@ -79,9 +79,11 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
       table_in_(test_.friction.kinetic, test_.rig, Sliding::in),
       table_out_(test_.friction.kinetic, test_.rig, Sliding::out) {
   require_bending(test_.rig, farthest);
-  if (test_.friction.kinetic.walk() &&
+  if (test_.friction.kinetic.depends_on_way() &&
       (test_.rest == SnapRest::overshoot || test_.friction.static_excess.most_up_to(longest_at_stage(farthest)) > 0))
-    throw std::invalid_argument("on two supports that are not alike there is neither static excess nor overshoot");
+    throw std::invalid_argument(
+        "on two supports that are not alike, or where friction builds up, there is neither static excess nor "
+        "overshoot");
   const Fibre& fibre = test_.rig.fibre;
   if (fibre.supports().radius > 0 && test_.friction.static_excess.most_up_to(longest_at_stage(farthest)) > 0)
     throw std::invalid_argument("on rollers there is no static excess");
@@ -89,7 +91,10 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
 }
 
 MovingFibre::MovingFibre(BendingTest test, double farthest, const PathPoint& there)
-    : MovingFibre({{test.friction.kinetic.from(there.S), test.friction.static_excess}, test.rig, test.rest}, farthest) {
+    : MovingFibre({{test.friction.kinetic.from(there.S, there.q, 1), test.friction.static_excess}, test.rig, test.rest},
+                  farthest) {
+  if (!test.friction.kinetic.lets_stick())
+    throw std::invalid_argument("a specimen on which friction builds up does not crack");
   const double S = there.S, stage = there.stage;
   if (Shallow::holds(test_.rig.fibre, S, there.w)) {
     state_ = shallow().held(stage, there.q);
@@ -130,10 +135,10 @@ std::optional<Stretch> MovingFibre::settle() {
   return snap(state_.q > 0 ? Sliding::in : Sliding::out);
 }
 
-// The way from a length on: what lies behind is another one.
-void MovingFibre::lead_on_from(double S) {
+// The way from here on: what lies behind is another one.
+void MovingFibre::lead_on(Sliding sliding) {
   Friction& friction = test_.friction.kinetic;
-  friction = friction.from(S);
+  friction = friction.from(state_.S, state_.q, direction_of(sliding));
   in_ = trace_loading_curve(friction, test_.rig, longest_on_the_way(test_, farthest_));
   out_.reset();
   table_in_ = SlidingTable(friction, test_.rig, Sliding::in);
@@ -142,15 +147,14 @@ void MovingFibre::lead_on_from(double S) {
 
 const SlidingCurve& MovingFibre::curve_of(Sliding sliding, double S) {
   const Friction& friction = test_.friction.kinetic;
-  const Walk* walk = friction.walk();
-  if (walk && direction_of(sliding) * (walk->origin() - S) > 0) lead_on_from(S);
+  if (!friction.leads(S, direction_of(sliding))) lead_on(sliding);
   if (sliding == Sliding::in) {
     if (S > in_.end.S && in_.end_reason == CurveEnd::reached)  // only an overshoot leads there
       in_ = trace_loading_curve(friction, test_.rig, 1 + 1.5 * (S - 1));
     return in_;
   }
   const auto covers = [&] { return out_ && out_->end.S <= S && S <= out_->begin.S; };
-  if (!out_ && !walk) {
+  if (!out_ && !friction.depends_on_way()) {
     // From the end of the programme it serves all reversals, unless the force falls to zero on the way down.
     const auto last = landing_after(in_, 1, farthest_);
     if (last && last->S > S && test_.rig.fibre.state(last->S, -last->q).status == FibreStatus::ok)
@@ -172,6 +176,7 @@ std::optional<Stretch> MovingFibre::advance_towards(double stage) {
     return move_to(shallow().next(state_, stage));
   }
   if (glide_ && glide_->sliding != sliding) glide_.reset();
+  if (!test_.friction.kinetic.lets_stick()) return slide(sliding, stage);
   if (glide_) return slide(sliding, stage);
   const double limit = direction_of(sliding) * limit_at(sliding);
   if (direction_of(sliding) * (limit - state_.q) > 0) return stick(sliding, limit, stage);

@@ -118,7 +118,7 @@ class MovingFibre {
   StretchWork work_between(const PathPoint& from, const PathPoint& to);
   SlidingTable& table_of(Sliding sliding) { return sliding == Sliding::in ? table_in_ : table_out_; }
   const SlidingCurve& curve_of(Sliding sliding, double S);
-  void lead_on_from(double S);
+  void lead_on(Sliding sliding);
 
   BendingTest test_;
   double farthest_;

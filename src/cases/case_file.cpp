@@ -372,11 +372,17 @@ OtherSupport read_other(const Keys& keys, const Case& input) {
 
 FrictionInput read_friction(const Keys& keys, const Case& input) {
   if (keys.size() == 0) return {};
-  const FrictionModel model = read_known_model(keys, {"static_excess", "other"});
+  const FrictionModel model = read_known_model(keys, {"static_excess", "other", "build_up_length"});
   FrictionInput friction{model, {}};
   if (keys.size() > 1) friction.profile = read_profile(model, keys, input);
   if (keys.has("other")) friction.other = read_other(keys, input);
   if (keys.has("static_excess")) friction.static_excess = keys.number("static_excess", Range::non_negative);
+  if (keys.has("build_up_length"))
+    friction.build_up_length = keys.quantity("build_up_length", kind::length, Range::non_negative);
+  for (const std::string_view beside : {"static_excess", "other"})
+    if (friction.build_up_length > 0 && keys.has(beside))
+      keys.refuse("build_up_length", fmt::format("none beside {}", beside), "one",
+                  fmt::format("delete it, or {}", beside));
   return friction;
 }
 
@@ -685,6 +691,7 @@ void write(Writer& out, const FrictionInput& friction) {
   if (friction.profile)
     std::visit([&](const auto& profile) { write(out, profile, *friction.model); }, *friction.profile);
   if (friction.static_excess != 0) out.line("static_excess", plain(friction.static_excess));
+  if (friction.build_up_length != 0) out.line("build_up_length", out.quantity(friction.build_up_length, kind::length));
   if (!friction.other) return;
   out.section("friction.other");
   write_model(out, friction.other->model);

@@ -126,6 +126,7 @@ struct FrictionInput {
   std::optional<FrictionProfileInput> profile;  // there if the file gives parameters
   double static_excess = 0;                     // [1] of the static friction over the kinetic one, the profile
   std::optional<OtherSupport> other{};          // none: both supports are alike, and both slide at once
+  double build_up_length = 0;  // [m] of sliding, over which friction nears the profile; 0: it is there at once
   bool operator==(const FrictionInput&) const = default;
 };
 

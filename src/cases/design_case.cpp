@@ -342,7 +342,7 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
     if (auto* refused = std::get_if<DesignRefusal>(&other)) return std::move(*refused);
     supports.other = std::get<Friction>(std::move(other));
   }
-  Friction along = together(std::move(supports), S_max);
+  Friction along = together(*input_, std::move(supports), fibre, *units, S_max);
   PlannedDesign planned{
       {std::move(along),
        {units->reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_)),

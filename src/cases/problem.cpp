@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "contact/build_up.h"
 #include "fibre/elastica.h"
 #include "inference/analysis.h"
 #include "io/quantity.h"
@@ -343,13 +345,21 @@ SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scale
   return supports;
 }
 
-Friction together(SupportFrictions supports, double S_max) {
+Friction together(const Case& input, SupportFrictions supports, const Fibre& fibre, const Scales& scales,
+                  double S_max) {
+  const double build_up = scales.reduced_length(input.friction->build_up_length);
+  if (build_up > 0) try {
+      return Friction::on_a_way(std::make_shared<const BuildUp>(std::move(supports.first), fibre, build_up, S_max));
+    } catch (const std::invalid_argument& error) {
+      throw wrong_value(input, "friction.build_up_length", "a longer one, beside which friction can be followed",
+                        readable_length(input, input.friction->build_up_length), error.what());
+    }
   if (!supports.other) return std::move(supports.first);
   return Friction::on_two_supports(std::move(supports.first), *std::move(supports.other), S_max);
 }
 
 Friction friction_of(const Case& input, const Fibre& fibre, const Scales& scales, double S_max) {
-  return together(frictions_of(input, fibre, scales, S_max), S_max);
+  return together(input, frictions_of(input, fibre, scales, S_max), fibre, scales, S_max);
 }
 
 double one_sided_reach(const Case& input, double S_max) {
@@ -384,6 +394,13 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
     throw wrong_value(input, "stage.snaps",
                       "snaps that rest at the nearest stable state, on two supports that are not alike",
                       "\"overshoot\"", "delete it, or [friction.other]");
+  if (!kinetic.lets_stick() && input.stage && input.stage->snaps == SnapRest::overshoot)
+    throw wrong_value(input, "stage.snaps", "snaps that rest at the nearest stable state, where friction builds up",
+                      "\"overshoot\"", "delete it, or [friction] build_up_length");
+  if (!kinetic.lets_stick() && input.specimen && !input.specimen->cracks.empty())
+    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, where friction builds up",
+                      fmt::format("{} of them", input.specimen->cracks.size()),
+                      "delete them, or [friction] build_up_length");
   return {{std::move(kinetic), Friction::constant(excess)},
           rig,
           input.stage ? input.stage->snaps : SnapRest::nearest_stable};

@@ -191,8 +191,9 @@ class MetTable final : public FrictionOnAWay {
 
 Friction Friction::as_met(FrictionTable table) { return on_a_way(std::make_shared<const MetTable>(std::move(table))); }
 
-Friction Friction::from(double S) const {
-  return walk() ? Friction(std::make_shared<const Walk>(walk()->from(S))) : *this;
+Friction Friction::from(double S, double q, double direction) const {
+  auto onward = way() ? way()->from(S, q, direction) : nullptr;
+  return onward ? Friction(std::move(onward)) : *this;
 }
 
 const FrictionOnAWay* Friction::way() const {

@@ -55,7 +55,9 @@ struct WaveTerm {
   double steepness;  // [1/L] the greatest slope
 };
 
-// Friction as it is met on a way, in or out, from the lengths of which it makes more than a profile (two_supports.h, over_rollers.h).
+class Friction;
+
+// Friction as it is met on a way, in or out, from the lengths of which it makes more than a profile (two_supports.h, over_rollers.h, build_up.h).
 class FrictionOnAWay {
  public:
   virtual ~FrictionOnAWay() = default;
@@ -69,6 +71,15 @@ class FrictionOnAWay {
   virtual std::span<const double> knots() const = 0;
   // As the fibre meets it, at what has been drawn in: else of the points of the specimen.
   virtual bool is_met() const { return false; }
+
+  // May a fibre that is at a length slide on in a direction, in (1) or out (-1)? If not it takes the way from there, and from its q.
+  virtual bool leads(double /*S*/, double /*direction*/) const { return true; }
+  virtual std::shared_ptr<const FrictionOnAWay> from(double /*S*/, double /*q*/, double /*direction*/) const {
+    return nullptr;
+  }
+  virtual bool depends_on_way() const { return false; }
+  virtual bool lets_stick() const { return true; }
+  virtual const Friction* mobilised() const { return nullptr; }
 };
 
 class Walk;
@@ -96,8 +107,14 @@ class Friction {
 
   static Friction on_a_way(std::shared_ptr<const FrictionOnAWay> way) { return Friction(std::move(way)); }
 
-  // The friction on a way that leads on from a length, inwards or outwards: of one profile, the same.
-  Friction from(double S) const;
+  // The friction on a way that leads on from a length and a mobilised friction, in (1) or out (-1): of one profile, the same.
+  Friction from(double S, double q, double direction) const;
+  bool leads(double S, double direction) const { return !way() || way()->leads(S, direction); }
+  bool depends_on_way() const { return way() && way()->depends_on_way(); }  // changes where the fibre turns back
+  // Does the fibre stick where it turns back, until friction is exhausted? Else it creeps.
+  bool lets_stick() const { return !way() || way()->lets_stick(); }
+  // What friction builds up to: of the points of the specimen.
+  const Friction& mobilised() const { return way() && way()->mobilised() ? *way()->mobilised() : *this; }
   const Walk* walk() const;  // none of one profile
 
   // Domain: S > 0; a table is constant before its first knot.

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,11 @@ class Walk final : public FrictionOnAWay {
   double origin() const { return origin_; }  // [L] the length from which it leads
   double end() const { return pieces_.back().to; }
   Walk from(double S) const { return {sides_, points_at(S), S, end()}; }
+  bool leads(double S, double direction) const override { return direction * (S - origin_) >= 0; }
+  std::shared_ptr<const FrictionOnAWay> from(double S, double /*q*/, double /*direction*/) const override {
+    return std::make_shared<const Walk>(from(S));
+  }
+  bool depends_on_way() const override { return true; }
 
   double smooth_scale() const override;
   double most_up_to(double S_max) const override;

@@ -186,9 +186,7 @@ Figure boxes_figure(const FittedTest& test) {
         fmt::arg("name", friction.loops.size() == 1 ? std::string() : fmt::format("loop {}", i + 1)),
         fmt::arg("x_axis", i + 1 < panels
                                ? std::string("set format x ''; unset xlabel")
-                               : fmt::format("set format x '%g'; set xlabel '{}' offset 0,0.4",
-                                             axis_label("Length drawn in over one support",
-                                                        "({/:Italic S}\u00a0−\u00a0{/:Italic L})/2", unit))));
+                               : fmt::format("set format x '%g'; set xlabel '{}' offset 0,0.4", drawn_in_label(unit))));
   }
   FigureData profile = titled("profile", {length, "mu"});
   for (std::size_t i = 0; i < friction.table.S.size(); ++i)

@@ -195,6 +195,10 @@ std::string axis_label(std::string_view words, std::string_view symbol, const Pl
   return fmt::format("{}\u00a0{}{}", words, symbol, unit.unit.empty() ? "" : fmt::format("\u00a0({})", unit.unit));
 }
 
+std::string drawn_in_label(const PlotUnit& unit) {
+  return fmt::format("Length drawn in over one support\u00a0({})", unit.unit);
+}
+
 DrawStatus draw(const Figure& figure, const std::string& folder, const std::vector<std::string>& formats) {
   const fs::path base = folder.empty() ? fs::path(".") : fs::path(folder);
   const std::string script = figure.name + ".gp";

@@ -37,6 +37,7 @@ PlotUnit plot_unit(double magnitude, const Kind& kind, bool reduced, std::string
 
 // "Force F (mN)" in gnuplot's markup, the symbol in italics.
 std::string axis_label(std::string_view words, std::string_view symbol, const PlotUnit& unit);
+std::string drawn_in_label(const PlotUnit& unit);  // of half of what is drawn in over both supports
 
 enum class DrawStatus {
   drawn,

@@ -253,9 +253,7 @@ Figure profile_figure(const FittedTest& test) {
   unset object 1
 )",
       fmt::arg("x_max", drawn_in(S_end) * 1.02), fmt::arg("bottom", lowest < 0 ? -rounded_up(-lowest) : 0.0),
-      fmt::arg("top", top),
-      fmt::arg("label", axis_label("Length drawn in over one support", "({/:Italic S}\u00a0−\u00a0{/:Italic L})/2",
-                                   units.small_length)),
+      fmt::arg("top", top), fmt::arg("label", drawn_in_label(units.small_length)),
       fmt::arg("literature",
                literature
                    ? fmt::format(

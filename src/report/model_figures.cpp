@@ -391,7 +391,7 @@ Figure loops_figure(const BendingTest& test, const History& history, std::span<c
   const int n = points_for(friction, S_max);
   auto upper = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
   auto lower = equilibrium_curve(friction, Sliding::out, S_max, n, fibre).points;
-  if (friction.walk()) lower.clear();  // it depends on where the specimen turns back
+  if (friction.depends_on_way()) lower.clear();  // it depends on where the specimen turns back
   Extent extent = extent_of(upper);
   double q_least = 0;
   double q_most = 0;
@@ -459,7 +459,7 @@ Figure loops_figure(const BendingTest& test, const History& history, std::span<c
       history.snaps.empty() && history.cracks.empty()
           ? ""
           : fmt::format("keyentry with lines lw 0.9 dt (7,4) lc rgb 'black' title '{}', ", title_of_snaps(history)),
-      friction.walk() ? "q = μ" : "q = ±μ", axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range, q_range,
+      friction.depends_on_way() ? "q = μ" : "q = ±μ", axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range, q_range,
       tick_within(axes.x(0.3 * (S_max - 1))), axes.length(), panel_script("B", "3:4", "friction"));
   return {
       .name = "measured",

@@ -70,10 +70,9 @@ Figure teeth_figure(const FittedTest& test) {
 )",
       fmt::arg("x_min", first - 0.04 * (last - first)), fmt::arg("x_max", last + 0.03 * (last - first)),
       fmt::arg("bottom", std::max(lowest, -1.5)), fmt::arg("top", std::min(highest, 2.0)),
-      fmt::arg("label",
-               axis_label("Length drawn in over one support", "({/:Italic S}\u00a0−\u00a0{/:Italic L})/2", unit)),
-      fmt::arg("stuck", 1 - least_share), fmt::arg("sliding", title(sliding, "slides")),
-      fmt::arg("sticking", title(sticking, "as if stuck")), fmt::arg("undecided", title(undecided, "undecided")),
+      fmt::arg("label", drawn_in_label(unit)), fmt::arg("stuck", 1 - least_share),
+      fmt::arg("sliding", title(sliding, "slides")), fmt::arg("sticking", title(sticking, "as if stuck")),
+      fmt::arg("undecided", title(undecided, "undecided")),
       fmt::arg("compliant", is_compliant ? " title 'if stuck, compliant'" : ""));
   const std::string described = fmt::format(
       "Position between sliding (0) and sticking (1) of {} rises between drops, along the specimen: {} slide, {} "
