@@ -129,6 +129,7 @@ CyclicTest analyse_cycles(const Record& record, const Scales& scales, const Rig&
   if (friction.status != CyclesStatus::ok && friction.status != CyclesStatus::no_mirror) return test;
   test.energy = energies_of(reduced, rig.fibre, friction, options);
   test.replay = replay_of(reduced, rig, friction);
+  test.build_up = measure_build_up(friction.legs, friction.points);
   return test;
 }
 

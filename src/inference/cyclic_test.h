@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "bending_test/rig.h"
 #include "data/loading_stiffness.h"
 #include "data/record.h"
 #include "data/scales.h"
+#include "inference/build_up_length.h"
 #include "inference/cycles.h"
 
 namespace flexslip {
@@ -32,6 +34,8 @@ struct CyclicTest {
   std::vector<LoopEnergy> energy;           // of each loop of `friction`
   std::vector<LoadingStiffness> stiffness;  // of each loading leg
   LoopReplay replay;                        // empty unless friction.status is ok or no_mirror
+  std::optional<BuildUpLength>
+      build_up{};  // likewise; none if the record has no reversal that is seen from its beginning
 };
 
 // Domain:     columns of one length, finite, at least two legs; rig in the units of `scales`; std::invalid_argument otherwise.

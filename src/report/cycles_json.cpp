@@ -55,6 +55,17 @@ Json table_json(const FrictionTable& table, const Scales& scales) {
   return out;
 }
 
+Json build_up_json(const FittedTest& test) {
+  const auto& build_up = test.cycles->build_up;
+  if (!build_up) return nullptr;
+  const double unit = test.analysis.scales.span();
+  return {{"value", unit * build_up->value},
+          {"standard_error", unit * build_up->standard_error},
+          {"least", unit * build_up->least},
+          {"reversals", build_up->reversals},
+          {"told", build_up->is_told()}};
+}
+
 Json loop_json(const FittedTest& test, std::size_t i) {
   const auto& scales = test.analysis.scales;
   const FrictionLoop& loop = test.cycles->friction.loops[i];
@@ -188,6 +199,7 @@ Json cycles_json(const FittedTest& test) {
               {"bending_stiffness", measurable ? stiffness_json(test) : Json()},
               {"asymmetry", mirrored ? measured(friction.asymmetry, 1) : Json()},
               {"correlation", mirrored ? correlation_json(friction.correlation) : Json()},
+              {"build_up_length", build_up_json(test)},
               {"force_noise", measurable ? Json(test.analysis.scales.physical_force(friction.force_noise)) : Json()},
               {"loops", Json::array()},
               {"loading_stiffness", Json::array()},

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "contact/build_up.h"
 #include "io/quantity.h"
 #include "report/cycles_json.h"
 
@@ -144,6 +146,23 @@ std::string energy_in_words(const FittedTest& test) {
       percent(sum.friction / sum.lost));
 }
 
+std::string build_up_in_words(const FittedTest& test) {
+  const auto& build_up = test.cycles->build_up;
+  if (!build_up) return "No reversal is seen from its beginning, so that it cannot be told whether friction builds up.";
+  const double unit = test.analysis.scales.span();
+  const std::string from = counted(build_up->reversals, "reversal", "reversals");
+  if (!build_up->is_told())
+    return fmt::format("After {} friction is there at once: no length of sliding over which it builds up is told.",
+                       from);
+  return fmt::format(
+      "After {} friction builds up over a length of sliding of {} (Dahl's, both sides together; build_up_length under "
+      "[friction] computes with it). The fit takes friction to be there at once.",
+      from,
+      std::isfinite(build_up->standard_error)
+          ? readable(unit * build_up->value, unit * build_up->standard_error, Print(test).as(kind::length))
+          : roughly(unit * build_up->value, Print(test).as(kind::length)));
+}
+
 std::string replay_in_words(const FittedTest& test) {
   std::vector<std::string> errors;
   for (const double rms : test.cycles->replay.residual_rms)
@@ -232,9 +251,31 @@ std::vector<std::string> cycles_in_words(const FittedTest& test) {
     paragraphs.push_back(asymmetry_in_words(friction));
     paragraphs.push_back(correlation_in_words(friction.correlation));
   }
+  paragraphs.push_back(build_up_in_words(test));
   paragraphs.push_back(energy_in_words(test));
   paragraphs.push_back(replay_in_words(test));
   return paragraphs;
+}
+
+std::string smoothing_in_words(const FittedTest& test) {
+  if (!test.cycles || !test.cycles->build_up || !test.cycles->build_up->is_told()) return "";
+  const double length = test.cycles->build_up->value;
+  const auto& fit = test.analysis.fit;
+  const auto shown = [&](double reduced) {
+    return roughly(test.analysis.scales.physical_length(reduced), Print(test).as(kind::length));
+  };
+  const auto larger_by = [&](double wavelength) {
+    return fmt::format("{:.0f} %", 100 * (1 / share_after_build_up(length, wavelength) - 1));
+  };
+  std::string words = fmt::format(
+      "Friction builds up over {} of sliding, as the reversals show, which smooths it: what repeats every {} or less "
+      "is "
+      "larger at the contact by {} or more",
+      shown(length), shown(std::numbers::pi * length), larger_by(std::numbers::pi * length));
+  if (fit.model != ProfileModel::roughness || fit.wave_claimed)
+    for (const auto& wave : fit.waves)
+      words += fmt::format(", the wave of {} by {}", shown(wave.wavelength.value), larger_by(wave.wavelength.value));
+  return words + ".";
 }
 
 PrintedTable loop_table(const FittedTest& test) {

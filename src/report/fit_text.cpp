@@ -50,7 +50,8 @@ std::string fit_text(const FittedTest& test) {
   if (!caution.empty()) paragraph(caution);
   paragraph(friction_in_words(test));
   paragraph(wave_in_words(test));
-  if (const std::string sides = sides_in_words(test); !sides.empty()) paragraph(sides);
+  for (const std::string& words : {sides_in_words(test), smoothing_in_words(test)})
+    if (!words.empty()) paragraph(words);
   if (test.analysis.fit.explanations.size() > 1) text += laid_out(explanation_table(test));
   text += "\n[[Checks]]\n";
   for (const auto& words : checks_in_words(test)) text += " - " + wrapped(words, indent);

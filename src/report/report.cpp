@@ -155,7 +155,8 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
   std::string body = figures[0] + figures[1];
   body += section("Friction") + paragraph(joined(caution_of(test), friction_in_words(test))) + parameter_table(test) +
           paragraph(joined(strain_in_words(test), friction_in_literature(test)));
-  body += section("Does it repeat along the specimen?") + paragraph(joined(wave_in_words(test), sides_in_words(test)));
+  body += section("Does it repeat along the specimen?") +
+          paragraph(joined(joined(wave_in_words(test), sides_in_words(test)), smoothing_in_words(test)));
   if (figures.size() > 2) body += figures[2];
   if (analysis.fit.explanations.size() > 1)
     body += paragraph("The answer is an average over these explanations, by their weight:") +

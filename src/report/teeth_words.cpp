@@ -18,6 +18,26 @@ std::string compliance_in_words(const SupportCompliance& compliance, const Fitte
   return readable(compliance.value * unit, error * unit, kind::number) + " µm/mN";
 }
 
+// Friction that builds up looks like sliding of one that is there at once.
+std::string build_up_in_words(const FittedTest& test, std::size_t sliding) {
+  constexpr double recovered = 3;  // of its lengths, after which 95 % of a change are there
+  if (sliding == 0) return "";
+  const auto& build_up = test.cycles ? test.cycles->build_up : std::nullopt;
+  if (!build_up)
+    return " Friction that builds up over a length of sliding imitates it, too, on rises that draw in less than three "
+           "such lengths; a reversal tells: unload once.";
+  if (!build_up->is_told()) return "";
+  const auto& teeth = test.analysis.teeth->teeth;
+  const double least = recovered * build_up->value;
+  const auto near = std::count_if(teeth.begin(), teeth.end(), [&](const Tooth& tooth) {
+    return tooth.verdict == ToothVerdict::sliding && tooth.advance < least;
+  });
+  return fmt::format(
+      " Friction that builds up, as it does after the reversals of this record, imitates it, too: {} of those that "
+      "slide draw in less than {}, three of its lengths, and may only creep.",
+      near, roughly(test.analysis.scales.physical_length(least), Print(test).as(kind::length)));
+}
+
 std::string compliant_supports(const FittedTest& test, std::size_t sliding) {
   const Teeth& judged = *test.analysis.teeth;
   const auto& compliance = judged.compliance;
@@ -79,7 +99,7 @@ std::string teeth_in_words(const FittedTest& test) {
       "even just after a reversal, where it must stick, the authors' tests show 8 to 35 %.",
       100 * options.least_share);
   if (sticking > 0) words += " As steep as if stuck does not mean stuck: so is sliding where friction rises steeply.";
-  return words + compliant_supports(test, sliding);
+  return words + compliant_supports(test, sliding) + build_up_in_words(test, sliding);
 }
 
 PrintedTable tooth_table(const FittedTest& test) {
