@@ -232,9 +232,32 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
   return specimen;
 }
 
+void read_rollers(const Keys& keys, RigInput& rig) {
+  const std::string rollers = keys.has("rollers") ? keys.text("rollers") : "fixed";
+  if (rollers != "fixed" && rollers != "pinned" && rollers != "loose")
+    keys.refuse("rollers", R"("fixed", "pinned" or "loose")", in_quotes(rollers));
+  if (rollers != "fixed" && !(rig.roller_radius.value_or(0) > 0))
+    keys.refuse("rollers", "rollers with a radius", "none", "add roller_radius = \"5 mm\", or delete it");
+  rig.rollers = rollers == "pinned" ? Rollers::pinned : rollers == "loose" ? Rollers::loose : Rollers::fixed;
+  for (const std::string_view of_pins : {"pin_radius", "pin_friction"}) {
+    if (rig.rollers == Rollers::pinned) keys.need(of_pins);
+    if (rig.rollers != Rollers::pinned && keys.has(of_pins))
+      keys.refuse(of_pins, "rollers on pins beside it", in_quotes(rollers), "write rollers = \"pinned\", or delete it");
+  }
+  if (rig.rollers != Rollers::pinned) return;
+  rig.pin_radius = keys.quantity("pin_radius", kind::length, Range::positive);
+  rig.pin_friction = keys.number("pin_friction", Range::non_negative);
+  if (!(rig.pin_radius <= *rig.roller_radius))
+    keys.refuse("pin_radius", "no more than the radius of the roller",
+                fmt::format("{:g} of it", rig.pin_radius / *rig.roller_radius), "check their units");
+  if (!(rig.pin_friction * rig.pin_radius < *rig.roller_radius))
+    keys.refuse("pin_friction", "less than the radius of the roller over that of the pin",
+                fmt::format("{:g}", rig.pin_friction), "check it");
+}
+
 RigInput read_rig(const Keys& keys, const Case& input) {
-  keys.only(
-      {"span", "stiffness", "support_material", "nose_radius", "support_stiffness", "roller_radius", "friction_at"});
+  keys.only({"span", "stiffness", "support_material", "nose_radius", "support_stiffness", "roller_radius", "rollers",
+             "pin_radius", "pin_friction", "friction_at"});
   RigInput rig{keys.optional_quantity("span", kind::length, Range::positive), std::nullopt};
   if (input.reduced && rig.span.value_or(1) != 1)
     keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
@@ -244,6 +267,7 @@ RigInput read_rig(const Keys& keys, const Case& input) {
   rig.nose_radius = keys.optional_quantity("nose_radius", kind::length, Range::positive);
   rig.support_stiffness = keys.optional_quantity("support_stiffness", kind::stiffness, Range::positive_or_infinite);
   rig.roller_radius = keys.optional_quantity("roller_radius", kind::length, Range::non_negative);
+  read_rollers(keys, rig);
   if (keys.has("friction_at")) {
     const std::string at = keys.text("friction_at");
     if (at != "surface" && at != "axis") keys.refuse("friction_at", R"("surface" or "axis")", in_quotes(at));
@@ -643,6 +667,11 @@ void write(Writer& out, const RigInput& rig) {
   if (rig.support_material) out.line("support_material", basic_string(*rig.support_material));
   if (rig.nose_radius) out.line("nose_radius", out.quantity(*rig.nose_radius, kind::length));
   if (rig.roller_radius) out.line("roller_radius", out.quantity(*rig.roller_radius, kind::length));
+  if (rig.rollers != Rollers::fixed) out.line("rollers", rig.rollers == Rollers::pinned ? "\"pinned\"" : "\"loose\"");
+  if (rig.rollers == Rollers::pinned) {
+    out.line("pin_radius", out.quantity(rig.pin_radius, kind::length));
+    out.line("pin_friction", plain(rig.pin_friction));
+  }
   if (rig.friction_at == FrictionAt::axis) out.line("friction_at", "\"axis\"");
   if (rig.support_stiffness) out.line("support_stiffness", out.quantity(*rig.support_stiffness, kind::stiffness));
 }

@@ -332,7 +332,7 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
     Friction along = friction(profile, *units, reach);
     if (auto fault = uncovered(*input_, input, along, fibre, *units, reach))
       return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
-    return along;
+    return on_pins(*input_->rig, std::move(along), reach);
   };
   auto first = of_support(varied_profile(), *input_->friction->profile);
   if (auto* refused = std::get_if<DesignRefusal>(&first)) return std::move(*refused);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "contact/build_up.h"
+#include "contact/capped.h"
 #include "fibre/elastica.h"
 #include "inference/analysis.h"
 #include "io/quantity.h"
@@ -258,6 +259,13 @@ Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
 }
 
 Fibre fibre_of(const Case& input, const std::optional<Section>& section, const Scales& scales) {
+  if (input.rig->rollers == Rollers::loose)
+    throw wrong_value(input, "rig.rollers", "rollers that hold the specimen by friction", "\"loose\"",
+                      "see with flexslip simulate what it does on these, or write \"fixed\" or \"pinned\"");
+  return Fibre(supports_of(input, section, scales));
+}
+
+Supports supports_of(const Case& input, const std::optional<Section>& section, const Scales& scales) {
   const RigInput& rig = *input.rig;
   const bool is_thick = section && rig.friction_at == FrictionAt::surface;
   const Supports supports{scales.reduced_length(rig.roller_radius.value_or(0)),
@@ -267,7 +275,7 @@ Fibre fibre_of(const Case& input, const std::optional<Section>& section, const S
         input, "rig.roller_radius",
         fmt::format("a radius, and half of a thickness, of less than {:g} spans together", widest_supports),
         fmt::format("{:g} and {:g} spans", supports.radius, supports.half_depth), "check their units, and the span");
-  return Fibre(supports);
+  return supports;
 }
 
 Fibre fibre_of(const Case& input, const Scales& scales) {
@@ -325,6 +333,12 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
   return fault;
 }
 
+Friction on_pins(const RigInput& rig, Friction friction, double S_max) {
+  if (rig.rollers != Rollers::pinned) return friction;
+  const double cap = friction_of_pins(rig.pin_friction, rig.pin_radius, *rig.roller_radius);
+  return capped(friction, cap, S_max);
+}
+
 SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scales& scales, double S_max) {
   if (!input.friction) throw missing(input, "friction");
   if (!input.friction->model) throw missing(input, "friction.model");
@@ -338,7 +352,7 @@ SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scale
     Friction friction =
         std::visit([&](const auto& form) { return friction_from(place, form, scales, reach); }, profile);
     if (const auto fault = uncovered(input, profile, friction, fibre, scales, reach)) throw place.fault(*fault);
-    return friction;
+    return on_pins(*input.rig, std::move(friction), reach);
   };
   SupportFrictions supports{of_support({input, "friction"}, *input.friction->profile), std::nullopt};
   if (const auto& other = input.friction->other) supports.other = of_support({input, "friction.other"}, other->profile);

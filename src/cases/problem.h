@@ -78,6 +78,10 @@ inline double without_supports(double both, double compliance) {
 // Fails:      as load_train_stiffness_of.
 double rig_stiffness_of(const Case& input);
 
+// What the specimen of a case stands on, and how far off. Of a section that may be another than that of the case.
+// Fails:      InputError if rollers and thickness leave no span.
+Supports supports_of(const Case& input, const std::optional<Section>& section, const Scales& scales);
+
 // The specimen of a case on its supports: fixed rollers or edges, with its thickness if friction acts at its surface. Of a section that may be
 // another than that of the case.
 // Fails:      InputError if rollers and thickness leave no span.
@@ -99,6 +103,9 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
 // The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: of two supports that are not alike
 // one may slide alone.
 double one_sided_reach(const Case& input, double S_max);
+
+// What rollers on pins leave of the friction of a support, for lengths up to S_max [L].
+Friction on_pins(const RigInput& rig, Friction friction, double S_max);
 
 // The friction of each support.
 struct SupportFrictions {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "bending_test/history.h"
+#include "bending_test/rolling.h"
 #include "cases/problem.h"
 #include "cli/commands.h"
 #include "cli/output.h"
@@ -262,6 +263,73 @@ Json wrap_json(const Case& input, const History& history, const Fibre& fibre, co
   return wraps == history.path.end() ? Json() : Json(scales.physical_length(wraps->stage));
 }
 
+// On rollers that roll loose: no snaps, no heat, no history.
+void run_rolling(const SimulateRequest& request, const Case& input, const Scales& scales,
+                 const StageProgramme& programme) {
+  for (const auto& [asked, field] :
+       {std::pair{!request.figure.empty(), "--figure"}, std::pair{!request.equilibria_at.empty(), "--equilibria-at"},
+        std::pair{!input.specimen->cracks.empty(), "[specimen] cracks"}})
+    if (asked)
+      throw InputError({.file = input.source,
+                        .field = field,
+                        .expected = "rollers that are fixed or on pins beside it",
+                        .found = "rollers = \"loose\"",
+                        .remedy = "leave it out"});
+  const Supports supports = supports_of(input, input.specimen->section, scales);
+  const double stiffness = scales.reduced_stiffness(rig_stiffness_of(input));
+  const auto surface = surface_of(input, scales);
+  std::vector<double> stages{programme.positions.front()};
+  for (std::size_t i = 1; i < programme.positions.size(); ++i) {
+    const double from = programme.positions[i - 1], to = programme.positions[i];
+    const int parts = programme.in_steps ? 1 : request.points;
+    for (int j = 1; j <= parts; ++j) stages.push_back(j < parts ? from + (to - from) * j / parts : to);
+  }
+  SimulatedTest test;
+  EnergyAccount energy{};
+  bool gets_there = true;
+  for (const double position : stages) {
+    const double stage = scales.reduced_length(position);
+    const auto found = state_at_stage(stage, stiffness, supports);
+    gets_there = found.has_value();
+    if (!gets_there) break;
+    const SupportedState& state = found->state;
+    test.stage.push_back(position);
+    test.deflection.push_back(scales.physical_length(state.w));
+    test.force.push_back(scales.physical_force(state.F));
+    test.length.push_back(scales.physical_length(state.length));
+    test.friction.push_back(state.q);
+    test.motion.emplace_back("rolls");
+    test.drawn_in.push_back(scales.physical_length(state.slid));
+    test.imaged.push_back(scales.physical_length(state.imaged));
+    if (surface) {
+      test.strain.push_back(surface->strain(state.curvature));
+      test.stress.push_back(surface->stress(state.curvature));
+    }
+    energy.bending = state.U;
+    energy.load_train = std::isinf(stiffness) ? 0 : 0.5 * state.F * state.F / stiffness;
+    energy.stage_work = energy.bending + energy.load_train;
+    for (const auto& [column, value] :
+         {std::pair{&test.stage_work, energy.stage_work}, std::pair{&test.bending, energy.bending},
+          std::pair{&test.load_train, energy.load_train}, std::pair{&test.friction_heat, 0.0},
+          std::pair{&test.snaps, 0.0}, std::pair{&test.cracks, 0.0}})
+      column->push_back(scales.physical_energy(value));
+  }
+  add_noise(test, noise_of(request, input), rig_stiffness_of(input), request.seed);
+  const std::vector<OutputColumn> columns = columns_of(test, request, input.reduced);
+  if (request.output.json)
+    write_json(request.output.path, {{"status", gets_there ? "ok" : "slipped_through"},
+                                     {"units", units_json(input.reduced)},
+                                     {"path", rows_json(columns)},
+                                     {"snaps", Json::array()},
+                                     {"cracks", Json::array()},
+                                     {"wraps_nose_from", nullptr},
+                                     {"legs", Json::array()},
+                                     {"energy", test_energy_json(energy, scales)}});
+  else
+    write_table(request.output.path, columns);
+  if (!gets_there) throw CalculationFailed(reason_of_end(input, HistoryStatus::slipped_through, test));
+}
+
 void run_simulate(const SimulateRequest& request) {
   constexpr double least_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
   constexpr double least_stated_travel = 1e-9;    // of one that was written down
@@ -269,6 +337,7 @@ void run_simulate(const SimulateRequest& request) {
   const double noise = noise_of(request, input);
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const StageProgramme programme = programme_of(input);
+  if (input.rig->rollers == Rollers::loose) return run_rolling(request, input, scales, programme);
   if (!request.equilibria_at.empty() && !input.specimen->cracks.empty())
     throw wrong_value(input, "specimen.cracks", "a specimen without cracks, to draw all equilibria of",
                       fmt::format("{}", input.specimen->cracks.size()), "leave out --equilibria-at, or the cracks");

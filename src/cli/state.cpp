@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "fibre/elastica.h"
+#include "fibre/loose_rollers.h"
 #include "fibre/supported_state.h"
 #include "io/input_error.h"
 
@@ -22,10 +23,11 @@ struct StateRequest {
   std::string file;
   std::optional<double> S, w, q;
   std::optional<double> radius, thickness;  // of rollers, and of the specimen on them
+  bool loose = false;                       // rollers
   bool slopes = false;
   Output output;
 
-  bool on_supports() const { return radius || thickness; }
+  bool on_supports() const { return radius || thickness || loose; }
 };
 
 // States by their length, on edges, or by their deflection, on rollers.
@@ -49,7 +51,12 @@ Input read_input(const StateRequest& request) {
                       .expected = "a length, as the supports are edges",
                       .found = "a deflection",
                       .remedy = "write --S, or add --roller-radius or --thickness"});
-  if (value.has_value() != request.q.has_value())
+  if (request.loose && request.q)
+    throw InputError({.field = "--q",
+                      .expected = "a deflection alone, as rollers that roll loose say the friction",
+                      .found = "both",
+                      .remedy = "leave it out"});
+  if (!request.loose && value.has_value() != request.q.has_value())
     throw InputError({.field = "state",
                       .expected = fmt::format("both --{} and --q", first),
                       .found = value ? fmt::format("--{} alone", first) : "--q alone"});
@@ -58,9 +65,12 @@ Input read_input(const StateRequest& request) {
                       .expected = fmt::format("either a file or --{} and --q", first),
                       .found = value ? "both" : "neither",
                       .remedy = value ? "" : "write - for standard input, or see flexslip state --help"});
-  if (value) return {"", first, {*value}, {*request.q}, {0}};
-  const Table table = read_table(request.file, {{first, kind::number}, {"q", kind::number}});
-  Input input{table.source, first, table.columns[0].values, table.columns[1].values, {}};
+  if (value) return {"", first, {*value}, {request.q.value_or(0)}, {0}};
+  std::vector<WantedColumn> columns{{first, kind::number}};
+  if (!request.loose) columns.push_back({"q", kind::number});
+  const Table table = read_table(request.file, columns);
+  Input input{table.source, first, table.columns[0].values, {}, {}};
+  input.q = request.loose ? std::vector<double>(table.rows(), 0.0) : table.columns[1].values;
   for (std::size_t row = 0; row < table.rows(); ++row) input.lines.push_back(table.line_of(row));
   return input;
 }
@@ -121,8 +131,12 @@ void run_states_on_supports(const StateRequest& request, const Input& input) {
          .found = fmt::format("{:g} and {:g}", supports.radius, supports.half_depth)});
   if (request.slopes)
     throw InputError({.field = "--slopes", .expected = "edges", .found = "rollers or a thickness beside it"});
-  constexpr std::array<std::pair<const char*, double SupportedState::*>, 8> fields{
-      {{"F", &SupportedState::F},
+  if (request.loose && !(supports.radius > 0))
+    throw InputError(
+        {.field = "--loose", .expected = "rollers with a radius", .found = "none", .remedy = "add --roller-radius"});
+  constexpr std::array<std::pair<const char*, double SupportedState::*>, 9> fields{
+      {{"q", &SupportedState::q},
+       {"F", &SupportedState::F},
        {"theta0", &SupportedState::theta0},
        {"Pn", &SupportedState::Pn},
        {"U", &SupportedState::U},
@@ -130,10 +144,11 @@ void run_states_on_supports(const StateRequest& request, const Input& input) {
        {"length", &SupportedState::length},
        {"slid", &SupportedState::slid},
        {"imaged", &SupportedState::imaged}}};
-  States states{{{"w", input.values}, {"q", input.q}}, {}};
+  States states{{{"w", input.values}}, {}};
   std::array<std::vector<double>, fields.size()> results;
   for (std::size_t row = 0; row < input.q.size(); ++row) {
-    const SupportedState state = state_on_supports(input.values[row], input.q[row], supports);
+    const SupportedState state = request.loose ? state_on_loose_rollers(input.values[row], supports).state
+                                               : state_on_supports(input.values[row], input.q[row], supports);
     const bool exists = state.status == FibreStatus::ok;
     if (!exists) states.missing.push_back(row);
     for (std::size_t i = 0; i < fields.size(); ++i)
@@ -143,8 +158,9 @@ void run_states_on_supports(const StateRequest& request, const Input& input) {
   write_states(request, states);
   if (states.missing.empty()) return;
   const std::size_t row = states.missing.front();
-  throw CalculationFailed(fmt::format("{}no state with a force found at w = {}, q = {} on these supports{}",
-                                      place_of(input, row), input.values[row], input.q[row], likewise(states)));
+  throw CalculationFailed(fmt::format("{}no state with a force found at w = {}{} on these supports{}",
+                                      place_of(input, row), input.values[row],
+                                      request.loose ? "" : fmt::format(", q = {}", input.q[row]), likewise(states)));
 }
 
 void run_state(const StateRequest& request) {
@@ -202,6 +218,8 @@ void add_state_command(CLI::App& app) {
       ->type_name("NUMBER");
   command->add_option("--thickness", request->thickness, "Of the specimen, in spans: friction acts at its surface")
       ->type_name("NUMBER");
+  command->add_flag("--loose", request->loose,
+                    "The rollers roll on a flat base: they say the friction, from --w alone");
   command->add_flag("--slopes", request->slopes, "The partial derivatives with respect to S and q as well");
   add_output_options(*command, request->output);
   command->footer(
@@ -215,6 +233,7 @@ void add_state_command(CLI::App& app) {
       "Examples:\n"
       "  flexslip state --S 1.2 --q 0.3\n"
       "  flexslip state --w 0.1 --q 0 --roller-radius 0.078 --thickness 0.0625\n"
+      "  flexslip state --w 0.1 --roller-radius 0.05 --loose\n"
       "  flexslip state states.csv --output results.csv");
   command->callback([request] { run_state(*request); });
 }

@@ -131,6 +131,8 @@ TEST_CASE("table: the friction that can be described") {
         FrictionInput{{FrictionModel::table}, TabulatedFriction{"data/afm.csv", "S [um]", "mu"}});
   CHECK(friction("model = 'constant'\nmu0 = 0.5\nstatic_excess = 0.05") ==
         FrictionInput{{FrictionModel::constant}, WavyFriction{0.5, 0, {}}, 0.05});
+  CHECK(friction("model = 'constant'\nmu0 = 0.5\nbuild_up_length = '2.5 um'") ==
+        FrictionInput{{FrictionModel::constant}, WavyFriction{0.5, 0, {}}, 0, std::nullopt, 2.5e-6});
   CHECK(friction("model = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7") ==
         FrictionInput{{FrictionModel::rough}, RoughFriction{0.5, 0.1, 5e-6, 7}});
 }
@@ -317,8 +319,8 @@ TEST_CASE("table: an unknown key or section is refused with the nearest known") 
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), ":8: [friction] model: expected one of the models"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), "did you mean 'sinusoid'?"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"constant\""),
-            ": expected one of the keys 'model', 'mu0', 'drift', 'reference', 'static_excess' and 'other', found an "
-            "unknown key"));
+            ": expected one of the keys 'model', 'mu0', 'drift', 'reference', 'static_excess', 'other' and "
+            "'build_up_length', found an unknown key"));
   CHECK(has(complaint_with("uncertainty", "sd"), ":3: [specimen] modulus.sd: expected one of the keys"));
   CHECK(has(complaint_with("model", "modle"), "did you mean 'model'?"));
   CHECK(has(complaint_with("force", "forse"), ":19: [record] forse: expected one of the keys"));

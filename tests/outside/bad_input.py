@@ -169,18 +169,25 @@ class BadCase(InFolder):
     def test_friction_that_becomes_negative(self):
         self.refuses_case(TRUTH.replace("amplitude  = 0.15", "amplitude  = 1.5"), ":14:", "amplitude", "negative")
 
+    def test_friction_that_builds_up_where_it_cannot(self):
+        builds = TRUTH.replace("phase      = 1.0", 'phase = 1.0\nbuild_up_length = "2.5 um"')
+        self.refuses_case(builds.replace("2.5 um", "-1 um"), ":17:", "build_up_length", "non-negative")
+        self.refuses_case(builds.replace('"2.5 um"', '"2.5 um"\nstatic_excess = 0.1'), ":17:", "none beside static_excess")
+        self.refuses_case(builds + 'snaps = "overshoot"\n', "[stage] snaps", "where friction builds up")
+        self.refuses_case(builds.replace("[rig]", 'cracks = [{ deflection = "90 um", loss = "5 %" }]\n[rig]'), "[specimen] cracks", "where friction builds up")
+
     def test_friction_beyond_what_is_computed(self):
-        steep = TRUTH.replace("mu0        = 0.5", 'mu0 = 16\ndrift = "40 1/mm"')
-        limit = ("[friction] drift", "friction of at most 20", "40 1/mm", "check its unit")
+        steep = TRUTH.replace("mu0        = 0.5", 'mu0 = 1.6\ndrift = "40 1/mm"')
+        limit = ("[friction] drift", "friction of at most 2 at the surface", "40 1/mm", "check its unit")
         for command in ("simulate", "equilibrium", "design"):
             self.refuses_case(steep, ":14:", *limit, command=command)
         sweep = steep + '[sweep]\nmethod = "grid"\naxes = { mu0 = [0.1, 0.2] }\n'
         self.refused("sweep", self.file("case.toml", sweep), "--output", self.folder / "x.h5", says=["case.toml:14", *limit])
-        self.refuses_case(TRUTH.replace("mu0        = 0.5", "mu0 = 19"), ":13:", "[friction] mu0", "at most 20, its waves")
+        self.refuses_case(TRUTH.replace("mu0        = 0.5", "mu0 = 19"), ":13:", "[friction] mu0", "at most 2 at the surface, its waves")
         table = TRUTH.split("[friction]")[0] + '[friction]\nmodel = "table"\nfile = "t.csv"\nlength = "S [um]"\n'
         self.file("t.csv", "S [um],mu\n1278,0.5\n1300,25\n")
         for command in ("simulate", "design"):
-            self.refuses_case(table + "[stage]" + TRUTH.split("[stage]")[1], "[friction] file", "at most 20", "25",
+            self.refuses_case(table + "[stage]" + TRUTH.split("[stage]")[1], "[friction] file", "at most 2 at the surface", "25",
                               command=command)
 
     def test_equilibria_marked_farther_than_the_programme_goes(self):

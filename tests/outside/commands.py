@@ -141,7 +141,33 @@ model = "constant"
         self.assertAlmostEqual(curve[0]["length"], 0.064)
         self.assertGreater(curve[0]["deflection"], 0.002)  # 2.5 half depths and more
 
+    LOOSE = 'roller_radius = "5 mm"\nrollers = "loose"'
+    PINNED = 'roller_radius = "5 mm"\nrollers = "pinned"\npin_radius = "1 mm"\npin_friction = 0.1'
+
+    def test_on_pins_a_bar_shows_the_friction_of_the_pins_and_it_is_fitted_back(self):
+        case = self.bar("pins.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]\nstep = "0.05 mm"', rig=self.PINNED)
+        self.succeeds("simulate", case, "--noise", "0.02 N", "--output", self.folder / "bar_test.csv")
+        record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=self.PINNED)
+        self.assertAlmostEqual(self.json("fit", record, "--quiet")["parameters"]["mu0"]["value"], 0.02, delta=0.01)
+
+    def test_loose_rollers_give_one_curve_there_and_back_and_the_states_of_state(self):
+        case = self.bar("loose.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "12 mm", "6 mm"]\nstep = "6 mm"', rig=self.LOOSE)
+        path = self.json("simulate", case)["path"]
+        self.assertEqual([point["motion"] for point in path], ["rolls"] * 4)
+        self.assertAlmostEqual(path[1]["force"], path[3]["force"], delta=1e-9 * path[1]["force"])
+        state = self.json("state", "--w", repr(path[2]["deflection"] / 0.064), "--roller-radius", repr(5 / 64), "--thickness", repr(4 / 64), "--loose")["states"][0]
+        self.assertAlmostEqual(state["q"], math.tan(state["theta0"] / 2), delta=1e-12)
+        self.assertAlmostEqual(state["length"] * 0.064, path[2]["length"], delta=1e-12)
+        for command in "design", "equilibrium":
+            self.refused(command, case, says=["[rig] rollers", "flexslip simulate"])
+        self.refused("state", "--w", "0.1", "--q", "0.1", "--roller-radius", "0.05", "--loose", says=["--q", "leave it out"])
+        self.refused("state", "--w", "0.1", "--loose", says=["--loose", "--roller-radius"])
+
     def test_supports_of_a_case_that_are_none_are_refused(self):
+        for rig, said in (('rollers = "loose"', "add roller_radius"), (self.PINNED.replace("pinned", "held"), '"fixed", "pinned" or "loose"'),
+                          (self.PINNED.replace('"pinned"', '"fixed"'), "rollers on pins beside it"), (self.PINNED.replace("1 mm", "6 mm"), "no more than the radius"),
+                          (self.PINNED.replace("pin_friction = 0.1", ""), "pin_friction"), (self.PINNED.replace("0.1", "7"), "over that of the pin")):
+            self.refused("simulate", self.bar("p.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', rig=rig), says=[said])
         ends = 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]'
         self.refused("simulate", self.bar("a.toml", ends, rig='roller_radius = "30 mm"'), says=["roller_radius", "0.45 spans together"])
         self.refused("simulate", self.bar("b.toml", ends, rig='roller_radius = "-1 mm"'), says=["roller_radius"])

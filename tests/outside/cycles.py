@@ -37,7 +37,7 @@ file = "{file}"
 {first} = "{first_title}"
 force = "{force_title}"
 """
-CYCLES = {"status", "bending_stiffness", "asymmetry", "correlation", "force_noise", "loops", "loading_stiffness", "profile", "points"}
+CYCLES = {"status", "bending_stiffness", "asymmetry", "correlation", "build_up_length", "force_noise", "loops", "loading_stiffness", "profile", "points"}
 LOOP = {"loading", "unloading", "contact", "corners", "stick_advance", "places", "mu_in", "mu_out", "mean_difference",
         "rms_difference", "correlation", "energy", "replay_rms", "profile"}
 LOADING = {"status", "rows", "slope", "slope_error", "ratio", "ratio_error", "ratio_systematic", "verdict"}

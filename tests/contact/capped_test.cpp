@@ -1,0 +1,45 @@
+#include "contact/capped.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+
+#include "bending_test/history.h"
+
+namespace flexslip {
+
+TEST_CASE("pins, limit: where the specimen rubs more everywhere a test is that of constant friction, without a snap") {
+  const Fibre fibre(Supports{0.05, 0.01});
+  const double q = friction_of_pins(0.2, 0.02, 0.05);
+  CHECK(q == doctest::Approx(0.08 / std::sqrt(1 - 0.0064)).epsilon(1e-14));
+  const Friction pinned = capped(Friction::sinusoid(0.5, 0.4, 0.02, 1), q, 1.5);
+  const std::vector<double> stages{0, 0.1, 0.3, 0.2, 0.4};
+  const History found = follow_in_steps({pinned, {50, fibre}}, stages);
+  const History expected = follow_in_steps({Friction::constant(q), {50, fibre}}, stages);
+  CHECK(found.snaps.empty());
+  REQUIRE(found.path.size() == expected.path.size());
+  for (std::size_t i = 0; i < found.path.size(); ++i)
+    CHECK(found.path[i].F == doctest::Approx(expected.path[i].F).epsilon(1e-11));
+}
+
+TEST_CASE("pins, oracle: friction is the lesser of both, and its corners are knots") {
+  const Friction own = Friction::sinusoid(0.5, 0.4, 0.02, 1), both = capped(own, 0.45, 1.3);
+  for (double S = 1; S < 1.3; S += 1e-3) CHECK(both.at(S).mu == std::min(own.at(S).mu, 0.45));
+  int corners = 0;
+  for (const double S : both.knots()) corners += std::abs(own.at(S).mu - 0.45) < 1e-12;
+  CHECK(corners == 15);  // 0.3 of a period of 0.04
+  const History history = follow_continuously({both, {200, Fibre()}}, std::vector<double>{0, 0.4, 0.2, 0.5}, 30);
+  const EnergyAccount& energy = history.energy;
+  CHECK(std::abs(energy.imbalance) < 1e-10 * energy.stage_work);
+}
+
+TEST_CASE(
+    "pins, contract: only what the points of a specimen show can be capped, and pins that turn not at all are "
+    "refused") {
+  CHECK_THROWS_AS(capped(Friction::constant(0.5), -1, 1.3), std::invalid_argument);
+  CHECK_THROWS_AS(friction_of_pins(3, 0.4, 1), std::invalid_argument);
+}
+
+}  // namespace flexslip
