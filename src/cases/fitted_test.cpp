@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "data/names.h"
 #include "io/sha256.h"
 #include "io/table.h"
 
@@ -174,29 +175,12 @@ std::size_t last_row(const FittedTest& test) {
 }
 
 std::string status_of(const FittedTest& test) {
-  switch (test.analysis.status) {
-    case AnalysisStatus::no_initial_slope:
-      return "no_initial_slope";
-    case AnalysisStatus::too_few_points:
-      return "too_few_points";
-    case AnalysisStatus::not_explained:
-      return "not_explained";
-    case AnalysisStatus::ok:
-      break;
-  }
-  return "ok";
+  return std::string(name_in_order<AnalysisStatus::not_explained>(
+      test.analysis.status, {"ok", "no_initial_slope", "too_few_points", "not_explained"}));
 }
 
 std::string name_of(SawtoothCategory category) {
-  switch (category) {
-    case SawtoothCategory::clear:
-      return "clear";
-    case SawtoothCategory::nominal:
-      return "nominal";
-    case SawtoothCategory::none:
-      return "none";
-  }
-  return "";
+  return std::string(name_in_order<SawtoothCategory::none>(category, {"clear", "nominal", "none"}));
 }
 
 void write_curves(const std::string& path, const FittedTest& test) {

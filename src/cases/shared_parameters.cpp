@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "data/names.h"
 #include "fibre/elementary.h"
 #include "inference/shared_parameter.h"
 
@@ -82,21 +83,8 @@ std::string_view needed_for(Shareable parameter) {
 }
 
 std::string name_of(Shareable parameter) {
-  switch (parameter) {
-    case Shareable::modulus:
-      return "modulus";
-    case Shareable::bending_stiffness:
-      return "bending_stiffness";
-    case Shareable::wavelength:
-      return "wavelength";
-    case Shareable::roughness:
-      return "roughness";
-    case Shareable::correlation_length:
-      return "correlation_length";
-    case Shareable::mu0:
-      break;
-  }
-  return "mu0";
+  return std::string(name_in_order<Shareable::mu0>(
+      parameter, {"modulus", "bending_stiffness", "wavelength", "roughness", "correlation_length", "mu0"}));
 }
 
 std::vector<SharedParameter> share_parameters(std::span<const CampaignTest> tests,

@@ -10,6 +10,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "data/names.h"
 #include "fibre/elementary.h"
 #include "inference/matern.h"
 
@@ -393,17 +394,7 @@ Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& 
 }
 
 std::string_view name_of(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::none:
-      return "none";
-    case Kernel::exponential:
-      return "exponential";
-    case Kernel::matern_3_2:
-      return "matern_3_2";
-    case Kernel::matern_5_2:
-      break;
-  }
-  return "matern_5_2";
+  return name_in_order<Kernel::matern_5_2>(kernel, {"none", "exponential", "matern_3_2", "matern_5_2"});
 }
 
 LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "data/names.h"
 #include "data/order.h"
 #include "inference/chain.h"
 #include "inference/chi_squared.h"
@@ -41,21 +42,8 @@ CheckOutcome passed_if(bool passed) { return passed ? CheckOutcome::passed : Che
 }  // namespace
 
 std::string_view name_of(CheckKind kind) {
-  switch (kind) {
-    case CheckKind::residuals:
-      return "residuals";
-    case CheckKind::drops:
-      return "drops";
-    case CheckKind::whiteness:
-      return "whiteness";
-    case CheckKind::nesting:
-      return "nesting";
-    case CheckKind::friction:
-      return "friction";
-    case CheckKind::stability:
-      break;
-  }
-  return "stability";
+  return name_in_order<CheckKind::stability>(kind,
+                                             {"residuals", "drops", "whiteness", "nesting", "friction", "stability"});
 }
 
 double number_of(const Check& check, std::string_view name) {

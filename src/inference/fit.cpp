@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "data/names.h"
 #include "fibre/elementary.h"
 #include "inference/constant_fit.h"
 #include "inference/process_posterior.h"
@@ -147,19 +148,7 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
 }  // namespace
 
 std::string_view name_of(ProfileModel model) {
-  switch (model) {
-    case ProfileModel::roughness:
-      return "roughness";
-    case ProfileModel::constant:
-      return "constant";
-    case ProfileModel::drift:
-      return "drift";
-    case ProfileModel::sinusoid:
-      return "sinusoid";
-    case ProfileModel::sinusoids:
-      break;
-  }
-  return "sinusoids";
+  return name_in_order<ProfileModel::sinusoids>(model, {"roughness", "constant", "drift", "sinusoid", "sinusoids"});
 }
 
 double weight_without_roughness(const FrictionFit& fit) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bending_test/critical_stiffness.h"
+#include "data/names.h"
 #include "data/order.h"
 
 namespace flexslip {
@@ -76,69 +77,19 @@ Standing standing_of(const std::vector<Doubt>& doubts, bool half_impossible) {
 }  // namespace
 
 std::string_view name_of(Doubt doubt) {
-  switch (doubt) {
-    case Doubt::wrong_stiffness:
-      return "wrong_stiffness";
-    case Doubt::no_sliding:
-      return "no_sliding";
-    case Doubt::softer_reload:
-      return "softer_reload";
-    case Doubt::cracks:
-      return "cracks";
-    case Doubt::impossible_drops:
-      return "impossible_drops";
-    case Doubt::implausible_friction:
-      return "implausible_friction";
-    case Doubt::failed_check:
-      return "failed_check";
-    case Doubt::falling_friction:
-      return "falling_friction";
-    case Doubt::changed_reload:
-      return "changed_reload";
-    case Doubt::coarse_force:
-      return "coarse_force";
-    case Doubt::undecided_drops:
-      return "undecided_drops";
-    case Doubt::few_rows:
-      return "few_rows";
-    case Doubt::settling_contact:
-      return "settling_contact";
-    case Doubt::unexpected_stiffness:
-      break;
-  }
-  return "unexpected_stiffness";
+  return name_in_order<Doubt::unexpected_stiffness>(
+      doubt, {"wrong_stiffness", "no_sliding", "softer_reload", "cracks", "impossible_drops", "implausible_friction",
+              "failed_check", "falling_friction", "changed_reload", "coarse_force", "undecided_drops", "few_rows",
+              "settling_contact", "unexpected_stiffness"});
 }
 
 std::string_view name_of(Standing standing) {
-  switch (standing) {
-    case Standing::sound:
-      return "sound";
-    case Standing::doubtful:
-      return "doubtful";
-    case Standing::suspect:
-      return "suspect";
-    case Standing::untrusted:
-      break;
-  }
-  return "untrusted";
+  return name_in_order<Standing::untrusted>(standing, {"sound", "doubtful", "suspect", "untrusted"});
 }
 
 std::string_view name_of(NextStep step) {
-  switch (step) {
-    case NextStep::none:
-      return "none";
-    case NextStep::check_case:
-      return "check_case";
-    case NextStep::reload:
-      return "reload";
-    case NextStep::finer_steps:
-      return "finer_steps";
-    case NextStep::stiffer_rig:
-      return "stiffer_rig";
-    case NextStep::image_length:
-      break;
-  }
-  return "image_length";
+  return name_in_order<NextStep::image_length>(
+      step, {"none", "check_case", "reload", "finer_steps", "stiffer_rig", "image_length"});
 }
 
 Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "data/names.h"
 #include "data/order.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
@@ -104,21 +105,8 @@ double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre) {
 }
 
 std::string_view name_of(SlipVerdict verdict) {
-  switch (verdict) {
-    case SlipVerdict::possible:
-      return "possible";
-    case SlipVerdict::unexplained:
-      return "unexplained";
-    case SlipVerdict::implausible:
-      return "implausible";
-    case SlipVerdict::negative:
-      return "negative";
-    case SlipVerdict::moves_out:
-      return "moves_out";
-    case SlipVerdict::too_short:
-      break;
-  }
-  return "too_short";
+  return name_in_order<SlipVerdict::too_short>(
+      verdict, {"possible", "unexplained", "implausible", "negative", "moves_out", "too_short"});
 }
 
 std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops, const MeasurementErrors& errors,

@@ -11,6 +11,7 @@
 
 #include <nlopt.h>
 
+#include "data/names.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elementary.h"
 #include "fibre/state_table.h"
@@ -482,15 +483,7 @@ class Rises {
 }  // namespace
 
 std::string_view name_of(CrackVerdict verdict) {
-  switch (verdict) {
-    case CrackVerdict::not_by_cracks_alone:
-      return "not_by_cracks_alone";
-    case CrackVerdict::cracks:
-      return "cracks";
-    case CrackVerdict::cannot_be_told:
-      break;
-  }
-  return "cannot_be_told";
+  return name_in_order<CrackVerdict::cannot_be_told>(verdict, {"not_by_cracks_alone", "cracks", "cannot_be_told"});
 }
 
 SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span<const Drop> drops) {

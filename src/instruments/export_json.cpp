@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
+
+#include "data/names.h"
 
 namespace flexslip {
 namespace {
@@ -38,21 +39,7 @@ Json columns_json(const ExportedSpecimen& specimen) {
 }  // namespace
 
 std::string_view name_of(ColumnRole role) {
-  switch (role) {
-    case ColumnRole::time:
-      return "time";
-    case ColumnRole::displacement:
-      return "displacement";
-    case ColumnRole::crosshead:
-      return "crosshead";
-    case ColumnRole::deflection:
-      return "deflection";
-    case ColumnRole::force:
-      return "force";
-    case ColumnRole::other:
-      return "other";
-  }
-  throw std::invalid_argument("no such role");
+  return name_in_order<ColumnRole::other>(role, {"time", "displacement", "crosshead", "deflection", "force", "other"});
 }
 
 Json export_json(const Export& file, std::size_t chosen) {

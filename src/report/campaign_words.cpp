@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "data/names.h"
 #include "report/campaign_table.h"
 #include "report/digits.h"
 #include "report/fit_words.h"
@@ -66,18 +67,9 @@ std::string sawtooth_in_words(const Campaign& campaign) {
   std::string out;
   for (const auto& category : campaign.categories) {
     if (!category.category) continue;
-    const auto sawtooth = [&] {
-      switch (*category.category) {
-        case SawtoothCategory::clear:
-          return "a clear sawtooth";
-        case SawtoothCategory::nominal:
-          return "a faint one";
-        case SawtoothCategory::none:
-          return "hardly any or none";
-      }
-      return "";
-    };
-    out += fmt::format("{}{} with {}", out.empty() ? "" : ", ", category.with_suspects.tests, sawtooth());
+    const auto sawtooth = name_in_order<SawtoothCategory::none>(
+        *category.category, {"a clear sawtooth", "a faint one", "hardly any or none"});
+    out += fmt::format("{}{} with {}", out.empty() ? "" : ", ", category.with_suspects.tests, sawtooth);
   }
   return out;
 }

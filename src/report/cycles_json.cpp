@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "data/names.h"
+
 namespace flexslip {
 namespace {
 
@@ -104,28 +106,17 @@ Json loop_json(const FittedTest& test, std::size_t i) {
 }
 
 Json loading_json(const FittedTest& test, const LoadingStiffness& loading) {
-  const auto status = [&] {
-    switch (loading.status) {
-      case LoadingStatus::ok:
-        return "ok";
-      case LoadingStatus::loaded_too_little:
-        return "loaded_too_little";
-      case LoadingStatus::window_not_covered:
-        return "window_not_covered";
-      case LoadingStatus::too_few_points:
-        return "too_few_points";
-      case LoadingStatus::not_rising:
-        return "not_rising";
-      case LoadingStatus::still_drawn_in:
-        return "still_drawn_in";
-      case LoadingStatus::no_reference:
-        return "no_reference";
-    }
-    return "";
-  };
-  Json out = {{"status", status()},          {"rows", nullptr},   {"slope", nullptr},
-              {"slope_error", nullptr},      {"ratio", nullptr},  {"ratio_error", nullptr},
-              {"ratio_systematic", nullptr}, {"verdict", nullptr}};
+  const auto status = name_in_order<LoadingStatus::no_reference>(
+      loading.status, {"ok", "loaded_too_little", "window_not_covered", "too_few_points", "not_rising",
+                       "still_drawn_in", "no_reference"});
+  Json out = {{"status", status},
+              {"rows", nullptr},
+              {"slope", nullptr},
+              {"slope_error", nullptr},
+              {"ratio", nullptr},
+              {"ratio_error", nullptr},
+              {"ratio_systematic", nullptr},
+              {"verdict", nullptr}};
   if (loading.status != LoadingStatus::ok) return out;
   out["rows"] = {cyclic_row(test, loading.first), cyclic_row(test, loading.last - 1)};
   out["slope"] = loading.slope;  // in the units of the test already
@@ -138,15 +129,7 @@ Json loading_json(const FittedTest& test, const LoadingStiffness& loading) {
 }
 
 std::string name_of(LegMotion motion) {
-  switch (motion) {
-    case LegMotion::in:
-      return "slip_in";
-    case LegMotion::out:
-      return "slip_out";
-    case LegMotion::stuck:
-      return "stick";
-  }
-  return "";
+  return std::string(name_in_order<LegMotion::stuck>(motion, {"slip_in", "slip_out", "stick"}));
 }
 
 Json points_json(const FittedTest& test) {
@@ -165,29 +148,12 @@ Json points_json(const FittedTest& test) {
 std::size_t cyclic_row(const FittedTest& test, std::size_t point) { return cyclic_file_row(test.measurement, point); }
 
 std::string name_of(CyclesStatus status) {
-  switch (status) {
-    case CyclesStatus::ok:
-      return "ok";
-    case CyclesStatus::no_mirror:
-      return "no_mirror";
-    case CyclesStatus::too_few_points:
-      return "too_few_points";
-    case CyclesStatus::not_converged:
-      return "not_converged";
-  }
-  return "";
+  return std::string(
+      name_in_order<CyclesStatus::not_converged>(status, {"ok", "no_mirror", "too_few_points", "not_converged"}));
 }
 
 std::string name_of(DamageVerdict verdict) {
-  switch (verdict) {
-    case DamageVerdict::damaged:
-      return "damaged";
-    case DamageVerdict::not_damaged:
-      return "not_damaged";
-    case DamageVerdict::undecided:
-      return "undecided";
-  }
-  return "";
+  return std::string(name_in_order<DamageVerdict::undecided>(verdict, {"damaged", "not_damaged", "undecided"}));
 }
 
 Json cycles_json(const FittedTest& test) {

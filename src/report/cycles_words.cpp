@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "contact/build_up.h"
+#include "data/names.h"
 #include "io/quantity.h"
 #include "report/cycles_json.h"
 
@@ -178,23 +179,9 @@ std::string replay_in_words(const FittedTest& test) {
 }
 
 std::string_view why_not_compared(LoadingStatus status) {
-  switch (status) {
-    case LoadingStatus::ok:
-      return "";
-    case LoadingStatus::loaded_too_little:
-      return "not loaded far enough";
-    case LoadingStatus::window_not_covered:
-      return "not unloaded far enough";
-    case LoadingStatus::too_few_points:
-      return "too few rows";
-    case LoadingStatus::not_rising:
-      return "the force does not rise";
-    case LoadingStatus::still_drawn_in:
-      return "friction still holds it drawn in";
-    case LoadingStatus::no_reference:
-      return "the first loading has no slope";
-  }
-  throw std::invalid_argument("no such status");
+  return name_in_order<LoadingStatus::no_reference>(
+      status, {"", "not loaded far enough", "not unloaded far enough", "too few rows", "the force does not rise",
+               "friction still holds it drawn in", "the first loading has no slope"});
 }
 
 // What the last reload says of the stiffness of the specimen.

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "data/names.h"
 #include "report/cycles_json.h"
 #include "report/fit_words.h"
 #include "report/preparation_json.h"
@@ -287,19 +288,7 @@ Json provenance_json(const Provenance& provenance) {
 
 Json measurement_json(const FittedTest& test) {
   const auto& measurement = test.measurement;
-  const auto end = [&] {
-    switch (measurement.end) {
-      case MeasurementEnd::last_row:
-        return "last_row";
-      case MeasurementEnd::until:
-        return "until";
-      case MeasurementEnd::turn:
-        return "turn";
-      case MeasurementEnd::failure:
-        return "failure";
-    }
-    return "";
-  };
+  const auto end = name_in_order<MeasurementEnd::turn>(measurement.end, {"last_row", "until", "failure", "turn"});
   return {{"rows", measurement.rows},
           {"first_row", file_row(test, 0)},
           {"last_row", last_row(test)},
@@ -307,23 +296,14 @@ Json measurement_json(const FittedTest& test) {
           {"rows_held", measurement.sampling.held},
           {"rows_interpolated", measurement.sampling.interpolated},
           {"rows_per_point", measurement.sampling.stride},
-          {"ends_with", end()}};
+          {"ends_with", end}};
 }
 
 Json contact_json(const FittedTest& test) {
-  const auto source = [&] {
-    switch (test.measurement.contact) {
-      case ContactSource::stated:
-        return "stated";
-      case ContactSource::found:
-        return "found";
-      case ContactSource::first_point:
-        return "first_point";
-    }
-    return "";
-  };
+  const auto source =
+      name_in_order<ContactSource::first_point>(test.measurement.contact, {"stated", "found", "first_point"});
   const auto& found = test.analysis.contact;
-  Json out = {{"source", source()},       {"taken_off", test.measurement.contact_offset},
+  Json out = {{"source", source},         {"taken_off", test.measurement.contact_offset},
               {"line_offset", nullptr},   {"line_offset_error", nullptr},
               {"initial_slope", nullptr}, {"initial_slope_error", nullptr}};
   if (found.status == ContactStatus::found) {
@@ -336,22 +316,11 @@ Json contact_json(const FittedTest& test) {
 }
 
 Json stiffness_json(const FittedTest& test) {
-  const auto source = [&] {
-    switch (test.stiffness) {
-      case StiffnessSource::stated:
-        return "stated";
-      case StiffnessSource::assumed_error:
-        return "stated_without_uncertainty";
-      case StiffnessSource::initial_slope:
-        return "initial_slope";
-      case StiffnessSource::mirror:
-        return "mirror_symmetry";
-    }
-    return "";
-  };
+  const auto source = name_in_order<StiffnessSource::mirror>(
+      test.stiffness, {"stated", "stated_without_uncertainty", "initial_slope", "mirror_symmetry"});
   return {{"nominal", test.analysis.scales.bending_stiffness()},
           {"relative_error", test.analysis.bending_stiffness_error},
-          {"source", source()}};
+          {"source", source}};
 }
 
 }  // namespace

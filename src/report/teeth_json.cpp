@@ -3,23 +3,16 @@
 #include <algorithm>
 #include <string>
 
+#include "data/names.h"
+
 namespace flexslip {
 namespace {
 
 Json compliance_json(const SupportCompliance& compliance, const FittedTest& test) {
-  const auto status = [&] {
-    switch (compliance.status) {
-      case ComplianceStatus::ok:
-        return "ok";
-      case ComplianceStatus::too_few_teeth:
-        return "too_few_teeth";
-      case ComplianceStatus::none_fits:
-        return "none_fits";
-    }
-    return "";
-  };
-  Json out = {{"status", status()}, {"value", nullptr},       {"error", nullptr},   {"systematic", nullptr},
-              {"unit", nullptr},    {"chi_squared", nullptr}, {"freedom", nullptr}, {"p_value", nullptr}};
+  const auto status =
+      name_in_order<ComplianceStatus::none_fits>(compliance.status, {"ok", "too_few_teeth", "none_fits"});
+  Json out = {{"status", status}, {"value", nullptr},       {"error", nullptr},   {"systematic", nullptr},
+              {"unit", nullptr},  {"chi_squared", nullptr}, {"freedom", nullptr}, {"p_value", nullptr}};
   if (compliance.status != ComplianceStatus::ok) return out;
   const double unit = test.analysis.scales.stiffness_unit();
   out["value"] = compliance.value / unit;
@@ -58,15 +51,7 @@ Json tooth_json(const Tooth& tooth, const FittedTest& test) {
 }  // namespace
 
 std::string name_of(ToothVerdict verdict) {
-  switch (verdict) {
-    case ToothVerdict::sliding:
-      return "sliding";
-    case ToothVerdict::as_if_stuck:
-      return "as_if_stuck";
-    case ToothVerdict::undecided:
-      return "undecided";
-  }
-  return "";
+  return std::string(name_in_order<ToothVerdict::undecided>(verdict, {"sliding", "as_if_stuck", "undecided"}));
 }
 
 Json teeth_json(const FittedTest& test) {
