@@ -275,7 +275,7 @@ class Loading {
   std::optional<Readings> readings_;  // none if all is recorded
   SlidingCurve curve_;
   DesignOutcome outcome_{};
-  Drops drops_;
+  ForceFalls drops_;
   double next_ = 0;     // reading
   double slid_to_ = 1;  // [L]
   bool breaks_ = false;

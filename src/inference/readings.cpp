@@ -24,7 +24,7 @@ double Readings::first_beyond(double stage) const {
   return i;
 }
 
-void Drops::read(double F) {
+void ForceFalls::read(double F) {
   if (F < last_ - rounding_of_force * last_) {
     if (!falling_) top_ = last_;
     falling_ = true;
@@ -36,7 +36,7 @@ void Drops::read(double F) {
   last_ = F;
 }
 
-void Drops::end() {
+void ForceFalls::end() {
   if (!falling_) return;
   falling_ = false;
   ++count_;

@@ -25,7 +25,7 @@ class Readings {
 
 // Counts the falls of a force, a run of them being one, from its values in the order in which they are read: all of them, or those
 // between which it rises or falls.
-class Drops {
+class ForceFalls {
  public:
   void read(double F);
   void end();  // a fall under way is one
