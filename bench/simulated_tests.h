@@ -161,7 +161,7 @@ inline FitProblem simulated(const Truth& t, Random& random) {
   for (const double S : ladder.lengths()) mu.push_back(t.mu(S));
   for (int i = 1; i < 2000; ++i) stages.push_back(i * 2 / span);
   const auto curve = ladder.curve(mu);
-  auto F = measured_curve(curve.w, curve.F, t.stiffening / t.k, stages).F;
+  auto F = measured_curve(curve.w, curve.F, t.stiffening / t.k, stages);
   for (double& force : F) force *= t.stiffening;
   return measured(stages, F, t, random);
 }

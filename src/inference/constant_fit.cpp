@@ -34,7 +34,7 @@ Estimate estimate_at(const ReducedRecord& record, double stiffening, const Slidi
     const auto curve = ladder.curve(std::vector<double>(ladder.lengths().size(), mu));
     const auto at_deflection = measured_curve(curve.w, curve.F, 0, w);
     VectorXd force(n);
-    for (std::size_t i = 0; i < w.size(); ++i) force[static_cast<Index>(order[i])] = stiffening * at_deflection.F[i];
+    for (std::size_t i = 0; i < w.size(); ++i) force[static_cast<Index>(order[i])] = stiffening * at_deflection[i];
     return force;
   };
   const VectorXd data = Eigen::Map<const VectorXd>(record.force.data(), n);
@@ -73,10 +73,7 @@ ConstantFit fit_constant(const FitProblem& problem) {
   const double deviation = problem.errors.bending_stiffness;
   const double shift =
       0.5 * (estimate_at(record, 1 + deviation, ladder).mu - estimate_at(record, 1 - deviation, ladder).mu);
-  const auto curve = ladder.curve(std::vector<double>(ladder.lengths().size(), nominal.mu));
-  return {.mu0 = nominal.mu,
-          .standard_error = std::hypot(nominal.from_residuals, shift),
-          .force = measured_curve(curve.w, curve.F, 1 / problem.rig.stiffness, record.stage).F};
+  return {.mu0 = nominal.mu, .standard_error = std::hypot(nominal.from_residuals, shift)};
 }
 
 }  // namespace flexslip

@@ -1,16 +1,13 @@
 // Constant friction by least squares in the force at the measured deflections.
 #pragma once
 
-#include <vector>
-
 #include "inference/fit_problem.h"
 
 namespace flexslip {
 
 struct ConstantFit {
-  double mu0;                 // [1]
-  double standard_error;      // [1] of the residuals, allowing for their correlation, and of the bending stiffness
-  std::vector<double> force;  // [EI/L^2] at each stage position of the record
+  double mu0;             // [1]
+  double standard_error;  // [1] of the residuals, allowing for their correlation, and of the bending stiffness
 };
 
 // The bending stiffness is taken as nominal, and its error carried into the interval: given the freedom, a constant would bend

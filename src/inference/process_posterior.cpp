@@ -431,7 +431,7 @@ std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std
   const SlidingLadder ladder(S_max, std::max(seen / 1000, 1e-6), rig.fibre);
   const auto mu = Friction::table(friction).at(ladder.lengths()).mu;
   const auto curve = ladder.curve(mu);
-  return measured_curve(curve.w, curve.F, 1 / rig.stiffness, stages).F;
+  return measured_curve(curve.w, curve.F, 1 / rig.stiffness, stages);
 }
 
 }  // namespace flexslip

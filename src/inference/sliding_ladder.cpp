@@ -8,59 +8,33 @@
 #include "fibre/state_table.h"
 
 namespace flexslip {
-namespace {
-
-std::vector<double> bounded(std::span<const double> mu) {
-  std::vector<double> result(mu.begin(), mu.end());
-  for (auto& value : result) value = std::clamp(value, 0.0, table_q.greatest);
-  return result;
-}
-
-}  // namespace
-
 SlidingLadder::SlidingLadder(double S_max, double S_step, const Fibre& fibre) : fibre_(fibre) {
   if (!(S_max > 1 && S_max <= longest_ladder))
     throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
   if (!(S_step > 0)) throw std::invalid_argument("S_step must be positive, not " + std::to_string(S_step));
   const double sigma_max = fibre.way(S_max), from = fibre.way(1);  // bent as if that much were before it
   const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
-  sigma_step_ = (sigma_max + from) / static_cast<double>(n - 1);
+  const double sigma_step = (sigma_max + from) / static_cast<double>(n - 1);
   S_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double sigma = sigma_step_ * static_cast<double>(i) - from;
+    const double sigma = sigma_step * static_cast<double>(i) - from;
     S_[i] = sigma >= from ? fibre.length_at(sigma) : 1;
     if (sigma < from) shallow_.push_back(fibre.state(1, 0).w * (sigma + from) / (2 * from));
   }
 }
 
 StateArrays SlidingLadder::curve(std::span<const double> mu) const {
-  StateArrays states = fibre_.tabulated_states({S_, bounded(mu)});
+  std::vector<double> q(mu.begin(), mu.end());
+  for (double& value : q) value = std::clamp(value, 0.0, table_q.greatest);
+  StateArrays states = fibre_.tabulated_states({S_, q});
+  // The surface slides out up to 1.2 half depths of deflection, holds, and slides in from 1.35 on: some hundredths of the friction between.
   for (std::size_t i = 0; i < shallow_.size(); ++i) {
-    const auto [w, F] = bent_shallow(i, mu[i]);
+    const double w = shallow_[i];
+    const double held = mu[i] * std::clamp((w / fibre_.supports().half_depth - 1.27) / 0.08, -1.0, 1.0);
     states.w[i] = w;
-    states.F[i] = F;
+    states.F[i] = fibre_.bent(w, held).state.F;
   }
   return states;
-}
-
-// The surface slides out up to 1.2 half depths of deflection, holds, and slides in from 1.35 on: some hundredths of the friction between.
-SlidingLadder::Bent SlidingLadder::bent_shallow(std::size_t i, double mu) const {
-  const double w = shallow_[i];
-  const double q = mu * std::clamp((w / fibre_.supports().half_depth - 1.27) / 0.08, -1.0, 1.0);
-  return {w, fibre_.bent(w, q).state.F};
-}
-
-SlopeArrays SlidingLadder::slopes(std::span<const double> mu) const {
-  SlopeArrays slopes = fibre_.tabulated_states_slopes({S_, bounded(mu)});
-  for (std::size_t i = 0; i < shallow_.size(); ++i) {
-    const auto [w, F] = bent_shallow(i, mu[i]);
-    slopes.w[i] = w;
-    slopes.F[i] = F;
-    slopes.w_q[i] = slopes.F_q[i] = 0;
-  }
-  slopes.w_q.front() = 0;  // the straight fibre
-  slopes.F_q.front() = 0;
-  return slopes;
 }
 
 namespace {
@@ -93,13 +67,13 @@ struct Cubic {
 
 }  // namespace
 
-MeasuredCurve measured_curve(std::span<const double> w, std::span<const double> F, double compliance,
-                             std::span<const double> stages) {
+std::vector<double> measured_curve(std::span<const double> w, std::span<const double> F, double compliance,
+                                   std::span<const double> stages) {
   const auto n = w.size();
   std::vector<double> G(n);
   for (std::size_t i = 0; i < n; ++i) G[i] = w[i] + compliance * F[i];
-  MeasuredCurve result;
-  result.F.reserve(stages.size());
+  std::vector<double> result;
+  result.reserve(stages.size());
   std::size_t cell = 0;
   double passed = 0;  // fraction of the cell that the running maximum has passed
   for (const double stage : stages) {
@@ -131,14 +105,7 @@ MeasuredCurve measured_curve(std::span<const double> w, std::span<const double> 
       passed = x;
       break;
     }
-    const std::size_t i = std::min(cell, n - 2);
-    const Cubic force(F, i);
-    const Cubic position(G, i);
-    result.F.push_back(force.at(x));
-    result.cell.push_back(i);
-    result.fraction.push_back(x);
-    result.F_slope.push_back(force.slope(x));
-    result.G_slope.push_back(position.slope(x));
+    result.push_back(Cubic(F, std::min(cell, n - 2)).at(x));
   }
   return result;
 }

@@ -11,21 +11,17 @@
 namespace flexslip {
 namespace {
 
-TEST_CASE(
-    "oracle: w and F of the ladder agree with the exact states to 1e-12, slopes to 1e-9, within the table and beyond "
-    "it") {
+TEST_CASE("oracle: w and F of the ladder agree with the exact states to 1e-12, within the table and beyond it") {
   for (const double S_max : {1.05, 1.5, 2.1}) {
     const SlidingLadder ladder(S_max, 0.004);
     for (const double mu : {0.0, 0.013, 0.4, 1.0, 1.7, 2.0}) {
-      const auto slopes = ladder.slopes(std::vector<double>(ladder.lengths().size(), mu));
-      CHECK(slopes.F_q.front() == 0);
+      const auto curve = ladder.curve(std::vector<double>(ladder.lengths().size(), mu));
       for (std::size_t i = 1; i < ladder.lengths().size(); ++i) {
         const auto [state, exact] = fibre_state_slopes(ladder.lengths()[i], mu);
         REQUIRE(state.status == FibreStatus::ok);
-        CHECK(std::abs(slopes.w[i] - state.w) <= 1e-12 * state.w);
+        CHECK(std::abs(curve.w[i] - state.w) <= 1e-12 * state.w);
         const double condition_of_F = state.F + (state.S - 1) * std::abs(exact.F_S) + mu * exact.F_q;  // times F
-        CHECK(std::abs(slopes.F[i] - state.F) <= 1e-12 * condition_of_F);
-        CHECK(std::abs(slopes.F_q[i] - exact.F_q) <= 1e-9 * (exact.F_q + state.F));
+        CHECK(std::abs(curve.F[i] - state.F) <= 1e-12 * condition_of_F);
       }
     }
   }
@@ -43,8 +39,7 @@ TEST_CASE("oracle: the measured curve on the ladder is that of the exact folds, 
   const auto curve = ladder.curve(mu);
   const auto measured = measured_curve(curve.w, curve.F, 1 / k, stages);
   // 60/n^4 of a tooth's height in F, about 1, with n = 20 lengths a period
-  for (std::size_t i = 0; i < stages.size(); ++i)
-    CHECK(std::abs(measured.F[i] - exact.path[i].F) < 60 / std::pow(20, 4));
+  for (std::size_t i = 0; i < stages.size(); ++i) CHECK(std::abs(measured[i] - exact.path[i].F) < 60 / std::pow(20, 4));
 }
 
 TEST_CASE("limit: a ladder that cannot be made is refused") {
