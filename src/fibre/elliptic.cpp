@@ -9,21 +9,11 @@ namespace flexslip {
 
 using HWY_NAMESPACE::arc_by_doubling;
 using HWY_NAMESPACE::doublings_for;
-using HWY_NAMESPACE::Dual;
 
 EllipticArc elliptic_arc(double u, const EllipticParameter& parameter) {
   const auto [m, m1] = parameter;
   const auto [cn, one_minus_cn, P, R] = arc_by_doubling<double>(u, doublings_for(u), m, m1);
   return {std::sqrt(one_minus_cn * (1 + cn)), cn, std::sqrt(m1 + m * cn * cn), one_minus_cn, P, R};
-}
-
-EllipticArcSlope elliptic_arc_slope(double u, const EllipticParameter& parameter) {
-  const Dual<double> m{parameter.m, 1.0};
-  const Dual<double> m1{parameter.m1, -1.0};
-  const auto [cn, one_minus_cn, P, R] = arc_by_doubling<Dual<double>>(u, doublings_for(u), m, m1);
-  const Dual<double> sn = sqrt(one_minus_cn * (1.0 + cn));
-  const Dual<double> dn = sqrt(m1 + m * cn * cn);
-  return {.value = {sn.v, cn.v, dn.v, one_minus_cn.v, P.v, R.v}, .d_m = {sn.d, cn.d, dn.d, one_minus_cn.d, P.d, R.d}};
 }
 
 CompleteElliptic complete_elliptic(const EllipticParameter& parameter) {

@@ -22,21 +22,12 @@ struct EllipticArc {
   double R;             // [1] integral from 0 to u of ((1 - cn)/dn)^2 dv, of order u^5/20
 };
 
-// Derivatives with respect to m at fixed u.
-struct EllipticArcSlope {
-  EllipticArc value;
-  EllipticArc d_m;
-};
-
 // Domain:     0 <= u <= 2 K(m) (a fibre needs u <= K); m in [0, 1].
 // Max error:  for u <= K(m) and m in [6e-4, 1 - 6e-4] (q in [-20, 20]), in units of 2^-52 relative: sn 3, dn 10,
 //             one_minus_cn 6, P 10, R 30; cn 5 absolute.
 // Method:     ℘-series for sn, and Taylor series for P and R, at u/2^n <= 1/8; then n doublings.
 // Cost:       about 0.1 µs.
 EllipticArc elliptic_arc(double u, const EllipticParameter& parameter);
-
-// The same with exact derivatives: the same doublings carried out on dual numbers.
-EllipticArcSlope elliptic_arc_slope(double u, const EllipticParameter& parameter);
 
 // Complete integrals of the first and second kind.
 struct CompleteElliptic {

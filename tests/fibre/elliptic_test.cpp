@@ -182,29 +182,6 @@ TEST_CASE("elliptic: complete integrals keep the errors promised (oracle: Boost.
   CHECK(worst_E <= 8 * unit);
 }
 
-TEST_CASE("elliptic: derivatives in m are those of the functions (oracle: differences of the ladder in 50 digits)") {
-  for (const auto& row : elliptic_rows()) {
-    if (row.u > complete_elliptic({row.m, row.m1}).K) continue;
-    const auto [value, d_m] = elliptic_arc_slope(row.u, {row.m, row.m1});
-    const auto plain = elliptic_arc(row.u, {row.m, row.m1});
-    CHECK(value.cn == plain.cn);  // the same operations in the same order
-    CHECK(value.R == plain.R);
-    const Fifty h("1e-13");  // truncation 1e-26/min(m, m1)^3 < 1e-16, rounding 1e-50/u^5/h < 1e-16
-    const Ladder<Fifty> above(row.u, row.m + h, row.m1 - h), below(row.u, row.m - h, row.m1 + h);
-    const auto check = [&](const char* name, double slope, const Fifty& up, const Fifty& down, double size) {
-      const auto truth = static_cast<double>((up - down) / (2 * h));
-      INFO(name, " at u = ", row.u, " m = ", row.m, ": ", slope, " for ", truth);
-      CHECK(std::abs(slope - truth) <= 64 * unit * std::max(std::abs(truth), size));  // slopes pass through zero, too
-    };
-    check("sn", d_m.sn, above.sn, below.sn, value.sn);
-    check("cn", d_m.cn, above.cn, below.cn, 1);
-    check("dn", d_m.dn, above.dn, below.dn, 1);
-    check("1 - cn", d_m.one_minus_cn, -above.cn, -below.cn, value.one_minus_cn);
-    check("P", d_m.P, above.P, below.P, value.P);
-    check("R", d_m.R, above.R, below.R, value.R);
-  }
-}
-
 TEST_CASE("elliptic: sn^2 + cn^2 = 1, dn^2 = m1 + m cn^2, V = 2 P + (m - m1) R (identity)") {
   for (const auto& row : elliptic_rows()) {
     const auto arc = elliptic_arc(row.u, {row.m, row.m1});
