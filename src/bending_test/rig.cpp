@@ -187,23 +187,13 @@ std::vector<StablePart> stable_parts(const SlidingCurve& curve) {
   return parts;
 }
 
-namespace {
-
-RigPoint point_in(const SlidingCurve& curve, const StablePart& part, double stage, std::optional<double> x_guess) {
+RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage,
+                        std::optional<double> S_guess) {
   const double advance = direction_of(curve.sliding) * stage;
   if (!(advance >= advance_of(curve, part.from) && advance <= advance_of(curve, part.to)))
     throw std::invalid_argument("stage position " + std::to_string(stage) + " is not in the stable part");
-  return point_between(curve, part.from, part.to, stage, x_guess);
-}
-
-}  // namespace
-
-RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage) {
-  return point_in(curve, part, stage, std::nullopt);
-}
-
-RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage, double S_guess) {
-  return point_in(curve, part, stage, way_at(curve.rig.fibre, curve.sliding, S_guess));
+  if (S_guess) S_guess = way_at(curve.rig.fibre, curve.sliding, *S_guess);
+  return point_between(curve, part.from, part.to, stage, S_guess);
 }
 
 double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, double S_to, double scales) {

@@ -104,8 +104,8 @@ std::optional<RigPoint> landing_after(const SlidingCurve& curve, double S, doubl
 std::vector<StablePart> stable_parts(const SlidingCurve& curve);
 
 // The state at a stage position that `part` contains. A guess of its length saves time, but changes nothing else.
-RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage);
-RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage, double S_guess);
+RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage,
+                        std::optional<double> S_guess = {});
 
 // The end of a stretch of the way from S towards S_to, over which friction and the elastica bend so little that polynomials in
 // √(S - 1) (Fibre::way) of low degree follow them: at most `scales` smooth scales of the friction (friction.h), and no knot inside.
