@@ -11,20 +11,6 @@
 namespace flexslip {
 namespace {
 
-// Per length slid.
-struct Power {
-  double friction = 0;
-  double released = 0;
-  Power& operator+=(const Power& other) {
-    friction += other.friction;
-    released += other.released;
-    return *this;
-  }
-  friend Power operator*(double factor, const Power& power) {
-    return {factor * power.friction, factor * power.released};
-  }
-};
-
 // A fibre that slides at a fixed stage position, from S towards some other length.
 class Slide {
  public:
@@ -37,14 +23,14 @@ class Slide {
         q_(direction_ * friction.at(S).mu) {}
 
   // With respect to σ (Fibre::way), in which Π is smooth at S = 1.
-  Power power_at(double sigma) {
+  SnapWork power_at(double sigma) {
     const double S = rig_.fibre.length_at(sigma);
     const auto [q, Pn, at_contacts, lost] = held_friction(S);
     const double resisting = direction_ * friction_.at(friction_.is_met() ? S : at_contacts).mu;
     return {(resisting * Pn + lost) * 2 * sigma, (q - resisting) * Pn * 2 * sigma};
   }
 
-  Power work(double S_from, double S_to) {
+  SnapWork work(double S_from, double S_to) {
     return integral(gauss_6, rig_.fibre.way(S_from), rig_.fibre.way(S_to), [this](double x) { return power_at(x); });
   }
 
@@ -60,9 +46,9 @@ class Slide {
   }
 
   // None if the fibre is not held all the way: holding() tells why.
-  std::optional<Power> work_if_held(double S_from, double S_to) {
+  std::optional<SnapWork> work_if_held(double S_from, double S_to) {
     holding_ = Holding::held;
-    const Power done = work(S_from, S_to);
+    const SnapWork done = work(S_from, S_to);
     if (holding_ == Holding::held) return done;
     q_ = direction_ * friction_.at(S_from).mu;
     return std::nullopt;
@@ -119,7 +105,7 @@ class Slide {
 };
 
 // Where, between two lengths, the energy left is spent: by Newton's iteration guarded by bisection.
-Swing end_between(Slide& slide, const Rig& rig, const Power& left, double S, double next) {
+Swing end_between(Slide& slide, const Rig& rig, const SnapWork& left, double S, double next) {
   double holds = S;
   double spent = next;
   double end = 0.5 * (S + next);
@@ -132,7 +118,7 @@ Swing end_between(Slide& slide, const Rig& rig, const Power& left, double S, dou
     if (std::abs(better - end) <= 0x1p-50 * end) break;
     end = better;
   }
-  const Power last = slide.work(S, end);
+  const SnapWork last = slide.work(S, end);
   return {Holding::held, end, left.friction + last.friction + left.released + last.released};
 }
 
@@ -172,7 +158,7 @@ HeldState held_at(double S, double stage, const Rig& rig, double q) {
 
 std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, double stage, double S_from, double S_to) {
   Slide slide(friction, rig, stage, S_from, S_to);
-  Power sum;
+  SnapWork sum;
   for (double S = S_from; S != S_to;) {
     const double next = slide.next(S, S_to);
     const auto work = slide.work_if_held(S, next);
@@ -181,7 +167,7 @@ std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, doub
     S = next;
   }
   if (held_at(S_to, stage, rig, 0).holding != Holding::held) return std::nullopt;
-  return SnapWork{sum.friction, sum.released};
+  return sum;
 }
 
 Swing swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
@@ -190,7 +176,7 @@ Swing swing(const Friction& friction, const Rig& rig, double stage, double S_fro
   Slide slide(friction, rig, stage, S_from, S_landing);
   const auto first = snap_work(friction, rig, stage, S_from, S_landing);
   if (!first) return {Holding::no_contact, S_landing, 0};
-  Power sum{first->friction, first->released};
+  SnapWork sum = *first;
   double S = S_landing;
   double reach =
       0.25 * std::abs(S_landing - S_from);  // of the next stretch: the energy may be spent long before its end

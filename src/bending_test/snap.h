@@ -32,8 +32,16 @@ struct HeldState {
 HeldState held_at(double S, double stage, const Rig& rig, double q);
 
 struct SnapWork {
-  double friction;  // [EI/L] ∫ μ Pn |dS|, never negative
-  double released;  // [EI/L] what is set free beyond friction
+  double friction = 0;  // [EI/L] ∫ μ Pn |dS|, never negative
+  double released = 0;  // [EI/L] what is set free beyond friction
+  SnapWork& operator+=(const SnapWork& other) {
+    friction += other.friction;
+    released += other.released;
+    return *this;
+  }
+  friend SnapWork operator*(double factor, const SnapWork& work) {
+    return {factor * work.friction, factor * work.released};
+  }
 };
 
 // The energies of a snap at a stage position from one length to another. None if the fibre is not held all the way.
