@@ -38,7 +38,7 @@ Stretch CrackingFibre::in_first_units(Stretch stretch) const {
 }
 
 std::optional<Stretch> CrackingFibre::advance_towards(double stage) {
-  if (end() != MotionEnd::none) return std::nullopt;
+  if (end() != HistoryStatus::ok) return std::nullopt;
   if (due_) return crack();
   std::optional<Stretch> stretch;
   if (std::exchange(cracked_, false)) stretch = fibre_.settle();

@@ -27,7 +27,7 @@ class CrackingFibre {
   CrackingFibre(BendingTest test, std::vector<Crack> cracks, double farthest);
 
   PathPoint state() const { return in_first_units(fibre_.state()); }
-  MotionEnd end() const { return fibre_.end(); }
+  HistoryStatus end() const { return fibre_.end(); }
   const FrictionLaw& friction() const { return fibre_.friction(); }
 
   // As those of MovingFibre. The energy that a crack sets free is that of fibre and rig before it less that after.

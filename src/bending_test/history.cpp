@@ -21,18 +21,6 @@ double farthest_of(std::span<const double> stages) {
   return farthest;
 }
 
-HistoryStatus status_of(MotionEnd end) {
-  switch (end) {
-    case MotionEnd::none:
-      return HistoryStatus::ok;
-    case MotionEnd::slipped_through:
-      return HistoryStatus::slipped_through;
-    case MotionEnd::contact_lost:
-      return HistoryStatus::contact_lost;
-  }
-  throw std::invalid_argument("no such end");
-}
-
 // Moves a fibre and keeps the books.
 class Recorder {
  public:
@@ -50,7 +38,7 @@ class Recorder {
       snapped = snapped || motion == Motion::snap;
       cracked = cracked || motion == Motion::crack;
     }
-    if (fibre_.end() != MotionEnd::none) return false;
+    if (fibre_.end() != HistoryStatus::ok) return false;
     PathPoint point = fibre_.state();
     point.motion = cracked ? Motion::crack : snapped ? Motion::snap : motion;
     record(point);
@@ -67,7 +55,7 @@ class Recorder {
         record(part.to);
       }
     }
-    return fibre_.end() == MotionEnd::none;
+    return fibre_.end() == HistoryStatus::ok;
   }
 
   void record(const PathPoint& point) {
@@ -80,7 +68,7 @@ class Recorder {
   PathPoint state() const { return fibre_.state(); }
 
   History finish() {
-    history_.status = status_of(fibre_.end());
+    history_.status = fibre_.end();
     return std::move(history_);
   }
 

@@ -28,15 +28,8 @@ struct CrackOpened {
   double released;          // [EI/L]
 };
 
-enum class HistoryStatus {
-  ok,
-  slipped_through,  // a stage position exceeds every equilibrium: the fibre slips through the supports
-  contact_lost,  // a snap let the fibre out until no force was left. In both cases the path holds the points before, and the account all
-  // that happened up to the end
-};
-
 struct History {
-  HistoryStatus status;
+  HistoryStatus status;  // unless ok, the path holds the points before, and the account all that happened up to the end
   std::vector<PathPoint> path;
   std::vector<EnergyAccount> energy_at;  // at each point of the path
   std::vector<ContactPoints> contacts;   // likewise, on two supports that are not alike; else none

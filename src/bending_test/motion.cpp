@@ -107,7 +107,7 @@ MovingFibre::MovingFibre(BendingTest test, double farthest, const PathPoint& the
   if (held.holding == Holding::beyond_friction) {
     const auto landing = landing_after(in_, S, stage);
     if (!landing || landing->S > longest_sliding) {
-      end_ = MotionEnd::slipped_through;
+      end_ = HistoryStatus::slipped_through;
     } else {
       double slides = S, holds = landing->S;
       for (double middle = 0.5 * (slides + holds); slides < middle && middle < holds; middle = 0.5 * (slides + holds))
@@ -129,7 +129,7 @@ void MovingFibre::return_to(const Position& position) {
 }
 
 std::optional<Stretch> MovingFibre::settle() {
-  if (end_ != MotionEnd::none || std::abs(state_.q) <= limit_at(state_.q > 0 ? Sliding::in : Sliding::out))
+  if (end_ != HistoryStatus::ok || std::abs(state_.q) <= limit_at(state_.q > 0 ? Sliding::in : Sliding::out))
     return std::nullopt;
   if (Shallow::holds(test_.rig.fibre, state_.S, state_.w)) return std::nullopt;
   return snap(state_.q > 0 ? Sliding::in : Sliding::out);
@@ -168,7 +168,7 @@ std::optional<Stretch> MovingFibre::advance_towards(double stage) {
   if (!(stage >= 0 && stage <= farthest_))
     throw std::invalid_argument("stage position " + std::to_string(stage) + " is not between 0 and " +
                                 std::to_string(farthest_));
-  if (end_ != MotionEnd::none || stage == state_.stage) return std::nullopt;
+  if (end_ != HistoryStatus::ok || stage == state_.stage) return std::nullopt;
   const Sliding sliding = stage > state_.stage ? Sliding::in : Sliding::out;
   if (is_free() && (sliding == Sliding::out || state_.stage < state_.w)) return move_apart(stage);
   if (is_shallow(sliding)) {
@@ -299,7 +299,7 @@ std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& n
 }
 
 std::optional<Stretch> MovingFibre::lose(Sliding sliding) {
-  end_ = sliding == Sliding::in ? MotionEnd::slipped_through : MotionEnd::contact_lost;
+  end_ = sliding == Sliding::in ? HistoryStatus::slipped_through : HistoryStatus::contact_lost;
   return std::nullopt;
 }
 

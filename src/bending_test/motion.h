@@ -39,9 +39,9 @@ struct Stretch {
   StretchWork work;
 };
 
-enum class MotionEnd {
-  none,
-  slipped_through,  // the fibre is drawn in beyond every equilibrium: it slips through the supports
+enum class HistoryStatus {
+  ok,
+  slipped_through,  // a stage position exceeds every equilibrium: the fibre slips through the supports
   contact_lost,     // a snap let the fibre out until no force was left
 };
 
@@ -62,7 +62,7 @@ class MovingFibre {
   MovingFibre(BendingTest test, double farthest, const PathPoint& there);
 
   const PathPoint& state() const { return state_; }
-  MotionEnd end() const { return end_; }
+  HistoryStatus end() const { return end_; }
 
   // That of the way which it is on: on two supports that are not alike it changes where the fibre turns back (two_supports.h).
   const FrictionLaw& friction() const { return test_.friction; }
@@ -127,14 +127,14 @@ class MovingFibre {
   SlidingTable table_in_, table_out_;
   PathPoint state_{};
   RigPoint here_{};  // the last point met on a curve
-  MotionEnd end_ = MotionEnd::none;
+  HistoryStatus end_ = HistoryStatus::ok;
   std::optional<Glide> glide_;
 };
 
 struct MovingFibre::Position {
   PathPoint state;
   RigPoint here;
-  MotionEnd end;
+  HistoryStatus end;
   std::optional<Glide> glide;
 };
 

@@ -136,7 +136,7 @@ Comparison compare(const SomeProgramme& programme, double cell) {
   double from = 0;
   for (const double point : turning_points) {
     constexpr int n = 12;
-    for (int j = 1; j <= n && fibre.end() == MotionEnd::none; ++j) {
+    for (int j = 1; j <= n && fibre.end() == HistoryStatus::ok; ++j) {
       const double stage = j == n ? point : from + (point - from) * j / n;
       while (const auto stretch = fibre.advance_towards(stage)) result.snaps += stretch->to.motion == Motion::snap;
       oracle.move_to(stage);
@@ -344,13 +344,13 @@ TEST_CASE(
   CHECK(in[1].to.motion == Motion::stick);
   CHECK(fibre.state().F == to(1e-13, loaded.F));
   CHECK(fibre.state().q == to(1e-12, loaded.q));
-  CHECK(fibre.end() == MotionEnd::none);
+  CHECK(fibre.end() == HistoryStatus::ok);
 }
 
 TEST_CASE("motion: a fibre drawn in by a hundred spans slips through, as no specimen is as long (limit)") {
   MovingFibre fibre({Friction::constant(1), {90}}, 60);
   stretches_to(fibre, 60);
-  CHECK(fibre.end() == MotionEnd::slipped_through);
+  CHECK(fibre.end() == HistoryStatus::slipped_through);
   CHECK(fibre.state().S == longest_sliding);
   CHECK(fibre.state().stage < 60);
 }

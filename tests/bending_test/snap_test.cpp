@@ -95,7 +95,7 @@ TEST_CASE("snap: an overshoot ends where its energy is spent, with static fricti
           CHECK(std::abs(end.S - fine) <= 1e-3 * (landing->S - stretch->from.S));  // a few of its steps
           ++ends;
         }
-        CHECK(fibre.end() == MotionEnd::none);
+        CHECK(fibre.end() == HistoryStatus::ok);
         CHECK(snaps > 3);
       }
   CHECK(ends > 100);
@@ -108,7 +108,7 @@ TEST_CASE("snap: without friction an overshoot that never ends rests at the near
     int stretches = 0;
     while (carried.advance_towards(0.05) && stretches < 100000) ++stretches;
     CHECK(stretches < 100000);
-    CHECK((carried.end() != MotionEnd::none || carried.state().stage == 0.05));
+    CHECK((carried.end() != HistoryStatus::ok || carried.state().stage == 0.05));
   }
 }
 
