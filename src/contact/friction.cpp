@@ -172,24 +172,11 @@ Friction Friction::on_two_supports(Friction left, Friction right, double S_most)
   return Friction(std::make_shared<const Walk>(std::move(left), std::move(right), ContactPoints{0, 0}, S_most));
 }
 
-namespace {
-
-class MetTable final : public FrictionOnAWay {
- public:
-  explicit MetTable(FrictionTable table) : table_(Friction::table(std::move(table))) {}
-  FrictionPoint at(double S) const override { return table_.at(S); }
-  double smooth_scale() const override { return table_.smooth_scale(); }
-  double most_up_to(double S_max) const override { return table_.most_up_to(S_max); }
-  std::span<const double> knots() const override { return table_.knots(); }
-  bool is_met() const override { return true; }
-
- private:
-  Friction table_;
-};
-
-}  // namespace
-
-Friction Friction::as_met(FrictionTable table) { return on_a_way(std::make_shared<const MetTable>(std::move(table))); }
+Friction Friction::as_met(FrictionTable table) {
+  Friction friction(std::move(table));
+  friction.met_ = true;
+  return friction;
+}
 
 Friction Friction::from(double S, double q, double direction) const {
   auto onward = way() ? way()->from(S, q, direction) : nullptr;

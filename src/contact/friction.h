@@ -103,7 +103,7 @@ class Friction {
 
   // A table over what has been drawn in, as a fibre on rollers meets it on the way in: on edges a table.
   static Friction as_met(FrictionTable table);
-  bool is_met() const { return way() && way()->is_met(); }
+  bool is_met() const { return met_ || (way() && way()->is_met()); }
 
   static Friction on_a_way(std::shared_ptr<const FrictionOnAWay> way) { return Friction(std::move(way)); }
 
@@ -152,6 +152,7 @@ class Friction {
   FrictionPoint in_table(double S) const;
 
   Form form_;
+  bool met_ = false;  // a table as_met
   std::vector<WaveTerm> terms_;
   std::vector<double> knot_slopes_;  // dμ/dS at each knot of a table
 };
