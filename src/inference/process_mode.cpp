@@ -113,10 +113,13 @@ void FrictionProcess::lay_sites(Mode& mode) const {
 
 std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) const {
   std::vector<double> S, stage, near;
-  for (const auto& site : mode.sites) {
+  const auto at_site = [](const GapSite& site, const std::vector<double>& values) {
     const double part = static_cast<double>(site.node) / static_cast<double>(site.nodes + 1);
-    const double before = mode.at.S[site.reading - 1];
-    S.push_back(before + part * (mode.at.S[site.reading] - before));
+    const double before = values[site.reading - 1];
+    return before + part * (values[site.reading] - before);
+  };
+  for (const auto& site : mode.sites) {
+    S.push_back(at_site(site, mode.at.S));
     stage.push_back(passages_.stage[site.reading]);
     near.push_back(mode.at.mu[site.reading]);
   }
@@ -124,9 +127,7 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
   std::vector<Node> nodes;
   for (std::size_t j = 0; j < S.size(); ++j) {
     const GapSite& site = mode.sites[j];
-    const double part = static_cast<double>(site.node) / static_cast<double>(site.nodes + 1);
-    const double before = mode.at.S_eta[site.reading - 1];
-    const double S_eta = before + part * (mode.at.S_eta[site.reading] - before);
+    const double S_eta = at_site(site, mode.at.S_eta);
     nodes.push_back({S[j], levels[j], levels[j].m_eta + (levels[j].m_S - site.slope) * S_eta});
   }
   return nodes;

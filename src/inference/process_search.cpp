@@ -226,12 +226,16 @@ class Search {
     }
   }
 
-  Mode without_wave(Kernel kernel) const {
-    Mode mode = process_.start(kernel, process_.usual(), rises_);
+  // A mode settled, and moved by a burst where that is much better.
+  Mode settled(Mode mode, int rounds) const {
     process_.settle(mode);
     Mode moved = mode;
-    process_.burst(moved, 8, 0.3);
-    if (moved.merit > mode.merit + 5) mode = std::move(moved);
+    process_.burst(moved, rounds, 0.3);
+    return moved.merit > mode.merit + 5 ? moved : mode;
+  }
+
+  Mode without_wave(Kernel kernel) const {
+    Mode mode = settled(process_.start(kernel, process_.usual(), rises_), 8);
     process_.polish(mode, 3, 4, 0.3);
     process_.burst(mode, 4, 0.3);
     return mode;
@@ -265,10 +269,7 @@ class Search {
     theta.values[4 + theta.waves++] = log_wavelength;
     Mode mode = process_.start(from.kernel, theta, from.at);
     mode.sites = from.sites;
-    process_.settle(mode);
-    Mode moved = mode;
-    process_.burst(moved, 12, 0.3);
-    if (moved.merit > mode.merit + 5) mode = std::move(moved);
+    mode = settled(std::move(mode), 12);
     process_.polish(mode, 1, 4, 0.3);
     return mode;
   }
@@ -291,35 +292,32 @@ class Search {
                        [](const auto& a, const auto& b) { return better(a.first, b.first); });
     };
     rank();
-    // The best two again from beside their wavelength: on soft rigs neighbouring peaks hide each other.
-    std::vector<double> done;
-    const std::size_t so_far = blurred ? found.size() : 0;
-    for (std::size_t i = 0; i < so_far && done.size() < 2; ++i) {
-      const double wavelength = found[i].second;
-      if (found[i].first.merit < found.front().first.merit - 40 ||
-          std::find(done.begin(), done.end(), wavelength) != done.end())
-        continue;
-      done.push_back(wavelength);
+    const auto for_the_best_two = [&](auto&& add_to) {
+      std::vector<double> done;
+      const std::size_t so_far = blurred ? found.size() : 0;
+      for (std::size_t i = 0; i < so_far && done.size() < 2; ++i) {
+        const double wavelength = found[i].second;
+        if (found[i].first.merit < found.front().first.merit - 40 ||
+            std::find(done.begin(), done.end(), wavelength) != done.end())
+          continue;
+        done.push_back(wavelength);
+        add_to(i, wavelength);
+      }
+      rank();
+    };
+    // From beside their wavelength: on soft rigs neighbouring peaks hide each other.
+    for_the_best_two([&](std::size_t, double wavelength) {
       for (const double beside : {0.25, -0.25})
         found.emplace_back(tried(raw, raw.theta, elementary::log(wavelength * (1 + beside * wavelength / range))),
                            wavelength);
-    }
-    rank();
-    done.clear();
-    const std::size_t tries = blurred ? found.size() : 0;
-    for (std::size_t i = 0; i < tries && done.size() < 2; ++i) {
-      const double wavelength = found[i].second;
-      if (found[i].first.merit < found.front().first.merit - 40 ||
-          std::find(done.begin(), done.end(), wavelength) != done.end())
-        continue;
-      done.push_back(wavelength);
+    });
+    for_the_best_two([&](std::size_t i, double wavelength) {
       Mode mode = fitted_forward(process_, run_, found[i].first);
       process_.settle(mode);
       process_.burst(mode, 4, 0.3);
       process_.polish(mode, 1, 4, 0.3);
       found.emplace_back(std::move(mode), wavelength);
-    }
-    rank();
+    });
     std::vector<Mode> polished;
     for (auto& each : found) {
       Mode& mode = each.first;
