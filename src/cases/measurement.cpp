@@ -94,7 +94,7 @@ class Columns {
 };
 
 void require_finite(const Record& record, const Table& table) {
-  const RecordCheck check = check_record(record, 0);
+  const RecordCheck check = check_record(record);
   if (check.fault != RecordFault::not_finite) return;
   throw InputError({.file = table.source,
                     .line = table.line_of(check.index),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -14,24 +13,17 @@ namespace flexslip {
 namespace {
 
 constexpr std::size_t least_points = 30;
-constexpr double course_error =
-    1.05;  // the smooth course errs too, which step_noise sees and a given noise does not: from simulations
+constexpr std::size_t longest = 3;  // [steps] a drop may take that long
 
 void require(const DropOptions& options) {
-  const auto refuse = [](const char* name, double value) {
-    std::ostringstream message;
-    message << name << " = " << value << " is out of range";
-    throw std::invalid_argument(message.str());
-  };
-  if (!(options.false_alarms_per_test > 0 && std::isfinite(options.false_alarms_per_test)))
-    refuse("false alarms per test", options.false_alarms_per_test);
-  if (options.longest < 1 || options.longest > 10) refuse("longest drop", static_cast<double>(options.longest));
-  if (options.force_noise && !(*options.force_noise > 0 && std::isfinite(*options.force_noise)))
-    refuse("force noise", *options.force_noise);
+  if (options.false_alarms_per_test > 0 && std::isfinite(options.false_alarms_per_test)) return;
+  std::ostringstream message;
+  message << "false alarms per test = " << options.false_alarms_per_test << " is out of range";
+  throw std::invalid_argument(message.str());
 }
 
 void require_faultless(const Record& record) {
-  const RecordCheck check = check_record(record, 0);
+  const RecordCheck check = check_record(record);
   if (check.fault != RecordFault::none)
     throw std::invalid_argument("no drops of a faulty record: see check_record, index " + std::to_string(check.index));
 }
@@ -55,10 +47,8 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   if (points < least_points) return {DropStatus::too_short, {}, 0, 0};
 
   double stretches = 0;
-  for (std::size_t length = 1; length <= options.longest; ++length) stretches += static_cast<double>(points - length);
-  const auto false_alarms = [&](double x) {
-    return stretches * (options.force_noise ? gaussian_tail(x) : student_tail(x, noise_freedom(points)));
-  };
+  for (std::size_t length = 1; length <= longest; ++length) stretches += static_cast<double>(points - length);
+  const auto false_alarms = [&](double x) { return stretches * student_tail(x, noise_freedom(points)); };
 
   double needed = 0, enough = 1;  // the significance at which false_alarms falls to what is allowed
   while (false_alarms(enough) > options.false_alarms_per_test) enough *= 2;
@@ -68,13 +58,9 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   }
 
   const std::vector<double> smooth = smooth_steps(record);
-  const auto noise_over = [&](std::size_t length) {
-    return options.force_noise ? course_error * std::numbers::sqrt2 * *options.force_noise
-                               : step_noise(record, smooth, length);
-  };
   std::vector<Stretch> found;
-  for (std::size_t length = 1; length <= options.longest; ++length) {
-    const double noise = noise_over(length);
+  for (std::size_t length = 1; length <= longest; ++length) {
+    const double noise = step_noise(record, smooth, length);
     std::size_t falling = 0;  // steps up to here
     for (std::size_t to = 1; to < points; ++to) {
       falling = force[to] < force[to - 1] ? falling + 1 : 0;
@@ -97,8 +83,8 @@ Drops find_drops(const Record& record, const DropOptions& options) {
     if (std::all_of(begin, end, [](double x) { return x == 0; })) std::fill(begin, end, stretch.significance);
   }
 
-  Drops result{
-      .status = DropStatus::ok, .drops = {}, .step_noise = noise_over(1), .smallest_fall = needed * noise_over(1)};
+  const double noise = step_noise(record, smooth, 1);
+  Drops result{.status = DropStatus::ok, .drops = {}, .step_noise = noise, .smallest_fall = needed * noise};
   for (std::size_t i = 1; i < points; ++i) {
     if (significance[i] == 0) continue;
     Drop drop{.before = i - 1, .after = i, .force_fall = 0, .advance = 0, .significance = 0, .false_alarms = 0};

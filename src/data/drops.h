@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "data/record.h"
@@ -10,10 +9,8 @@
 namespace flexslip {
 
 struct DropOptions {
-  double false_alarms_per_test =
-      0.1;                  // [1] drops to be expected in a test of this length without slips, see find_drops
-  std::size_t longest = 3;  // [steps] a drop may take that long; longer ones are found by their steepest part
-  std::optional<double> force_noise{};  // [N] of one reading, readings erring independently; not given: from the record
+  // [1] drops to be expected in a test of this length without slips, see find_drops
+  double false_alarms_per_test = 0.1;
 };
 
 struct Drop {
@@ -48,10 +45,9 @@ struct Drops {
 // falls for two thirds of the test. A smooth fall so steep that its slope changes by much more than the noise within 20 points
 // (a fibre about to snap through) is taken for drops.
 //
-// Domain: a record without faults (check_record); 0 < false_alarms_per_test, 1 <= longest <= 10, force_noise > 0;
-//         std::invalid_argument otherwise.
+// Domain: a record without faults (check_record); 0 < false_alarms_per_test; std::invalid_argument otherwise.
 // Fails:  too_short.
-// Method: over 1 to `longest` successive falling steps from i to j
+// Method: over one to three successive falling steps from i to j (a longer drop is found by its steepest part)
 //             x = (min(0, smooth fall) - (F_j - F_i)) / noise over j - i steps,
 //         with smooth_steps and step_noise of record.h. The tail of Student's t (the noise is itself an estimate) at x, times the
 //         number of stretches looked at, is the number of false alarms to be expected; it must not exceed that allowed.

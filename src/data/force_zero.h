@@ -18,21 +18,15 @@ struct ForceZero {
   std::size_t points;  // the first of the record, that the mean is of
 };
 
-struct ForceZeroOptions {
-  std::size_t least_points = 10;  // before the contact: fewer tell neither an offset nor its error
-  double significance = 4;        // [error] an offset smaller than this is none
-};
-
 // The mean force before the specimen is touched.
 // Domain: columns of one length, displacement rising but for noise, finite; noise [N] of one force reading, at least 0;
 //         std::invalid_argument otherwise.
 // Method: the force is level up to the last of the first rows that stay within 4 noise of their running mean; a specimen in
 //         contact from the first row on would leave that band much earlier. The mean is of the first half of that way, which
 //         keeps the toe, where the contact settles, out of it. Its error allows for drift from row to row (AR(1)).
-ForceZero find_force_zero(std::span<const double> displacement, std::span<const double> force, double noise,
-                          const ForceZeroOptions& options = {});
+ForceZero find_force_zero(std::span<const double> displacement, std::span<const double> force, double noise);
 
-// Is an offset more than its error makes likely?
-bool is_significant(const ForceZero& zero, const ForceZeroOptions& options = {});
+// Is an offset more than its error makes likely, four times as much?
+bool is_significant(const ForceZero& zero);
 
 }  // namespace flexslip

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "data/distributions.h"
 #include "data/line.h"
@@ -18,17 +18,7 @@ constexpr double far_enough = 1.0 / 3;   // [greatest force of the first loading
 constexpr double farthest_bent = 2;      // [first loading] where a reload may be at the same force
 constexpr std::size_t least_points = 6;  // twice what a line with a scatter needs, for the two halves
 
-[[noreturn]] void refuse(const char* name, double value) {
-  std::ostringstream message;
-  message << name << " = " << value << " is out of range";
-  throw std::invalid_argument(message.str());
-}
-
-void require(const Record& record, std::span<const LoadingRange> loadings, const LoadingStiffnessOptions& options) {
-  if (!(options.from >= 0 && options.from < options.up_to)) refuse("lower end of the window", options.from);
-  if (!(options.up_to <= 1)) refuse("upper end of the window", options.up_to);
-  if (!(options.relevant_loss > 0 && options.relevant_loss < 1)) refuse("relevant loss", options.relevant_loss);
-  if (!(options.confidence > 0.5 && options.confidence < 1)) refuse("confidence", options.confidence);
+void require(const Record& record, std::span<const LoadingRange> loadings) {
   const std::size_t rows = record.force.size();
   if (record.stage.size() != rows || record.deflection.size() != rows)
     throw std::invalid_argument("the columns of the record differ in length");
@@ -37,7 +27,8 @@ void require(const Record& record, std::span<const LoadingRange> loadings, const
       throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
   std::size_t reached = 0;
   for (const auto& [first, last] : loadings) {
-    if (first < reached || last <= first || last > rows) refuse("loading from row", static_cast<double>(first));
+    if (first < reached || last <= first || last > rows)
+      throw std::invalid_argument("loading from row = " + std::to_string(first) + " is out of range");
     reached = last;
   }
 }
@@ -103,9 +94,8 @@ MeasuredLoading measure(const Record& record, const LoadingRange& loading, const
 
 }  // namespace
 
-std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings,
-                                               const LoadingStiffnessOptions& options) {
-  require(record, loadings, options);
+std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings) {
+  require(record, loadings);
   if (loadings.empty()) return {};
   const auto greatest_force = [&](const LoadingRange& loading) {
     const auto rows = std::span(record.force).subspan(loading.first, loading.last - loading.first);
@@ -115,8 +105,9 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
   double least = most;
   for (const LoadingRange& loading : loadings)
     if (greatest_force(loading) >= far_enough * most) least = std::min(least, greatest_force(loading));
-  const Window window{options.from * least, 0.5 * (options.from + options.up_to) * least, options.up_to * least};
-  const double quantile = gaussian_quantile(options.confidence);
+  const Window window{loading_window_from * least, 0.5 * (loading_window_from + loading_window_up_to) * least,
+                      loading_window_up_to * least};
+  const double quantile = gaussian_quantile(loading_confidence);
 
   const MeasuredLoading reference = measure(record, loadings.front(), window);
   std::vector<LoadingStiffness> result;
@@ -147,9 +138,9 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
           0.5 * std::abs(measured.upper.value / reference.upper.value - measured.lower.value / reference.lower.value);
       const double bound = quantile * std::hypot(stiffness.ratio_error, stiffness.ratio_systematic);
       const double loss = 1 - stiffness.ratio;
-      stiffness.verdict = loss - bound > options.relevant_loss   ? DamageVerdict::damaged
-                          : loss + bound < options.relevant_loss ? DamageVerdict::not_damaged
-                                                                 : DamageVerdict::undecided;
+      stiffness.verdict = loss - bound > relevant_loss   ? DamageVerdict::damaged
+                          : loss + bound < relevant_loss ? DamageVerdict::not_damaged
+                                                         : DamageVerdict::undecided;
       if (reference.status != LoadingStatus::ok) stiffness.status = LoadingStatus::no_reference;
     }
     if (stiffness.status != LoadingStatus::ok) {

@@ -17,13 +17,11 @@ struct LoadingRange {
   std::size_t first, last;
 };
 
-struct LoadingStiffnessOptions {
-  double from =
-      0.05;  // [least of the greatest forces of loadings that get far enough] window of force, the same one [N] for all loadings:
-  double up_to = 0.30;          //    what lies below from may still be settling; what lies above up_to is bent
-  double relevant_loss = 0.10;  // [1] a loss of stiffness smaller than this is of no relevance
-  double confidence = 0.95;     // [1] of each verdict, one-sided
-};
+// The window of force, the same one [N] for all loadings: what lies below may still be settling, what lies above is bent.
+// [least of the greatest forces of loadings that get far enough]
+inline constexpr double loading_window_from = 0.05, loading_window_up_to = 0.30;
+inline constexpr double relevant_loss = 0.10;       // [1] a loss of stiffness smaller than this is of no relevance
+inline constexpr double loading_confidence = 0.95;  // [1] of each verdict, one-sided
 
 enum class DamageVerdict {
   damaged,      // that the loss is at most the relevant one is rejected
@@ -52,15 +50,14 @@ struct LoadingStiffness {
   DamageVerdict verdict;
 };
 
-// Domain:  a record whose columns are finite and of one length; ranges within it, in time order, not overlapping; 0 <= from < up_to <= 1,
-//          0 < relevant_loss < 1, 0.5 < confidence < 1; std::invalid_argument otherwise.
-// Max error: wrong verdicts are no more frequent than 1 - confidence, and ratio +- 1.96 ratio_error covers 95 %, less 3 %, for noise of the
+// Domain:  a record whose columns are finite and of one length; ranges within it, in time order, not overlapping; std::invalid_argument
+//          otherwise.
+// Max error: wrong verdicts are no more frequent than 1 - loading_confidence, and ratio +- 1.96 ratio_error covers 95 %, less 3 %, for noise of the
 //          force that is white or AR(1) up to 0.5, and 30 rows or more in the window (tests/data/loading_stiffness_test.cpp).
 // Method:  the window is one of force, not of deflection: the force tells where on its curve a specimen is, whatever the offset of the
 //          contact, and a bend of the curve cancels in the ratio. Force and deflection are regressed on the stage, which is imposed and
 //          free of their noise; errors allow for AR(1). That they know nothing of contacts that settle differently is what the
 //          systematic error is for: real ratios depend on the window by more than the scatter (docs/validation.md).
-std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings,
-                                               const LoadingStiffnessOptions& options = {});
+std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings);
 
 }  // namespace flexslip

@@ -214,11 +214,10 @@ Record picked(const Record& record, std::span<const std::size_t> points) {
   return {of(record.stage), of(record.deflection), of(record.force)};
 }
 
-RecordCheck check_record(const Record& record, std::size_t least_points) {
+RecordCheck check_record(const Record& record) {
   const auto& [stage, deflection, force] = record;
   const std::size_t n = std::min({stage.size(), deflection.size(), force.size()});
   if (n != std::max({stage.size(), deflection.size(), force.size()})) return {RecordFault::lengths_differ, n};
-  if (n < least_points) return {RecordFault::too_short, n};
   for (std::size_t i = 0; i < n; ++i)
     if (!std::isfinite(stage[i]) || !std::isfinite(deflection[i]) || !std::isfinite(force[i]))
       return {RecordFault::not_finite, i};
@@ -259,23 +258,19 @@ Failure find_failure(const Record& record) {
   return {FailureStatus::found, last + 1};
 }
 
-Contact find_contact(const Record& record, const ContactOptions& options) {
-  if (!(options.from >= 0 && options.from < options.up_to && options.up_to <= 1)) {
-    std::ostringstream message;
-    message << "range of force " << options.from << " to " << options.up_to << " is not within 0 to 1";
-    throw std::invalid_argument(message.str());
-  }
-  const Contact contact = line_between(record, options.from, options.up_to);
+Contact find_contact(const Record& record) {
+  constexpr double from = 0.02, up_to = 0.15;  // [maximum force]
+  const Contact contact = line_between(record, from, up_to);
   if (contact.status != ContactStatus::found) return contact;
   // A contact that settles hardens: the upper half of the line meets zero force later than the lower one.
-  const double middle = 0.5 * (options.from + options.up_to);
-  const Contact lower = line_between(record, options.from, middle), upper = line_between(record, middle, options.up_to);
+  const double middle = 0.5 * (from + up_to);
+  const Contact lower = line_between(record, from, middle), upper = line_between(record, middle, up_to);
   if (lower.status != ContactStatus::found || upper.status != ContactStatus::found) return contact;
   constexpr double surely = 4;  // standard errors
   if (upper.offset - lower.offset < surely * std::hypot(lower.offset_error, upper.offset_error)) return contact;
-  const double above = 2 * options.up_to - options.from;
+  const double above = 2 * up_to - from;
   Contact settled = line_between(record, middle, above);
-  const Contact farther = line_between(record, options.up_to, above);
+  const Contact farther = line_between(record, up_to, above);
   if (settled.status != ContactStatus::found || farther.status != ContactStatus::found) return contact;
   settled.offset_error = std::hypot(settled.offset_error, std::max(std::abs(farther.offset - settled.offset),
                                                                    std::abs(settled.offset - contact.offset)));

@@ -46,7 +46,6 @@ Record picked(const Record& record, std::span<const std::size_t> points);
 enum class RecordFault {
   none,
   lengths_differ,   // the columns are not of one length; index = the length of the shortest
-  too_short,        // fewer points than needed; index = how many there are
   not_finite,       // index = the first point with a value that is not finite
   stage_runs_back,  // index = the first point whose stage lies behind that of the point before
 };
@@ -57,7 +56,7 @@ struct RecordCheck {
 };
 
 // Is this a loading test that can be evaluated? Everything below takes for granted that lengths agree and values are finite.
-RecordCheck check_record(const Record& record, std::size_t least_points);
+RecordCheck check_record(const Record& record);
 
 enum class FailureStatus {
   found,
@@ -82,11 +81,6 @@ enum class ContactStatus {
   not_rising,      // the force does not rise there: nothing else is valid
 };
 
-struct ContactOptions {
-  double from = 0.02;   // [maximum force] below it, the contact may still be settling
-  double up_to = 0.15;  // [maximum force] above it, curves of large deflection are no longer straight
-};
-
 struct Contact {
   ContactStatus status;
   double offset;              // [m] stage position, and so deflection, at which the contact begins
@@ -98,13 +92,13 @@ struct Contact {
   bool settles;               // the curve bends where it begins: the line is drawn through what comes above
 };
 
-// The straight beginning of a loading curve, force = slope (deflection - offset).
-// Domain: 0 <= from < up_to <= 1; std::invalid_argument otherwise.
+// The straight beginning of a loading curve, force = slope (deflection - offset), between 0.02 and 0.15 of the maximum force: below, the
+// contact may still be settling; above, curves of large deflection are no longer straight.
 // Method: force and deflection are both regressed on the stage, which is imposed and so free of their noise; the slope is the
 //         ratio. Standard errors allow for residuals correlated from point to point (AR(1)). Where the upper half of the range meets
 //         zero force later than the lower one, by four standard errors, the contact settles: the line is then that of the upper
 //         half and of as much above the range, and how far the result moves by that is part of its error.
-Contact find_contact(const Record& record, const ContactOptions& options = {});
+Contact find_contact(const Record& record);
 
 // The force step [N] from each point to the next that a smooth curve would make: size - 1 values. The slope at a step is the
 // median over the 21 steps around it, weighted by their travel and straightened by the bend of that median over 10 steps either

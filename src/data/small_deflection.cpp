@@ -13,9 +13,10 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t least_points = 5;                     // of a line that is to tell its own error
-constexpr double most_correlation = 0.95;                   // beyond it the stretch is too short to tell
-constexpr double step = 0.05, last_up_to = 0.9;             // [greatest force] of the windows tried
+constexpr std::size_t least_points = 5;                        // of a line that is to tell its own error
+constexpr double most_correlation = 0.95;                      // beyond it the stretch is too short to tell
+constexpr double step = 0.05, width = 0.25, last_up_to = 0.9;  // [greatest force] of the windows tried
+constexpr double most_deflection = 0.1;  // [span] beyond it a deflection is not small, where the span is known
 constexpr double strain_from = 0.0005, strain_to = 0.0025;  // ISO 178
 
 void require(bool holds, const char* what, double value) {
@@ -62,8 +63,8 @@ std::optional<Straight> steepest(const Record& record, std::size_t points, doubl
                                  const SmallDeflectionOptions& options) {
   if (options.window) return straight_in(record, points, most, *options.window);
   std::optional<Straight> best;
-  for (int i = 1; i * step + options.width <= last_up_to + 0.5 * step; ++i) {
-    const auto tried = straight_in(record, points, most, {i * step, i * step + options.width});
+  for (int i = 1; i * step + width <= last_up_to + 0.5 * step; ++i) {
+    const auto tried = straight_in(record, points, most, {i * step, i * step + width});
     if (tried && (!best || tried->slope.value > best->slope.value)) best = tried;
   }
   return best;
@@ -102,8 +103,6 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
             options.window->from);
     require(options.window->up_to <= 1, "window up to", options.window->up_to);
   }
-  require(options.width > 0 && options.width < 1, "width", options.width);
-  require(options.most_deflection > 0, "most deflection", options.most_deflection);
   if (geometry.span) require(*geometry.span > 0 && std::isfinite(*geometry.span), "span", *geometry.span);
 
   SmallDeflection result{};
@@ -116,7 +115,7 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
   const std::size_t points = greatest + 1;
   std::size_t small = points;  // of them, the ones before the deflection is large
   if (geometry.span) {
-    const double limit = options.most_deflection * *geometry.span;
+    const double limit = most_deflection * *geometry.span;
     const auto beyond = std::find_if(record.deflection.begin(), record.deflection.begin() + as_difference(points),
                                      [=](double w) { return w > limit; });
     small = static_cast<std::size_t>(beyond - record.deflection.begin());
@@ -137,7 +136,7 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
   result.deflection = record.deflection[greatest] - straight->origin;
   if (!geometry.span) return result;
   const double L = *geometry.span;
-  result.deflection_large = result.deflection > 0.1 * L;
+  result.deflection_large = result.deflection > most_deflection * L;
   result.bending_stiffness = straight->slope.value * L * L * L / 48;
   if (!geometry.section) return result;
   const double I = second_moment(*geometry.section);

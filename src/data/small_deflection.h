@@ -18,9 +18,8 @@ struct ForceWindow {
 };
 
 struct SmallDeflectionOptions {
-  std::optional<ForceWindow> window{};  // not given: the steepest of those below
-  double width = 0.25;                  // [1] of the windows tried, from 0.05 on in steps of 0.05, up to 0.9
-  double most_deflection = 0.1;         // [span] beyond it a deflection is not small, where the span is known
+  // Not given: the steepest of width 0.25 from 0.05 on in steps of 0.05, up to 0.9.
+  std::optional<ForceWindow> window{};
 };
 
 // What is known of a test besides its record; what is not known stays out of the result.
@@ -63,7 +62,7 @@ struct SmallDeflection {
   std::optional<double> shear_share;        // [1] what shear adds to a deflection (section.h)
 };
 
-// Domain: a loading without faults (check_record), its failure taken off; lengths positive; 0 <= from < up_to <= 1, 0 < width < 1;
+// Domain: a loading without faults (check_record), its failure taken off; lengths positive; 0 <= from < up_to <= 1;
 //         std::invalid_argument otherwise.
 // Max error: the error is that of the scatter about the line, correlated scatter allowed for (AR(1)); it knows nothing of the
 //         dimensions of the specimen. Of windows tried, the steepest is up to 2 errors too steep where all are alike.

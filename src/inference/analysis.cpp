@@ -167,7 +167,7 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
 }
 
 TestAnalysis analyse(const Record& all, const TestDescription& description, const AnalysisOptions& options) {
-  if (const auto check = check_record(all, 0);
+  if (const auto check = check_record(all);
       check.fault == RecordFault::lengths_differ || check.fault == RecordFault::not_finite)
     throw std::invalid_argument("the record has a fault at point " + std::to_string(check.index));
   const Failure found = find_failure(all);

@@ -317,7 +317,6 @@ PrintedTable loop_energy_table(const FittedTest& test) {
 }
 
 std::string reloading_in_words(const FittedTest& test) {
-  const LoadingStiffnessOptions options;
   const auto& loadings = test.cycles->stiffness;
   const auto those = [&](auto&& wanted) {
     std::vector<std::string> numbers;
@@ -331,7 +330,7 @@ std::string reloading_in_words(const FittedTest& test) {
     });
   };
   if (loadings.size() < 2) return "It was loaded once only: there is no reloading to compare.";
-  const std::string loss = fmt::format("a loss of stiffness of {:.0f} %", 100 * options.relevant_loss);
+  const std::string loss = fmt::format("a loss of stiffness of {:.0f} %", 100 * relevant_loss);
   std::string words = "Damage lowers the initial stiffness of a reloading; friction leaves it alone.";
   const auto damaged = with(DamageVerdict::damaged);
   const auto sound = with(DamageVerdict::not_damaged);
@@ -351,7 +350,7 @@ std::string reloading_in_words(const FittedTest& test) {
              "loadings' greatest forces. A contact that settles differently from one loading to the next is beyond "
              "what "
              "these errors know.",
-             100 * options.confidence, 100 * options.from, 100 * options.up_to);
+             100 * loading_confidence, 100 * loading_window_from, 100 * loading_window_up_to);
 }
 
 PrintedTable loading_table(const FittedTest& test) {
