@@ -13,12 +13,7 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// The rows [first, last) of a loop.
-struct LoopRows {
-  std::size_t first, last;
-};
-
-LoopRows rows_of(const FrictionLoop& loop, const CyclicFriction& friction) {
+LoadingRange rows_of(const FrictionLoop& loop, const CyclicFriction& friction) {
   const Leg& from = friction.legs[loop.loading ? *loop.loading : *loop.unloading];
   const Leg& to = friction.legs[loop.unloading ? *loop.unloading : *loop.loading];
   return {from.first, to.last};
@@ -26,10 +21,10 @@ LoopRows rows_of(const FrictionLoop& loop, const CyclicFriction& friction) {
 
 // Runs a programme forward. Where contact is lost, the next loop begins with a straight fibre; NaN until then.
 std::vector<double> forces_of(const BendingTest& test, const std::vector<double>& stages,
-                              const std::vector<LoopRows>& loops) {
+                              const std::vector<LoadingRange>& loops) {
   std::vector<double> forces;
   forces.reserve(stages.size());
-  for (const LoopRows& loop : loops) {
+  for (const LoadingRange& loop : loops) {
     if (forces.size() > loop.first) continue;
     forces.resize(loop.first, not_a_number);
     const std::vector<double> rest(stages.begin() + static_cast<std::ptrdiff_t>(loop.first), stages.end());
@@ -49,19 +44,17 @@ LoopReplay replay_of(const ReducedRecord& record, const Rig& rig, const CyclicFr
   if (friction.table.S.size() < 2) return replay;
   const double stiffening = elementary::exp(friction.log_stiffness.value);
   std::vector<double> stages(record.stage);
-  std::vector<LoopRows> loops;
+  std::vector<LoadingRange> loops;
   loops.reserve(friction.loops.size());
   for (const FrictionLoop& loop : friction.loops) {
-    const LoopRows rows = rows_of(loop, friction);
-    loops.push_back(rows);
+    const LoadingRange rows = loops.emplace_back(rows_of(loop, friction));
     for (std::size_t i = rows.first; i < rows.last; ++i)
       stages[i] = std::max(record.stage[i] - loop.contact.value, 0.0);
   }
   replay.force = forces_of({Friction::as_met(friction.table), {rig.stiffness / stiffening, rig.fibre}}, stages, loops);
   for (double& force : replay.force) force *= stiffening;
   const double greatest = *std::max_element(record.force.begin(), record.force.end());
-  for (const FrictionLoop& loop : friction.loops) {
-    const LoopRows rows = rows_of(loop, friction);
+  for (const LoadingRange& rows : loops) {
     double sum = 0;
     double count = 0;
     for (std::size_t i = rows.first; i < rows.last; ++i) {
