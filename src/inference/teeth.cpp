@@ -19,6 +19,8 @@ namespace flexslip {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double stiffness_error = 0.003;  // [1] relative, of the load-train stiffness
+constexpr std::size_t least_rows = 4;      // of a rise that is judged
 
 void require(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors, std::span<const Drop> drops,
              const ToothOptions& options) {
@@ -31,13 +33,10 @@ void require(const ReducedRecord& record, const Rig& rig, const MeasurementError
     if (!(value >= 0 && std::isfinite(value))) refuse(name, value);
   };
   if (!(rig.stiffness > 0 && std::isfinite(rig.stiffness))) refuse("load-train stiffness", rig.stiffness);
-  if (!(options.confidence > 0.5 && options.confidence < 1)) refuse("confidence", options.confidence);
   if (!(options.least_share > 0 && options.least_share < 1)) refuse("least share", options.least_share);
-  if (options.least_rows < 4) refuse("least rows", static_cast<double>(options.least_rows));
   require_error("force error", errors.force);
   require_error("bending stiffness error", errors.bending_stiffness);
   require_error("contact error", errors.contact);
-  require_error("load-train stiffness error", options.stiffness_error);
   if (record.stage.size() != record.force.size() || record.deflection.size() != record.force.size())
     throw std::invalid_argument("the columns of the record differ in length");
   for (std::size_t i = 0; i < record.force.size(); ++i)
@@ -194,13 +193,7 @@ double common_compliance(std::span<const Middle> middles) {
 }
 
 SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig, std::span<const Shift> shifts) {
-  SupportCompliance result{.status = ComplianceStatus::too_few_teeth,
-                           .value = not_a_number,
-                           .error = not_a_number,
-                           .systematic = not_a_number,
-                           .chi_squared = not_a_number,
-                           .freedom = 0,
-                           .p_value = not_a_number};
+  SupportCompliance result;
   if (rises.size() < 2) return result;
   const auto middles_at = [&](const Shift& shift) {
     std::vector<Middle> middles;
@@ -245,15 +238,15 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
                   std::span<const Drop> drops, const ToothOptions& options) {
   require(record, rig, errors, drops, options);
   const std::array<Shift, 3> shifts{Shift{.log_stiffness = errors.bending_stiffness}, Shift{.contact = errors.contact},
-                                    Shift{.log_load_train = options.stiffness_error}};
-  const double one_sided = gaussian_quantile(options.confidence);
-  const double two_sided = gaussian_quantile(0.5 + 0.5 * options.confidence);
+                                    Shift{.log_load_train = stiffness_error}};
+  const double one_sided = gaussian_quantile(tooth_confidence);
+  const double two_sided = gaussian_quantile(0.5 + 0.5 * tooth_confidence);
 
-  Teeth result{.teeth = {}, .too_short = 0, .unexplained = 0, .compliance = {}};
+  Teeth result;
   std::vector<Rise> rises;
   for (std::size_t i = 0; i + 1 < drops.size(); ++i) {
     const std::size_t first = drops[i].after, last = drops[i + 1].before + 1;
-    if (last < first + options.least_rows || !(record.stage[last - 1] > record.stage[first])) {
+    if (last < first + least_rows || !(record.stage[last - 1] > record.stage[first])) {
       ++result.too_short;
       continue;
     }
@@ -289,12 +282,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
                 .position_systematic = systematic_error(
                     shifts, middle.position(),
                     [&](const Shift& shift) { return with(shift, [](const Middle& m) { return m.position(); }); }),
-                .advance = advance(middle),
-                .advance_error = 0,
-                .verdict = ToothVerdict::undecided,
-                .compliant_position = not_a_number,
-                .compliant_deviation = not_a_number,
-                .compliant_rejected = false};
+                .advance = advance(middle)};
     tooth.advance_error =
         std::hypot(tooth.position_error / middle.G_S * rise.travel,
                    systematic_error(shifts, tooth.advance, [&](const Shift& shift) { return with(shift, advance); }));

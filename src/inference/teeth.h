@@ -9,6 +9,7 @@
 // A stuck fibre on supports that give way by C times the tangential force, dS = C d(q Pn), has p < 1 as well, but with one C for all teeth.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -21,14 +22,13 @@
 namespace flexslip {
 
 struct ToothOptions {
-  double confidence = 0.95;  // [1] of each verdict, one-sided
   // [1] a fibre counts as stuck if less of the stage's motion than this draws fibre in. Empirical: on the first six rows after a
   // reversal, where a fibre must stick, the authors' cyclic tests show 0.08 to 0.35 (supports and load train give way); on rigid
   // supports 0.1 is safe.
   double least_share = 0.35;
-  std::size_t least_rows = 4;      // of a rise that is judged; at least 4
-  double stiffness_error = 0.003;  // [1] relative, of the load-train stiffness
 };
+
+inline constexpr double tooth_confidence = 0.95;  // [1] of each verdict, one-sided
 
 enum class ToothVerdict {
   sliding,      // that it is stuck, 1 - p <= least_share, is rejected
@@ -45,11 +45,12 @@ struct Tooth {
   double position;                  // [1] p
   double position_error;            // [1] standard error from scatter
   double position_systematic;       // [1] from EI, contact and load train together: common to all teeth of a test
-  double advance, advance_error;    // [L] of S over the rise, its standard error with all parts
-  ToothVerdict verdict;
-  double compliant_position;   // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
-  double compliant_deviation;  // [standard errors] of the position from that; the error of the compliance is left out
-  bool compliant_rejected;     // that deviation is beyond the two-sided confidence: the tooth slides all the same
+  double advance, advance_error = 0;  // [L] of S over the rise, its standard error with all parts
+  ToothVerdict verdict = ToothVerdict::undecided;
+  double compliant_position = NAN;  // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
+  // [standard errors] of the position from that; the error of the compliance is left out
+  double compliant_deviation = NAN;
+  bool compliant_rejected = false;  // that deviation is beyond the two-sided confidence: the tooth slides all the same
 };
 
 enum class ComplianceStatus {
@@ -59,32 +60,32 @@ enum class ComplianceStatus {
 };
 
 struct SupportCompliance {
-  ComplianceStatus status;  // nothing else is valid unless ok
-  double value;             // [L^3/EI] C, both supports together; in um/mN: times L^3/EI in [m/N], times 1000
-  double error;             // [L^3/EI] standard error from scatter
-  double systematic;        // [L^3/EI] from EI, contact and load train
-  double chi_squared;       // [1] of the slopes about it, from scatter alone
-  std::size_t freedom;      // teeth - 1
-  double p_value;           // [1] of so large a chi_squared if it were the same fibre, stuck, on each tooth
+  ComplianceStatus status = ComplianceStatus::too_few_teeth;  // nothing else is valid unless ok
+  double value = NAN;        // [L^3/EI] C, both supports together; in um/mN: times L^3/EI in [m/N], times 1000
+  double error = NAN;        // [L^3/EI] standard error from scatter
+  double systematic = NAN;   // [L^3/EI] from EI, contact and load train
+  double chi_squared = NAN;  // [1] of the slopes about it, from scatter alone
+  std::size_t freedom = 0;   // teeth - 1
+  double p_value = NAN;      // [1] of so large a chi_squared if it were the same fibre, stuck, on each tooth
 };
 
 struct Teeth {
   std::vector<Tooth> teeth;
-  std::size_t too_short;    // rises of fewer rows than least_rows
-  std::size_t unexplained;  // rises whose middle no friction explains
+  std::size_t too_short = 0;    // rises of fewer than four rows
+  std::size_t unexplained = 0;  // rises whose middle no friction explains
   SupportCompliance compliance;
 };
 
 // Domain:  a faultless record of one loading; drops = those found in it, in order; rig.stiffness > 0 and finite (without a load train
-//          no snap is seen); 0.5 < confidence < 1, 0 < least_share < 1, least_rows >= 4, errors >= 0; std::invalid_argument otherwise.
-// Max error: on rigid supports wrong verdicts are no more frequent than 1 - confidence where the force errs by Gaussian noise,
+//          no snap is seen); 0 < least_share < 1, errors >= 0; std::invalid_argument otherwise.
+// Max error: on rigid supports wrong verdicts are no more frequent than 1 - tooth_confidence where the force errs by Gaussian noise,
 //          white or AR(1) up to 0.5 (tests/inference/teeth_test.cpp, least_share = 0.1). Supports that give way by more than
 //          least_share, and slips within a rise too small to be found as drops, look like sliding: compare the compliance with
 //          that of a reversal on the same rig.
 // Method:  force regressed on the stage, which is imposed and free of noise; the standard error is that of the rise's own residuals,
 //          allowing for AR(1), and not below that of errors.force; Student's t. A curved rise errs on the side of undecided. Systematic
-//          errors by shifting EI, contact and load train by one standard deviation each. One compliance by weighted least squares;
-//          p_value by Wilson and Hilferty's cube root, good to 0.01 (0.03 for two teeth).
+//          errors by shifting EI, contact and load train (0.3 % of its stiffness) by one standard deviation each.
+//          One compliance by weighted least squares.
 // Cost:    40 µs a tooth.
 Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                   std::span<const Drop> drops, const ToothOptions& options = {});

@@ -62,7 +62,7 @@ Json teeth_json(const FittedTest& test) {
     return std::count_if(judged.teeth.begin(), judged.teeth.end(),
                          [&](const Tooth& tooth) { return tooth.verdict == verdict; });
   };
-  Json out = {{"confidence", options.confidence},
+  Json out = {{"confidence", tooth_confidence},
               {"least_share", options.least_share},
               {"compliance", compliance_json(judged.compliance, test)},
               {"sliding", count(ToothVerdict::sliding)},

@@ -45,12 +45,11 @@ std::string compliant_supports(const FittedTest& test, std::size_t sliding) {
     return " Supports that give way imitate sliding; these teeth do not tell how far.";
   const auto rejected = static_cast<std::size_t>(std::count_if(
       judged.teeth.begin(), judged.teeth.end(), [](const Tooth& tooth) { return tooth.compliant_rejected; }));
-  const double confidence = test.provenance.options.teeth.confidence;
   const std::string fitted = fmt::format(
       " Supports that give way imitate sliding: one compliance of {} for both together, with the specimen "
       "stuck, ",
       compliance_in_words(compliance, test));
-  if (compliance.p_value >= 1 - confidence)
+  if (compliance.p_value >= 1 - tooth_confidence)
     return fitted + fmt::format("describes all teeth (p = {:.2f}){}", compliance.p_value,
                                 sliding > 0
                                     ? ", so that by the teeth alone sliding is not proved; compare it with that "
@@ -62,7 +61,7 @@ std::string compliant_supports(const FittedTest& test, std::size_t sliding) {
            fmt::format("does not describe the teeth together ({}), though it is rejected on no single one.", beyond);
   return fitted +
          fmt::format("does not describe the teeth ({}): it is rejected on {} of {}, each at {:.4g} % confidence.",
-                     beyond, rejected, judged.teeth.size(), 100 * confidence);
+                     beyond, rejected, judged.teeth.size(), 100 * tooth_confidence);
 }
 
 }  // namespace
@@ -91,7 +90,7 @@ std::string teeth_in_words(const FittedTest& test) {
       "undecided, each at {:.4g} % confidence. Of as many stuck ones, chance would let up to {:.2g} pass for sliding.",
       counted(judged.teeth.size(), "rise", "rises"), sliding == 1 ? "1 rejects" : fmt::format("{} reject", sliding),
       sticking == 1 ? "1 is" : fmt::format("{} are", sticking), open == 1 ? "1 is" : fmt::format("{} are", open),
-      100 * options.confidence, (1 - options.confidence) * n);
+      100 * tooth_confidence, (1 - tooth_confidence) * n);
   words += left_out;
   words += fmt::format(
       " As stuck counts a specimen of which less than {:.0f} % of the stage's motion is drawn in: an empirical limit, "
