@@ -36,4 +36,10 @@ std::vector<double> non_falling(std::span<const double> values) {
   return result;
 }
 
+std::vector<double> advancing(std::span<const double> values) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(std::max(value, result.empty() ? 0.0 : result.back()));
+  return result;
+}
+
 }  // namespace flexslip

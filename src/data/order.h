@@ -13,4 +13,7 @@ double median_of(std::vector<double> values);
 // Method:     pool adjacent violators (Ayer et al. 1955).
 std::vector<double> non_falling(std::span<const double> values);
 
+// Each value, or the greatest before it, or 0: the positions of a stage whose readings jitter.
+std::vector<double> advancing(std::span<const double> values);
+
 }  // namespace flexslip

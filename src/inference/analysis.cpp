@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "data/order.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {
@@ -21,11 +22,9 @@ Record with_contact_at(Record record, double contact) {
 
 Replay replay_of(const TestAnalysis& analysis) {
   constexpr double from = friction_shows_from;
-  Replay replay{.table = replay_table(analysis.reduced, analysis.rig, analysis.profile, analysis.drops.drops, from),
-                .force = std::vector<double>(analysis.reduced.force.size(), not_a_number),
-                .residual_rms = 0,
-                .drops_reproduced = 0};
-  if (replay.table.S.size() < 2) return replay;
+  Replay replay{.force = std::vector<double>(analysis.reduced.force.size(), not_a_number)};
+  const FrictionTable table = replay_table(analysis.reduced, analysis.rig, analysis.profile, analysis.drops.drops);
+  if (table.S.size() < 2) return replay;
   std::vector<std::size_t> rows;
   std::vector<double> stages;
   double last = 0;
@@ -35,8 +34,8 @@ Replay replay_of(const TestAnalysis& analysis) {
       last = analysis.reduced.stage[i];
       stages.push_back(last);
     }
-  const auto curve = trace_loading_curve(Friction::as_met(replay.table), analysis.rig,
-                                         std::max(replay.table.S.back() * (1 + 1e-9), 1.0001));
+  const auto curve =
+      trace_loading_curve(Friction::as_met(table), analysis.rig, std::max(table.S.back() * (1 + 1e-9), 1.0001));
   const auto parts = stable_parts(curve);
   double sum = 0;
   std::size_t counted = 0;
@@ -151,8 +150,7 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
 
 StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
   const Contact contact = find_contact(record);
-  if (contact.status != ContactStatus::found || !(contact.slope > 0))
-    return {.found = false, .value = 0, .relative_error = 0};
+  if (contact.status != ContactStatus::found || !(contact.slope > 0)) return {};
   double work = 0;
   double square = 0;
   for (std::size_t i = contact.first; i < contact.last; ++i) {
@@ -198,29 +196,11 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .bending_stiffness_error = description.bending_stiffness_error.value_or(usual_error),
                         .stiffness_from_slope = from_slope,
                         .stiffness_over_slope = ratio,
-                        .model_implausible = false,
                         .stiffness_implausible = ratio > most_ratio || ratio < 1 / most_ratio,
                         .failure = failure,
                         .contact = contact,
                         .record = record,
-                        .reduced = to_reduced(record, scales),
-                        .force_noise = not_a_number,
-                        .errors = {},
-                        .drops = {},
-                        .profile = {},
-                        .slips = {},
-                        .slip_summary = {},
-                        .slip_or_crack = {},
-                        .teeth = {},
-                        .suspects = {},
-                        .fit = {},
-                        .profile_at_fit = {},
-                        .friction_read = {not_a_number, not_a_number, not_a_number},
-                        .checks = {},
-                        .model = History{},
-                        .replay = {},
-                        .energy = {},
-                        .category = SawtoothCategory::none};
+                        .reduced = to_reduced(record, scales)};
   if (from_slope && !slope.found) {
     analysis.status = AnalysisStatus::no_initial_slope;
     return analysis;
@@ -271,28 +251,11 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   const double stiffening = analysis.fit.bending_stiffness.value;
   const Rig rig{analysis.rig.stiffness / stiffening, analysis.rig.fibre};
   const Friction friction = Friction::as_met(analysis.fit.mean);
-  std::vector<double> stages;
-  for (const double stage : analysis.reduced.stage)
-    stages.push_back(std::max(stage, stages.empty() ? 0.0 : stages.back()));
-  if (stages.back() > 0) {
-    const auto in_nominal_units = [&](History history) {
-      const auto scaled = [&](PathPoint& point) { point.F *= stiffening; };
-      for (auto& point : history.path) scaled(point);
-      for (auto& snap : history.snaps) {
-        scaled(snap.before);
-        scaled(snap.after);
-        snap.friction *= stiffening;
-        snap.released *= stiffening;
-      }
-      const auto scaled_account = [&](EnergyAccount& e) {
-        for (double* value : {&e.stage_work, &e.bending, &e.load_train, &e.friction, &e.snaps, &e.imbalance})
-          *value *= stiffening;
-      };
-      scaled_account(history.energy);
-      for (auto& account : history.energy_at) scaled_account(account);
-      return history;
-    };
-    analysis.model = in_nominal_units(follow_in_steps({friction, rig}, stages));
+  analysis.model = follow_in_steps({friction, rig}, advancing(analysis.reduced.stage));
+  for (PathPoint& point : analysis.model.path) point.F *= stiffening;
+  for (Snap& snap : analysis.model.snaps) {
+    snap.before.F *= stiffening;
+    snap.after.F *= stiffening;
   }
   return analysis;
 }

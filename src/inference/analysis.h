@@ -2,6 +2,7 @@
 // slips, and how much of the work was friction. SI in, everything of the model in reduced variables with their Scales beside.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -20,10 +21,10 @@ namespace flexslip {
 
 // Bending stiffness from the initial slope, F = 48 EI w/L^3.
 struct StiffnessFromSlope {
-  bool found;    // the record has a straight rising beginning; nothing else is valid without
-  double value;  // [N m^2] EI
-  double
-      relative_error;  // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %
+  bool found = false;  // the record has a straight rising beginning; nothing else is valid without
+  double value = 0;    // [N m^2] EI
+  // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %
+  double relative_error = 0;
 };
 
 // Domain:     stage and deflection counted from the contact; span [m] > 0.
@@ -68,16 +69,15 @@ struct MeasuredEnergy {
 
 // The measured profile run forward as a table.
 struct Replay {
-  FrictionTable table;
-  std::vector<double> force;     // [EI/L^2] at the points of the record past the deflection 0.05; NaN before
-  double residual_rms;           // [EI/L^2] there
-  std::size_t drops_reproduced;  // drops of the record that the table has at the same point
+  std::vector<double> force;         // [EI/L^2] at the points of the record past the deflection 0.05; NaN before
+  double residual_rms = 0;           // [EI/L^2] there
+  std::size_t drops_reproduced = 0;  // drops of the record that the table has at the same point
 };
 
 // Friction as read off the curve point by point at the bending stiffness of the fit: half of the points lie below the median, four
 // fifths between the other two. NaN without points.
 struct FrictionRead {
-  double median, low80, high80;  // [1]
+  double median = NAN, low80 = NAN, high80 = NAN;  // [1]
 };
 
 enum class AnalysisStatus {
@@ -94,31 +94,33 @@ struct TestAnalysis {
   double bending_stiffness_error;  // [1] as used
   bool stiffness_from_slope;
   double stiffness_over_slope;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
-  bool model_implausible;       // the fit misses the record by more than a tenth of its greatest force, or a fifth of
-                                // the points past the deflection 0.1 need friction below -0.1 or beyond 20
-  bool stiffness_implausible;   // they differ by more than 40 %: a wrong modulus, section, span or unit
+  // The fit misses the record by more than a tenth of its greatest force, or a fifth of the points past the deflection 0.1 need friction
+  // below -0.1 or beyond 20.
+  bool model_implausible = false;
+  bool stiffness_implausible;  // they differ by more than 40 %: a wrong modulus, section, span or unit
   Failure failure;
   Contact contact;  // found; applied only if the description says so
   Record record;    // up to failure, contact taken off
   ReducedRecord reduced;
-  double force_noise;        // [EI/L^2] of one reading
-  MeasurementErrors errors;  // as fitted with
-  Drops drops;
-  FrictionProfile profile;
-  std::vector<Slip> slips;  // of each drop
-  SlipSummary slip_summary;
-  SlipOrCrack slip_or_crack;
-  std::optional<Teeth>
-      teeth;  // stick or slide between the drops; none under displacement control, or with fewer than two drops
-  SuspectReport suspects;
-  FrictionFit fit;
-  FrictionProfile profile_at_fit;  // at the bending stiffness of the fit, past the deflection 0.05
-  FrictionRead friction_read;      // of it
-  std::vector<Check> checks;
-  History model;  // the mean of the fit on the stage positions of the record, at the estimated bending stiffness
-  Replay replay;
-  MeasuredEnergy energy;
-  SawtoothCategory category;
+  double force_noise = NAN;    // [EI/L^2] of one reading
+  MeasurementErrors errors{};  // as fitted with
+  Drops drops{};
+  FrictionProfile profile{};
+  std::vector<Slip> slips{};  // of each drop
+  SlipSummary slip_summary{};
+  SlipOrCrack slip_or_crack{};
+  // Stick or slide between the drops; none under displacement control, or with fewer than two drops.
+  std::optional<Teeth> teeth{};
+  SuspectReport suspects{};
+  FrictionFit fit{};
+  FrictionProfile profile_at_fit{};  // at the bending stiffness of the fit, past the deflection 0.05
+  FrictionRead friction_read{};      // of it
+  std::vector<Check> checks{};
+  // The mean of the fit on the stage positions of the record, at the estimated bending stiffness: work and energies are in units of that.
+  History model{};
+  Replay replay{};
+  MeasuredEnergy energy{};
+  SawtoothCategory category = SawtoothCategory::none;
 };
 
 // Domain:     a record without faults (check_record), span and stiffness positive; std::invalid_argument otherwise.

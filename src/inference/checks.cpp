@@ -30,13 +30,6 @@ Falls falls_beyond(double threshold, std::span<const Drop> drops) {
   return {number, sum / number};
 }
 
-// Stage positions of which none lies behind the one before: readings of the stage jitter.
-std::vector<double> advancing(std::span<const double> stage) {
-  std::vector<double> stages;
-  for (const double position : stage) stages.push_back(std::max(position, stages.empty() ? 0.0 : stages.back()));
-  return stages;
-}
-
 CheckOutcome passed_if(bool passed) { return passed ? CheckOutcome::passed : CheckOutcome::failed; }
 
 }  // namespace

@@ -23,7 +23,4 @@ FitProblem usable_part(const FitProblem& whole);
 std::size_t thinning_of(std::size_t points);
 FitProblem thinned(const FitProblem& problem);
 
-// Deflections below it [L] say hardly anything of friction.
-inline constexpr double friction_shows_from = 0.05;
-
 }  // namespace flexslip

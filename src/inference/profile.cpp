@@ -39,20 +39,17 @@ struct ToldSlopes {
 
 ProfilePoint point_of(std::size_t index, const FibreState& told, double F, const ToldSlopes& slopes, const Rig& rig,
                       const MeasurementErrors& errors) {
-  const double mu_force =
-      slopes.q_F - slopes.q_w / rig.stiffness;      // at fixed stage position an error of F is one of w, too
-  const double mu_log_stiffness = -F * slopes.q_F;  // EI enters through the scaling of the force
-  return {.index = index,
-          .S = told.S,
-          .length = rig.fibre.length_between_contacts(told),
-          .imaged = rig.fibre.imaged_length(told),
-          .mu = told.q,
-          .from_force = errors.force * std::abs(mu_force),
-          .from_bending_stiffness = errors.bending_stiffness * std::abs(mu_log_stiffness),
-          .from_contact = errors.contact * std::abs(slopes.q_w),
-          .mu_log_stiffness = mu_log_stiffness,
-          .mu_force = mu_force,
-          .S_force = slopes.S_force};
+  return {
+      .index = index,
+      .S = told.S,
+      .length = rig.fibre.length_between_contacts(told),
+      .imaged = rig.fibre.imaged_length(told),
+      .mu = told.q,
+      .from_force = errors.force * std::abs(slopes.q_F - slopes.q_w / rig.stiffness),  // an error of F is one of w, too
+      .from_bending_stiffness =
+          errors.bending_stiffness * std::abs(F * slopes.q_F),  // EI enters through the scaling of F
+      .from_contact = errors.contact * std::abs(slopes.q_w),
+      .S_force = slopes.S_force};
 }
 
 }  // namespace
@@ -167,11 +164,11 @@ SlipSummary summarise(std::span<const Slip> all) {
 }
 
 FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const FrictionProfile& profile,
-                           std::span<const Drop> drops, double least_deflection) {
+                           std::span<const Drop> drops) {
   std::vector<ProfilePoint> points;
   std::vector<double> lengths;
   for (const auto& point : profile.points)
-    if (record.deflection[point.index] > least_deflection) {
+    if (record.deflection[point.index] > friction_shows_from) {
       points.push_back(point);
       lengths.push_back(point.S);
     }
@@ -204,12 +201,7 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
 }
 
 SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit) {
-  SuspectReport report{.limit = limit,
-                       .points = {},
-                       .beyond_error = 0,
-                       .points_judged = 0,
-                       .suspect = false,
-                       .above_euler_bernoulli = 0};
+  SuspectReport report{.limit = limit};
   for (std::size_t i = 0; i < record.force.size(); ++i) {
     if (!(record.deflection[i] > judged_from)) continue;
     ++report.points_judged;

@@ -26,6 +26,9 @@ struct MeasurementErrors {
 // Deflections [L] below it are left out unless the caller says otherwise: friction is hardly measurable there.
 inline constexpr double hardly_bent = 0.02;
 
+// Deflections below it [L] say hardly anything of friction.
+inline constexpr double friction_shows_from = 0.05;
+
 struct ProfilePoint {
   std::size_t index;  // in the record
   double
@@ -35,9 +38,7 @@ struct ProfilePoint {
   double mu;      // [1] mobilised friction; the coefficient of friction while the fibre slips
   // The parts of the standard deviation of μ [1]. The first differs from point to point, the others move all points together.
   double from_force, from_bending_stiffness, from_contact;
-  // Slopes of μ, for those who fit: with respect to ln EI at fixed deflection, and to the force at fixed stage position.
-  double mu_log_stiffness, mu_force;
-  double S_force;  // [L^3/EI] of S with respect to the force, likewise
+  double S_force;  // [L^3/EI] of S with respect to the force at fixed stage position
 };
 
 double standard_error(const ProfilePoint& point);
@@ -99,19 +100,19 @@ SlipSummary summarise(std::span<const Slip> slips);
 
 // The profile as a friction table that, run forward, gives the measured curve back, drops included: a value on the load line
 // of each point, and within each drop a trough below it, the shallowest part of what the curve leaves unseen.
-// Domain:     a profile of this record; at least two points with w > least_deflection.
+// Domain:     a profile of this record; at least two points with w > friction_shows_from.
 // Max error:  in F, 1e-3 where no point of the profile had to be raised to μ = 0 (tested on measured curves: validation.md).
 FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const FrictionProfile& profile,
-                           std::span<const Drop> drops, double least_deflection = 0.05);
+                           std::span<const Drop> drops);
 
 // Is a measured curve plausible as sliding with friction below a limit?
 struct SuspectReport {
-  double limit;                       // [1]
-  std::vector<std::size_t> points;    // of the record, past the deflection 0.1, where μ exceeds the limit
-  std::size_t beyond_error;           // of these, how many do so by more than 1.96 standard errors
-  std::size_t points_judged;          // past the deflection 0.1
-  bool suspect;                       // more than 5 % of them exceed it
-  std::size_t above_euler_bernoulli;  // the paper's criterion: points past 0.1 with F > 48 w
+  double limit;                           // [1]
+  std::vector<std::size_t> points{};      // of the record, past the deflection 0.1, where μ exceeds the limit
+  std::size_t beyond_error = 0;           // of these, how many do so by more than 1.96 standard errors
+  std::size_t points_judged = 0;          // past the deflection 0.1
+  bool suspect = false;                   // more than 5 % of them exceed it
+  std::size_t above_euler_bernoulli = 0;  // the paper's criterion: points past 0.1 with F > 48 w
 };
 SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit = 1.0);
 

@@ -70,8 +70,6 @@ TEST_CASE("limit: each drop that can be no slip says why") {
                            .from_force = 0.01,
                            .from_bending_stiffness = 0,
                            .from_contact = 0,
-                           .mu_log_stiffness = -1,
-                           .mu_force = 0.2,
                            .S_force = 0.01};
   const auto verdict = [&](double mu_before, double S_after, double mu_after) {
     FrictionProfile profile{{usual, usual}, {}};
