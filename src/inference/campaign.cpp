@@ -98,9 +98,6 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .friction_read = analysis.friction_read,
                       .roughness = fit.roughness,
                       .correlation_length = scaled(fit.length, scales.span()),
-                      .amplitude = {},
-                      .wavelength = {},
-                      .phase = {},
                       .wave_claimed = fit.wave_claimed,
                       .log_evidence_of_wave = fit.log_evidence_of_wave,
                       .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
@@ -108,7 +105,6 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .drops = analysis.drops.drops.size(),
                       .friction_share = analysis.energy.friction_share,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
-                      .failed_checks = {},
                       .known = marginals_of(fit, scales)};
   if (!fit.waves.empty()) {
     const WaveEstimate& wave = fit.waves.front();

@@ -33,9 +33,9 @@ struct TestSummary {
   ParameterEstimate roughness;           // [1] 0 of a model without
   ParameterEstimate correlation_length;  // [m] likewise
   // The likeliest wave, the paper's (4.25), claimed or only indicative; none of a model without.
-  std::optional<ParameterEstimate> amplitude;   // [1]
-  std::optional<ParameterEstimate> wavelength;  // [m]
-  std::optional<ParameterEstimate> phase;       // [rad] φ
+  std::optional<ParameterEstimate> amplitude{};   // [1]
+  std::optional<ParameterEstimate> wavelength{};  // [m]
+  std::optional<ParameterEstimate> phase{};       // [rad] φ
   bool wave_claimed;
   double log_evidence_of_wave;          // ln of the evidence with a wave over that without; NaN where not compared
   ParameterEstimate bending_stiffness;  // [N m^2] EI
@@ -43,7 +43,7 @@ struct TestSummary {
   std::size_t drops;
   double friction_share;    // [1] of the measured work of fracture: friction and snaps
   double work_of_fracture;  // [J]
-  std::vector<CheckKind> failed_checks;
+  std::vector<CheckKind> failed_checks{};
   TestMarginals known;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "bending_test/critical_stiffness.h"
@@ -12,7 +11,6 @@
 namespace flexslip {
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double two_sided = 1.96;
 
 const LoadingStiffness* last_reload(const CyclicTest* cycles) {
@@ -97,13 +95,11 @@ Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles) {
   const LoadingStiffness* const reload = last_reload(cycles);
   const std::size_t drops = analysis.drops.drops.size(), impossible = impossible_drops(analysis);
   const FrictionFit& fit = analysis.fit;
-  Judgement judgement{.standing = Standing::sound,
-                      .drops = verdict_on(analysis, reload),
-                      .doubts = {},
-                      .next = NextStep::none,
-                      .loss = reload ? 1 - reload->ratio : not_a_number,
-                      .loss_error = reload ? std::hypot(reload->ratio_error, reload->ratio_systematic) : not_a_number,
-                      .stiffness_for_all = not_a_number};
+  Judgement judgement{.drops = verdict_on(analysis, reload)};
+  if (reload) {
+    judgement.loss = 1 - reload->ratio;
+    judgement.loss_error = std::hypot(reload->ratio_error, reload->ratio_systematic);
+  }
   const auto doubt_if = [&](bool doubtful, Doubt doubt) {
     if (doubtful) judgement.doubts.push_back(doubt);
   };

@@ -1,6 +1,7 @@
 // What a test comes to when all is weighed: what stands against its answer, the weightiest first, and what to do next.
 #pragma once
 
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -51,13 +52,13 @@ enum class NextStep {
 std::string_view name_of(NextStep step);
 
 struct Judgement {
-  Standing standing;
+  Standing standing = Standing::sound;
   CrackVerdict drops;  // by the rises, and by the reload where there is one
-  std::vector<Doubt> doubts;
-  NextStep next;
-  double loss, loss_error;  // [1] of stiffness, that the last comparable reload shows; NaN without
-  double
-      stiffness_for_all;  // [EI/L^3] of a rig on which the mean of the fit does not snap; NaN unless next is stiffer_rig
+  std::vector<Doubt> doubts{};
+  NextStep next = NextStep::none;
+  double loss = NAN, loss_error = NAN;  // [1] of stiffness, that the last comparable reload shows; NaN without
+  // [EI/L^3] of a rig on which the mean of the fit does not snap; NaN unless next is stiffer_rig
+  double stiffness_for_all = NAN;
 };
 
 // A reload that is softer says cracks; one that lost less, at 95 %, than cracks would need to make the drops says that these were not cracks
