@@ -44,4 +44,10 @@ TEST_CASE("oracle: the nearest non-falling sequence is no farther than any by br
   CHECK(misfit(fitted) == doctest::Approx(least).epsilon(1e-14));
 }
 
+TEST_CASE("table: what advances never goes back, nor below 0") {
+  CHECK(advancing({}).empty());
+  const std::vector<double> stages{-0.1, 0.2, 0.1, 0.3, 0.3};
+  CHECK(advancing(stages) == std::vector<double>{0, 0.2, 0.2, 0.3, 0.3});
+}
+
 }  // namespace flexslip
