@@ -2,7 +2,7 @@
 //
 // A roller bears two forces, of the specimen and of the base, which lie on one line: q = tan(θ0/2), whatever the friction, as long as that suffices for
 // it. Nothing is lost, but for what bending the axis of a thick specimen takes with it as it leaves the span, some millionths, and the way back is that of
-// the way there (theory.md, "Pins and loose rollers").
+// the way there (theory.md, "Rollers and thickness").
 #pragma once
 
 #include "fibre/supported_state.h"
