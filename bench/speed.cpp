@@ -15,6 +15,7 @@
 #include "fibre/batch.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
+#include "fibre/fibre.h"
 #include "fibre/state_table.h"
 #include "inference/analysis.h"
 #include "inference/design.h"
@@ -86,6 +87,35 @@ BENCHMARK(states_exact_avx2);
 BENCHMARK(states_tabulated_avx2);
 BENCHMARK(states_exact_slopes_avx2);
 BENCHMARK(states_tabulated_slopes_avx2);
+
+// On rollers of 2 % of the span, of a specimen 3 % thick: one by one, and by the tables of one rig.
+const Supports rollers{0.02, 0.015};
+
+void state_on_rollers(benchmark::State& run) {
+  const StateArrays states = fibre_states({inputs.S, inputs.q});
+  std::size_t i = 0;
+  for (auto _ : run) {
+    benchmark::DoNotOptimize(state_on_supports(states.w[i], inputs.q[i], rollers));
+    i = (i + 1) % states.w.size();
+  }
+}
+BENCHMARK(state_on_rollers);
+
+template <class Function>
+void on_rollers(benchmark::State& run, Function f) {
+  const Points& points = visited_states();
+  const Fibre fibre(rollers);
+  for (auto _ : run) benchmark::DoNotOptimize(f(fibre, FibrePoints(points.S, points.q)));
+  run.SetItemsProcessed(run.iterations() * static_cast<std::int64_t>(points.S.size()));
+}
+void states_on_rollers_tabulated(benchmark::State& run) {
+  on_rollers(run, [](const Fibre& fibre, const FibrePoints& points) { return fibre.tabulated_states(points); });
+}
+void states_on_rollers_tabulated_slopes(benchmark::State& run) {
+  on_rollers(run, [](const Fibre& fibre, const FibrePoints& points) { return fibre.tabulated_states_slopes(points); });
+}
+BENCHMARK(states_on_rollers_tabulated);
+BENCHMARK(states_on_rollers_tabulated_slopes);
 
 template <class Function>
 void inverses_in_arrays(benchmark::State& run, Function f) {

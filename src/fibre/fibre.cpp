@@ -26,6 +26,9 @@ FibreState nothing_at(double S, double q) {
   return {.status = FibreStatus::beyond_branch, .S = S, .q = q, .w = n, .F = n, .theta0 = n, .Pn = n, .U = n, .u = n};
 }
 
+// The least length that a friction of zero lets slide back to, to first order.
+double least_length_on(const Supports& supports) { return 1 - 3.75 * supports.half_depth * supports.half_depth; }
+
 // A pair of quantities of many states with their slopes along w and in q.
 struct PairSlopes {
   std::array<std::vector<double>, 6> columns;  // first, second, first_w, first_q, second_w, second_q
@@ -41,14 +44,24 @@ struct PairSlopes {
 
 }  // namespace
 
-// S - 1 with F, θ0 with Pn, and U with the curvature, over deflection and friction.
+// S - 1 with F, θ0 with Pn, and U with the curvature, over deflection and friction; and w with F over length and friction, where the two lengths of
+// a friction that are alike are far enough away for polynomials.
 class Fibre::Tables {
  public:
   explicit Tables(const Supports& on)
       : supports(on),
         sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
         contacts_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::Pn)),
-        bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)) {}
+        bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)),
+        by_length_(CellTable::Along::coordinate, {1.05, 44, table_q.least, table_q.greatest, 48},
+                   [this](std::span<const double> x, std::span<const double> q) { return pair_by_length(x, q); }) {}
+
+  // [√L] From which way on (Fibre::way) by_length has states, where it has them at all: nearer, the least length of each friction disturbs.
+  double smooth_from() const { return supports.half_depth > 0 ? 0.12 + supports.half_depth : 0; }
+  // What it has is the state less that of the least length, to first order.
+  double least_w() const { return 1.25 * supports.half_depth; }
+  double least_F() const { return 48 * least_w(); }
+  const CellTable& by_length() const { return by_length_; }
 
   // Those of supports met not long ago are shared.
   static std::shared_ptr<const Tables> of(const Supports& supports) {
@@ -184,13 +197,25 @@ class Fibre::Tables {
     return std::abs(reached - (S - 1)) <= close ? low : not_a_number;
   }
 
-  CellTable sliding_, contacts_, bent_;
+  CellTable::Pair pair_by_length(std::span<const double> x, std::span<const double> q) const {
+    std::vector<double> S;
+    for (const double way : x) S.push_back(least_length_on(supports) + way * way);
+    CellTable::Pair pair{deflections(S, q), {}};
+    const PairSlopes at = sliding(pair.first, q);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      pair.first[i] = (pair.first[i] - least_w()) / x[i];
+      pair.second.push_back((at.columns[1][i] - least_F()) / x[i]);
+    }
+    return pair;
+  }
+
+  CellTable sliding_, contacts_, bent_, by_length_;
 };
 
 Fibre::Fibre(const Supports& supports) {
   static_cast<void>(state_on_supports(0.01, 0, supports));  // refuses what leaves no span
   if (supports.radius > 0 || supports.half_depth > 0) tables_ = Tables::of(supports);
-  least_length_ = 1 - 3.75 * supports.half_depth * supports.half_depth;
+  least_length_ = least_length_on(supports);
 }
 
 const Supports& Fibre::supports() const {
@@ -271,9 +296,37 @@ Fibre::Contact Fibre::contact(double S, double q) const {
   return {S - rolled * theta0, 1 - rolled * theta0_w / S_w, -rolled * (theta0_q - theta0_w * S_q / S_w)};
 }
 
-SlopeArrays Fibre::slopes_at(const FibrePoints& points) const {
+SlopeArrays Fibre::slopes_by_length(const FibrePoints& points) const {
   const std::size_t n = points.size();
-  const std::span<const double> S{points.lengths(), n}, q{points.frictions(), n};
+  SlopeArrays result(n);
+  std::vector<double> x(n);
+  for (std::size_t i = 0; i < n; ++i) x[i] = way(points.lengths()[i]);
+  tables_->by_length().slopes(x.data(), points.frictions(), n, result.columns());
+  std::vector<std::size_t> others;
+  std::vector<double> S, q;
+  for (std::size_t i = 0; i < n; ++i) {
+    result.w[i] += tables_->least_w();
+    result.F[i] += tables_->least_F();
+    if (x[i] >= tables_->smooth_from() && result.F[i] >= 0) {
+      result.w_S[i] /= 2 * x[i];
+      result.F_S[i] /= 2 * x[i];
+      continue;
+    }
+    others.push_back(i);
+    S.push_back(points.lengths()[i]);
+    q.push_back(points.frictions()[i]);
+  }
+  if (others.empty()) return result;
+  SlopeArrays by_deflection = slopes_by_deflection(S, q);
+  const auto from = by_deflection.columns();
+  const auto to = result.columns();
+  for (std::size_t k = 0; k < to.size(); ++k)
+    for (std::size_t j = 0; j < others.size(); ++j) to[k][others[j]] = from[k][j];
+  return result;
+}
+
+SlopeArrays Fibre::slopes_by_deflection(std::span<const double> S, std::span<const double> q) const {
+  const std::size_t n = S.size();
   const std::vector<double> w = tables_->deflections(S, q);
   const PairSlopes at = tables_->sliding(w, q);
   SlopeArrays result(n);
@@ -300,25 +353,33 @@ SlopeArrays Fibre::slopes_at(const FibrePoints& points) const {
   return result;
 }
 
-StateArrays Fibre::tabulated_states(const FibrePoints& points) const {
-  if (on_edges()) return flexslip::tabulated_states(points);
-  SlopeArrays at = slopes_at(points);
+namespace {
+
+StateArrays without_slopes(SlopeArrays at) {
   StateArrays states(0);
   states.w = std::move(at.w);
   states.F = std::move(at.F);
   return states;
 }
 
+}  // namespace
+
+StateArrays Fibre::tabulated_states(const FibrePoints& points) const {
+  return on_edges() ? flexslip::tabulated_states(points) : without_slopes(slopes_by_length(points));
+}
+
 SlopeArrays Fibre::tabulated_states_slopes(const FibrePoints& points) const {
-  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_at(points);
+  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points);
 }
 
 StateArrays Fibre::states(const FibrePoints& points) const {
-  return on_edges() ? fibre_states(points) : tabulated_states(points);
+  return on_edges() ? fibre_states(points) : without_slopes(states_slopes(points));
 }
 
 SlopeArrays Fibre::states_slopes(const FibrePoints& points) const {
-  return on_edges() ? fibre_states_slopes(points) : slopes_at(points);
+  if (on_edges()) return fibre_states_slopes(points);
+  const std::size_t n = points.size();
+  return slopes_by_deflection({points.lengths(), n}, {points.frictions(), n});
 }
 
 InverseArrays Fibre::tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) const {

@@ -33,7 +33,8 @@ class Fibre {
   // As fibre_state and its kin. Domain besides, if not on edges: deflections up to deepest_on_supports.
   // Max error:  if not on edges, for w <= 0.35 and q in [-0.8, 2]: relative, 1e-12 in w, F, theta0, Pn and U; of slopes 1e-9 of the larger of |X_S|
   //             and |X|/w, of X_q likewise of |X_q| and |X|/(1 + |q|) (tests/fibre/fibre_test.cpp).
-  // Cost:       if not on edges, about 0.5 µs, and 0.3 ms for a new cell; 10 µs and more for q beyond [-2, 4).
+  // Cost:       if not on edges, about 0.5 µs, tabulated_states of many some 40 ns each (bench/speed), and 0.3 ms for a new cell; 10 µs and
+  //             more for q beyond [-2, 4).
   FibreState state(double S, double q) const;
   FibreStateSlopes state_slopes(double S, double q) const;
   FibreState state_from_force(double w, double F) const;
@@ -87,7 +88,8 @@ class Fibre {
 
  private:
   class Tables;
-  SlopeArrays slopes_at(const FibrePoints& points) const;
+  SlopeArrays slopes_by_length(const FibrePoints& points) const;
+  SlopeArrays slopes_by_deflection(std::span<const double> S, std::span<const double> q) const;
 
   std::shared_ptr<const Tables> tables_;
   double least_length_ = 1;  // [L] Σ0

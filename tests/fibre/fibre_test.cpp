@@ -70,6 +70,27 @@ TEST_CASE("fibre, oracle: the tables give the states of supported_state.h, by le
   }));
 }
 
+TEST_CASE("fibre, identity: many states by their lengths are those of one, which goes by its deflection") {
+  CHECK(rc::check([] {
+    const Fibre& fibre = some_fibre();
+    const auto [w, q] = some_bent(fibre);
+    const double S = 1 + state_on_supports(w, q, fibre.supports()).slid;
+    if (!(S > 1)) return;
+    const FibreStateSlopes one = fibre.state_slopes(S, q);
+    if (one.state.status != FibreStatus::ok) return;
+    const SlopeArrays many = fibre.tabulated_states_slopes(FibrePoints({&S, 1}, {&q, 1}));
+    const double condition = 1 + q * q + (w * one.state.Pn * std::abs(q) / one.state.F);
+    const double rounding = 1 + 1e-4 / (S - 1);  // a length has an absolute one
+    RC_ASSERT(many.w[0] == to(4e-12 * rounding, one.state.w));
+    RC_ASSERT(many.F[0] == to(4e-12 * condition * rounding, one.state.F));
+    const double close = 1e-9 * condition;
+    RC_ASSERT(many.w_S[0] == to(close, one.slopes.w_S));
+    RC_ASSERT(std::abs(many.w_q[0] - one.slopes.w_q) <= close * w);
+    RC_ASSERT(std::abs(many.F_S[0] - one.slopes.F_S) <= close * (std::abs(one.slopes.F_S) + one.state.F / w));
+    RC_ASSERT(many.F_q[0] == to(close, one.slopes.F_q));
+  }));
+}
+
 TEST_CASE("fibre, definition: slopes along a length and in friction are those of differences") {
   CHECK(rc::check([] {
     const Fibre& fibre = some_fibre();
