@@ -74,6 +74,7 @@ std::pair<double, double> extent_of(const Fibre& fibre, const Stretch& stretch) 
 
 MovingFibre::MovingFibre(BendingTest test, double farthest)
     : test_(std::move(test)),
+      beginning_(test_.friction.kinetic.at_the_beginning()),
       farthest_(farthest),
       in_(trace_loading_curve(test_.friction.kinetic, test_.rig, longest_on_the_way(test_, farthest))),
       table_in_(test_.friction.kinetic, test_.rig, Sliding::in),
@@ -139,6 +140,7 @@ std::optional<Stretch> MovingFibre::settle() {
 void MovingFibre::lead_on(Sliding sliding) {
   Friction& friction = test_.friction.kinetic;
   friction = friction.from(state_.S, state_.q, direction_of(sliding));
+  if (!friction.lets_stick()) beginning_ = friction.at_the_beginning();
   in_ = trace_loading_curve(friction, test_.rig, longest_on_the_way(test_, farthest_));
   out_.reset();
   table_in_ = SlidingTable(friction, test_.rig, Sliding::in);

@@ -71,7 +71,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const double inwards = here.S_w * advance >= 0 ? 1 : -1;  // which way the surface would slide
   const double mu = from.w == 0 ? friction_.at(1).mu : friction_at(here.state);
   constexpr double level = 1e-11;
-  const bool slides = inwards * from.q >= mu - level;
+  const bool slides = from.w == 0 || inwards * from.q >= mu - level;  // no force, no friction to overcome
   const Way way{slides ? inwards : 0, from.S};
   double far = advance > 0 ? 3 * fibre.supports().half_depth : 0;
   if (advance > 0)

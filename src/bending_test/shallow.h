@@ -2,7 +2,7 @@
 // slides in (theory.md, "Rollers and thickness").
 //
 // Two states belong to each length there, so that the way is told in the deflection, which only rises while the stage advances: friction matters
-// too little for a snap. Friction is kinetic, and mobilised where the fibre slides.
+// too little for a snap. Friction is kinetic.
 #pragma once
 
 #include "bending_test/path_point.h"
@@ -14,7 +14,7 @@ namespace flexslip {
 class Shallow {
  public:
   // Domain: a fibre that does not begin straight; references that outlive this.
-  Shallow(const Friction& friction, const Rig& rig) : friction_(friction.mobilised()), rig_(rig) {}
+  Shallow(const Friction& friction, const Rig& rig) : friction_(friction), rig_(rig) {}
 
   // Whether a state is on this part of the way: below a length of 1, or the less bent of two.
   static bool holds(const Fibre& fibre, double S, double w);
@@ -48,7 +48,7 @@ class Shallow {
   double stage_of(const Place& place) const { return place.at.state.w + place.at.state.F / rig_.stiffness; }
   double friction_at(const FibreState& state) const;
 
-  const Friction& friction_;  // built up
+  const Friction& friction_;
   const Rig& rig_;
 };
 

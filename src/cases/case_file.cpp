@@ -77,6 +77,8 @@ constexpr std::array examples{
     Example{"rig.stiffness",
             R"(the stiffness of your load train, stiffness = "… N/m", or "inf" for displacement control)",
             R"(the stiffness of your load train in EI/L^3, stiffness = …, or "inf" for displacement control)"},
+    Example{"rig.pin_radius", R"(pin_radius = "1 mm")", "pin_radius = 0.02"},
+    Example{"rig.pin_friction", "pin_friction = 0.1", "pin_friction = 0.1"},
     Example{"friction", R"(model = "constant" and mu0 = 0.5)", R"(model = "constant" and mu0 = 0.5)"},
     Example{"friction.model", R"(model = "sinusoid")", R"(model = "sinusoid")"},
     Example{"friction.mu0", "mu0 = 0.5", "mu0 = 0.5"},

@@ -342,9 +342,14 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
     if (auto* refused = std::get_if<DesignRefusal>(&other)) return std::move(*refused);
     supports.other = std::get<Friction>(std::move(other));
   }
-  Friction along = together(*input_, std::move(supports), fibre, *units, S_max);
+  std::optional<Friction> along;
+  try {
+    along = together(*input_, std::move(supports), fibre, *units, S_max);
+  } catch (const InputError& error) {
+    return DesignRefusal{DesignFault::not_computable, error};
+  }
   PlannedDesign planned{
-      {std::move(along),
+      {*std::move(along),
        {units->reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_)),
         std::move(fibre)},
        travel,

@@ -362,11 +362,17 @@ SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scale
 Friction together(const Case& input, SupportFrictions supports, const Fibre& fibre, const Scales& scales,
                   double S_max) {
   const double build_up = scales.reduced_length(input.friction->build_up_length);
+  if (build_up > 0 && fibre.supports().radius > 0)
+    throw wrong_value(input, "friction.build_up_length", "none on rollers",
+                      readable_length(input, input.friction->build_up_length), "delete it, or roller_radius");
   if (build_up > 0) try {
-      return Friction::on_a_way(std::make_shared<const BuildUp>(std::move(supports.first), fibre, build_up, S_max));
+      return Friction::on_a_way(std::make_shared<const BuildUp>(std::move(supports.first), build_up, S_max));
     } catch (const std::invalid_argument& error) {
-      throw wrong_value(input, "friction.build_up_length", "a longer one, beside which friction can be followed",
-                        readable_length(input, input.friction->build_up_length), error.what());
+      throw wrong_value(input, "friction.build_up_length",
+                        fmt::format("at least {} of such a profile",
+                                    readable_length(input, scales.physical_length(2e-5 * (S_max - 1)))),
+                        readable_length(input, input.friction->build_up_length),
+                        fmt::format("delete it ({})", error.what()));
     }
   if (!supports.other) return std::move(supports.first);
   return Friction::on_two_supports(std::move(supports.first), *std::move(supports.other), S_max);

@@ -75,9 +75,12 @@ void run_equilibrium(const EquilibriumRequest& request) {
          fmt::format("the curve ends at the length {}, where the force has fallen to zero",
                      readable(scales.physical_length(points.back().S), input.reduced ? kind::number : kind::length)));
 
-  std::vector<double> length, friction_used, deflection, force;
+  std::vector<double> length, drawn_in, friction_used, deflection, force;
   for (const EquilibriumPoint& point : points) {
-    length.push_back(scales.physical_length(point.S));
+    const double between =
+        fibre.on_edges() ? point.S : fibre.length_between_contacts(fibre.bent(point.w, point.q).state);
+    length.push_back(scales.physical_length(between));
+    drawn_in.push_back(scales.physical_length(point.S - 1));
     friction_used.push_back(point.q);
     deflection.push_back(scales.physical_length(point.w));
     force.push_back(scales.physical_force(point.F));
@@ -86,10 +89,11 @@ void run_equilibrium(const EquilibriumRequest& request) {
   const auto title = [&](std::string_view symbol, std::string_view word, std::string_view unit) {
     return json ? std::string(word) : column_title(symbol, unit, input.reduced);
   };
-  const std::vector<OutputColumn> columns{{title("S", "length", "m"), length},
-                                          {request.region ? "q" : "mu", friction_used},
-                                          {title("w", "deflection", "m"), deflection},
-                                          {title("F", "force", "N"), force}};
+  std::vector<OutputColumn> columns{{title("S", "length", "m"), length},
+                                    {request.region ? "q" : "mu", friction_used},
+                                    {title("w", "deflection", "m"), deflection},
+                                    {title("F", "force", "N"), force}};
+  if (!fibre.on_edges()) columns.push_back({title("drawn_in", "drawn_in", "m"), drawn_in});
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};
     draw_for(request.output,

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "contact/over_rollers.h"
 #include "fibre/elementary.h"
 
 namespace flexslip {
@@ -58,7 +57,6 @@ class Trail final : public FrictionOnAWay {
   double smooth_scale() const override { return followed_.smooth_scale(); }
   double most_up_to(double S_max) const override { return followed_.most_up_to(S_max); }
   std::span<const double> knots() const override { return followed_.knots(); }
-  bool is_met() const override { return followed_.is_met(); }
 
  private:
   struct Node {
@@ -124,19 +122,18 @@ double share_after_build_up(double length, double wavelength) {
   return 1 / elementary::length(1, std::numbers::pi * length / wavelength);
 }
 
-BuildUp::BuildUp(Friction specimen, const Fibre& fibre, double length, double S_most)
+BuildUp::BuildUp(Friction specimen, double length, double S_most)
     : trails_([&] {
         if (!(length > 0 && std::isfinite(length)))
           throw std::invalid_argument("the length over which friction builds up must be finite and > 0");
         if (!(S_most > 1)) throw std::invalid_argument("a fibre that slides gets beyond its span");
-        if (specimen.walk())
-          throw std::invalid_argument("friction does not build up on two supports that are not alike");
-        const Friction in = met(specimen, fibre, 1, S_most), out = met(specimen, fibre, -1, S_most);
-        return std::make_shared<const Trails>(Trails{std::move(specimen), trailing(in, 1, length, S_most),
-                                                     trailing(out, -1, length, S_most), length, in.is_met()});
+        if (specimen.depends_on_way() || specimen.is_met())
+          throw std::invalid_argument("friction builds up on edges that are alike");
+        Friction in = trailing(specimen, 1, length, S_most), out = trailing(specimen, -1, length, S_most);
+        return std::make_shared<const Trails>(Trails{std::move(specimen), std::move(in), std::move(out), length});
       }()),
       S_(1),
-      p_(met(trails_->specimen, fibre, 1, 1).at(1).mu),
+      p_(trails_->specimen.at(1).mu),
       direction_(1),
       lag_(p_ - trail().at(S_).mu) {
   add_knots();

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "contact/friction.h"
-#include "fibre/fibre.h"
 
 namespace flexslip {
 
@@ -23,10 +22,10 @@ double share_after_build_up(double length, double wavelength);
 class BuildUp final : public FrictionOnAWay {
  public:
   // The first way in of a fibre on which friction is mobilised from the beginning, to a length S_most, towards the friction of the points of the
-  // specimen: on rollers, as it is met (over_rollers.h).
-  // Domain:     length > 0 [L]; a friction that is no way of two supports; std::invalid_argument otherwise, and where a table, friction that
-  //             is held at zero, or rollers would need more than a million nodes: σ above 16 millionths of S_most - 1.
-  BuildUp(Friction specimen, const Fibre& fibre, double length, double S_most);
+  // specimen.
+  // Domain:     length > 0 [L]; a friction of the points of a specimen on edges; std::invalid_argument otherwise, and where a table, or friction
+  //             that is held at zero, would need more than a million nodes: σ above 16 millionths of S_most - 1.
+  BuildUp(Friction specimen, double length, double S_most);
 
   // p and dp/dS; what it was where it turned, on lengths that lie behind.
   // Max error:  of waves that no drift carries to zero, as theirs; else 1e-11 of the greatest μ.
@@ -35,20 +34,17 @@ class BuildUp final : public FrictionOnAWay {
   double smooth_scale() const override { return trail().smooth_scale(); }
   double most_up_to(double S_max) const override;
   std::span<const double> knots() const override { return knots_; }
-  bool is_met() const override { return trails_->is_met; }
 
   bool leads(double S, double direction) const override { return direction == direction_ && direction * (S - S_) >= 0; }
   std::shared_ptr<const FrictionOnAWay> from(double S, double q, double direction) const override;
   bool depends_on_way() const override { return true; }
   bool lets_stick() const override { return false; }
-  const Friction* mobilised() const override { return &trails_->specimen; }
 
  private:
   // What is met that has slid on and on.
   struct Trails {
     Friction specimen, in, out;
     double length;
-    bool is_met;
   };
   BuildUp(const std::shared_ptr<const Trails>& trails, double S, double p, double direction);
   void add_knots();

@@ -16,8 +16,9 @@ class Capped final : public FrictionOnAWay {
     if (friction_.depends_on_way() || friction_.is_met() || !(cap >= 0))
       throw std::invalid_argument("only friction of the points of a specimen can be capped, at 0 or more");
     const auto own = friction_.knots();
-    std::vector<double> ends{1};
-    std::copy_if(own.begin(), own.end(), std::back_inserter(ends), [&](double S) { return S > 1 && S < S_most; });
+    constexpr double least = 0.3;  // that may lie between rollers
+    std::vector<double> ends{least};
+    std::copy_if(own.begin(), own.end(), std::back_inserter(ends), [&](double S) { return S > least && S < S_most; });
     ends.push_back(S_most);
     for (std::size_t i = 1; i < ends.size(); ++i) {
       knots_.push_back(ends[i - 1]);

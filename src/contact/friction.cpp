@@ -233,10 +233,12 @@ double Friction::unheld(double S) const {
   return wave_sum<double>(std::get<FrictionWaves>(form_), terms_.data(), S).mu;
 }
 
-bool Friction::may_be_held() const {
+double Friction::drift() const {
   const auto* waves = std::get_if<FrictionWaves>(&form_);
-  return waves && waves->drift != 0;
+  return waves ? waves->drift : 0;
 }
+
+bool Friction::may_be_held() const { return drift() != 0; }
 
 double Friction::most_up_to(double S_max) const {
   if (way()) return way()->most_up_to(S_max);

@@ -4,6 +4,7 @@
 // has the period 2 λ in S: hence π S/λ in (4.25). All lengths are in spans.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -79,7 +80,6 @@ class FrictionOnAWay {
   }
   virtual bool depends_on_way() const { return false; }
   virtual bool lets_stick() const { return true; }
-  virtual const Friction* mobilised() const { return nullptr; }
 };
 
 class Walk;
@@ -113,8 +113,8 @@ class Friction {
   bool depends_on_way() const { return way() && way()->depends_on_way(); }  // changes where the fibre turns back
   // Does the fibre stick where it turns back, until friction is exhausted? Else it creeps.
   bool lets_stick() const { return !way() || way()->lets_stick(); }
-  // What friction builds up to: of the points of the specimen.
-  const Friction& mobilised() const { return way() && way()->mobilised() ? *way()->mobilised() : *this; }
+  // Of the beginning of a test of a thick specimen: what builds up stays as it is at the length 1.
+  Friction at_the_beginning() const { return lets_stick() ? *this : constant(std::abs(at(1).mu)); }
   const Walk* walk() const;  // none of one profile
 
   // Domain: S > 0; a table is constant before its first knot.
@@ -127,6 +127,7 @@ class Friction {
   // What μ would be, were it not held at zero: its zeros are the kinks of at(). Only a drift brings them about.
   double unheld(double S) const;
   bool may_be_held() const;
+  double drift() const;  // [1/L] 0 of all but waves
 
   // The greatest μ at lengths from 1 to S_max: of a table to rounding; of waves a bound, their crests on the greatest mean.
   // Domain: S_max >= 1.

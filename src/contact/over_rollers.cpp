@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -20,8 +21,14 @@ OverRollers::OverRollers(Friction along, Fibre fibre, double direction, double S
   if (S_most > 1 && !along_.knots().empty()) add_knots(S_most);
 }
 
+// What lies between the contacts may be shorter than the span, where a drift may have brought more friction.
+double OverRollers::most_at_contacts(double S_max) const {
+  const double least = 1 - std::numbers::pi * fibre_.supports().radius;
+  return along_.most_up_to(S_max) + std::max(along_.drift() < 0 ? along_.drift() * (least - 1) : 0.0, 0.0);
+}
+
 FrictionPoint OverRollers::at(double S) const {
-  double low = 0, high = along_.most_up_to(S + 1);  // of the friction sought
+  double low = 0, high = most_at_contacts(S + 1);  // of the friction sought
   double mu = std::clamp(along_.at(S).mu, low, high);
   FrictionPoint met{mu, 0};
   for (int i = 0; i < 60; ++i) {

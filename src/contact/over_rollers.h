@@ -24,12 +24,13 @@ class OverRollers final : public FrictionOnAWay {
   FrictionPoint at(double S) const override;
   double smooth_scale() const override { return along_.smooth_scale(); }
   double end_of(double S, double scales, bool inwards) const override;
-  double most_up_to(double S_max) const override { return along_.most_up_to(S_max); }
+  double most_up_to(double S_max) const override { return most_at_contacts(S_max); }
   std::span<const double> knots() const override { return knots_; }
   bool is_met() const override { return true; }
 
  private:
   void add_knots(double S_most);
+  double most_at_contacts(double S_max) const;
 
   Friction along_;
   Fibre fibre_;

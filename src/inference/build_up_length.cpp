@@ -59,13 +59,18 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// By how much more is slid from one row to the next.
-double row_spacing(std::span<const Reversal> reversals, double up_to) {
-  std::vector<double> steps;
+// What is slid from one row to the next, and five times its noise: nothing shorter can be told.
+double resolution(std::span<const Reversal> reversals, double up_to) {
+  std::vector<double> steps, bends;
   for (const Reversal& reversal : reversals)
     for (std::size_t i = 1; i < reversal.way.size() && (i < least_points || reversal.way[i] <= up_to); ++i)
-      steps.push_back(std::abs(reversal.way[i] - reversal.way[i - 1]));
-  return median(std::move(steps));
+      if (i < least_points || reversal.way[i] > 0.5 * up_to)
+        steps.push_back(std::abs(reversal.way[i] - reversal.way[i - 1]));
+  for (const Reversal& reversal : reversals)
+    for (std::size_t i = 2; i < reversal.way.size() && (i < least_points || reversal.way[i] <= up_to); ++i)
+      bends.push_back(std::abs(reversal.way[i] - 2 * reversal.way[i - 1] + reversal.way[i - 2]));
+  constexpr double to_deviation = 1.4826 / 2.4495;  // of a median; a second difference has √6 times that of a row
+  return median(std::move(steps)) + 5 * to_deviation * median(std::move(bends));
 }
 
 struct Found {
@@ -99,7 +104,7 @@ std::optional<BuildUpLength> measure_build_up(std::span<const Leg> legs, std::sp
     most = std::max(most, *std::max_element(reversal.way.begin(), reversal.way.end()));
   if (!(most > 0)) return std::nullopt;
   const Found found = best_length(reversals, most);
-  BuildUpLength result{found.length, std::numeric_limits<double>::quiet_NaN(), row_spacing(reversals, found.window),
+  BuildUpLength result{found.length, std::numeric_limits<double>::quiet_NaN(), resolution(reversals, found.window),
                        reversals.size()};
   if (reversals.size() < 2) return result;
   // Jackknife.
@@ -112,7 +117,8 @@ std::optional<BuildUpLength> measure_build_up(std::span<const Leg> legs, std::sp
     sum += without;
     squares += without * without;
   }
-  result.standard_error = std::sqrt(std::max((n - 1) * (squares / n - sum * sum / (n * n)), 0.0));
+  const double between = std::max((n - 1) * (squares / n - sum * sum / (n * n)), 0.0);
+  result.standard_error = std::sqrt(between + std::pow(0.5 * (grid - 1) * result.value, 2));
   return result;
 }
 

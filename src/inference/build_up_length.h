@@ -13,7 +13,7 @@ namespace flexslip {
 struct BuildUpLength {
   double value;           // [L] of S, as both sides slide
   double standard_error;  // [L] from reversal to reversal; NaN of a single one
-  double least;           // [L] that can be told: what is slid from row to row
+  double least;           // [L] that can be told: what is slid from row to row, and five times its noise
   std::size_t reversals;
 
   // Is it told from none?
@@ -25,7 +25,8 @@ struct BuildUpLength {
 // Method:     after each reversal q = a + b exp(-s/σ), a and b its own, s the way slid since the second row of its leg (before the first the stage may
 //             still have been turning), over a sixth of the
 //             longest way seen (more, if that is not four times σ): beyond, what varies is friction along the specimen. One σ for all, by
-//             least squares on a grid of 4 %; the error by leaving out each reversal in turn.
+//             least squares on a grid of 4 %; the error by leaving out each reversal in turn, and half a step of
+//             the grid.
 // Max error:  of simulated tests with noise tests/inference/build_up_length_test.cpp.
 // Cost:       some ms.
 std::optional<BuildUpLength> measure_build_up(std::span<const Leg> legs, std::span<const CyclicPoint> points);

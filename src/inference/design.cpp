@@ -87,7 +87,8 @@ class Loading {
 
   // Up to where the surface slides in beyond the original contact (bending_test/shallow.h). Does the loading lead on?
   bool bend_shallow(const RigPoint& begin) {
-    const Shallow shallow(design_.friction, design_.rig);
+    const Friction friction = design_.friction.at_the_beginning();
+    const Shallow shallow(friction, design_.rig);
     const double stage = std::min(begin.stage, design_.travel);
     PathPoint here = shallow.straight();
     while (here.stage < stage && here.S <= 1 && !(here.S == 1 && here.w > 0)) {

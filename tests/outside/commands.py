@@ -138,7 +138,8 @@ model = "constant"
         work = last["energy"]["stage_work"] - last["energy"]["load_train"]
         self.assertAlmostEqual(design["work"], work, delta=1e-6 * work)
         curve = self.json("equilibrium", case, "--longest", "70 mm", "--quiet")["curve"]
-        self.assertAlmostEqual(curve[0]["length"], 0.064)
+        self.assertAlmostEqual(curve[0]["drawn_in"], 0)
+        self.assertLess(curve[0]["length"], 0.064)  # some of it lies on the rollers
         self.assertGreater(curve[0]["deflection"], 0.002)  # 2.5 half depths and more
 
     LOOSE = 'roller_radius = "5 mm"\nrollers = "loose"'
