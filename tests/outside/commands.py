@@ -456,7 +456,7 @@ class Program(InFolder):
     def test_a_reader_that_has_seen_enough_is_no_error(self):
         command = f"'{PROGRAM}' equilibrium '{SOURCE}/examples/simulated/truth.toml' --points 100000 | head -n 1"
         result = subprocess.run(["bash", "-c", f"set -o pipefail; {command}"], capture_output=True, text=True, check=False)
-        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "S [m],mu,w [m],F [N]\n", ""))
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "S [m],mu,w [m],F [N],drawn_in [m]\n", ""))
 
     def test_the_same_input_gives_the_same_bytes(self):
         truth = SOURCE / "examples/simulated/truth.toml"
