@@ -131,7 +131,8 @@ void add_equilibrium_command(CLI::App& app) {
   add_figure_option(*command, request->figure);
   add_output_options(*command, request->output);
   command->footer(
-      "Writes S,mu,w,F along the curve, or S,q,w,F over the region: in SI, or reduced if the case is.\n\n"
+      "Writes S,mu,w,F along the curve, or S,q,w,F over the region: in SI, or reduced if the case is;\n"
+      "of a thick specimen, or on rollers, drawn_in besides.\n\n"
       "Examples:\n"
       "  flexslip equilibrium case.toml --longest \"1500 um\"\n"
       "  flexslip equilibrium case.toml --region --output region.csv");
