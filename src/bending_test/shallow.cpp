@@ -22,6 +22,9 @@ double first_where(double is_false, double end, const Predicate& is_true) {
   return is_so;
 }
 
+// Wherever it is, what is sought has a bracket; more than largest_q_on_supports has no state.
+constexpr double most_friction_sought = 2 * largest_q_on_supports;
+
 double direction_of(Motion motion) { return motion == Motion::slip_in ? 1 : motion == Motion::slip_out ? -1 : 0; }
 
 }  // namespace
@@ -39,7 +42,8 @@ PathPoint Shallow::straight() const { return {0, 0, 0, 1, -friction_.at(1).mu, M
 Shallow::Place Shallow::place(const Way& way, double w, double q) const {
   const double rolled = 2 * rig_.fibre.supports().radius;
   Place found{};
-  for (int i = 0; i < 60; ++i) {
+  double low = -most_friction_sought, high = most_friction_sought;
+  for (int i = 0; i < 100; ++i) {
     found.at = rig_.fibre.bent(w, q);
     const Fibre::BentState& at = found.at;
     const double length_q = at.S_q - rolled * at.theta0_q, length_w = at.S_w - rolled * at.theta0_w;
@@ -53,12 +57,14 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
       const double slope = friction_.is_met() ? 0 : way.direction * there.slope, in_q = 1 - slope * length_q;
       step = (way.direction * there.mu - q) / in_q;
       found.q_w = slope * length_w / in_q;
+      (step > 0 ? low : high) = q;  // the one friction that is met there: steepest_followed
     }
     found.length_w = length_w + length_q * found.q_w;
     constexpr double small = 1e-14;
     // At rest the least deflections have no friction that could be told.
     if (!std::isfinite(step) || std::abs(step) <= small * (1 + std::abs(q))) break;
-    q += std::clamp(step, -0.5, 0.5);
+    const double next = q + std::clamp(step, -0.5, 0.5);
+    q = next > low && next < high ? next : 0.5 * (low + high);
     if (std::abs(q) > largest_q_on_supports) break;
   }
   return found;
@@ -67,66 +73,57 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
 PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const double advance = stage > from.stage ? 1 : -1;
   const Fibre& fibre = rig_.fibre;
+  const double half_depth = fibre.supports().half_depth;
   const Fibre::BentState here = fibre.bent(from.w, from.q);
-  const double inwards = here.S_w * advance >= 0 ? 1 : -1;  // which way the surface would slide
   const double mu = from.w == 0 ? friction_.at(1).mu : friction_at(here.state);
   constexpr double level = 1e-11;
-  const bool slides = from.w == 0 || inwards * from.q >= mu - level;  // no force, no friction to overcome
-  const Way way{slides ? inwards : 0, from.S};
-  double far = advance > 0 ? 3 * fibre.supports().half_depth : 0;
+  const auto at = [&](const Way& way, double w) { return place(way, w, from.q); };
+  // A fibre slides where friction is exhausted, and rises along the specimen by less than it would have to for the fibre to stay at rest.
+  Way way{from.w == 0 || mu < level ? (here.S_w * advance >= 0 ? 1.0 : -1.0) : from.q > 0 ? 1.0 : -1.0, from.S};
+  const bool slides =
+      from.w == 0 || (std::abs(from.q) >= mu - level && at(way, from.w).slides() * advance * way.direction > 0);
+  if (!slides) way.direction = 0;
+
+  double far = advance > 0 ? 3 * half_depth : 0;
   if (advance > 0)
     while (fibre.bent(far, mu).state.S < 1) far *= 1.2;
-  const auto at = [&](double w) { return place(way, w, from.q); };
   const auto passed = [&](const Place& there) { return advance * (stage_of(there) - stage) >= 0; };
-  const auto to_point = [&](double w, Motion motion) {
-    const Place there = at(w);
+  const bool leaves = advance > 0 && way.direction > 0;
+  const auto ends = [&](double w) {
+    if (w == 0) return true;
+    const Place there = at(way, w);
     const FibreState& state = there.at.state;
-    return PathPoint{stage_of(there), w, state.F, state.S, state.q, motion};
+    if (passed(there)) return true;
+    if (slides) return there.slides() * advance * way.direction <= 0 || (leaves && state.S >= 1);
+    const bool is_held = state.status == FibreStatus::ok && std::abs(state.S - way.S) <= 1e-11;
+    return !is_held || std::abs(state.q) > friction_at(state) + level;
   };
-  // Each stretch gets on by some of the way at least, so that none is lost between friction and what it does to itself on rollers.
-  constexpr double least = 1e-7;  // of a half depth
-  const double on = from.w + advance * std::min(least * fibre.supports().half_depth, std::abs(far - from.w));
-  const double first = on == far || passed(at(on)) ? from.w : on;
-  if (slides) {
-    const bool leaves = advance > 0 && inwards > 0;
-    const auto ends = [&](double w) {
-      if (w == 0) return true;
-      const Place there = at(w);
-      return passed(there) || there.at.S_w * advance * inwards <= 0 || (leaves && there.at.state.S >= 1);
-    };
-    const double w = first_where(first, far, ends);
-    PathPoint to =
-        w > 0 ? to_point(w, Motion::stick) : PathPoint{0, 0, 0, 1, inwards * friction_.at(1).mu, Motion::stick};
-    to.motion = inwards > 0 ? Motion::slip_in : Motion::slip_out;
-    if (w > 0 && passed(at(w)))
+  // Step by step, none longer than friction is smooth for, on the contacts as they move.
+  constexpr double least = 1e-7, smooth = 0.5;
+  const auto knots = friction_.knots();
+  const double between_knots =
+      knots.size() > 1 ? (knots.back() - knots.front()) / static_cast<double>(knots.size()) : far + from.w;
+  const double scale = smooth * std::min(friction_.smooth_scale(), between_knots);
+  double w = from.w, next = from.w + advance * std::min(least * half_depth, std::abs(far - from.w));
+  while (next != far && !ends(next)) {
+    w = next;
+    const double rate = std::max(std::abs(at(way, w).length_w), 0.1);
+    next = advance > 0 ? std::min(w + scale / rate, far) : std::max(w - scale / rate, far);
+  }
+  w = first_where(w, next, ends);
+
+  PathPoint to{0, 0, 0, 1, way.direction * friction_.at(1).mu, Motion::stick};
+  if (w > 0) {
+    const Place there = at(way, w);
+    const FibreState& state = there.at.state;
+    to = {stage_of(there), w, state.F, slides ? state.S : from.S, state.q, Motion::stick};
+    if (passed(there))
       to.stage = stage;
     else if (leaves && to.S >= 1)
       to.S = 1;
-    return to;
   }
-  // Friction first falls or rises to where the length is the least of its friction, then the other way.
-  const double turn = first_where(first, far, [&](double w) {
-    const Place there = at(w);
-    return !std::isfinite(there.at.state.q) || there.at.S_w * here.S_w <= 0;
-  });
-  double begin = first;
-  for (const double end : {turn, far}) {
-    const auto ends = [&](double w) {
-      const Place there = at(w);
-      const FibreState& state = there.at.state;
-      const bool is_held = state.status == FibreStatus::ok && std::abs(state.S - way.S) <= 1e-11;
-      return !is_held || passed(there) || std::abs(state.q) > friction_at(state);
-    };
-    const double w = first_where(begin, end, ends);
-    if (w != end || end == far) {
-      PathPoint to = to_point(w, Motion::stick);
-      to.S = way.S;
-      if (passed(at(w))) to.stage = stage;
-      return to;
-    }
-    begin = end;
-  }
-  return from;
+  to.motion = !slides ? Motion::stick : way.direction > 0 ? Motion::slip_in : Motion::slip_out;
+  return to;
 }
 
 StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {

@@ -36,8 +36,9 @@ class Shallow {
  private:
   struct Place {
     Fibre::BentState at;
-    double q_w;       // [1/L] along the way
-    double length_w;  // [L/L] of what lies between the contacts
+    double q_w;                                              // [1/L] along the way
+    double length_w;                                         // [L/L] of what lies between the contacts
+    double slides() const { return at.S_w + at.S_q * q_w; }  // [L/L] of what has been drawn in
   };
   // Sliding in (1) or out (-1), or at rest at a length.
   struct Way {

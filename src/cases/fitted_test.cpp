@@ -203,7 +203,7 @@ void write_curves(const std::string& path, const FittedTest& test) {
   auto mu = nothing;
   auto error = nothing;
   for (const auto& point : analysis.profile.points) {
-    length[point.index] = analysis.scales.physical_length(point.S);
+    length[point.index] = analysis.scales.physical_length(point.length);
     mu[point.index] = point.mu;
     error[point.index] = standard_error(point);
   }
@@ -222,12 +222,26 @@ void write_curves(const std::string& path, const FittedTest& test) {
 void write_draws(const std::string& path, const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no draws");
+  // Over rising lengths between the contacts, as simulate reads a table: those on the side of the middle where rollers take some off at first.
+  std::vector<std::size_t> order;
+  const auto rolls_back = [&](std::size_t i) { return fit.along.rolls_back_at(fit.along.at(fit.band.S[i])); };
+  for (std::size_t i = 0; i < fit.band.S.size(); ++i)
+    if (rolls_back(i) == rolls_back(fit.band.S.size() / 2)) order.push_back(i);
+  if (rolls_back(order.front())) std::reverse(order.begin(), order.end());
+  const auto ordered = [&](const std::vector<double>& values) {
+    std::vector<double> column;
+    for (const std::size_t i : order) column.push_back(values[i]);
+    return column;
+  };
   std::vector<double> length;
-  for (const double S : fit.band.S) length.push_back(test.analysis.scales.physical_length(S));
+  for (const double S : fit.band.S) length.push_back(test.analysis.scales.physical_length(fit.between_contacts(S)));
+  const std::vector<double> rising = ordered(length), mean = ordered(fit.mean.mu),
+                            deviation = ordered(fit.band.deviation);
+  std::vector<std::vector<double>> draws;
+  for (const auto& draw : fit.draws) draws.push_back(ordered(draw.mu));  // all over the lengths of the band
   std::vector<OutputColumn> columns{
-      {title_with("length", "m", test.reduced), length}, {"mu", fit.mean.mu}, {"deviation", fit.band.deviation}};
-  for (std::size_t k = 0; k < fit.draws.size(); ++k)  // all over the lengths of the band
-    columns.push_back({fmt::format("draw_{}", k + 1), fit.draws[k].mu});
+      {title_with("length", "m", test.reduced), rising}, {"mu", mean}, {"deviation", deviation}};
+  for (std::size_t k = 0; k < draws.size(); ++k) columns.push_back({fmt::format("draw_{}", k + 1), draws[k]});
   write_table(path, columns);
 }
 
@@ -236,9 +250,9 @@ void write_profile(const std::string& path, const FittedTest& test) {
   std::vector<double> row, length, drawn_in, position, mu, error, from_force, from_stiffness, from_contact;
   for (const auto& point : test.analysis.profile.points) {
     row.push_back(static_cast<double>(file_row(test, point.index)));
-    length.push_back(scales.physical_length(point.S));
+    length.push_back(scales.physical_length(point.length));
     drawn_in.push_back(scales.physical_length(point.S - 1));
-    position.push_back(scales.physical_length(point.S / 2));
+    position.push_back(scales.physical_length(point.length / 2));
     mu.push_back(point.mu);
     error.push_back(standard_error(point));
     from_force.push_back(point.from_force);

@@ -12,6 +12,7 @@
 
 #include "contact/build_up.h"
 #include "contact/capped.h"
+#include "contact/over_rollers.h"
 #include "fibre/elastica.h"
 #include "inference/analysis.h"
 #include "io/quantity.h"
@@ -301,11 +302,34 @@ std::string friction_limit(const Fibre& fibre) {
   return fmt::format("friction of at most {:g}{}", fibre.most_friction(), fibre.on_edges() ? "" : " at the surface");
 }
 
+// Where friction changes so fast along the specimen that the point that touches would jump.
+std::optional<InputFault> too_steep(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
+                                    const Fibre& fibre, const Scales& scales, double S_max) {
+  const double steepest = kinetic.steepest();
+  if (steepest == 0 || fibre.on_edges()) return std::nullopt;
+  const double limit = steepest_followed(fibre, kinetic.most_up_to(S_max), S_max);
+  if (steepest < limit) return std::nullopt;
+  const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
+  const bool has_rollers = fibre.supports().radius > 0;
+  return InputFault{
+      .field = !waves                 ? std::holds_alternative<RoughFriction>(profile) ? "correlation_length" : "file"
+               : waves->terms.empty() ? "drift"
+               : input.friction->model == FrictionModel::sinusoid ? "wavelength"
+                                                                  : "waves",
+      .expected = fmt::format(
+          "friction that changes by less than {} with the length between the {}: on these, the point "
+          "that touches moves with friction, and would jump",
+          readable(limit / scales.span(), kind_in(input, kind::inverse_length)), has_rollers ? "contacts" : "supports"),
+      .found = fmt::format("up to {:.3g} times as much", steepest / limit),
+      .remedy = fmt::format("write a profile that is less steep, {}",
+                            has_rollers ? "or a smaller roller_radius" : "or [rig] friction_at = \"axis\"")};
+}
+
 std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
                                     const Fibre& fibre, const Scales& scales, double S_max) {
   const double most = kinetic.most_up_to(S_max);
   const double limit = fibre.most_friction();
-  if (most <= limit) return std::nullopt;
+  if (most <= limit) return too_steep(input, profile, kinetic, fibre, scales, S_max);
   InputFault fault{.expected = friction_limit(fibre), .found = fmt::format("{:g}", most)};
   const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
   if (!waves) {

@@ -96,7 +96,7 @@ Rig rig_of(const Case& input, const Scales& scales);
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales);
 
 // What the mechanics of a fibre does not cover of the friction of a support, and the profile it was made from, at lengths up to S_max [L]: more
-// than its most_friction. None if it covers all.
+// than its most_friction, or steeper than steepest_followed. None if it covers all.
 std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
                                     const Fibre& fibre, const Scales& scales, double S_max);
 

@@ -254,6 +254,22 @@ double Friction::most_up_to(double S_max) const {
   return std::max(most, 0.0);
 }
 
+double Friction::steepest() const {
+  if (way()) throw std::invalid_argument("the friction of a way has no bound on its slope");
+  if (const auto* table = std::get_if<FrictionTable>(&form_)) {
+    double most = 0;
+    for (std::size_t i = 0; i + 1 < table->S.size(); ++i) {
+      const double rise = (table->mu[i + 1] - table->mu[i]) / (table->S[i + 1] - table->S[i]);
+      // A monotone cubic is steepest at an end, or at its middle by 3/2 of its mean slope.
+      most = std::max({most, std::abs(knot_slopes_[i]), std::abs(knot_slopes_[i + 1]), 1.5 * std::abs(rise)});
+    }
+    return most;
+  }
+  double most = std::abs(drift());
+  for (const WaveTerm& term : terms_) most += term.steepness;
+  return most;
+}
+
 double Friction::smooth_scale() const {
   if (way()) return way()->smooth_scale();
   double highest = 0;

@@ -133,6 +133,10 @@ class Friction {
   // Domain: S_max >= 1.
   double most_up_to(double S_max) const;
 
+  // [1/L] A bound on how steep the profile is, |dμ/dS|.
+  // Domain: waves or a table; std::invalid_argument otherwise.
+  double steepest() const;
+
   // Lengths in S within which the profile is smooth and bends little: a quarter of the shortest period for waves
   // (infinite for constant friction, and infinite for tables, too, which are smooth between their knots).
   double smooth_scale() const;

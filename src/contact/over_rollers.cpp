@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -96,6 +97,26 @@ void OverRollers::add_knots(double S_most) {
   }
   std::sort(knots_.begin(), knots_.end());
   knots_.erase(std::unique(knots_.begin(), knots_.end()), knots_.end());
+}
+
+double steepest_followed(const Fibre& fibre, double most, double S_most) {
+  if (fibre.on_edges()) return std::numeric_limits<double>::infinity();
+  constexpr int samples = 48;
+  const double rolled = 2 * fibre.supports().radius;
+  const double first = fibre.way(1), last = fibre.way(std::max(S_most, 1.0)), shallow = 3 * fibre.supports().half_depth;
+  double moved = 0;
+  const auto count = [&](double by_friction) {
+    if (std::isfinite(by_friction)) moved = std::max(moved, std::abs(by_friction));
+  };
+  for (int i = 1; i <= samples; ++i)
+    for (const double q : {-most, 0.0, most}) {
+      const double part = static_cast<double>(i) / samples;
+      if (rolled > 0) count(fibre.contact(fibre.length_at(first + part * (last - first)), q).length_q);
+      if (fibre.begins_straight()) continue;
+      const Fibre::BentState at = fibre.bent(part * shallow, q);
+      count(at.S_q - rolled * at.theta0_q);
+    }
+  return 1 / moved;
 }
 
 Friction met(const Friction& along, const Fibre& fibre, double direction, double S_most) {

@@ -38,6 +38,12 @@ class OverRollers final : public FrictionOnAWay {
   std::vector<double> knots_;  // [L] Σ rising
 };
 
+// [1/L] How steep friction may be along the specimen, |dμ/dS|, for its fibre to be drawn in by up to S_most under friction of up to `most`: the
+// point that touches moves with friction, and where friction changes faster than that, several frictions agree with one length. Infinite on
+// edges of a specimen without thickness.
+// Method:     sampled, at 48 lengths and, before the surface slides in, deflections.
+double steepest_followed(const Fibre& fibre, double most, double S_most);
+
 // The friction of the specimen as its fibre meets it: on edges that of its points.
 Friction met(const Friction& along, const Fibre& fibre, double direction, double S_most);
 

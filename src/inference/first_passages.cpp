@@ -104,17 +104,19 @@ Passages passages_of(const FitProblem& problem) {
   p.advance.assign(p.size(), 0);
   for (std::size_t i = 1; i < p.size(); ++i)
     p.advance[i] = (p.stage[i] - p.stage[i - 1]) / (slopes.w_S[i] + slopes.F_S[i] * p.compliance);
-  p.S_middle = 0.5 * (p.S.front() + p.S.back());
   const auto [least, most] = std::minmax_element(p.S.begin(), p.S.end());
-  p.range = 0.5 * (*most - *least);
+  const double beyond = 0.1 * (*most - *least);
+  p.along = ContactTravel(p.fibre, median_of(p.q), std::max(*least - beyond, least_S), *most + beyond);
+  p.S_middle = 0.5 * (p.along.at(p.S.front()) + p.along.at(p.S.back()));
+  p.range = 0.5 * (p.along.at(*most) - p.along.at(*least));
   return p;
 }
 
 void complete(Linearisation& at, const Passages& passages) {
   const std::size_t n = passages.size();
   // A fitted state lies within what was seen, or little beyond.
-  const double beyond = 0.4 * passages.range;
   const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
+  const double beyond = 0.4 * (0.5 * (*greatest - *least));
   const double low = std::max(*least - beyond, least_S), high = std::min(*greatest + beyond, greatest_S);
   for (double& S : at.S) S = std::clamp(S, low, high);
   at.S = non_falling(at.S);
@@ -194,10 +196,11 @@ Linearisation rises_of(const Passages& passages) {
     double w = 0, x = 0, xx = 0, y = 0, xy = 0, yy = 0;
   };
   std::vector<Sums> sums(n + 1);
+  const double S_middle = 0.5 * (passages.S.front() + passages.S.back());
   const double begin = passages.stage.front(), travel = passages.stage.back() - begin;
   for (std::size_t i = 0; i < n; ++i) {
     const double s = std::min(deviation[i], cap);
-    const double w = 1 / (s * s), x = (passages.stage[i] - begin) / travel, y = passages.S[i] - passages.S_middle;
+    const double w = 1 / (s * s), x = (passages.stage[i] - begin) / travel, y = passages.S[i] - S_middle;
     const Sums& b = sums[i];
     sums[i + 1] = {b.w + w, b.x + w * x, b.xx + w * x * x, b.y + w * y, b.xy + w * x * y, b.yy + w * y * y};
   }
@@ -227,7 +230,7 @@ Linearisation rises_of(const Passages& passages) {
   for (std::size_t j = n; j > 0; j = from[j]) {
     const Piece fitted = piece(from[j], j);
     for (std::size_t i = from[j]; i < j; ++i)
-      at.S[i] = passages.S_middle + fitted.y + fitted.slope * ((passages.stage[i] - begin) / travel - fitted.x);
+      at.S[i] = S_middle + fitted.y + fitted.slope * ((passages.stage[i] - begin) / travel - fitted.x);
   }
   at.S = non_falling(at.S);
   complete(at, passages);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "fibre/contact_travel.h"
 #include "inference/fit_problem.h"
 
 namespace flexslip {
@@ -25,11 +26,13 @@ struct Passages {
   double stiffness_error;            // [1] standard deviation of ln EI beforehand
   double contact_error;              // [L]
   double noise;                      // [EI/L^2] of a reading, by second differences
-  double S_middle;                   // [L]
-  double range;                      // [L] of places on the fibre: (greatest S - least S)/2
+  ContactTravel along;               // the specimen, past its contacts
+  double S_middle;                   // [L] of it
+  double range;                      // [L] of places on the fibre: half of what has passed
 
   std::size_t size() const { return row.size(); }
-  double place(double S_at) const { return 0.5 * (S_at - S_middle); }  // [L] x of kernel.h
+  double place(double S_at) const { return 0.5 * (along.at(S_at) - S_middle); }  // [L] x of kernel.h
+  double drawn_in_at(double place) const { return along.drawn_in_at(S_middle + 2 * place); }
 };
 
 // Method:     Deflections from 0.08, or half the greatest if that is less, never below friction_shows_from, to 0.8, that some friction in

@@ -126,7 +126,8 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
   fit.S_begin = *least;
   fit.S_end = *greatest;
-  fit.S_middle = passages.S_middle;
+  fit.along = passages.along;
+  fit.S_middle = fit.along.length_at(passages.S_middle);
   const auto mean = mean_friction({{1, constant.mu0, constant.standard_error}});
   fit.mu0 = mean.estimate;
   fit.mu0.value = constant.mu0;
@@ -194,11 +195,14 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.status = FrictionFitStatus::ok;
   fit.S_begin = posterior.S_begin;
   fit.S_end = posterior.S_end;
-  fit.S_middle = passages.S_middle;
+  fit.along = passages.along;
+  fit.S_middle = fit.along.length_at(passages.S_middle);
   const auto mean = mean_friction(posterior.mean);
   fit.mu0 = mean.estimate;
   fit.mu0_is_bound = mean.is_bound;
+  const bool rolls_back = fit.along.rolls_back_at(passages.S_middle);  // so that it passes the contacts the other way
   fit.drift = estimate_of(posterior.drift);
+  if (rolls_back) fit.drift = {-fit.drift.value, fit.drift.standard_error, -fit.drift.high, -fit.drift.low};
   const bool rough = options.model == ProfileModel::roughness;
   fit.roughness = rough ? estimate_of_exponential(posterior.log_roughness) : none();
   fit.length = rough ? estimate_of_exponential(posterior.log_length) : none();
@@ -206,8 +210,11 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.noise = estimate_of_exponential(posterior.log_noise);
   const auto rows = static_cast<double>(thinning_of(usable.record.force.size()));  // from one fitted to the next
   fit.noise_correlation = elementary::exp(elementary::log(posterior.noise_correlation) / rows);
-  for (const auto& wave : posterior.waves)
-    fit.waves.push_back(wave_of(wave.draws, passages.S_middle, wave.log_wavelength));
+  for (auto wave : posterior.waves) {
+    if (rolls_back)
+      for (auto& draw : wave.draws) draw.sine = -draw.sine;
+    fit.waves.push_back(wave_of(wave.draws, fit.S_middle, wave.log_wavelength));
+  }
   std::stable_sort(fit.waves.begin(), fit.waves.end(),
                    [](const auto& a, const auto& b) { return a.amplitude.value > b.amplitude.value; });
   const bool either = !asked.waves;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/friction.h"
+#include "fibre/contact_travel.h"
 #include "inference/fit_problem.h"
 #include "inference/kernel.h"
 #include "inference/normal_mixture.h"
@@ -66,7 +67,7 @@ struct ScannedWave {
 
 // Friction along the fibre seen: at each of many lengths what is known of it.
 struct ProfileBand {
-  std::vector<double> S;                // [L] rising
+  std::vector<double> S;                // [L] drawn in, rising
   std::vector<double> mean, deviation;  // [1]
 };
 
@@ -83,12 +84,13 @@ inline constexpr double one_side_at_a_time = 2;
 struct FrictionFit {
   FrictionFitStatus status;
   ProfileModel model;
-  std::size_t readings;         // that tell of friction
-  double S_begin, S_end;        // [L] the fibre seen
-  double S_middle;              // [L] of it: where phase_at_middle is meant, and mu0 with drift and wave
+  std::size_t readings;   // that tell of friction
+  double S_begin, S_end;  // [L] the fibre seen, by what has been drawn in
+  ContactTravel along;    // where its contacts were then
+  double S_middle;  // [L] between the contacts midway: where phase_at_middle is meant, and mu0 with drift and wave
   ParameterEstimate mu0;        // [1] mean of μ over the fibre seen
   bool mu0_is_bound;            // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
-  ParameterEstimate drift;      // [1/L] dμ/dS; 0 of a constant
+  ParameterEstimate drift;      // [1/L] dμ/dS, S between the contacts; 0 of a constant
   ParameterEstimate roughness;  // [1] standard deviation of μ about its mean; 0 of the paper's models
   ParameterEstimate length;     // [L] correlation length of it along the fibre; likewise
   ParameterEstimate bending_stiffness;  // [1] relative to the nominal one
@@ -102,7 +104,7 @@ struct FrictionFit {
   std::vector<Explanation> explanations;  // likeliest first
   std::vector<ScannedWave> scan;          // λ rising
   ProfileBand band;
-  FrictionTable mean;                  // the mean of μ(S), for runs forward: at the estimated bending stiffness
+  FrictionTable mean;  // the mean of μ over what is drawn in, for runs forward: at the estimated bending stiffness
   std::vector<FrictionTable> draws;    // profiles that explain the record as well, drawn at random (20), likewise
   std::vector<double> draw_stiffness;  // [1] relative bending stiffness of each
   std::vector<double> force;           // [EI/L^2] at each stage position of the record, `mean` run forward
@@ -110,6 +112,9 @@ struct FrictionFit {
   std::vector<double>
       innovations;  // [1] what each reading adds to what those before it tell, over its standard deviation; empty of a constant
   Marginal of_mu0, of_log_stiffness, of_log_roughness, of_log_length;  // the latter two only of `roughness`
+
+  // [L] Between the contacts, of the fibre drawn in to a length: what friction along the specimen is a function of.
+  double between_contacts(double S) const { return along.length_at(along.at(S)); }
 };
 
 // The weight of the explanations without roughness; 0 of a model that has none by itself.

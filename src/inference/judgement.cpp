@@ -28,7 +28,9 @@ std::size_t impossible_drops(const TestAnalysis& analysis) {
 // Along all that is seen, by a third of its mean or more, and surely.
 bool friction_falls(const FrictionFit& fit) {
   constexpr double much = 1.0 / 3;
-  return fit.drift.high < 0 && -fit.drift.value * (fit.S_end - fit.S_begin) > much * fit.mu0.value;
+  const double passed = fit.between_contacts(fit.S_end) - fit.between_contacts(fit.S_begin);
+  const bool surely = passed > 0 ? fit.drift.high < 0 : fit.drift.low > 0;
+  return surely && -fit.drift.value * passed > much * fit.mu0.value;
 }
 
 // Part of the fibre seen that it jumped over.

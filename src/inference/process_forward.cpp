@@ -51,8 +51,11 @@ ForwardRun::ForwardRun(const Passages& passages) : passages_(passages) {
   const double seen = *greatest - *least;
   const double from = std::max(*least - 0.05 * seen, 1.0005), to = std::min(*greatest + 0.1 * seen, 2.05);
   constexpr std::size_t count = 800;
+  // Evenly along the specimen.
+  const double begin = passages.along.at(from), end = passages.along.at(to);
   for (std::size_t i = 0; i < count; ++i)
-    S_.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1));
+    S_.push_back(
+        passages.along.drawn_in_at(begin + (end - begin) * static_cast<double>(i) / static_cast<double>(count - 1)));
 }
 
 ForwardStates ForwardRun::states(std::span<const double> mu, double eta) const {

@@ -44,7 +44,10 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
     prior_.push_back(passages_.contact_error * passages_.contact_error);
   }
   columns_.waves = next;
-  least_wavelength_ = 2 * median_of({passages_.advance.begin() + 1, passages_.advance.end()});
+  std::vector<double> advance;
+  for (std::size_t i = 1; i < passages_.size(); ++i)
+    advance.push_back(passages_.advance[i] * passages_.along.slope(passages_.S[i]));
+  least_wavelength_ = 2 * median_of(std::move(advance));
   theta_mean_ = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)};
   theta_deviation_ = {1, 1.5, 1, 1.2};
   // Roughness that explained what is noise would leave none: second differences say how much there is, to a factor.
@@ -344,7 +347,8 @@ std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Looks& lo
       const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
       slope += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
     }
-    slopes.push_back(0.5 * slope);  // of x to S
+    const double x_by_S = 0.5 * passages_.along.slope(passages_.drawn_in_at(looks.looks[k].place));
+    slopes.push_back(x_by_S * slope);
   }
   return slopes;
 }

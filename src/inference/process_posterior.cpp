@@ -340,7 +340,7 @@ class Posterior {
     for (std::size_t i = 0; i < profile_points; ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(profile_points - 1);
       places.push_back(from_ + part * (to_ - from_));
-      band.S.push_back(result_.S_begin + part * (result_.S_end - result_.S_begin));
+      band.S.push_back(process_.passages().drawn_in_at(places.back()));
     }
     band.mean.assign(profile_points, 0);
     band.deviation.assign(profile_points, 0);

@@ -222,10 +222,11 @@ Figure profile_figure(const FittedTest& test) {
         static_cast<int>(std::clamp(points_a_period * (fit.S_end - fit.S_begin) / shortest, 100.0, 20000.0));
     for (int i = 0; i <= points; ++i) {
       const double S = fit.S_begin + (fit.S_end - fit.S_begin) * i / points;
-      double mu = fit.mu0.value + fit.drift.value * (S - fit.S_middle);
+      const double away = fit.between_contacts(S) - fit.S_middle;
+      double mu = fit.mu0.value + fit.drift.value * away;
       for (const auto& each : fit.waves)
         mu += fit.mu0.value * each.amplitude.value *
-              std::cos(std::numbers::pi * (S - fit.S_middle) / each.wavelength.value + each.phase_at_middle.value);
+              std::cos(std::numbers::pi * away / each.wavelength.value + each.phase_at_middle.value);
       wave.rows.push_back({drawn_in(S), mu});
     }
   } else {

@@ -101,9 +101,12 @@ Json scan_json(const FrictionFit& fit, const Units& units) {
 }
 
 Json band_json(const FrictionFit& fit, const Units& units) {
-  Json lengths = Json::array();
-  for (const double S : fit.band.S) lengths.push_back(units.length(S));
-  return {{"length", lengths}, {"mean", fit.band.mean}, {"deviation", fit.band.deviation}};
+  Json lengths = Json::array(), drawn_in = Json::array();
+  for (const double S : fit.band.S) {
+    lengths.push_back(units.length(fit.between_contacts(S)));
+    drawn_in.push_back(units.length(S - 1));
+  }
+  return {{"length", lengths}, {"drawn_in", drawn_in}, {"mean", fit.band.mean}, {"deviation", fit.band.deviation}};
 }
 
 // The bending stiffness that goes with each profile drawn (`fit --draws`).
@@ -254,9 +257,9 @@ Json profile_json(const FittedTest& test, const Units& units) {
   Json out = Json::array();
   for (const auto& point : test.analysis.profile.points)
     out.push_back({{"row", file_row(test, point.index)},
-                   {"length", units.length(point.S)},
+                   {"length", units.length(point.length)},
                    {"drawn_in", units.length(point.S - 1)},
-                   {"position", units.length(point.S / 2)},
+                   {"position", units.length(point.length / 2)},
                    {"mu", point.mu},
                    {"standard_error", standard_error(point)},
                    {"from_force", point.from_force},

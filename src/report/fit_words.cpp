@@ -656,11 +656,8 @@ std::string sides_in_words(const FittedTest& test) {
   return fmt::format(
       "These lengths hold if the specimen slides over both supports at once. If it slides over one at a time, as it "
       "does where the supports are not alike or friction falls, they are up to twice as long: {}. Force and stage "
-      "do not tell which; images of both supports do.{}",
-      twice,
-      test.analysis.rig.fibre.supports().radius > 0
-          ? " They count what is drawn in over the rollers, and the contact moves along the fibre by less."
-          : "");
+      "do not tell which; images of both supports do.",
+      twice);
 }
 
 std::vector<std::string> checks_in_words(const FittedTest& test) {

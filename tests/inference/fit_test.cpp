@@ -1,6 +1,7 @@
 #include "inference/fit.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 
@@ -12,7 +13,7 @@ namespace flexslip {
 namespace {
 
 FitProblem problem_of(const SimulatedTruth& truth) {
-  return {simulated_record(truth), {truth.stiffness}, {truth.noise, 0.03, 0}};
+  return {simulated_record(truth), {truth.stiffness, truth.fibre}, {truth.noise, 0.03, 0}};
 }
 
 bool covers(const ParameterEstimate& estimate, double truth) { return estimate.low <= truth && truth <= estimate.high; }
@@ -121,6 +122,35 @@ TEST_CASE("identity: the paper's model finds the wave that it is made of") {
   CHECK(sinusoid.roughness.value == 0);
   CHECK(covers(sinusoid.waves.front().wavelength, 11.0 / 1278));
   CHECK(covers(sinusoid.drift, 0.8));
+}
+
+TEST_CASE("oracle: on rollers a wave is that of the specimen, whether these roll out or back over it") {
+  struct Row {
+    Supports supports;
+    double wavelength, deflection, noise;
+  };
+  int covered = 0;
+  for (const Row& row :
+       {Row{{.04, .0136}, .0125, .4, .02}, Row{{.08, 0}, .02, .4, .02}, Row{{.25, 0}, .01, .25, .005}}) {
+    CAPTURE(row.supports.radius);
+    const Fibre fibre(row.supports);
+    const SimulatedTruth truth{.friction = Friction::sinusoid(.5, .2, row.wavelength, 1),
+                               .stiffening = 1.01,
+                               .noise = row.noise,
+                               .deflection = row.deflection,
+                               .fibre = fibre};
+    const auto fit = fit_friction(problem_of(truth));
+    REQUIRE(fit.status == FrictionFitStatus::ok);
+    CHECK(fit.along.rolls_back_at(fit.along.at(fit.S_end)) == (row.supports.radius > .2));
+    CHECK(fit.wave_claimed);
+    REQUIRE(!fit.waves.empty());
+    const auto& wave = fit.waves.front();
+    CHECK(wave.wavelength.value == doctest::Approx(row.wavelength).scale(0).epsilon(.005));
+    const double phase = std::numbers::pi * fit.S_middle / row.wavelength + 1 - wave.phase_at_middle.value;
+    CHECK(std::abs(std::remainder(phase, 2 * std::numbers::pi)) < .1);
+    covered += covers(fit.mu0, .5) + covers(wave.amplitude, .2) + covers(fit.bending_stiffness, 1.01);
+  }
+  CHECK(covered >= 7);  // of 9 intervals of 95 %: fewer once in 100 times, were they independent
 }
 
 TEST_CASE("identity: two waves are found as two") {

@@ -25,6 +25,7 @@ struct SimulatedTruth {
   double step = 2.0 / 1278;  // [L] of the stage
   double deflection = 0.4;   // [L] at which the test ends
   std::uint64_t seed = 1;
+  Fibre fibre{};  // on its supports
 };
 
 inline ReducedRecord simulated_record(const SimulatedTruth& truth, const std::vector<Crack>& cracks = {}) {
@@ -33,7 +34,8 @@ inline ReducedRecord simulated_record(const SimulatedTruth& truth, const std::ve
   const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); };
   std::vector<double> stages;
   for (int i = 1; i * truth.step < 1.6 * truth.deflection + 0.3; ++i) stages.push_back(i * truth.step);
-  const auto history = follow_in_steps({truth.friction, {truth.stiffness / truth.stiffening}}, stages, cracks);
+  const auto history =
+      follow_in_steps({truth.friction, {truth.stiffness / truth.stiffening, truth.fibre}}, stages, cracks);
   ReducedRecord record;
   for (const auto& point : history.path) {
     if (point.w > truth.deflection) break;
