@@ -140,7 +140,7 @@ std::optional<Stretch> MovingFibre::settle() {
 void MovingFibre::lead_on(Sliding sliding) {
   Friction& friction = test_.friction.kinetic;
   friction = friction.from(state_.S, state_.q, direction_of(sliding));
-  if (!friction.lets_stick()) beginning_ = friction.at_the_beginning();
+  beginning_ = friction.at_the_beginning();
   in_ = trace_loading_curve(friction, test_.rig, longest_on_the_way(test_, farthest_));
   out_.reset();
   table_in_ = SlidingTable(friction, test_.rig, Sliding::in);

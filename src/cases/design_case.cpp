@@ -325,7 +325,12 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
   const double travel = units->reduced_length(at(DesignParameter::travel).number);
   const double S_max = longest_at_stage(travel);
   const double reach = one_sided_reach(*input_, S_max);
-  Fibre fibre = fibre_of(*input_, reduced() ? input_->specimen->section : section(), *units);
+  Fibre fibre;
+  try {
+    fibre = fibre_of(*input_, reduced() ? input_->specimen->section : section(), *units);
+  } catch (const InputError& error) {
+    return DesignRefusal{DesignFault::not_computable, error};
+  }
   const auto of_support = [&](const Profile& profile,
                               const FrictionProfileInput& input) -> std::variant<Friction, DesignRefusal> {
     if (auto fault = fault_of_roughness(profile, *units, reach)) return *std::move(fault);

@@ -195,7 +195,8 @@ Walk::Walk(std::array<Friction, 2> sides, ContactPoints from, double origin, dou
   pieces_ = Tracer(sides_, from, -1, origin_ - 1).run();
   std::reverse(pieces_.begin(), pieces_.end());
   if (!pieces_.empty()) pieces_.front().from = 1;
-  pieces_.push_back({origin_, origin_, from, from, Slides::left});
+  const bool left_is_weaker = !(at_point(sides_[1], from.right).mu < at_point(sides_[0], from.left).mu);
+  pieces_.push_back({origin_, origin_, from, from, left_is_weaker ? Slides::left : Slides::right});
   const auto inwards = Tracer(sides_, from, 1, S_most - origin_).run();
   pieces_.insert(pieces_.end(), inwards.begin(), inwards.end());
   pieces_.back().to = S_most;

@@ -93,8 +93,8 @@ std::vector<LoopEnergy> energies_of(const ReducedRecord& record, const Fibre& fi
     };
     energy.loading = work(loop.loading);
     energy.unloading = -work(loop.unloading);
-    energy.lost = energy.loading - energy.unloading;
-    const CyclicPoint* last = nullptr;
+    const auto stored_in = [&](const CyclicPoint& point) { return stiffening * fibre.state(point.S, point.q).U; };
+    const CyclicPoint *first = nullptr, *last = nullptr;
     for (const CyclicPoint& point : friction.points) {
       if (point.leg != loop.loading && point.leg != loop.unloading) continue;
       if (last && last->motion == point.motion && point.motion != LegMotion::stuck) {
@@ -102,8 +102,11 @@ std::vector<LoopEnergy> energies_of(const ReducedRecord& record, const Fibre& fi
         const double here = point.q * fibre.state(point.S, point.q).Pn;
         energy.friction += stiffening * 0.5 * (at_last + here) * (point.S - last->S);
       }
+      if (!first) first = &point;
       last = &point;
     }
+    energy.stored = first ? stored_in(*last) - stored_in(*first) : 0;
+    energy.lost = energy.loading - energy.unloading - energy.stored;
     energies.push_back(energy);
   }
   return energies;

@@ -25,7 +25,8 @@ struct LoopReplay {
 struct LoopEnergy {
   double loading;    // put in: the apparent work of fracture of this loading
   double unloading;  // given back
-  double lost;       // the area of the loop
+  double stored;     // kept by bending, from where the loop begins to where it ends
+  double lost;       // the area of the loop less that
   double friction;   // ∫ |q| Pn |dS| where the fibre slides, at the EI and the contact estimated
 };
 

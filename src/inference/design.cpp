@@ -357,7 +357,7 @@ double critical_stiffness(const Design& design) {
     const Rig rig{stiffness, design.rig.fibre};
     const auto curve =
         trace_loading_curve(design.friction, rig, longest_in_loading(design.friction, rig, design.travel));
-    if (curve.begin.stage >= design.travel) return critical;  // a thick specimen has not begun to slide in
+    if (curve.begin.stage >= design.travel) return 0;  // a thick specimen has not begun to slide in
     const StablePart part = stable_part_from(curve, curve.begin);
     const double reached = part.to.stage > design.travel ? point_at_stage(curve, part, design.travel).w : part.to.w;
     deflection = std::max(std::min(reached, breaks), least);

@@ -96,6 +96,7 @@ Json loop_json(const FittedTest& test, std::size_t i) {
   const LoopEnergy& energy = test.cycles->energy[i];
   out["energy"] = {{"loading", scales.physical_energy(energy.loading)},
                    {"unloading", scales.physical_energy(energy.unloading)},
+                   {"stored", scales.physical_energy(energy.stored)},
                    {"lost", scales.physical_energy(energy.lost)},
                    {"friction", scales.physical_energy(energy.friction)}};
   const auto& replayed = test.cycles->replay.residual_rms;

@@ -138,11 +138,9 @@ std::string energy_in_words(const FittedTest& test) {
   }
   if (complete == 0) return "No loop is complete, so that what was given back cannot be told.";
   return fmt::format(
-      "Of the work put in, the specimen gave back all but {}: {} lost in {}. Friction where it slides accounts for {} "
-      "of the "
-      "loss; of an elastic specimen it must, because friction is read off the same force, so that this checks the "
-      "account "
-      "and not the cause. Both are from the points past the deflection at which friction shows.",
+      "Of the work put in, the specimen gave back or still stores all but {}: {} lost in {}. Friction where it slides "
+      "accounts for {} of the loss. It is read off the same force, so that this checks the account and not the cause. "
+      "Both are from the points past the deflection at which friction shows.",
       percent(sum.lost / sum.loading), Print(test).energy(sum.lost), counted(complete, "loop", "loops"),
       percent(sum.friction / sum.lost));
 }
@@ -153,8 +151,10 @@ std::string build_up_in_words(const FittedTest& test) {
   const double unit = test.analysis.scales.span();
   const std::string from = counted(build_up->reversals, "reversal", "reversals");
   if (!build_up->is_told())
-    return fmt::format("After {} friction is there at once: no length of sliding over which it builds up is told.",
-                       from);
+    return fmt::format(
+        "{} {} not tell a length of sliding over which friction builds up. The fit takes it to be there "
+        "at once.",
+        from, build_up->reversals == 1 ? "does" : "do");
   return fmt::format(
       "After {} friction builds up over a length of sliding of {} (Dahl's, both sides together; build_up_length under "
       "[friction] computes with it). The fit takes friction to be there at once.",

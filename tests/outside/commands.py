@@ -72,7 +72,7 @@ class State(InFolder):
             on_edges = numbers(self.succeeds("invert", record), "q")
             self.assertGreater(min(on_edges) - mu, 0.3)
 
-    BAR = '''[specimen]
+    ISO_BAR = '''[specimen]
 width = "10 mm"
 height = "4 mm"
 modulus = "3 GPa"
@@ -91,11 +91,11 @@ amplitude = 0.2
 
     def test_friction_that_a_roller_cannot_follow_is_refused_and_what_it_can_is_simulated(self):
         """An ISO bar: the point that touches moves with friction, and would jump on the shorter wave."""
-        self.succeeds("simulate", self.file("longer.toml", self.BAR + 'wavelength = "0.1 mm"'))
-        shorter = self.file("shorter.toml", self.BAR + 'wavelength = "0.02 mm"')
+        self.succeeds("simulate", self.file("longer.toml", self.ISO_BAR + 'wavelength = "0.1 mm"'))
+        shorter = self.file("shorter.toml", self.ISO_BAR + 'wavelength = "0.02 mm"')
         for command in "simulate", "design":
             self.refused(command, shorter, says=["wavelength: expected friction that changes by less than"])
-        self.succeeds("simulate", self.file("edges.toml", self.BAR.replace('roller_radius = "5 mm"', "") + 'wavelength = "0.02 mm"'))
+        self.succeeds("simulate", self.file("edges.toml", self.ISO_BAR.replace('roller_radius = "5 mm"', "") + 'wavelength = "0.02 mm"'))
 
     def test_a_case_on_rollers_is_read_with_the_thickness_of_its_section(self):
         deflections = [0.126 + 0.001 * i for i in range(40)]
