@@ -205,6 +205,9 @@ void read_what_it_bears(const Keys& keys, const Case& input, SpecimenInput& spec
     keys.refuse(name, "the section of the specimen beside it", "none",
                 "add diameter, or width and height: bending strains a specimen by its depth");
   if (name == "strain_at_break") specimen.strain_at_break = keys.share("strain_at_break");
+  if (specimen.strain_at_break > 1)
+    keys.refuse("strain_at_break", "a strain of at most 1, which is 100 %",
+                fmt::format("{:g}", *specimen.strain_at_break), "write it as \"2 %\" or 0.02");
   if (name == "strength" && input.reduced)
     keys.refuse("strength", "no strength in a reduced case", "one", "give strain_at_break instead");
   if (name == "strength") specimen.strength = keys.quantity("strength", kind::pressure, Range::positive);
@@ -273,6 +276,11 @@ RigInput read_rig(const Keys& keys, const Case& input) {
   if (keys.has("friction_at")) {
     const std::string at = keys.text("friction_at");
     if (at != "surface" && at != "axis") keys.refuse("friction_at", R"("surface" or "axis")", in_quotes(at));
+    const bool has_no_depth = input.specimen && !input.specimen->section &&
+                              std::holds_alternative<BendingStiffness>(input.specimen->rigidity);
+    if (at == "surface" && has_no_depth)
+      keys.refuse("friction_at", "the section of the specimen beside \"surface\"", "none",
+                  "add diameter, or width and height, to [specimen], or write \"axis\"");
     rig.friction_at = at == "surface" ? FrictionAt::surface : FrictionAt::axis;
   }
   return rig;

@@ -360,11 +360,7 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
        travel,
        units->reduced_length(at(DesignParameter::step).number)},
       {*units, surface(*units)}};
-  const SpecimenInput& specimen = *input_->specimen;
-  if (specimen.strain_at_break)
-    planned.design.breaking_curvature = planned.units.surface->curvature_at_strain(*specimen.strain_at_break);
-  if (specimen.strength)
-    planned.design.breaking_curvature = planned.units.surface->curvature_at_stress(*specimen.strength);
+  planned.design.breaking_curvature = breaking_curvature_of(*input_->specimen, planned.units.surface);
   return planned;
 }
 

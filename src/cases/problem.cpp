@@ -287,6 +287,12 @@ Rig rig_of(const Case& input, const Scales& scales) {
   return {scales.reduced_stiffness(rig_stiffness_of(input)), fibre_of(input, scales)};
 }
 
+double breaking_curvature_of(const SpecimenInput& specimen, const std::optional<SurfaceStrain>& surface) {
+  if (surface && specimen.strain_at_break) return surface->curvature_at_strain(*specimen.strain_at_break);
+  if (surface && specimen.strength) return surface->curvature_at_stress(*specimen.strength);
+  return std::numeric_limits<double>::infinity();
+}
+
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales) {
   constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
   const double S = scales.reduced_length(reference);

@@ -91,6 +91,9 @@ Fibre fibre_of(const Case& input, const Scales& scales);
 // Fails:      InputError if the case has no stiffness of the rig.
 Rig rig_of(const Case& input, const Scales& scales);
 
+// [1/L] The curvature at which the specimen of a case breaks; infinite where none is stated. `surface` is that of its section, if it has one.
+double breaking_curvature_of(const SpecimenInput& specimen, const std::optional<SurfaceStrain>& surface);
+
 // Why a reference [m] of the drift is no length that a specimen may have between the supports; none if it is one.
 // The field of this fault and of the next is the key of [friction] that brings it about; they have neither file nor line.
 std::optional<InputFault> misplaced(const Case& input, double reference, const Scales& scales);

@@ -132,7 +132,8 @@ void add_equilibrium_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->footer(
       "Writes S,mu,w,F along the curve, or S,q,w,F over the region: in SI, or reduced if the case is;\n"
-      "of a thick specimen, or on rollers, drawn_in besides.\n\n"
+      "of a thick specimen, or on rollers, drawn_in besides. That of a thick specimen begins where its surface,\n"
+      "which slides out at first, has come back to where it touched: simulate shows the way there.\n\n"
       "Examples:\n"
       "  flexslip equilibrium case.toml --longest \"1500 um\"\n"
       "  flexslip equilibrium case.toml --region --output region.csv");

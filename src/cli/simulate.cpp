@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "data/section.h"
 #include "fibre/elastica.h"
 #include "io/input_error.h"
 #include "report/model_figures.h"
@@ -263,12 +265,34 @@ Json wrap_json(const Case& input, const History& history, const Fibre& fibre, co
   return wraps == history.path.end() ? Json() : Json(scales.physical_length(wraps->stage));
 }
 
+// What the mechanics leaves out of a specimen: that it breaks, and that it shears.
+std::vector<std::string> left_out_in_words(const Case& input, const SimulatedTest& test, const Scales& scales) {
+  std::vector<std::string> remarks;
+  const SpecimenInput& specimen = *input.specimen;
+  const double breaks_at = breaking_curvature_of(specimen, surface_of(input, scales));
+  const auto surface = surface_of(input, scales);
+  const auto breaks = surface ? std::find_if(test.strain.begin(), test.strain.end(),
+                                             [&](double strain) { return strain >= surface->strain(breaks_at); })
+                              : test.strain.end();
+  if (breaks != test.strain.end())
+    remarks.push_back(fmt::format(
+        "the specimen would break at the stage position {}, as stated: what follows is that of one that bears more",
+        readable(test.stage[static_cast<std::size_t>(breaks - test.strain.begin())],
+                 input.reduced ? kind::number : kind::length)));
+  constexpr double worth_a_word = 0.01;
+  if (specimen.section)
+    if (const double share = shear_share(*specimen.section, scales.span()); share > worth_a_word)
+      remarks.push_back(fmt::format("shear, which is left out, would add {:.1f} % to a small deflection", 100 * share));
+  return remarks;
+}
+
 // On rollers that roll loose: no snaps, no heat, no history.
 void run_rolling(const SimulateRequest& request, const Case& input, const Scales& scales,
                  const StageProgramme& programme) {
   for (const auto& [asked, field] :
        {std::pair{!request.figure.empty(), "--figure"}, std::pair{!request.equilibria_at.empty(), "--equilibria-at"},
-        std::pair{!input.specimen->cracks.empty(), "[specimen] cracks"}})
+        std::pair{!input.specimen->cracks.empty(), "[specimen] cracks"},
+        std::pair{input.friction && input.friction->other, "[friction.other]"}})
     if (asked)
       throw InputError({.file = input.source,
                         .field = field,
@@ -287,12 +311,23 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
   SimulatedTest test;
   EnergyAccount energy{};
   bool gets_there = true;
+  // A roller needs friction to roll.
+  std::optional<Friction> friction;
+  if (input.friction && input.friction->profile)
+    friction =
+        frictions_of(input, Fibre(supports), scales, longest_at_stage(scales.reduced_length(programme.farthest))).first;
+  std::optional<double> slides_from, friction_there;
+  const auto shown = [&](double position) { return readable(position, input.reduced ? kind::number : kind::length); };
   for (const double position : stages) {
     const double stage = scales.reduced_length(position);
     const auto found = state_at_stage(stage, stiffness, supports);
     gets_there = found.has_value();
     if (!gets_there) break;
     const SupportedState& state = found->state;
+    if (friction && !slides_from && std::abs(state.q) > friction->at(state.length).mu) {
+      slides_from = position;
+      friction_there = std::abs(state.q);
+    }
     test.stage.push_back(position);
     test.deflection.push_back(scales.physical_length(state.w));
     test.force.push_back(scales.physical_force(state.F));
@@ -317,7 +352,7 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
   add_noise(test, noise_of(request, input), rig_stiffness_of(input), request.seed);
   const std::vector<OutputColumn> columns = columns_of(test, request, input.reduced);
   if (request.output.json)
-    write_json(request.output.path, {{"status", gets_there ? "ok" : "slipped_through"},
+    write_json(request.output.path, {{"status", gets_there ? "ok" : "not_computable"},
                                      {"units", units_json(input.reduced)},
                                      {"path", rows_json(columns)},
                                      {"snaps", Json::array()},
@@ -327,7 +362,20 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
                                      {"energy", test_energy_json(energy, scales)}});
   else
     write_table(request.output.path, columns);
-  if (!gets_there) throw CalculationFailed(reason_of_end(input, HistoryStatus::slipped_through, test));
+  for (const std::string& remark : left_out_in_words(input, test, scales)) note(request.output, remark);
+  if (slides_from)
+    note(
+        request.output,
+        fmt::format("from the stage position {} on, rolling takes more friction than the case states, {:.3g} and more: "
+                    "the specimen slides on its rollers, as if these were fixed",
+                    shown(*slides_from), *friction_there));
+  if (!gets_there)
+    throw CalculationFailed(fmt::format(
+        "{}: loose rollers are computed up to the stage position {}: beyond, the specimen slips through, is bent by "
+        "more "
+        "than {:g} spans, or the rollers, with half of its thickness, take more than {:g} of the distance that is left "
+        "between them",
+        input.source, shown(test.stage.back()), deepest_on_supports, widest_supports));
 }
 
 void run_simulate(const SimulateRequest& request) {
@@ -369,6 +417,7 @@ void run_simulate(const SimulateRequest& request) {
   SimulatedTest test = physical_path(history, bending_test.rig.fibre, scales, surface_of(input, scales));
   // A stage in steps stands where it was asked to, without the rounding of there and back.
   if (programme.in_steps) std::copy_n(programme.positions.begin(), test.stage.size(), test.stage.begin());
+  for (const std::string& remark : left_out_in_words(input, test, scales)) note(request.output, remark);
   add_noise(test, noise, rig_stiffness_of(input), request.seed);
 
   if (!request.figure.empty()) {
@@ -421,7 +470,8 @@ void add_simulate_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction\n"
-      "and how the specimen moved there (stick, slip_in, slip_out, snap, crack, or apart, with the nose off it); in "
+      "and how the specimen moved there (stick, slip_in, slip_out, snap, crack, apart, with the nose off it, or rolls, "
+      "on loose rollers); in "
       "SI,\n"
       "or reduced if the case is.\n"
       "Of a specimen whose section is known also strain and stress, of bending, at its surface at midspan; on two\n"

@@ -9,6 +9,7 @@
 #include "fibre/batch_inverse.h"
 #include "fibre/elementary.h"
 #include "fibre/state_table.h"
+#include "inference/profile.h"
 
 namespace flexslip {
 namespace {
@@ -66,8 +67,7 @@ InverseSlopes inverse_slopes(const Fibre& fibre, std::span<const double> S, std:
 Passages passages_of(const FitProblem& problem) {
   const auto& record = problem.record;
   const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const double from = std::max({std::min(usually_from, 0.5 * greatest), friction_shows_from,
-                                least_half_depths * problem.rig.fibre.supports().half_depth});
+  const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_told_from(problem.rig.fibre));
   Passages p{};
   p.fibre = problem.rig.fibre;
   p.noise = noise_of(record.force);

@@ -60,7 +60,7 @@ double standard_error(const ProfilePoint& point) {
 
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                                  double least_deflection) {
-  const double least = std::max(least_deflection, least_half_depths * rig.fibre.supports().half_depth);
+  const double least = friction_told_from(rig.fibre, least_deflection);
   FrictionProfile profile;
   std::vector<std::size_t> rows;
   std::vector<double> deflections, forces;
@@ -92,6 +92,10 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
   }
   std::sort(profile.unexplained.begin(), profile.unexplained.end());
   return profile;
+}
+
+double friction_told_from(const Fibre& fibre, double least_deflection) {
+  return std::max(least_deflection, least_half_depths * fibre.supports().half_depth);
 }
 
 double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre) {

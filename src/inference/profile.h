@@ -29,6 +29,9 @@ inline constexpr double hardly_bent = 0.02;
 // Deflections below it [L] say hardly anything of friction.
 inline constexpr double friction_shows_from = 0.05;
 
+// [L] Where friction is told on a fibre: from there, and from twice its thickness on.
+double friction_told_from(const Fibre& fibre, double least_deflection = friction_shows_from);
+
 struct ProfilePoint {
   std::size_t index;  // in the record
   double

@@ -137,10 +137,10 @@ std::string phases_in_words(const DesignAnswer& answer, const Shown& shown) {
   const PhaseStudy& study = *answer.phases;
   const std::string_view known =
       "Where along the specimen the waves of friction stand, their phase, is seldom known before a test.";
-  const std::string drops = study.largest_drop > 0
-                                ? fmt::format(", and the largest drop is between {} and {}",
-                                              shown.force(study.least_drop), shown.force(study.largest_drop))
-                                : "";
+  const std::string least = shown.force(study.least_drop), most = shown.force(study.largest_drop);
+  const std::string drops = !(study.largest_drop > 0) ? ""
+                            : least == most           ? fmt::format(", and the largest drop is {}", most)
+                                            : fmt::format(", and the largest drop is between {} and {}", least, most);
   if (study.snapping == 0) return fmt::format("{} With none of {} phases does it snap{}.", known, study.phases, drops);
   const std::string count = study.snapping == study.phases
                                 ? fmt::format("With each of {} phases", study.phases)

@@ -278,7 +278,8 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
       return words;
     }
     case Doubt::falling_friction:
-      return "Friction falls away along the record, as the force of a specimen would that loses stiffness.";
+      return "Friction falls away along the record, as the force of a specimen would that loses stiffness, or supports "
+             "whose radius is not stated ([rig] roller_radius).";
     case Doubt::changed_reload:
       return fmt::format("Loaded again the specimen is {:.0f} ± {:.0f} % {} than at first.",
                          100 * std::abs(test.judgement->loss), 100 * test.judgement->loss_error,
@@ -377,11 +378,10 @@ std::string answer_of(const FittedTest& test) {
                      Print(test).length(greatest_deflection(analysis)), greatest_deflection(analysis),
                      Print(test).length(1))
                : fmt::format(
-                     "No answer: too few points lie beyond a deflection of a twentieth of the span and of twice the "
-                     "specimen's "
-                     "thickness, where friction shows. The greatest deflection is {}, {:.2g} % of the span of {}: if "
-                     "it "
-                     "should be more, check their units.",
+                     "No answer: too few points lie beyond a deflection of {}, a twentieth of the span and twice the "
+                     "specimen's thickness, where friction shows. The greatest deflection is {}, {:.2g} % of the span "
+                     "of {}: if it should be more, check their units; else bend a thinner specimen, or farther.",
+                     Print(test).length(friction_told_from(analysis.rig.fibre)),
                      Print(test).length(greatest_deflection(analysis)), 100 * greatest_deflection(analysis),
                      Print(test).length(1));
   if (analysis.status == AnalysisStatus::not_explained) {
@@ -864,6 +864,13 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
   list.emplace_back(
       "The specimen is a slender, straight, elastic, inextensible beam that slides over both supports alike; its "
       "section does not change along it.");
+  const Supports& supports = analysis.rig.fibre.supports();
+  list.push_back(fmt::format(
+      "The supports are {}, and friction acts {}.",
+      supports.radius > 0 ? fmt::format("rollers of a radius of {}", print.length(supports.radius)) : "sharp edges",
+      supports.half_depth > 0
+          ? fmt::format("at the surface of the specimen, {} from its axis", print.length(supports.half_depth))
+          : "at the axis of the specimen, as if it had no thickness"));
   return list;
 }
 

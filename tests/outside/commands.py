@@ -91,11 +91,26 @@ amplitude = 0.2
 
     def test_friction_that_a_roller_cannot_follow_is_refused_and_what_it_can_is_simulated(self):
         """An ISO bar: the point that touches moves with friction, and would jump on the shorter wave."""
-        self.succeeds("simulate", self.file("longer.toml", self.ISO_BAR + 'wavelength = "0.1 mm"'))
+        self.succeeds("simulate", "--quiet", self.file("longer.toml", self.ISO_BAR + 'wavelength = "0.1 mm"'))
         shorter = self.file("shorter.toml", self.ISO_BAR + 'wavelength = "0.02 mm"')
         for command in "simulate", "design":
             self.refused(command, shorter, says=["wavelength: expected friction that changes by less than"])
-        self.succeeds("simulate", self.file("edges.toml", self.ISO_BAR.replace('roller_radius = "5 mm"', "") + 'wavelength = "0.02 mm"'))
+        self.succeeds("simulate", "--quiet", self.file("edges.toml", self.ISO_BAR.replace('roller_radius = "5 mm"', "") + 'wavelength = "0.02 mm"'))
+
+    def test_what_is_left_out_of_a_bar_is_said(self):
+        """Shear of an ISO bar, that it breaks, and that loose rollers slide where friction does not turn them."""
+        case = self.ISO_BAR + 'wavelength = "0.3 mm"'
+        breaking = case.replace('modulus = "3 GPa"', 'modulus = "3 GPa"\nstrain_at_break = "3 %"')
+        path = self.json("simulate", "--quiet", self.file("quiet.toml", breaking))["path"]
+        reaches = next(point["stage"] for point in path if point["strain"] >= 0.03)
+        says = run("simulate", self.file("breaks.toml", breaking)).stderr
+        self.assertIn("shear, which is left out, would add 1.2 %", says)
+        self.assertIn(f"would break at the stage position {1e3 * reaches:.4g} mm", says)
+        loose = run("simulate", self.file("loose.toml", case.replace("mu0 = 0.3", "mu0 = 0.1").replace("[stage]", 'rollers = "loose"\n[stage]')))
+        self.assertIn("the specimen slides on its rollers", loose.stderr)
+        self.refused("simulate", self.file("percent.toml", breaking.replace('"3 %"', "3")), says=["strain_at_break", '"2 %"'])
+        depthless = case.replace('width = "10 mm"\nheight = "4 mm"\nmodulus = "3 GPa"', 'bending_stiffness = "0.16 N m^2"')
+        self.refused("simulate", self.file("depth.toml", depthless.replace("[stage]", 'friction_at = "surface"\n[stage]')), says=["friction_at", "add diameter"])
 
     def test_a_case_on_rollers_is_read_with_the_thickness_of_its_section(self):
         deflections = [0.126 + 0.001 * i for i in range(40)]
@@ -145,7 +160,7 @@ model = "constant"
     def test_oracle_a_simulated_bar_on_rollers_is_fitted_back_within_0_01_and_edges_are_far_off(self):
         for mu in 0, 0.15, 0.3:
             case = self.bar("truth.toml", f'mu0 = {mu}\n[stage]\nprogram = ["0 mm", "13 mm"]\nstep = "0.05 mm"')
-            self.succeeds("simulate", case, "--noise", "0.02 N", "--seed", "3", "--output", self.folder / "bar_test.csv")
+            self.succeeds("simulate", "--quiet", case, "--noise", "0.02 N", "--seed", "3", "--output", self.folder / "bar_test.csv")
             for rig, most in ('roller_radius = "5 mm"', 0.01), ("", None):
                 record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=rig)
                 mean = self.json("fit", record, "--quiet")["parameters"]["mu0"]["value"]
@@ -157,7 +172,7 @@ model = "constant"
     def test_identity_design_and_simulation_on_rollers_agree(self):
         case = self.bar("planned.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', stiffness="100 N/mm")
         design = self.json("design", case, "--quiet")
-        last = self.json("simulate", case, "--quiet")
+        last = self.json("simulate", "--quiet", case, "--quiet")
         path = last["path"]
         self.assertAlmostEqual(design["greatest_force"], max(point["force"] for point in path), delta=1e-6 * design["greatest_force"])
         work = last["energy"]["stage_work"] - last["energy"]["load_train"]
@@ -172,13 +187,13 @@ model = "constant"
 
     def test_on_pins_a_bar_shows_the_friction_of_the_pins_and_it_is_fitted_back(self):
         case = self.bar("pins.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]\nstep = "0.05 mm"', rig=self.PINNED)
-        self.succeeds("simulate", case, "--noise", "0.02 N", "--output", self.folder / "bar_test.csv")
+        self.succeeds("simulate", "--quiet", case, "--noise", "0.02 N", "--output", self.folder / "bar_test.csv")
         record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=self.PINNED)
         self.assertAlmostEqual(self.json("fit", record, "--quiet")["parameters"]["mu0"]["value"], 0.02, delta=0.01)
 
     def test_loose_rollers_give_one_curve_there_and_back_and_the_states_of_state(self):
         case = self.bar("loose.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "12 mm", "6 mm"]\nstep = "6 mm"', rig=self.LOOSE)
-        path = self.json("simulate", case)["path"]
+        path = self.json("simulate", "--quiet", case)["path"]
         self.assertEqual([point["motion"] for point in path], ["rolls"] * 4)
         self.assertAlmostEqual(path[1]["force"], path[3]["force"], delta=1e-9 * path[1]["force"])
         state = self.json("state", "--w", repr(path[2]["deflection"] / 0.064), "--roller-radius", repr(5 / 64), "--thickness", repr(4 / 64), "--loose")["states"][0]
@@ -358,6 +373,7 @@ wavelength = "1 nm"
 [stage]
 program = ["0 um", "0.7 mm"]
 """
+        fine = fine.replace('stiffness = "90.65 N/m"', 'stiffness = "90.65 N/m"\nfriction_at = "axis"')
         self.refused("simulate", self.file("fine.toml", fine), says=["stage", "step", "--points"])
         far = fine.replace("sinusoid", "constant").replace('amplitude = 0.3\nwavelength = "1 nm"\n', "").replace("0.7 mm", "20 mm")
         result = run("simulate", self.file("far.toml", far))
