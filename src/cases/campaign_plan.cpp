@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/case_keys.h"
 #include "cases/fitted_test.h"
 #include "cases/toml.h"
 #include "io/quantity.h"
@@ -78,10 +79,10 @@ toml::table read_common(const std::optional<std::string>& path) {
   return common;
 }
 
-Case case_from(const toml::table& table, const std::string& source) {
+Case case_from(const toml::table& table, const std::string& source, const std::vector<std::string>& changes) {
   std::ostringstream text;
   text << toml::toml_formatter(table);
-  return read_case(text.str(), source);
+  return read_case(text.str(), source, changes);
 }
 
 // The key of a case file that a column of a table stands for.
@@ -91,16 +92,12 @@ struct TableKey {
   std::string unit;                // of plain numbers in the column
 };
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> keys_outside_the_record{
-    {{"diameter", "specimen"},
-     {"inner_diameter", "specimen"},
-     {"wall", "specimen"},
-     {"width", "specimen"},
-     {"height", "specimen"},
-     {"modulus", "specimen"},
-     {"bending_stiffness", "specimen"},
-     {"span", "rig"},
-     {"stiffness", "rig"}}};
+// The section of a key that a title names without one: that of the record, or else of the specimen or the rig.
+std::string section_of(std::string_view name) {
+  for (const char* section : {"record", "specimen", "rig"})
+    if (case_key(section, name)) return section;
+  return "record";
+}
 
 TableKey key_of(const std::string& title) {
   const ColumnTitle column = parse_column_title(title);
@@ -114,10 +111,7 @@ TableKey key_of(const std::string& title) {
   }
   if (const std::size_t dot = name.find('.'); dot != std::string::npos)
     return {title, name.substr(0, dot), name.substr(dot + 1), part, column.unit};
-  const auto* outside = std::find_if(keys_outside_the_record.begin(), keys_outside_the_record.end(),
-                                     [&](const auto& each) { return each.first == name; });
-  return {title, outside == keys_outside_the_record.end() ? "record" : std::string(outside->second), name, part,
-          column.unit};
+  return {title, section_of(name), name, part, column.unit};
 }
 
 template <class Number>
@@ -172,8 +166,6 @@ Case checked(Case input) {
   return input;
 }
 
-bool is_unknown_key(const InputError& error) { return error.fault.found == "an unknown key"; }
-
 // A complaint about a case in the words of the table whose row it is.
 InputError in_row(const InputError& error, const TextTable& table, const TextRow& row,
                   const std::vector<TableKey>& keys) {
@@ -187,17 +179,21 @@ InputError in_row(const InputError& error, const TextTable& table, const TextRow
   return InputError(fault);
 }
 
-InputError unknown_column(const InputError& error, const TextTable& table) {
-  InputFault fault = error.fault;
-  if (fault.file == table.source) fault.line = table.header_line;
-  fault.expected =
-      "name, or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span [um]', "
-      "'diameter [um]', 'stiffness', 'modulus', 'until', 'rig.span', ...";
-  if (fault.remedy.empty()) fault.remedy = "put # before the title of a column that is not meant for FlexSlip";
-  return InputError(fault);
+InputError unknown_column(const TableKey& key, const TextTable& table) {
+  std::vector<std::string> known;
+  for (const CaseKey& each : case_keys())
+    if (each.section == key.section || section_of(each.name) == each.section) known.emplace_back(each.name);
+  const std::string meant = nearest(key.key, known);
+  return InputError({table.source, table.header_line, "column " + in_quotes(key.title),
+                     "name, or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span "
+                     "[um]', 'diameter [um]', 'stiffness', 'modulus', 'until', 'rig.span', ...",
+                     "an unknown key",
+                     meant.empty() ? "put # before the title of a column that is not meant for FlexSlip"
+                                   : "did you mean " + in_quotes(meant) + "?"});
 }
 
-std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::table& common) {
+std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::table& common,
+                                       const std::vector<std::string>& changes) {
   const TextTable table = read_text_table(path);
   std::vector<TableKey> keys;
   std::vector<std::size_t> columns;
@@ -214,6 +210,7 @@ std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::tabl
     } catch (const InputError& error) {
       throw located(error, table.source, table.header_line, "column " + in_quotes(table.titles[i]));
     }
+    if (!case_key(keys.back().section, keys.back().key)) throw unknown_column(keys.back(), table);
   }
   if (table.rows.empty())
     throw InputError({.file = table.source, .expected = "a row for each test", .found = "a header only"});
@@ -231,13 +228,11 @@ std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::tabl
     if (name.empty()) name = file.empty() ? fmt::format("row {}", row.line) : fs::path(file).stem().string();
     PlannedTest test{folder_name(name), fmt::format("{}:{}", table.source, row.line), InputError({})};
     try {
-      Case input = checked(case_from(text, table.source));
+      Case input = checked(case_from(text, table.source, changes));
       for (auto& [key, line] : input.lines) line = row.line;
       test.input = std::move(input);
     } catch (const InputError& error) {
-      const InputError complaint = in_row(error, table, row, keys);
-      if (is_unknown_key(error)) throw unknown_column(complaint, table);
-      test.input = complaint;
+      test.input = in_row(error, table, row, keys);
     }
     tests.push_back(std::move(test));
   }
@@ -257,13 +252,13 @@ std::vector<fs::path> files_in(const fs::path& folder, bool below) {
   return files;
 }
 
-std::vector<PlannedTest> plan_of_cases(const std::string& folder) {
+std::vector<PlannedTest> plan_of_cases(const std::string& folder, const std::vector<std::string>& changes) {
   std::vector<PlannedTest> tests;
   for (const auto& file : files_in(folder, true)) {
     if (file.extension() != ".toml") continue;
     PlannedTest test{folder_name(name_of_test(file.string())), file.string(), InputError({})};
     try {
-      Case input = read_case(file.string());
+      Case input = read_case(file.string(), changes);
       if (!input.record) continue;  // for simulating, or what others have in common
       test.input = checked(std::move(input));
     } catch (const InputError& error) {
@@ -274,7 +269,8 @@ std::vector<PlannedTest> plan_of_cases(const std::string& folder) {
   return tests;
 }
 
-std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::table& common) {
+std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::table& common,
+                                      const std::vector<std::string>& changes) {
   std::vector<PlannedTest> tests;
   for (const auto& file : files_in(folder, false)) {
     const std::string ending = lower_case(file.extension().string());
@@ -283,7 +279,7 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
     toml::table text = common;
     subtable(text, "record").insert_or_assign("file", file.string());
     try {
-      test.input = checked(case_from(text, ""));
+      test.input = checked(case_from(text, "", changes));
     } catch (const InputError& error) {
       test.input = error;
     }
@@ -294,11 +290,12 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
 
 }  // namespace
 
-std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optional<std::string>& common) {
+std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optional<std::string>& common,
+                                       const std::vector<std::string>& changes) {
   const toml::table shared = read_common(common);
   std::vector<PlannedTest> tests;
   if (fs::is_directory(path)) {
-    tests = common ? plan_of_data(path, shared) : plan_of_cases(path);
+    tests = common ? plan_of_data(path, shared, changes) : plan_of_cases(path, changes);
     if (tests.empty())
       throw InputError(
           {.file = path,
@@ -309,7 +306,7 @@ std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optio
                             : "write one for each test, pass what all data files of the folder have in common "
                               "as --common CASE, or give a table with a row for each test"});
   } else {
-    tests = plan_of_table(path, shared);
+    tests = plan_of_table(path, shared, changes);
   }
   tell_apart(tests);
   return tests;

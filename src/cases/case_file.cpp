@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "cases/case_changes.h"
+#include "cases/case_words.h"
 #include "cases/keys.h"
 #include "cases/toml.h"
 #include "io/quantity.h"
@@ -23,34 +25,7 @@ constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one t
 constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
 constexpr double most_turns = 1e5;             // of a stage programme with its cycles: likewise
 
-constexpr Words<FrictionModel, 7> model_names{{
-    {"constant", FrictionModel::constant},
-    {"drift", FrictionModel::drift},
-    {"sinusoid", FrictionModel::sinusoid},
-    {"sinusoids", FrictionModel::sinusoids},
-    {"table", FrictionModel::table},
-    {"rough", FrictionModel::rough},
-    {"roughness", FrictionModel::roughness},
-}};
-
-constexpr Words<SnapRest, 2> snap_names{{{"nearest", SnapRest::nearest_stable}, {"overshoot", SnapRest::overshoot}}};
-
-constexpr Words<DisplacementOf, 2> displacement_names{
-    {{"crosshead", DisplacementOf::crosshead}, {"deflection", DisplacementOf::deflection}}};
-
-constexpr Words<SignRule, 3> sign_names{
-    {{"find", SignRule::find}, {"keep", SignRule::keep}, {"reverse", SignRule::reverse}}};
-
-constexpr Words<bool, 2> failure_names{{{"find", true}, {"none", false}}};
-
-template <std::size_t count, class Value>
-std::string name_in(const Words<Value, count>& names, Value value) {
-  for (const auto& [name, named] : names)
-    if (named == value) return std::string(name);
-  throw std::invalid_argument("a value without a name");
-}
-
-// What to write for a section or key that is missing.
+// What to write for a section that is missing, or a key of which one alone would not do.
 struct Example {
   std::string_view key;
   std::string_view physical;
@@ -61,43 +36,18 @@ constexpr std::array examples{
     Example{"specimen", R"(diameter = "34.8 um" and modulus = "29.6 GPa")", ""},
     Example{"specimen.diameter", R"(diameter = "34.8 um", or width and height, or bending_stiffness = "2.1e-12 N m^2")",
             "diameter = 0.027"},
-    Example{"specimen.inner_diameter", R"(inner_diameter = "30 um")", "inner_diameter = 0.02"},
-    Example{"specimen.width", R"(width = "50 um")", "width = 0.04"},
-    Example{"specimen.height", R"(height = "30 um")", "height = 0.02"},
-    Example{"specimen.modulus", R"(modulus = "29.6 GPa")", ""},
-    Example{"specimen.bending_stiffness", R"(bending_stiffness = "2.1e-12 N m^2")", "bending_stiffness = 1"},
-    Example{"specimen.strain_at_break", R"(strain_at_break = "2 %")", R"(strain_at_break = "2 %")"},
-    Example{"specimen.strength", R"(strength = "600 MPa")", ""},
-    Example{"specimen.cracks", R"(cracks = [{ deflection = "160 um", loss = "3 %" }])",
-            R"(cracks = [{ deflection = 0.12, loss = "3 %" }])"},
     Example{"rig",
             R"(the span of your supports, span = "… mm", and the stiffness of your load train, stiffness = "… N/m")",
             "the stiffness of your load train in EI/L^3, stiffness = …"},
-    Example{"rig.span", R"(span = "1278 um")", "span = 1"},
     Example{"rig.stiffness",
             R"(the stiffness of your load train, stiffness = "… N/m", or "inf" for displacement control)",
             R"(the stiffness of your load train in EI/L^3, stiffness = …, or "inf" for displacement control)"},
-    Example{"rig.pin_radius", R"(pin_radius = "1 mm")", "pin_radius = 0.02"},
-    Example{"rig.pin_friction", "pin_friction = 0.1", "pin_friction = 0.1"},
     Example{"friction", R"(model = "constant" and mu0 = 0.5)", R"(model = "constant" and mu0 = 0.5)"},
-    Example{"friction.model", R"(model = "sinusoid")", R"(model = "sinusoid")"},
-    Example{"friction.mu0", "mu0 = 0.5", "mu0 = 0.5"},
-    Example{"friction.amplitude", "amplitude = 0.15", "amplitude = 0.15"},
-    Example{"friction.wavelength", R"(wavelength = "10.9 um")", "wavelength = 0.0085"},
-    Example{"friction.waves", R"(waves = [{ amplitude = 0.15, wavelength = "10.9 um", phase = 1.0 }])",
-            "waves = [{ amplitude = 0.15, wavelength = 0.0085, phase = 1.0 }]"},
-    Example{"friction.file", R"(file = "trace.csv")", R"(file = "trace.csv")"},
-    Example{"friction.length", R"(length = "S [um]")", R"(length = "S")"},
-    Example{"friction.rms", "rms = 0.1", "rms = 0.1"},
-    Example{"friction.correlation_length", R"(correlation_length = "5 um")", "correlation_length = 0.004"},
-    Example{"friction.seed", "seed = 1", "seed = 1"},
     Example{"stage", R"(program = ["0 um", "900 um"])", "program = [0, 0.7]"},
-    Example{"stage.program", R"(program = ["0 um", "900 um"])", "program = [0, 0.7]"},
     Example{"stage.stage", R"(stage = "stage [um]", the title of its column)",
             R"(stage = "w_s", the title of its column)"},
     Example{"record", R"(file = "ss14.csv", stage = "w_s_m [m]" and force = "F_N [N]")",
             R"(file = "test.csv", stage = "w_s" and force = "F")"},
-    Example{"record.file", R"(file = "ss14.csv")", R"(file = "test.csv")"},
     Example{"sweep", R"([sweep] with method = "grid" and [sweep.axes] with mu0 = [0.3, 0.5])",
             R"([sweep] with method = "grid" and [sweep.axes] with mu0 = [0.3, 0.5])"},
     Example{"sweep.method", R"(method = "grid", or "latin hypercube")", R"(method = "grid", or "latin hypercube")"},
@@ -141,8 +91,7 @@ Section read_tube(const Keys& keys, double diameter) {
   const bool has_wall = keys.has("wall");
   if (has_wall && keys.has("inner_diameter"))
     keys.refuse("wall", "either the inner diameter of a tube or its wall", "both", "delete one");
-  const double inner = has_wall ? diameter - 2 * keys.quantity("wall", kind::length, Range::positive)
-                                : keys.quantity("inner_diameter", kind::length, Range::positive);
+  const double inner = has_wall ? diameter - 2 * keys.quantity("wall") : keys.quantity("inner_diameter");
   if (inner < diameter && inner > 0) return TubularSection{diameter, inner};
   keys.refuse(has_wall ? "wall" : "inner_diameter",
               has_wall ? "a wall of less than half the diameter" : "an inner diameter less than the outer one",
@@ -157,12 +106,11 @@ std::optional<Section> read_section(const Keys& keys) {
   if (is_round && is_rectangular)
     keys.refuse("diameter", "either a diameter or a width and height", "both", "delete one");
   if (is_round) {
-    const double diameter = keys.quantity("diameter", kind::length, Range::positive);
+    const double diameter = keys.quantity("diameter");
     return is_tube ? read_tube(keys, diameter) : RoundSection{diameter};
   }
   if (!is_rectangular) return std::nullopt;
-  return RectangularSection{keys.quantity("width", kind::length, Range::positive),
-                            keys.quantity("height", kind::length, Range::positive)};
+  return RectangularSection{keys.quantity("width"), keys.quantity("height")};
 }
 
 // The tables in an array of tables, such as waves = [{ … }, { … }].
@@ -188,7 +136,7 @@ std::vector<Keys> read_tables(const Keys& keys, std::string_view name, const std
 std::vector<CrackInput> read_cracks(const Keys& keys, const Case& input) {
   std::vector<CrackInput> cracks;
   for (const Keys& each : read_tables(keys, "cracks", {"deflection", "loss"}, input)) {
-    cracks.push_back({each.quantity("deflection", kind::length, Range::positive), each.share("loss")});
+    cracks.push_back({each.quantity("deflection"), each.share("loss")});
     if (!(cracks.back().loss < 1))
       each.refuse("loss", "less than 100 % of the bending stiffness that is left",
                   fmt::format("{}", cracks.back().loss));
@@ -210,12 +158,11 @@ void read_what_it_bears(const Keys& keys, const Case& input, SpecimenInput& spec
                 fmt::format("{:g}", *specimen.strain_at_break), "write it as \"2 %\" or 0.02");
   if (name == "strength" && input.reduced)
     keys.refuse("strength", "no strength in a reduced case", "one", "give strain_at_break instead");
-  if (name == "strength") specimen.strength = keys.quantity("strength", kind::pressure, Range::positive);
+  if (name == "strength") specimen.strength = keys.quantity("strength");
 }
 
 SpecimenInput read_specimen(const Keys& keys, const Case& input) {
-  keys.only({"diameter", "inner_diameter", "wall", "width", "height", "modulus", "bending_stiffness", "material",
-             "cracks", "strain_at_break", "strength"});
+  keys.only_described();
   SpecimenInput specimen{read_section(keys), BendingStiffness{Known{1, 0}}};
   if (keys.has("material")) specimen.material = keys.text("material");
   if (keys.has("cracks")) specimen.cracks = read_cracks(keys, input);
@@ -226,21 +173,19 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
                 input.reduced ? "one" : "both",
                 input.reduced ? "the bending stiffness is 1, or \"fit\"" : "delete one");
   if (has_product) {
-    const Estimate product = keys.estimate("bending_stiffness", kind::bending_stiffness);
+    const Estimate product = keys.estimate("bending_stiffness");
     const Known* known = std::get_if<Known>(&product);
     if (input.reduced && known && known->value != 1)
       keys.refuse("bending_stiffness", "1, the unit of reduced variables", fmt::format("{}", known->value));
     specimen.rigidity = BendingStiffness{product};
   } else if (!input.reduced) {
-    specimen.rigidity = Modulus{keys.has("modulus") ? keys.estimate("modulus", kind::pressure) : ToFit{}};
+    specimen.rigidity = Modulus{keys.has("modulus") ? keys.estimate("modulus") : ToFit{}};
   }
   return specimen;
 }
 
 void read_rollers(const Keys& keys, RigInput& rig) {
-  const std::string rollers = keys.has("rollers") ? keys.text("rollers") : "fixed";
-  if (rollers != "fixed" && rollers != "pinned" && rollers != "loose")
-    keys.refuse("rollers", R"("fixed", "pinned" or "loose")", in_quotes(rollers));
+  const std::string rollers = keys.has("rollers") ? keys.word("rollers") : "fixed";
   if (rollers != "fixed" && !(rig.roller_radius.value_or(0) > 0))
     keys.refuse("rollers", "rollers with a radius", "none", "add roller_radius = \"5 mm\", or delete it");
   rig.rollers = rollers == "pinned" ? Rollers::pinned : rollers == "loose" ? Rollers::loose : Rollers::fixed;
@@ -250,8 +195,8 @@ void read_rollers(const Keys& keys, RigInput& rig) {
       keys.refuse(of_pins, "rollers on pins beside it", in_quotes(rollers), "write rollers = \"pinned\", or delete it");
   }
   if (rig.rollers != Rollers::pinned) return;
-  rig.pin_radius = keys.quantity("pin_radius", kind::length, Range::positive);
-  rig.pin_friction = keys.number("pin_friction", Range::non_negative);
+  rig.pin_radius = keys.quantity("pin_radius");
+  rig.pin_friction = keys.quantity("pin_friction");
   if (!(rig.pin_radius <= *rig.roller_radius))
     keys.refuse("pin_radius", "no more than the radius of the roller",
                 fmt::format("{:g} of it", rig.pin_radius / *rig.roller_radius), "check their units");
@@ -261,21 +206,19 @@ void read_rollers(const Keys& keys, RigInput& rig) {
 }
 
 RigInput read_rig(const Keys& keys, const Case& input) {
-  keys.only({"span", "stiffness", "support_material", "nose_radius", "support_stiffness", "roller_radius", "rollers",
-             "pin_radius", "pin_friction", "friction_at"});
-  RigInput rig{keys.optional_quantity("span", kind::length, Range::positive), std::nullopt};
+  keys.only_described();
+  RigInput rig{keys.optional_quantity("span"), std::nullopt};
   if (input.reduced && rig.span.value_or(1) != 1)
     keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
   if (input.reduced) rig.span = 1;
-  rig.stiffness = keys.optional_quantity("stiffness", kind::stiffness, Range::positive_or_infinite);
+  rig.stiffness = keys.optional_quantity("stiffness");
   if (keys.has("support_material")) rig.support_material = keys.text("support_material");
-  rig.nose_radius = keys.optional_quantity("nose_radius", kind::length, Range::positive);
-  rig.support_stiffness = keys.optional_quantity("support_stiffness", kind::stiffness, Range::positive_or_infinite);
-  rig.roller_radius = keys.optional_quantity("roller_radius", kind::length, Range::non_negative);
+  rig.nose_radius = keys.optional_quantity("nose_radius");
+  rig.support_stiffness = keys.optional_quantity("support_stiffness");
+  rig.roller_radius = keys.optional_quantity("roller_radius");
   read_rollers(keys, rig);
   if (keys.has("friction_at")) {
-    const std::string at = keys.text("friction_at");
-    if (at != "surface" && at != "axis") keys.refuse("friction_at", R"("surface" or "axis")", in_quotes(at));
+    const std::string at = keys.word("friction_at");
     const bool has_no_depth = input.specimen && !input.specimen->section &&
                               std::holds_alternative<BendingStiffness>(input.specimen->rigidity);
     if (at == "surface" && has_no_depth)
@@ -299,9 +242,8 @@ FrictionModel read_model(const Keys& keys) {
 }
 
 WaveInput read_wave(const Keys& keys) {
-  const WaveInput wave{keys.number("amplitude", Range::non_negative),
-                       keys.quantity("wavelength", kind::length, Range::positive),
-                       keys.optional_quantity("phase", kind::angle, Range::any).value_or(0)};
+  const WaveInput wave{keys.quantity("amplitude"), keys.quantity("wavelength"),
+                       keys.optional_quantity("phase").value_or(0)};
   if (wave.amplitude > 1)
     keys.refuse("amplitude", "at most 1", fmt::format("{}", wave.amplitude),
                 "it is relative to mu0, and friction cannot be negative");
@@ -325,19 +267,16 @@ std::optional<double> read_reference(const Keys& keys) {
   if (keys.has("reference") && !keys.has("drift"))
     keys.refuse("reference", "a drift beside it", "none",
                 "add drift, or delete reference: without a drift mu0 holds at every length");
-  return keys.optional_quantity("reference", kind::length, Range::positive);
+  return keys.optional_quantity("reference");
 }
 
 FrictionProfileInput read_profile(FrictionModel model, const Keys& keys, const Case& input) {
   if (model == FrictionModel::table)
-    return TabulatedFriction{keys.path("file"), keys.column("length", kind::length),
-                             keys.has("mu") ? keys.column("mu", kind::number) : "mu"};
-  const double mu0 = keys.number("mu0", Range::non_negative);
+    return TabulatedFriction{keys.path("file"), keys.column("length"), keys.has("mu") ? keys.column("mu") : "mu"};
+  const double mu0 = keys.quantity("mu0");
   if (model == FrictionModel::rough)
-    return RoughFriction{mu0, keys.number("rms", Range::non_negative),
-                         keys.quantity("correlation_length", kind::length, Range::positive),
-                         keys.whole_number("seed", 0)};
-  WavyFriction wavy{mu0, keys.optional_quantity("drift", kind::inverse_length, Range::any).value_or(0), {}};
+    return RoughFriction{mu0, keys.quantity("rms"), keys.quantity("correlation_length"), keys.whole_number("seed")};
+  WavyFriction wavy{mu0, keys.optional_quantity("drift").value_or(0), {}};
   wavy.reference = read_reference(keys);
   if (model == FrictionModel::sinusoid) wavy.waves = {read_wave(keys)};
   if (model == FrictionModel::sinusoids) wavy.waves = read_waves(keys, input);
@@ -366,19 +305,11 @@ std::vector<std::string> keys_of(FrictionModel model) {
 
 // The model, once it is known that there are no keys but those of models, of this one and the further ones.
 FrictionModel read_known_model(const Keys& keys, const std::vector<std::string>& further) {
-  std::vector<std::string> all;
-  const auto add = [&](const std::vector<std::string>& names) {
-    for (const std::string& key : names)
-      if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
-  };
-  for (const auto& [name, model] : model_names) add(keys_of(model));
-  add(further);
-  keys.only(all);
+  keys.only_described();
   const FrictionModel model = read_model(keys);
-  all.clear();
-  add(keys_of(model));
+  std::vector<std::string> all = keys_of(model);
   if (model != FrictionModel::roughness)
-    add(further);
+    all.insert(all.end(), further.begin(), further.end());
   else if (keys.has("other"))
     keys.refuse("other", "no section [friction.other] beside a model that is fitted", "one",
                 "write a model to compute with into [friction], such as model = \"constant\" with mu0 = 0.5");
@@ -390,7 +321,7 @@ OtherSupport read_other(const Keys& keys, const Case& input) {
   const toml::table* table = keys.need("other").as_table();
   if (!table)
     keys.refuse("other", "a section [friction.other], of the other support", kind_of_node(keys.need("other")));
-  if (keys.has("static_excess") && keys.number("static_excess", Range::non_negative) > 0)
+  if (keys.has("static_excess") && keys.quantity("static_excess") > 0)
     keys.refuse("static_excess", "the same friction at rest, on two supports that are not alike", "an excess",
                 "delete it, or [friction.other]");
   const Keys side(*table, keys.key("other"), input);
@@ -410,9 +341,8 @@ FrictionInput read_friction(const Keys& keys, const Case& input) {
   FrictionInput friction{model, {}};
   if (keys.size() > 1) friction.profile = read_profile(model, keys, input);
   if (keys.has("other")) friction.other = read_other(keys, input);
-  if (keys.has("static_excess")) friction.static_excess = keys.number("static_excess", Range::non_negative);
-  if (keys.has("build_up_length"))
-    friction.build_up_length = keys.quantity("build_up_length", kind::length, Range::non_negative);
+  if (keys.has("static_excess")) friction.static_excess = keys.quantity("static_excess");
+  if (keys.has("build_up_length")) friction.build_up_length = keys.quantity("build_up_length");
   for (const std::string_view beside : {"static_excess", "other"})
     if (friction.build_up_length > 0 && keys.has(beside))
       keys.refuse("build_up_length", fmt::format("none beside {}", beside), "one",
@@ -420,12 +350,7 @@ FrictionInput read_friction(const Keys& keys, const Case& input) {
   return friction;
 }
 
-char read_decimal(const Keys& keys) {
-  if (!keys.has("decimal")) return '.';
-  const std::string decimal = keys.text("decimal");
-  if (decimal != "." && decimal != ",") keys.refuse("decimal", "\".\" or \",\"", in_quotes(decimal));
-  return decimal.front();
-}
+char read_decimal(const Keys& keys) { return keys.has("decimal") ? keys.word("decimal").front() : '.'; }
 
 TurningPoints read_turning_points(const Keys& keys) {
   const toml::node& node = keys.need("program");
@@ -433,17 +358,17 @@ TurningPoints read_turning_points(const Keys& keys) {
   if (!turns || turns->size() < 2)
     keys.refuse("program", "at least two stage positions, where it starts and where it goes",
                 turns ? std::to_string(turns->size()) : kind_of_node(node));
-  TurningPoints stage{{}, keys.has("cycles") ? keys.whole_number("cycles", 1) : 1, {}};
+  TurningPoints stage{{}, keys.has("cycles") ? keys.whole_number("cycles") : 1, {}};
   for (std::size_t i = 0; i < turns->size(); ++i)
-    stage.positions.push_back(
-        keys.value((*turns)[i], fmt::format("{}[{}]", keys.key("program"), i + 1), kind::length, Range::non_negative));
+    stage.positions.push_back(keys.value((*turns)[i], fmt::format("{}[{}]", keys.key("program"), i + 1),
+                                         *case_key("stage", "program")->kind, case_key("stage", "program")->range));
   const auto times = static_cast<double>(stage.cycles);
   if (!(times * static_cast<double>(turns->size() - 1) <= most_turns))
     keys.refuse(keys.has("cycles") ? "cycles" : "program", fmt::format("at most {:.0e} turning points", most_turns),
                 fmt::format("{:.1e}", times * static_cast<double>(turns->size() - 1)));
   const toml::node* step = keys.find("step");
   if (!step || step->value_exact<std::string_view>() == "continuous") return stage;
-  stage.step = keys.quantity("step", kind::length, Range::positive);
+  stage.step = keys.quantity("step");
   const auto& [positions, cycles, length] = stage;
   double travel = times * std::abs(positions[1] - positions.back());
   for (std::size_t i = 2; i < positions.size(); ++i) travel += times * std::abs(positions[i] - positions[i - 1]);
@@ -455,7 +380,7 @@ TurningPoints read_turning_points(const Keys& keys) {
 }
 
 StageInput read_stage(const Keys& keys) {
-  keys.only({"program", "cycles", "step", "file", "stage", "time", "decimal", "snaps"});
+  keys.only_described();
   StageInput stage;
   const bool is_measured = keys.has("file");
   for (const std::string_view other : {"program", "cycles", "step"})
@@ -466,9 +391,9 @@ StageInput read_stage(const Keys& keys) {
     if (!is_measured && keys.has(other))
       keys.refuse(other, "it beside the file it is about", "no file", "add file = \"run.csv\"");
   if (is_measured)
-    stage.programme = MeasuredProgramme{
-        keys.path("file"), keys.column("stage", kind::length),
-        keys.has("time") ? std::optional(keys.column("time", kind::time)) : std::nullopt, read_decimal(keys)};
+    stage.programme =
+        MeasuredProgramme{keys.path("file"), keys.column("stage"),
+                          keys.has("time") ? std::optional(keys.column("time")) : std::nullopt, read_decimal(keys)};
   else
     stage.programme = read_turning_points(keys);
   stage.snaps = keys.optional_choice("snaps", snap_names).value_or(stage.snaps);
@@ -477,14 +402,13 @@ StageInput read_stage(const Keys& keys) {
 
 TableColumns read_table_columns(const Keys& keys) {
   std::string found;
-  const auto column = [&](std::string_view name, const Kind& kind) -> std::optional<std::string> {
+  const auto column = [&](std::string_view name) -> std::optional<std::string> {
     if (!keys.has(name)) return std::nullopt;
     found += (found.empty() ? "" : " and ") + std::string(name);
-    return keys.column(name, kind);
+    return keys.column(name);
   };
-  TableColumns columns{column("stage", kind::length), column("deflection", kind::length), column("force", kind::force),
-                       read_decimal(keys)};
-  if (keys.has("length")) columns.length = keys.column("length", kind::length);
+  TableColumns columns{column("stage"), column("deflection"), column("force"), read_decimal(keys)};
+  if (keys.has("length")) columns.length = keys.column("length");
   if (columns.stage.has_value() + columns.deflection.has_value() + columns.force.has_value() != 2)
     keys.refuse("stage", "two of the columns stage, deflection and force", found.empty() ? "none" : found,
                 "the third follows from the rig's stiffness");
@@ -504,7 +428,7 @@ ExportColumns read_export_columns(const Keys& keys, const Case& input) {
                         .specimen = {},
                         .calibration = text("calibration"),
                         .decimal = {}};
-  if (keys.has("specimen")) columns.specimen = static_cast<std::size_t>(keys.whole_number("specimen", 1));
+  if (keys.has("specimen")) columns.specimen = static_cast<std::size_t>(keys.whole_number("specimen"));
   if (keys.has("decimal")) columns.decimal = read_decimal(keys);
   return columns;
 }
@@ -512,14 +436,14 @@ ExportColumns read_export_columns(const Keys& keys, const Case& input) {
 ForceZeroRule read_zero(const Keys& keys) {
   if (!keys.has("zero") || keys.is_word("zero", "find")) return ToFind{};
   if (keys.is_word("zero", "keep")) return ToKeep{};
-  return keys.quantity("zero", kind::force, Range::any);
+  return keys.quantity("zero");
 }
 
 ContactRule read_contact(const Keys& keys) {
   if (!keys.has("contact")) return WhereFree{};
   if (keys.is_word("contact", "find")) return ToFind{};
   if (keys.is_word("contact", "first row")) return AtFirstRow{};
-  return keys.quantity("contact", kind::length, Range::any);
+  return keys.quantity("contact");
 }
 
 PlaceInRecord read_place(const Keys& keys, std::string_view name, const Case& input) {
@@ -538,11 +462,7 @@ PlaceInRecord read_place(const Keys& keys, std::string_view name, const Case& in
 RecordInput read_record(const Keys& keys, const Case& input) {
   const std::vector<std::string> of_tables{"stage", "deflection"};
   const std::vector<std::string> of_exports{"displacement", "displacement_column", "specimen", "calibration"};
-  std::vector<std::string> known{"file",    "force",   "decimal", "sign",  "zero",
-                                 "contact", "failure", "first",   "until", "length"};
-  known.insert(known.end(), of_tables.begin(), of_tables.end());
-  known.insert(known.end(), of_exports.begin(), of_exports.end());
-  keys.only(known);
+  keys.only_described();
   const auto first_of = [&](const std::vector<std::string>& names) {
     return std::find_if(names.begin(), names.end(), [&](const std::string& name) { return keys.has(name); });
   };
@@ -588,222 +508,19 @@ void check_together(const Case& input) {
                       "these are then the same, and say nothing of the force");
 }
 
-// The fewest digits that identify the bits, as a TOML number.
-std::string plain(double value) { return fmt::format("{}", value); }
-
-std::string basic_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += fmt::format("\\{}", c);
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
-
-std::string array_text(const std::vector<std::string>& values) {
-  std::string out;
-  for (const std::string& value : values) out += (out.empty() ? "" : ", ") + value;
-  return fmt::format("[{}]", out);
-}
-
-class Writer {
- public:
-  explicit Writer(bool reduced) : reduced_(reduced) {
-    if (reduced_) text_ = "reduced = true\n";
-  }
-
-  void section(std::string_view name) { text_ += fmt::format("{}[{}]\n", text_.empty() ? "" : "\n", name); }
-  void line(std::string_view key, std::string_view value) { text_ += fmt::format("{} = {}\n", key, value); }
-
-  std::string quantity(double value, const Kind& kind) const {
-    return reduced_ ? plain(value) : fmt::format("\"{}\"", exact_text(value, kind));
-  }
-
-  void estimate(std::string_view key, const Estimate& estimate, const Kind& kind) {
-    const Known* known = std::get_if<Known>(&estimate);
-    if (!known)
-      line(key, "\"fit\"");
-    else if (known->uncertainty == 0)
-      line(key, quantity(known->value, kind));
-    else
-      line(key, fmt::format("{{ value = {}, uncertainty = {} }}", quantity(known->value, kind),
-                            quantity(known->uncertainty, kind)));
-  }
-
-  std::string text() const { return text_; }
-
- private:
-  bool reduced_;
-  std::string text_;
-};
-
-void write(Writer& out, const RoundSection& round) { out.line("diameter", out.quantity(round.diameter, kind::length)); }
-
-void write(Writer& out, const TubularSection& tube) {
-  out.line("diameter", out.quantity(tube.diameter, kind::length));
-  out.line("inner_diameter", out.quantity(tube.inner_diameter, kind::length));
-}
-
-void write(Writer& out, const RectangularSection& rectangle) {
-  out.line("width", out.quantity(rectangle.width, kind::length));
-  out.line("height", out.quantity(rectangle.height, kind::length));
-}
-
-void write(Writer& out, const SpecimenInput& specimen) {
-  out.section("specimen");
-  if (specimen.section) std::visit([&](const auto& section) { write(out, section); }, *specimen.section);
-  if (const auto* modulus = std::get_if<Modulus>(&specimen.rigidity))
-    out.estimate("modulus", modulus->estimate, kind::pressure);
-  else
-    out.estimate("bending_stiffness", std::get<BendingStiffness>(specimen.rigidity).estimate, kind::bending_stiffness);
-  if (specimen.material) out.line("material", basic_string(*specimen.material));
-  if (specimen.strain_at_break) out.line("strain_at_break", plain(*specimen.strain_at_break));
-  if (specimen.strength) out.line("strength", out.quantity(*specimen.strength, kind::pressure));
-  std::vector<std::string> cracks;
-  for (const CrackInput& crack : specimen.cracks)
-    cracks.push_back(fmt::format("{{ deflection = {}, loss = {} }}", out.quantity(crack.deflection, kind::length),
-                                 plain(crack.loss)));
-  if (!cracks.empty()) out.line("cracks", array_text(cracks));
-}
-
-void write(Writer& out, const RigInput& rig) {
-  out.section("rig");
-  if (rig.span) out.line("span", out.quantity(*rig.span, kind::length));
-  if (rig.stiffness) out.line("stiffness", out.quantity(*rig.stiffness, kind::stiffness));
-  if (rig.support_material) out.line("support_material", basic_string(*rig.support_material));
-  if (rig.nose_radius) out.line("nose_radius", out.quantity(*rig.nose_radius, kind::length));
-  if (rig.roller_radius) out.line("roller_radius", out.quantity(*rig.roller_radius, kind::length));
-  if (rig.rollers != Rollers::fixed) out.line("rollers", rig.rollers == Rollers::pinned ? "\"pinned\"" : "\"loose\"");
-  if (rig.rollers == Rollers::pinned) {
-    out.line("pin_radius", out.quantity(rig.pin_radius, kind::length));
-    out.line("pin_friction", plain(rig.pin_friction));
-  }
-  if (rig.friction_at == FrictionAt::axis) out.line("friction_at", "\"axis\"");
-  if (rig.support_stiffness) out.line("support_stiffness", out.quantity(*rig.support_stiffness, kind::stiffness));
-}
-
-std::string wave_text(const Writer& out, const WaveInput& wave) {
-  return fmt::format("{{ amplitude = {}, wavelength = {}, phase = {} }}", plain(wave.amplitude),
-                     out.quantity(wave.wavelength, kind::length), plain(wave.phase));
-}
-
-void write(Writer& out, const WavyFriction& wavy, FrictionModel model) {
-  out.line("mu0", plain(wavy.mu0));
-  if (model == FrictionModel::sinusoid) {
-    out.line("amplitude", plain(wavy.waves.front().amplitude));
-    out.line("wavelength", out.quantity(wavy.waves.front().wavelength, kind::length));
-    out.line("phase", plain(wavy.waves.front().phase));
-  } else if (model == FrictionModel::sinusoids) {
-    std::vector<std::string> waves;
-    for (const WaveInput& wave : wavy.waves) waves.push_back(wave_text(out, wave));
-    out.line("waves", array_text(waves));
-  }
-  if (wavy.drift != 0 || wavy.reference) out.line("drift", out.quantity(wavy.drift, kind::inverse_length));
-  if (wavy.reference) out.line("reference", out.quantity(*wavy.reference, kind::length));
-}
-
-void write(Writer& out, const TabulatedFriction& table, FrictionModel) {
-  out.line("file", basic_string(table.file));
-  out.line("length", basic_string(table.length));
-  out.line("mu", basic_string(table.mu));
-}
-
-void write(Writer& out, const RoughFriction& rough, FrictionModel) {
-  out.line("mu0", plain(rough.mu0));
-  out.line("rms", plain(rough.rms));
-  out.line("correlation_length", out.quantity(rough.correlation_length, kind::length));
-  out.line("seed", std::to_string(rough.seed));
-}
-
-void write_model(Writer& out, FrictionModel written) {
-  for (const auto& [name, model] : model_names)
-    if (written == model) out.line("model", fmt::format("\"{}\"", name));
-}
-
-void write(Writer& out, const FrictionInput& friction) {
-  out.section("friction");
-  if (friction.model) write_model(out, *friction.model);
-  if (friction.profile)
-    std::visit([&](const auto& profile) { write(out, profile, *friction.model); }, *friction.profile);
-  if (friction.static_excess != 0) out.line("static_excess", plain(friction.static_excess));
-  if (friction.build_up_length != 0) out.line("build_up_length", out.quantity(friction.build_up_length, kind::length));
-  if (!friction.other) return;
-  out.section("friction.other");
-  write_model(out, friction.other->model);
-  std::visit([&](const auto& profile) { write(out, profile, friction.other->model); }, friction.other->profile);
-}
-
-void write(Writer& out, const TurningPoints& stage) {
-  std::vector<std::string> turns;
-  for (const double turn : stage.positions) turns.push_back(out.quantity(turn, kind::length));
-  out.line("program", array_text(turns));
-  if (stage.cycles != 1) out.line("cycles", std::to_string(stage.cycles));
-  out.line("step", stage.step ? out.quantity(*stage.step, kind::length) : "\"continuous\"");
-}
-
-void write(Writer& out, const MeasuredProgramme& stage) {
-  out.line("file", basic_string(stage.file));
-  out.line("stage", basic_string(stage.stage));
-  if (stage.time) out.line("time", basic_string(*stage.time));
-  if (stage.decimal != '.') out.line("decimal", basic_string({&stage.decimal, 1}));
-}
-
-void write(Writer& out, const StageInput& stage) {
-  out.section("stage");
-  std::visit([&](const auto& programme) { write(out, programme); }, stage.programme);
-  if (stage.snaps != SnapRest::nearest_stable) out.line("snaps", basic_string(name_in(snap_names, stage.snaps)));
-}
-
-void write(Writer& out, const TableColumns& columns) {
-  if (columns.stage) out.line("stage", basic_string(*columns.stage));
-  if (columns.deflection) out.line("deflection", basic_string(*columns.deflection));
-  if (columns.force) out.line("force", basic_string(*columns.force));
-  if (columns.length) out.line("length", basic_string(*columns.length));
-  if (columns.decimal != '.') out.line("decimal", basic_string({&columns.decimal, 1}));
-}
-
-void write(Writer& out, const ExportColumns& columns) {
-  if (columns.displacement) out.line("displacement", basic_string(name_in(displacement_names, *columns.displacement)));
-  if (columns.displacement_column) out.line("displacement_column", basic_string(*columns.displacement_column));
-  if (columns.force) out.line("force", basic_string(*columns.force));
-  if (columns.specimen) out.line("specimen", std::to_string(*columns.specimen));
-  if (columns.calibration) out.line("calibration", basic_string(*columns.calibration));
-  if (columns.decimal) out.line("decimal", basic_string({&*columns.decimal, 1}));
-}
-
-void write(Writer& out, const RecordInput& record) {
-  out.section("record");
-  out.line("file", basic_string(record.file));
-  std::visit([&](const auto& columns) { write(out, columns); }, record.columns);
-  if (record.sign != SignRule::find) out.line("sign", basic_string(name_in(sign_names, record.sign)));
-  if (std::holds_alternative<ToKeep>(record.zero)) out.line("zero", "\"keep\"");
-  if (const auto* zero = std::get_if<double>(&record.zero)) out.line("zero", out.quantity(*zero, kind::force));
-  if (std::holds_alternative<ToFind>(record.contact)) out.line("contact", "\"find\"");
-  if (std::holds_alternative<AtFirstRow>(record.contact)) out.line("contact", "\"first row\"");
-  if (const auto* contact = std::get_if<double>(&record.contact))
-    out.line("contact", out.quantity(*contact, kind::length));
-  if (!record.find_failure) out.line("failure", basic_string(name_in(failure_names, false)));
-  const auto place = [&](std::string_view key, const std::optional<PlaceInRecord>& at) {
-    if (!at) return;
-    if (const auto* row = std::get_if<AtRow>(&*at)) out.line(key, std::to_string(row->row));
-    if (const auto* stage = std::get_if<AtStage>(&*at))
-      out.line(key, fmt::format("{{ stage = {} }}", out.quantity(stage->position, kind::length)));
-    if (const auto* deflection = std::get_if<AtDeflection>(&*at))
-      out.line(key, fmt::format("{{ deflection = {} }}", out.quantity(deflection->position, kind::length)));
-  };
-  place("first", record.first);
-  place("until", record.until);
-}
-
 }  // namespace
 
-Case read_case(std::string_view text, const std::string& source) {
-  const toml::table table = parse_toml(text, source);
-  Case input{source, false, {}, {}, {}, {}, {}, {}};
+Case read_case(std::string_view text, const std::string& source, const std::vector<std::string>& changes) {
+  const toml::table table = with_changes(parse_toml(text, source), changes);
+  Case input{.source = source,
+             .reduced = false,
+             .specimen = {},
+             .rig = {},
+             .friction = {},
+             .stage = {},
+             .record = {},
+             .lines = {}};
+  for (const std::string& change : changes) input.changed.push_back(changed_key(change));
   note_lines(table, "", input);
   const Keys top(table, "", input);
   top.only({"reduced", "specimen", "rig", "friction", "stage", "record", "sweep"});
@@ -832,7 +549,9 @@ Case read_case(std::string_view text, const std::string& source) {
   return input;
 }
 
-Case read_case(const std::string& path) { return read_case(case_text(path), path == "-" ? "standard input" : path); }
+Case read_case(const std::string& path, const std::vector<std::string>& changes) {
+  return read_case(case_text(path), path == "-" ? "standard input" : path, changes);
+}
 
 std::string case_text(const std::string& path) {
   const std::string source = path == "-" ? "standard input" : path;
@@ -846,18 +565,13 @@ std::string case_text(const std::string& path) {
   return text;
 }
 
-std::string to_toml(const Case& input) {
-  Writer out(input.reduced);
-  if (input.specimen) write(out, *input.specimen);
-  if (input.rig) write(out, *input.rig);
-  if (input.friction) write(out, *input.friction);
-  if (input.stage) write(out, *input.stage);
-  if (input.record) write(out, *input.record);
-  return out.text();
-}
-
 InputError wrong_value(const Case& input, std::string_view key, std::string expected, std::string found,
                        std::string remedy) {
+  const bool is_changed = std::any_of(input.changed.begin(), input.changed.end(), [&](const std::string& each) {
+    return key == each || (key.starts_with(each) && (key[each.size()] == '[' || key[each.size()] == '.'));
+  });
+  if (is_changed)
+    return InputError({"--set", 0, std::string(key), std::move(expected), std::move(found), std::move(remedy)});
   return InputError(
       {input.source, line_of(input, key), field_name(key), std::move(expected), std::move(found), std::move(remedy)});
 }
@@ -869,17 +583,18 @@ std::string depth_key(const Section& section) {
 }
 
 InputError missing(const Case& input, std::string_view key) {
-  // The waves of a sum have the keys of a single one, and the other support those of the first.
-  std::string known(key);
-  constexpr std::string_view nested = "friction.other.";
-  if (known.starts_with(nested)) known = "friction." + known.substr(nested.size());
-  const std::size_t index = key.find('[');
-  if (index != std::string_view::npos) known = "friction" + known.substr(std::min(known.rfind('.'), known.size()));
   for (const Example& example : examples) {
     const std::string_view text = input.reduced ? example.reduced : example.physical;
-    if (example.key == known && !text.empty())
+    if (example.key == key && !text.empty())
       return wrong_value(input, key, "it in the file", "nothing", fmt::format("add {}", text));
   }
+  const std::size_t dot = key.rfind('.');
+  if (dot != std::string_view::npos)
+    if (const CaseKey* described = case_key(key.substr(0, dot), key.substr(dot + 1))) {
+      const std::string_view text = input.reduced ? described->reduced : described->example;
+      if (!text.empty())
+        return wrong_value(input, key, "it in the file", "nothing", fmt::format("add {} = {}", described->name, text));
+    }
   return wrong_value(input, key, "it in the file", "nothing");
 }
 

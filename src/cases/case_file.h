@@ -237,16 +237,17 @@ struct Case {
   std::optional<StageInput> stage;
   std::optional<RecordInput> record;
   std::map<std::string, std::size_t, std::less<>>
-      lines;  // of every key: "specimen", "specimen.diameter", "stage.program[1]"
+      lines;                           // of every key: "specimen", "specimen.diameter", "stage.program[1]"
+  std::vector<std::string> changed{};  // keys that the command line says, "rig.stiffness"
 };
 
 // Reads a case. Every value is in its range, every key is known, and what belongs together is complete; which
 // sections a command needs is its own affair (see missing()), and [sweep] that of its own reader (sweep_plan.h).
 // Fails:      InputError with file, line and key.
-Case read_case(std::string_view text, const std::string& source);
+Case read_case(std::string_view text, const std::string& source, const std::vector<std::string>& changes = {});
 
-// The same from a file; "-" is standard input.
-Case read_case(const std::string& path);
+// The same from a file, "-" is standard input, with changes from the command line (case_changes.h).
+Case read_case(const std::string& path, const std::vector<std::string>& changes = {});
 
 // The text of a case file; "-" is standard input.
 // Fails:      InputError if it cannot be read, or is too long for a case.

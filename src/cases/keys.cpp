@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -36,6 +38,19 @@ void Keys::only(const std::vector<std::string>& known) const {
   }
 }
 
+void Keys::only_described() const {
+  std::vector<std::string> known;
+  for (const CaseKey& key : case_keys())
+    if (case_key(path_, key.name) == &key) known.emplace_back(key.name);
+  only(known);
+}
+
+const CaseKey& Keys::described(std::string_view name) const {
+  const CaseKey* key = case_key(path_, name);
+  if (!key) throw std::invalid_argument(fmt::format("no key {} is described", this->key(name)));
+  return *key;
+}
+
 const toml::node& Keys::need(std::string_view name) const {
   if (const toml::node* node = find(name)) return *node;
   throw missing(input_, key(name));
@@ -45,12 +60,23 @@ double Keys::quantity(std::string_view name, const Kind& kind, Range range) cons
   return value(need(name), key(name), kind, range);
 }
 
-std::optional<double> Keys::optional_quantity(std::string_view name, const Kind& kind, Range range) const {
-  if (!has(name)) return std::nullopt;
-  return quantity(name, kind, range);
+double Keys::quantity(std::string_view name) const {
+  const CaseKey& key = described(name);
+  return quantity(name, *key.kind, key.range);
 }
 
-double Keys::number(std::string_view name, Range range) const { return quantity(name, kind::number, range); }
+std::optional<double> Keys::optional_quantity(std::string_view name) const {
+  return has(name) ? std::optional(quantity(name)) : std::nullopt;
+}
+
+std::uint64_t Keys::whole_number(std::string_view name) const { return whole_number(name, described(name).least); }
+
+std::string Keys::word(std::string_view name) const {
+  const auto known = words_of(described(name));
+  for (const std::string_view each : known)
+    if (is_word(name, each)) return std::string(each);
+  refuse_word(name, known);
+}
 
 std::uint64_t Keys::whole_number(std::string_view name, std::int64_t least) const {
   const toml::node& node = need(name);
@@ -72,7 +98,8 @@ bool Keys::is_word(std::string_view name, std::string_view word) const {
   return node && node->value_exact<std::string_view>() == word;
 }
 
-std::string Keys::column(std::string_view name, const Kind& kind) const {
+std::string Keys::column(std::string_view name) const {
+  const Kind& kind = *described(name).kind;
   std::string title = text(name);
   try {
     const ColumnTitle parts = parse_column_title(title);
@@ -90,17 +117,18 @@ std::string Keys::path(std::string_view name) const {
   return path;
 }
 
-Estimate Keys::estimate(std::string_view name, const Kind& kind) const {
+Estimate Keys::estimate(std::string_view name) const {
+  const auto& [kind, range] = std::pair(*described(name).kind, described(name).range);
   const toml::node& node = need(name);
   if (const toml::table* parts = node.as_table()) {
     const Keys keys(*parts, key(name), input_);
     keys.only({"value", "uncertainty"});
-    Known known{keys.quantity("value", kind, Range::positive), 0};
+    Known known{keys.quantity("value", kind, range), 0};
     known.uncertainty = keys.uncertainty(known.value, kind);
     return known;
   }
   if (node.value_exact<std::string_view>() == "fit") return ToFit{};
-  return Known{value(node, key(name), kind, Range::positive), 0};
+  return Known{value(node, key(name), kind, range), 0};
 }
 
 double Keys::value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const {
@@ -137,7 +165,7 @@ InputError Keys::placed(const InputError& error, const std::string& key) const {
 
 double Keys::share(std::string_view name) const {
   const auto text = need(name).value_exact<std::string_view>();
-  if (!text || text->find('%') == std::string_view::npos) return number(name, Range::positive);
+  if (!text || text->find('%') == std::string_view::npos) return quantity(name, kind::number, Range::positive);
   try {
     return parse_quantity(*text, kind::number, Range::positive);
   } catch (const InputError& error) {

@@ -13,6 +13,7 @@
 #include <toml++/toml.h>
 
 #include "cases/case_file.h"
+#include "cases/case_keys.h"
 #include "io/quantity.h"
 
 namespace flexslip {
@@ -33,24 +34,28 @@ class Keys {
 
   // Refuses all keys but these. To be called first: a key misspelt should not be reported as one that is missing.
   void only(const std::vector<std::string>& known) const;
+  void only_described() const;  // all but those of the section in case_keys.h
 
   std::size_t size() const { return table_.size(); }
   const toml::node* find(std::string_view name) const { return table_.get(name); }
   bool has(std::string_view name) const { return find(name) != nullptr; }
   bool is_word(std::string_view name, std::string_view word) const;
 
-  // All below refuse a key that is not there, unless they are optional.
+  // All below refuse a key that is not there, unless they are optional. What a key holds, and within which range, stands in case_keys.h, unless
+  // it is said here.
   const toml::node& need(std::string_view name) const;
   double quantity(std::string_view name, const Kind& kind, Range range) const;
-  std::optional<double> optional_quantity(std::string_view name, const Kind& kind, Range range) const;
-  double number(std::string_view name, Range range) const;
+  double quantity(std::string_view name) const;
+  std::optional<double> optional_quantity(std::string_view name) const;
   double share(std::string_view name) const;  // [1] positive: a number, or text in percent
   std::uint64_t whole_number(std::string_view name, std::int64_t least) const;
+  std::uint64_t whole_number(std::string_view name) const;
   std::string text(std::string_view name) const;
-  Estimate estimate(std::string_view name, const Kind& kind) const;
+  std::string word(std::string_view name) const;  // one of the words that it may be
+  Estimate estimate(std::string_view name) const;
 
-  // The title of a column that holds a quantity of this kind; its unit may also stand in the file it is in.
-  std::string column(std::string_view name, const Kind& kind) const;
+  // The title of a column; its unit may also stand in the file it is in.
+  std::string column(std::string_view name) const;
 
   // A path, relative to the folder of the case file, as one relative to the working directory.
   std::string path(std::string_view name) const;
@@ -73,6 +78,7 @@ class Keys {
                            std::string remedy = "") const;
 
  private:
+  const CaseKey& described(std::string_view name) const;
   [[noreturn]] void refuse_word(std::string_view name, const std::vector<std::string_view>& known) const;
   InputError placed(const InputError& error, const std::string& key) const;
   double uncertainty(double value_of_it, const Kind& kind) const;

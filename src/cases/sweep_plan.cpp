@@ -5,11 +5,13 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "cases/case_changes.h"
 #include "cases/keys.h"
 #include "cases/toml.h"
 #include "io/table.h"
@@ -207,8 +209,15 @@ SweepPlan read_sweep(std::string_view text, const std::string& source) {
   return plan;
 }
 
-SweepPlan read_sweep(const std::string& path) {
-  SweepPlan plan = read_sweep(case_text(path), path == "-" ? "standard input" : path);
+SweepPlan read_sweep(const std::string& path, const std::vector<std::string>& changes) {
+  const std::string source = path == "-" ? "standard input" : path;
+  std::string text = case_text(path);
+  if (!changes.empty()) {
+    std::ostringstream changed;
+    changed << toml::toml_formatter(with_changes(parse_toml(text, source), changes));
+    text = changed.str();
+  }
+  SweepPlan plan = read_sweep(text, source);
   check(plan);
   return plan;
 }

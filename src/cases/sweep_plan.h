@@ -38,8 +38,8 @@ struct SweepPlan {
 // Fails:      InputError with file, line and key.
 SweepPlan read_sweep(std::string_view text, const std::string& source);
 
-// The same from a file; "-" is standard input. All that the axes hold is checked to be a number that the case may have.
-SweepPlan read_sweep(const std::string& path);
+// The same from a file; "-" is standard input; with changes from the command line (case_changes.h). All that the axes hold is checked to be a number that the case may have.
+SweepPlan read_sweep(const std::string& path, const std::vector<std::string>& changes = {});
 
 // [1] points of each axis of a grid; empty for a Latin hypercube.
 std::vector<std::uint64_t> shape_of(const SweepPlan& plan);

@@ -12,6 +12,7 @@
 #include "cases/campaign_run.h"
 #include "cases/shared_parameters.h"
 #include "cli/analysis_flags.h"
+#include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/output.h"
@@ -32,6 +33,7 @@ namespace {
 struct CampaignRequest {
   std::string path;
   std::optional<std::string> common;
+  std::vector<std::string> changes;
   std::string report;
   bool figures = true;
   bool test_reports = false;
@@ -103,7 +105,7 @@ DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
 }
 
 void run_campaign_command(const CampaignRequest& request) {
-  const auto plan = plan_campaign(request.path, request.common);
+  const auto plan = plan_campaign(request.path, request.common, request.changes);
   if (!request.report.empty()) make_folder(request.report);
   const CampaignOptions options = options_of(request);
   const auto run = [&] {
@@ -154,6 +156,7 @@ void add_campaign_command(CLI::App& app) {
       ->required();
   command->add_option("--common", request->common, "Case file that says what all tests have in common")
       ->type_name("FILE");
+  add_set_option(*command, request->changes);
   command
       ->add_option("--report", request->report,
                    "Write report.html, tables, figures and each test's results "

@@ -7,8 +7,35 @@
 namespace flexslip {
 namespace {
 
-constexpr std::string_view whole_number = "NUMBER";
-constexpr std::string_view place = "ROW or LENGTH";
+// What a flag takes, as its help shows it.
+std::string type_of(const CaseKey& key) {
+  switch (key.holds) {
+    case Holds::title:
+      return "COLUMN";
+    case Holds::whole_number:
+      return "NUMBER";
+    case Holds::place:
+      return "ROW or LENGTH";
+    case Holds::word:
+      return std::string(key.words);
+    case Holds::quantity:
+    case Holds::estimate: {
+      std::string name(key.kind->name.substr(key.kind->name.rfind(' ') + 1));  // "a length"
+      std::transform(name.begin(), name.end(), name.begin(),
+                     [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+      return key.words.empty() ? name : fmt::format("{}|{}", name, key.words);
+    }
+    default:
+      return "TEXT";
+  }
+}
+
+std::string capitalised(std::string_view phrase) {
+  std::string text(phrase);
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
 
 bool is_whole(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -33,70 +60,42 @@ Case case_of_flags(const CaseRequest& request) {
   std::string text;
   for (const std::string_view section : {"specimen", "rig", "record"}) {
     std::string body;
-    for (const auto& flag : request.flags)
-      if (flag.section == section && flag.value)
-        body += fmt::format("{} = {}\n", flag.key,
-                            flag.type == whole_number || (flag.type == place && is_whole(*flag.value))
-                                ? *flag.value
-                                : toml_string(*flag.value));
+    for (const auto& [key, value] : request.flags)
+      if (key->section == section && value) {
+        const bool is_number = key->holds == Holds::whole_number || (key->holds == Holds::place && is_whole(*value));
+        body += fmt::format("{} = {}\n", key->name, is_number ? *value : toml_string(*value));
+      }
     if (section == "record") body += fmt::format("file = {}\n", toml_string(request.file));
     if (!body.empty()) text += fmt::format("[{}]\n{}", section, body);
   }
-  return read_case(text, "");
+  return read_case(text, "", request.changes);
 }
 
 }  // namespace
 
-std::vector<CaseFlag> all_case_flags() {
-  return {
-      {"specimen", "diameter", "--diameter", "Of a round specimen", "LENGTH"},
-      {"specimen", "inner_diameter", "--inner-diameter", "Of a tube, with --diameter", "LENGTH"},
-      {"specimen", "wall", "--wall", "Thickness of the wall of a tube, instead of its inner diameter", "LENGTH"},
-      {"specimen", "width", "--width", "Of a rectangular specimen, with --height", "LENGTH"},
-      {"specimen", "height", "--height", "In the direction of bending", "LENGTH"},
-      {"specimen", "modulus", "--modulus", "Young's modulus; not given: from the initial slope", "PRESSURE"},
-      {"specimen", "bending_stiffness", "--bending-stiffness",
-       "EI, instead of section and modulus; fit: from the initial slope", "STIFFNESS"},
-      {"rig", "span", "--span", "Distance of the supports", "LENGTH"},
-      {"rig", "stiffness", "--stiffness", "Of whatever carries the load cell; inf for displacement control",
-       "STIFFNESS"},
-      {"record", "stage", "--stage", "Column of the stage (crosshead) displacement, \"w_s [mm]\"", "COLUMN"},
-      {"record", "deflection", "--deflection", "Column of the deflection at midspan", "COLUMN"},
-      {"record", "force", "--force", "Column of the force, \"F [N]\"; of an export, name or number, if it is not found",
-       "COLUMN"},
-      {"record", "displacement", "--displacement",
-       "Instead of columns, for the export of a testing machine: crosshead or deflection, what its displacement is",
-       "WORD"},
-      {"record", "specimen", "--specimen", "Which specimen of an export, counted from 1", whole_number},
-      {"record", "displacement_column", "--displacement-column", "Of an export: name or number, if it is not found",
-       "COLUMN"},
-      {"record", "calibration", "--calibration", "Of a force that the export gives in volts, \"222 N/V\"",
-       "CALIBRATION"},
-      {"record", "sign", "--sign", "find, the default: reversed where compression is negative; keep; reverse", "WORD"},
-      {"record", "zero", "--zero", "Zero of the force: find, the default, from rows before the contact; keep; a force",
-       "FORCE"},
-      {"record", "contact", "--contact",
-       "Displacement at first contact, find, or first row; not given: found if the record begins before it", "LENGTH"},
-      {"record", "failure", "--failure", "find, the default, or none", "WORD"},
-      {"record", "decimal", "--decimal", "Decimal mark of the file, . or ,", "CHARACTER"},
-      {"record", "first", "--first", "Where the record begins: a row, counted from 1, or a position of the stage",
-       place},
-      {"record", "until", "--until", "Where it ends, before failure, likewise; not given: found", place},
-  };
+void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
+  command
+      .add_option("--set", changes,
+                  "Change a key of the case: rig.stiffness=\"90 N/m\"; may be repeated. flexslip keys lists the keys")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_case_options(CLI::App& command, CaseRequest& request) {
-  request.flags = all_case_flags();
+  for (const CaseKey& key : case_keys())
+    if (!key.flag.empty()) request.flags.push_back({&key});
   command
       .add_option("file", request.file,
                   "Case file (.toml), or a data file described by the flags below; - is standard input")
       ->type_name("FILE")
       ->required();
-  for (auto& flag : request.flags) {
-    CLI::Option* option = command.add_option(std::string(flag.flag), flag.value, std::string(flag.help))
-                              ->type_name(std::string(flag.type))
+  add_set_option(command, request.changes);
+  for (auto& [key, value] : request.flags) {
+    CLI::Option* option = command.add_option(std::string(key->flag), value, capitalised(key->meaning))
+                              ->type_name(type_of(*key))
                               ->group("A data file instead of a case");
-    if (flag.type == whole_number) option->check(CLI::TypeValidator<unsigned>(""));
+    if (key->holds == Holds::whole_number) option->check(CLI::TypeValidator<unsigned>(""));
   }
 }
 
@@ -110,20 +109,20 @@ Case case_of(const CaseRequest& request) {
     throw InputError({.file = request.file,
                       .expected = "a data file beside flags that describe the test",
                       .found = "a case file, which describes it",
-                      .remedy = "write the change into the case file"});
-  return read_case(request.file);
+                      .remedy = "write the change into the case file, or pass --set"});
+  return read_case(request.file, request.changes);
 }
 
 InputError in_words_of_call(const CaseRequest& request, const InputError& error) {
   if (names_case_file(request)) return error;
   InputFault fault = error.fault;
   if (fault.field == "[rig]") fault.field = "[rig] span";
-  for (const auto& flag : request.flags) {
-    if (fault.field != fmt::format("[{}] {}", flag.section, flag.key)) continue;
-    fault.field = flag.flag;
+  for (const auto& [key, value] : request.flags) {
+    if (fault.field != fmt::format("[{}] {}", key->section, key->name)) continue;
+    fault.field = key->flag;
     if (fault.expected == "it in the file") {
       fault.expected = "this flag, as the file is no case";
-      fault.remedy = fmt::format("add {} {}, or describe the test in a case file (.toml)", flag.flag, flag.type);
+      fault.remedy = fmt::format("add {} {}, or describe the test in a case file (.toml)", key->flag, type_of(*key));
     }
   }
   if (fault.file.empty()) fault.line = 0;

@@ -9,26 +9,27 @@
 #include <CLI/CLI.hpp>
 
 #include "cases/case_file.h"
+#include "cases/case_keys.h"
 #include "io/input_error.h"
 
 namespace flexslip {
 
 struct CaseFlag {
-  std::string_view section, key, flag;
-  std::string_view help;
-  std::string_view type;
+  const CaseKey* key;
   std::optional<std::string> value{};
 };
 
 // The test that a call describes: a case file, or a data file with flags.
 struct CaseRequest {
   std::string file;
-  std::vector<CaseFlag> flags;  // as all_case_flags, with the values given
+  std::vector<CaseFlag> flags{};  // of every key that has one, with the values given
+  std::vector<std::string> changes{};
 };
 
-std::vector<CaseFlag> all_case_flags();
+// Gives a command --set, which changes keys of its case.
+void add_set_option(CLI::App& command, std::vector<std::string>& changes);
 
-// Gives a command the argument FILE and the flags.
+// Gives a command the argument FILE, the flags and --set.
 void add_case_options(CLI::App& command, CaseRequest& request);
 
 // Is it a case file that the call names? "-" is one if there are no flags.

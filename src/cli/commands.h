@@ -31,6 +31,7 @@ void add_campaign_command(CLI::App& app);
 void add_sweep_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_modulus_command(CLI::App& app);
+void add_keys_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
 
 }  // namespace flexslip

@@ -12,6 +12,7 @@
 #include "cases/design_answer.h"
 #include "cases/design_map.h"
 #include "cases/problem.h"
+#include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"
@@ -25,6 +26,7 @@ namespace {
 
 struct DesignRequest {
   std::string file;
+  std::vector<std::string> changes;
   std::vector<std::string> over;
   std::string figure;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
@@ -100,7 +102,7 @@ void write_map(const DesignRequest& request, const DesignCase& input, const std:
 }
 
 void run_design(const DesignRequest& request) {
-  const Case given = read_case(request.file);
+  const Case given = read_case(request.file, request.changes);
   const DesignCase input(given);
   const auto axes = axes_of(request, input);
   if (!axes.empty()) {
@@ -128,6 +130,7 @@ void add_design_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("design", "Before a test: will it show a sawtooth, and what must change for it not to?");
   command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
+  add_set_option(*command, request->changes);
   command
       ->add_option("--over", request->over,
                    "A parameter and its range, NAME=FROM:TO[:POINTS]: a table over it instead of the answer in words; "

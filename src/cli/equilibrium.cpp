@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cases/problem.h"
+#include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"
@@ -21,6 +22,7 @@ namespace {
 
 struct EquilibriumRequest {
   std::string file;
+  std::vector<std::string> changes;
   bool region = false;
   int points = 0;  // 0: as many as the roughness needs
   int levels = 41;
@@ -55,7 +57,7 @@ int points_for(const Friction& friction, double S_max) {
 }
 
 void run_equilibrium(const EquilibriumRequest& request) {
-  const Case input = read_case(request.file);
+  const Case input = read_case(request.file, request.changes);
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const double S_max = longest_of(request, input, scales);
   const Fibre fibre = fibre_of(input, scales);
@@ -116,6 +118,7 @@ void add_equilibrium_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("equilibrium", "The equilibrium curve or region of a specimen, whatever the rig");
   command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
+  add_set_option(*command, request->changes);
   command->add_flag("--region", request->region, "All equilibria, |q| <= mu, instead of the curve of loading, q = mu");
   command->add_option("--points", request->points, "Points along S; not given: as many as the roughness needs")
       ->type_name("N")

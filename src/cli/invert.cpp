@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cases/problem.h"
+#include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "data/section.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct InvertRequest {
   std::string file;
+  std::vector<std::string> changes;
   bool is_case = false;
   std::optional<std::string> radius, thickness;  // of rollers, and of the specimen on them
   Output output;
@@ -127,7 +129,7 @@ void note_assumptions(const Output& output, const BendingStiffnessUsed& stiffnes
 }
 
 void invert_case(const InvertRequest& request) {
-  const Measurement measurement = read_measurement(read_case(request.file), least_points);
+  const Measurement measurement = read_measurement(read_case(request.file, request.changes), least_points);
   const Case& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   const Scales scales = scales_of(input, stiffness);
@@ -209,8 +211,14 @@ void invert_case(const InvertRequest& request) {
 void run_invert(const InvertRequest& request) {
   if (request.is_case || request.file.ends_with(".toml"))
     invert_case(request);
-  else
+  else if (request.changes.empty())
     invert_states(request);
+  else
+    throw InputError({.file = request.file,
+                      .field = "--set",
+                      .expected = "a case file (.toml) beside it",
+                      .found = "deflections and forces",
+                      .remedy = "leave it out, or pass --case if the file is one"});
 }
 
 }  // namespace
@@ -221,6 +229,7 @@ void add_invert_command(CLI::App& app) {
   command->add_option("file", request->file, "Case file (.toml), or CSV with the columns w,F; - is standard input")
       ->type_name("FILE")
       ->required();
+  add_set_option(*command, request->changes);
   command->add_flag("--case", request->is_case, "The file is a case, whatever its name");
   command
       ->add_option("--roller-radius", request->radius,

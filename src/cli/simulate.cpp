@@ -14,6 +14,7 @@
 #include "bending_test/history.h"
 #include "bending_test/rolling.h"
 #include "cases/problem.h"
+#include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/progress.h"
@@ -28,6 +29,7 @@ namespace {
 
 struct SimulateRequest {
   std::string file;
+  std::vector<std::string> changes;
   int points = 200;
   std::string noise;
   std::uint64_t seed = 1;
@@ -381,7 +383,7 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
 void run_simulate(const SimulateRequest& request) {
   constexpr double least_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
   constexpr double least_stated_travel = 1e-9;    // of one that was written down
-  const Case input = read_case(request.file);
+  const Case input = read_case(request.file, request.changes);
   const double noise = noise_of(request, input);
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const StageProgramme programme = programme_of(input);
@@ -450,6 +452,7 @@ void add_simulate_command(CLI::App& app) {
   const auto request = std::make_shared<SimulateRequest>();
   CLI::App* command = app.add_subcommand("simulate", "What a test would measure: its path, snaps and energy account");
   command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
+  add_set_option(*command, request->changes);
   command
       ->add_option("--points", request->points,
                    "Points on each stretch of sticking or sliding, if the stage has the step \"continuous\"")

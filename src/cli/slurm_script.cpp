@@ -51,6 +51,7 @@ constexpr std::string_view script = R"script(#!/bin/bash
 
 FLEXSLIP={program}   # as the compute nodes see it
 CASE={case_file}
+CHANGES=({changes})
 OUTPUT={output}
 
 if [[ ${{1:-}} == merge ]]; then exec "$FLEXSLIP" merge "$OUTPUT.parts" --output "$OUTPUT"; fi
@@ -66,7 +67,7 @@ if [[ -z ${{SLURM_ARRAY_TASK_ID:-}} ]]; then
   exit
 fi
 
-exec "$FLEXSLIP" sweep "$CASE" --output "$OUTPUT" --shard "$SLURM_ARRAY_TASK_ID/{shards}" --threads "$SLURM_CPUS_PER_TASK"
+exec "$FLEXSLIP" sweep "$CASE" "${{CHANGES[@]}}" --output "$OUTPUT" --shard "$SLURM_ARRAY_TASK_ID/{shards}" --threads "$SLURM_CPUS_PER_TASK"
 )script";
 
 }  // namespace
@@ -74,13 +75,16 @@ exec "$FLEXSLIP" sweep "$CASE" --output "$OUTPUT" --shard "$SLURM_ARRAY_TASK_ID/
 std::string slurm_script(const SlurmJobs& jobs) {
   constexpr double safety = 3;         // nodes differ, and so do the designs of a sweep
   constexpr double least_minutes = 5;  // for starting up
+  std::string changes;
+  for (const std::string& change : jobs.changes)
+    changes += fmt::format("{}--set {}", changes.empty() ? "" : " ", shell_word(change));
   const std::string log = sbatch_name(jobs.output + ".log");
   return fmt::format(script, fmt::arg("minutes", time_in_words(jobs.minutes)), fmt::arg("threads", jobs.threads),
                      fmt::arg("job", shell_word(std::filesystem::path(jobs.output).filename().string())),
                      fmt::arg("shards", jobs.shards),
                      fmt::arg("time", std::ceil(safety * jobs.minutes + least_minutes)), fmt::arg("log", log),
                      fmt::arg("program", shell_word(jobs.program)), fmt::arg("case_file", shell_word(jobs.case_file)),
-                     fmt::arg("output", shell_word(jobs.output)));
+                     fmt::arg("changes", changes), fmt::arg("output", shell_word(jobs.output)));
 }
 
 }  // namespace flexslip

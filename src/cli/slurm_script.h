@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace flexslip {
 
 struct SlurmJobs {
   std::string program, case_file, output;  // absolute paths
+  std::vector<std::string> changes;        // of the case
   std::uint64_t shards;
   unsigned threads;  // of each job
   double minutes;    // that a job is expected to take

@@ -15,6 +15,7 @@
 #include "cases/sweep_plan.h"
 #include "cases/sweep_row.h"
 #include "cases/sweep_run.h"
+#include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/progress.h"
@@ -29,6 +30,7 @@ namespace {
 
 struct SweepRequest {
   std::string file;
+  std::vector<std::string> changes;
   std::optional<std::string> path;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string shard;
@@ -76,6 +78,7 @@ void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, cons
   write_text(request.slurm, slurm_script({.program = std::filesystem::read_symlink("/proc/self/exe").string(),
                                           .case_file = absolute(request.file),
                                           .output = absolute(path),
+                                          .changes = request.changes,
                                           .shards = shards,
                                           .threads = request.threads,
                                           .minutes = minutes / static_cast<double>(shards)}));
@@ -126,7 +129,7 @@ void run_sweep_command(const SweepRequest& request) {
   const Shard shard = shard_of(request);
   const std::string path = file_of(request);
   announce_sweep(path);
-  const SweepPlan plan = read_sweep(request.file);
+  const SweepPlan plan = read_sweep(request.file, request.changes);
   const std::string digest = digest_of_sweep(plan);
   const bool is_done = finds_sweep(path, digest);
   if (!is_done) require_space(plan, path, shard);
@@ -156,6 +159,7 @@ void add_sweep_command(CLI::App& app) {
   command->add_option("case", request->file, "Case file with a section [sweep]; - is standard input")
       ->type_name("CASE")
       ->required();
+  add_set_option(*command, request->changes);
   command->add_option("-o,--output", request->path, "HDF5 file to write")
       ->type_name("FILE")
       ->default_str("the case's name with .h5");

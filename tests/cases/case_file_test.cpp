@@ -311,7 +311,7 @@ TEST_CASE("table: a bare number, a wrong unit or an impossible value is refused 
 TEST_CASE("table: an unknown key or section is refused with the nearest known") {
   CHECK(complaint_with("diameter", "diamter") ==
         "data/case.toml:2: [specimen] diamter: expected one of the keys 'diameter', 'inner_diameter', 'wall', 'width', "
-        "'height', 'modulus', 'bending_stiffness', 'material', 'cracks', 'strain_at_break' and 'strength', found an "
+        "'height', 'modulus', 'bending_stiffness', 'material', 'strain_at_break', 'strength' and 'cracks', found an "
         "unknown key; did you mean "
         "'diameter'?");
   CHECK(has(complaint_with("[friction]", "[frictoin]"), ":7: frictoin: expected one of the keys"));

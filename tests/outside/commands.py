@@ -5,7 +5,7 @@ import math
 import subprocess
 import unittest
 
-from program import PROGRAM, SOURCE, InFolder, numbers, run, table
+from program import PROGRAM, SOURCE, WAVY, InFolder, numbers, run, table
 
 # the paper, Fig. 8B: mu = 0.6 (1 + 0.4 cos(S/0.02)), k = 30; so wavelength = 0.02 pi.
 FIG_8B = f"""reduced = true
@@ -502,6 +502,35 @@ class Program(InFolder):
     def test_the_same_input_gives_the_same_bytes(self):
         truth = SOURCE / "examples/simulated/truth.toml"
         self.assertEqual(self.succeeds("simulate", truth, "--json"), self.succeeds("simulate", truth, "--json"))
+
+
+class Changes(InFolder):
+    """--set in each command that takes a case: as the case would say it."""
+
+    def test_identity_a_change_says_what_the_file_would(self):
+        case, other = self.file("case.toml", WAVY), self.file("other.toml", WAVY.replace('"90 N/m"', '"200 N/m"').replace("mu0 = 0.4", "mu0 = 0.3"))
+        changes = "--set", "rig.stiffness=200 N/m", "--set", "friction.mu0=0.3"
+        for command in "simulate", "equilibrium", "design":
+            with self.subTest(command):
+                self.assertEqual(self.succeeds(command, case, *changes), self.succeeds(command, other))
+        example = SOURCE / "examples" / "simulated" / "case.toml"
+        for command in "fit", "modulus", "invert":
+            with self.subTest(command):
+                self.assertNotEqual(self.succeeds(command, example, "--set", "specimen.diameter=36 um", "--quiet"), self.succeeds(command, example, "--quiet"))
+        sweep = '[sweep]\nmethod = "grid"\n[sweep.axes]\nmu0 = [0.3, 0.4]\n'
+        for file, changed in (("case.toml", changes), ("other.toml", ())):
+            self.file(file, (self.folder / file).read_text(encoding="utf-8") + sweep)
+            self.succeeds("sweep", self.folder / file, *changed, "--quiet", "--output", self.folder / f"{file}.h5")
+        tests = self.json("campaign", SOURCE / "examples", "--set", "specimen.diameter=35 um", "--quiet")["tests"]
+        self.assertEqual(len(tests), 3)
+
+    def test_bad_changes(self):
+        case = self.file("case.toml", WAVY)
+        self.refused("simulate", case, "--set", "rig.stifness=90 N/m", says=["--set", "did you mean 'rig.stiffness'?"])
+        self.refused("simulate", case, "--set", "rig.stiffness=90 mm", says=["--set: rig.stiffness", "expected a stiffness"])
+
+    def test_the_page_tells_the_keys_as_the_program_does(self):
+        subprocess.run([SOURCE / "tools" / "write-keys", PROGRAM, "--check"], check=True)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,20 @@
+// Changes of a case from the command line: "rig.stiffness=90 N/m" says what `stiffness = "90 N/m"` under [rig] would.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+namespace flexslip {
+
+// The name of a key as a change writes it, "rig.stiffness".
+// Fails:      InputError for a text that is no change, or whose key no case file has.
+std::string changed_key(std::string_view change);
+
+// A case with changes, each made in turn. A value is what it would be in a file; text needs no quotes, so that those of a shell will do.
+// Fails:      as changed_key; InputError for a value that is nothing.
+toml::table with_changes(toml::table table, const std::vector<std::string>& changes);
+
+}  // namespace flexslip

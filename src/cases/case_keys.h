@@ -1,0 +1,54 @@
+// Every key of a case file, described once: the reader, its refusals, the flags, --set, the columns of a campaign's table, `flexslip keys` and the
+// tables of docs/case-files.md are made of this.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/quantity.h"
+
+namespace flexslip {
+
+enum class Holds {
+  quantity,      // of `kind`, within `range`
+  share,         // a positive number, or text in percent
+  whole_number,  // from `least` on
+  estimate,      // a quantity, { value, uncertainty }, or "fit"
+  word,          // one of `words`
+  text,
+  title,    // of a column that holds a quantity of `kind`
+  file,     // relative to the case file
+  place,    // in a record: a row, a stage position, or { deflection = … }
+  lengths,  // an array of them
+  section,
+  tables,  // an array of tables, whose keys are in a section of their own: "specimen.cracks"
+};
+
+struct CaseKey {
+  std::string_view section, name;
+  Holds holds;
+  const Kind* kind;  // none where that has no meaning
+  Range range;
+  int least;                 // of a whole number
+  std::string_view words;    // "find|keep|reverse"; beside a quantity, what may stand in its place
+  std::string_view example;  // as it is written in a file: "\"34.8 um\""
+  std::string_view reduced;  // likewise, with reduced = true; "": not there
+  std::string_view flag;     // for a data file without a case, "--diameter"; "": none
+  std::string_view meaning;  // a phrase
+  std::string_view more;     // what docs/case-files.md adds (Markdown)
+};
+
+std::span<const CaseKey> case_keys();
+
+// The key of a section or of a table in it: "friction.other" has those of "friction", "friction.waves[2]" likewise, "specimen.cracks[1]" those of
+// "specimen.cracks". Null if there is none.
+const CaseKey* case_key(std::string_view section, std::string_view name);
+
+std::vector<std::string_view> words_of(const CaseKey& key);
+
+// What it holds, in words: "a length", "\"find\", \"keep\" or a force".
+std::string what_holds(const CaseKey& key);
+
+}  // namespace flexslip

@@ -1,0 +1,64 @@
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cases/case_keys.h"
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "io/input_error.h"
+#include "io/json.h"
+
+namespace flexslip {
+namespace {
+
+struct KeysRequest {
+  std::string section;
+  Output output;
+};
+
+Json json_of(const CaseKey& key) {
+  const auto text = [](std::string_view value) { return value.empty() ? Json() : Json(value); };
+  return {{"section", key.section},       {"name", key.name},
+          {"holds", what_holds(key)},     {"example", text(key.example)},
+          {"reduced", text(key.reduced)}, {"flag", text(key.flag)},
+          {"meaning", key.meaning},       {"more", key.more}};
+}
+
+void run_keys(const KeysRequest& request) {
+  Json all = Json::array();
+  std::string text, section;
+  for (const CaseKey& key : case_keys()) {
+    if (!request.section.empty() && key.section != request.section) continue;
+    all.push_back(json_of(key));
+    if (key.section != section) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.section);
+    section = key.section;
+    text += fmt::format("  {:<20} {}\n{:23}{}{}\n", key.name, key.meaning, "", what_holds(key),
+                        key.example.empty() ? "" : fmt::format("; {} = {}", key.name, key.example));
+  }
+  if (all.empty())
+    throw InputError({.field = "SECTION",
+                      .expected = "specimen, specimen.cracks, rig, friction, stage or record",
+                      .found = in_quotes(request.section)});
+  if (request.output.json)
+    write_json(request.output.path, all);
+  else
+    write_text(request.output.path, text);
+}
+
+}  // namespace
+
+void add_keys_command(CLI::App& app) {
+  const auto request = std::make_shared<KeysRequest>();
+  CLI::App* command = app.add_subcommand("keys", "Every key of a case file: what it holds, and what it means");
+  command->add_option("section", request->section, "Of one section only: rig, say")->type_name("SECTION");
+  add_output_options(*command, request->output);
+  command->footer(
+      "--set in the other commands changes any of them.\n\n"
+      "Examples:\n"
+      "  flexslip keys rig\n"
+      "  flexslip simulate case.toml --set rig.stiffness=\"200 N/m\" --set friction.mu0=0.4");
+  command->callback([request] { run_keys(*request); });
+}
+
+}  // namespace flexslip
