@@ -22,7 +22,7 @@ double first_where(double is_false, double end, const Predicate& is_true) {
   return is_so;
 }
 
-// Wherever it is, what is sought has a bracket; more than largest_q_on_supports has no state.
+// Wherever it is, what is sought has a bracket. What a fit tells may be somewhat more than friction may be.
 constexpr double most_friction_sought = 2 * largest_q_on_supports;
 
 double direction_of(Motion motion) { return motion == Motion::slip_in ? 1 : motion == Motion::slip_out ? -1 : 0; }
@@ -65,7 +65,6 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
     if (!std::isfinite(step) || std::abs(step) <= small * (1 + std::abs(q))) break;
     const double next = q + std::clamp(step, -0.5, 0.5);
     q = next > low && next < high ? next : 0.5 * (low + high);
-    if (std::abs(q) > largest_q_on_supports) break;
   }
   return found;
 }

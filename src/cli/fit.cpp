@@ -17,6 +17,7 @@
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/fit_json.h"
+#include "report/fit_screen.h"
 #include "report/fit_text.h"
 #include "report/report.h"
 
@@ -27,6 +28,7 @@ struct FitRequest {
   CaseRequest test;
   AnalysisFlags analysis;
   std::string profile, curves, draws, report;
+  bool full = false;
   Output output;
 };
 
@@ -73,7 +75,7 @@ void run_fit(const FitRequest& request) {
   if (request.output.json)
     write_json(request.output.path, fit_json(test));
   else
-    write_text(request.output.path, fit_text(test));
+    write_text(request.output.path, request.full ? fit_text(test) : fit_screen(test));
   const std::string status = status_of(test);
   if (status != "ok") throw CalculationFailed(what_failed(test, status));
 }
@@ -95,11 +97,13 @@ void add_fit_command(CLI::App& app) {
   command->add_option("--report", request->report, "Write report.html and figures/ into this folder")
       ->type_name("FOLDER")
       ->each(announce_fit_report);
+  command->add_flag("--full", request->full, "Print every table and remark, not only what fits one screen");
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "Writes the answer, the parameters with their uncertainties, the slips, the energy account and what was\n"
-      "assumed. Rows are those of the file, counted from 1 without its header. Without gnuplot the report has\n"
+      "Writes the answer on one screen; with --full the parameters with their intervals, every slip, the energy\n"
+      "account and all that was assumed. Rows are those of the file, counted from 1 without its header. Without "
+      "gnuplot the report has\n"
       "no pictures, but their scripts and data; the exit code is 0. It is 1 if the record tells no\n"
       "friction.\n\n"
       "Examples:\n"

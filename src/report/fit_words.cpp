@@ -11,6 +11,7 @@
 
 #include "inference/process_search.h"
 #include "io/quantity.h"
+#include "report/check_words.h"
 #include "report/cycles_words.h"
 #include "report/digits.h"
 #include "report/printed.h"
@@ -19,16 +20,6 @@ namespace flexslip {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-std::string percent_of(double part, double whole) {
-  return whole > 0 ? fmt::format("{:.1f} %", 100 * part / whole) : "";
-}
-
-// "0.36 ± 0.02", or "at most 0.22".
-std::string mean_friction(const FrictionFit& fit) {
-  return fit.mu0_is_bound ? fmt::format("at most {}", significant(fit.mu0.high, 2))
-                          : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
-}
 
 // What the rises between the drops, and a reload, say of slips and cracks; a clause that follows the drops.
 std::string cause_in_words(const FittedTest& test) {
@@ -127,62 +118,6 @@ std::string_view in_words(SlipVerdict verdict) {
       break;
   }
   return "too short to judge";
-}
-
-// What a check came to, in a sentence.
-std::string check_in_words(const FittedTest& test, const Check& check) {
-  const Print print(test);
-  const auto number = [&](std::string_view name) { return number_of(check, name); };
-  const std::string_view outcome = check.outcome == CheckOutcome::passed   ? "Passed"
-                                   : check.outcome == CheckOutcome::failed ? "Failed"
-                                                                           : "Not possible";
-  switch (check.kind) {
-    case CheckKind::residuals:
-      return fmt::format(
-          "{}: the mean of the fit, run forward, misses the measured force by {} rms, {} of the greatest.", outcome,
-          print.force(number("residual_rms")), percent_of(number("residual_rms"), number("greatest_force")));
-    case CheckKind::drops: {
-      if (check.outcome == CheckOutcome::not_possible)
-        return "Not possible: no profiles were drawn whose drops could be counted.";
-      const double record_fall = number("record_fall"), draws_fall = number("draws_fall");
-      std::string words = fmt::format(
-          "{}: profiles drawn from the fit and run forward drop {:.0f} to {:.0f} times (median {:.0f}), the "
-          "record {:.0f} times",
-          outcome, number("draws_low"), number("draws_high"), number("draws_median"), number("record"));
-      if (std::isfinite(record_fall) && std::isfinite(draws_fall))
-        words += fmt::format("; by {} on average, the record by {}", print.force(draws_fall), print.force(record_fall));
-      return words + fmt::format(" (drops of at least {}).", print.force(number("threshold")));
-    }
-    case CheckKind::whiteness:
-      if (check.outcome == CheckOutcome::not_possible)
-        return "Not possible: one friction for the whole fibre predicts no reading from the one before.";
-      return fmt::format(
-          "{}: what each reading adds to those before it {} (Ljung and Box over {:.0f} readings: p {}).", outcome,
-          check.outcome == CheckOutcome::passed ? "is noise"
-                                                : "is not noise: something in the record is not in the model",
-          number("lags"), number("p_value") < 1e-4 ? "< 0.0001" : "= " + significant(number("p_value"), 2));
-    case CheckKind::nesting:
-      if (check.outcome == CheckOutcome::not_possible)
-        return "Not possible: the likeliest explanation contains no other.";
-      return fmt::format(
-          "{}: {} (ln L differs by {:.1f} at most against it).", outcome,
-          check.outcome == CheckOutcome::passed
-              ? "the likeliest explanation fits no worse than those it contains"
-              : "the likeliest explanation fits worse than one that it contains: its best fit was not found",
-          std::max(number("most_below"), 0.0));
-    case CheckKind::friction:
-      return check.outcome == CheckOutcome::passed
-                 ? "Passed: the record tells friction from none."
-                 : fmt::format("Failed: the record does not tell friction from none; it is at most {} (95 %).",
-                               significant(number("mu0_high"), 2));
-    case CheckKind::stability:
-      break;
-  }
-  if (check.numbers.empty()) return "Failed: with the force changed in its ninth digit there is no fit.";
-  return fmt::format(
-      "{}: with the force changed in its ninth digit, μ₀ moves by {:.1g} of its standard error, and the "
-      "likeliest explanation {}.",
-      outcome, number("mu0_moved"), number("same_explanation") > 0 ? "stays" : "changes");
 }
 
 // "the range 0.5 to 0.721", or "the 0.7".
@@ -366,6 +301,11 @@ std::string next_step_in_words(const FittedTest& test) {
 
 }  // namespace
 
+std::string mean_friction(const FrictionFit& fit) {
+  return fit.mu0_is_bound ? fmt::format("at most {}", significant(fit.mu0.high, 2))
+                          : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
+}
+
 std::string answer_of(const FittedTest& test) {
   const auto& analysis = test.analysis;
   if (analysis.status == AnalysisStatus::no_initial_slope)
@@ -463,12 +403,14 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
                             kind::number));
       rows.push_back(row_of("wavelength" + suffix, symbol("λ"), "along the specimen" + which, wave.wavelength,
                             scales.span(), print.as(kind::length)));
-      rows.push_back(row_of("phase_at_middle" + suffix, "", "in the middle of the fibre seen" + which,
-                            wave.phase_at_middle, 1, print.as(kind::angle)));
-      rows.push_back(row_of("phase" + suffix, symbol("φ"), "of (4.25), at the length 0" + which, wave.phase, 1,
-                            print.as(kind::angle)));
-      if (wave.phase.high - wave.phase.low > 2 * std::numbers::pi)
-        rows.back().remark = "not determined: it turns with λ, by more than a full turn within its interval";
+      const auto add_phase = [&](const std::string& name, const std::string& letter, const std::string& meaning,
+                                 const ParameterEstimate& phase) {
+        const bool is_determined = phase.high - phase.low <= 2 * std::numbers::pi;  // else it turns with λ
+        if (is_determined)
+          rows.push_back(row_of(name + suffix, letter, meaning + which, phase, 1, print.as(kind::angle)));
+      };
+      add_phase("phase_at_middle", "", "in the middle of the fibre seen", wave.phase_at_middle);
+      add_phase("phase", symbol("φ"), "of (4.25), at the length 0", wave.phase);
     }
   rows.push_back(row_of("bending_stiffness", "EI", "of the specimen", fit.bending_stiffness, scales.bending_stiffness(),
                         print.as(kind::bending_stiffness)));
@@ -583,6 +525,7 @@ PrintedTable energy_table(const FittedTest& test) {
     table.rows[i].insert(table.rows[i].begin(), entries[i].first);
     table.rows[i].push_back(percent_of(entries[i].second, account.stage_work));
   }
+  table.rows.back().back() = percent_of(entries.back().second, energy.work_of_fracture) + " of that";
   return table;
 }
 

@@ -37,6 +37,9 @@ PrintedTable energy_table(const FittedTest& test);
 // "roughness", or "'sinusoid', the paper's": what was fitted, in words.
 std::string model_in_words(ProfileModel model);
 
+// "0.36 ± 0.02", or "at most 0.22".
+std::string mean_friction(const FrictionFit& fit);
+
 // Sentences, each complete in itself.
 std::string friction_in_words(const FittedTest& test);  // of the specimen as tested: its mean, and how it varies
 std::string wave_in_words(const FittedTest& test);      // whether friction repeats along the specimen

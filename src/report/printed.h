@@ -50,6 +50,9 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 // A share [1] as "12 %".
 std::string percent(double share);
 
+// A part of a whole, "0.1 %".
+std::string percent_of(double part, double whole);
+
 // To two digits.
 std::string roughly(double value, const Kind& kind);
 

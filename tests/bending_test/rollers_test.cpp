@@ -229,6 +229,24 @@ TEST_CASE("rollers, definition: friction met on a way is that of the point betwe
     }
 }
 
+TEST_CASE("rollers, limit: friction of more than may be stated, as a fit may tell it, sticks and slides as well") {
+  const Fibre fibre({0, .0136});
+  for (const double mu : {1.9, 2.1, 2.35, 3.}) {
+    CAPTURE(mu);
+    std::vector<double> stages;
+    for (int i = 1; i <= 60; ++i) stages.push_back(.0015 * i);
+    const History history = follow_in_steps({Friction::constant(mu), {76, fibre}}, stages);
+    REQUIRE(history.path.size() > 50);
+    bool slides_in = false;
+    for (const PathPoint& point : history.path) {
+      CHECK(std::abs(point.q) <= mu * (1 + 1e-9));
+      slides_in = slides_in || point.q > mu - 1e-9;
+    }
+    CHECK(slides_in);
+    CHECK(std::abs(history.energy.imbalance) < 1e-9 * history.energy.stage_work);
+  }
+}
+
 TEST_CASE("rollers, bad input: static friction above the kinetic, two supports that are not alike") {
   const Rig rig{50, Fibre({.02, .01})};
   CHECK(message_of([&] {

@@ -146,7 +146,7 @@ class Simulated(CyclicRecords):
 
     def test_text_and_report(self):
         case = self.record(self.readings())
-        text = self.succeeds("fit", case, "--report", self.folder / "report")
+        text = self.succeeds("fit", case, "--full", "--report", self.folder / "report")
         for words in ("first of 2 loadings", "[[Load and unload]]", "[[Stick or slide]]", "[[Energy]] of the first loading"):
             self.assertIn(words, text)
         page = (self.folder / "report/report.html").read_text(encoding="utf-8")
@@ -170,7 +170,7 @@ class OneLoading(InFolder):
 
     def test_words_do_not_call_steep_sliding_sticking(self):
         """The example slides by construction, and its later rises are as steep as if it were stuck."""
-        text = self.succeeds("fit", SOURCE / "examples/simulated/case.toml")
+        text = self.succeeds("fit", SOURCE / "examples/simulated/case.toml", "--full")
         self.assertIn("does not mean stuck", " ".join(text.split()))
 
 

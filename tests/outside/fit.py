@@ -156,6 +156,27 @@ step = "2 um"
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("no sliding with a friction of 0 to 2 gives this record", " ".join(result.stdout.split()))
 
+    def test_an_answer_fits_one_screen(self):
+        """30 lines of 100 characters, of the examples and of the authors' tests."""
+        cases = [["fit", SOURCE / "examples" / name / "case.toml"] for name in ("simulated", "cracked", "cyclic")]
+        if CRACKED.is_dir():
+            cases += [["fit", record, "--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m",
+                       "--stage", "w_s_m [m]", "--force", "F_N [N]", "--contact", "0 um"] for record in sorted(CRACKED.glob("K*.csv"))[:6]]
+        for call in cases:
+            with self.subTest(call[1].name):
+                lines = run(*call).stdout.splitlines()
+                self.assertLessEqual(len(lines), 30)
+                self.assertLessEqual(max(map(len, lines)), 100)
+                full = run(*call, "--full").stdout
+                self.assertGreater(len(full.splitlines()), 60)
+                self.assertTrue(full.startswith(lines[0]))
+
+    def test_an_answer_claims_no_friction_of_a_specimen_that_cracks(self):
+        text = self.succeeds("fit", SOURCE / "examples" / "cracked" / "case.toml")
+        self.assertIn("friction      not to be read off this record", text)
+        self.assertNotIn("of the work on the specimen,", text)
+        self.assertIn("warning", text)
+
     def test_suspect_limit(self):
         self.assertTrue(self.json("fit", CASE, "--suspect-limit", "0.4")["suspect"])
 

@@ -54,6 +54,7 @@ def answers():
         yield f"help {command}".strip(), [*([command] if command else []), "--help"], []
     for name in "simulated", "cracked", "cyclic":
         yield f"fit {name}", ["fit", example(name)], []
+        yield f"fit {name} full", ["fit", example(name), "--full"], []
         yield f"fit {name} json", ["fit", example(name), "--json"], []
     yield "fit files", ["fit", example("simulated"), "--profile", "p.csv", "--curves", "c.csv", "--draws", "d.csv", "--quiet"], ["p.csv", "c.csv", "d.csv"]
     for model in "constant", "sinusoid", "sinusoids":

@@ -62,7 +62,7 @@ class Steps(InFolder):
         self.assertEqual((fit["measurement"]["rows_per_point"], fit["measurement"]["last_row"]), (5, rows))
         self.assertEqual(self.json("invert", case, "--quiet")["last_row"], rows)
         self.assertLessEqual(self.json("modulus", case, "--window", 0.9, 1)["window"]["rows"][1], rows)
-        self.assertIn(f"all rows to the last, {rows}, are used", " ".join(self.succeeds("fit", case, "--model", "constant").split()))
+        self.assertIn(f"all rows to the last, {rows}, are used", " ".join(self.succeeds("fit", case, "--model", "constant", "--full").split()))
 
     def test_outside_schema(self):
         for command in ("fit", "modulus"):
@@ -80,7 +80,7 @@ class Steps(InFolder):
                 self.assertIn(each["flag"].split(" ")[0], text)
 
     def test_outside_steps_stand_in_text_and_report(self):
-        text = " ".join(self.succeeds("fit", CASE).split())
+        text = " ".join(self.succeeds("fit", CASE, "--full").split())
         run("fit", CASE, "--report", self.folder / "report")
         page = (self.folder / "report/report.html").read_text(encoding="utf-8")
         self.assertIn("From the file to the record", page)

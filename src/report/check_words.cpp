@@ -1,0 +1,117 @@
+#include "report/check_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "report/digits.h"
+#include "report/printed.h"
+
+namespace flexslip {
+
+// What a check came to, in a sentence.
+std::string check_in_words(const FittedTest& test, const Check& check) {
+  const Print print(test);
+  const auto number = [&](std::string_view name) { return number_of(check, name); };
+  const std::string_view outcome = check.outcome == CheckOutcome::passed   ? "Passed"
+                                   : check.outcome == CheckOutcome::failed ? "Failed"
+                                                                           : "Not possible";
+  switch (check.kind) {
+    case CheckKind::residuals:
+      return fmt::format(
+          "{}: the mean of the fit, run forward, misses the measured force by {} rms, {} of the greatest.", outcome,
+          print.force(number("residual_rms")), percent_of(number("residual_rms"), number("greatest_force")));
+    case CheckKind::drops: {
+      if (check.outcome == CheckOutcome::not_possible)
+        return "Not possible: no profiles were drawn whose drops could be counted.";
+      const double record_fall = number("record_fall"), draws_fall = number("draws_fall");
+      std::string words = fmt::format(
+          "{}: profiles drawn from the fit and run forward drop {:.0f} to {:.0f} times (median {:.0f}), the "
+          "record {:.0f} times",
+          outcome, number("draws_low"), number("draws_high"), number("draws_median"), number("record"));
+      if (std::isfinite(record_fall) && std::isfinite(draws_fall))
+        words += fmt::format("; by {} on average, the record by {}", print.force(draws_fall), print.force(record_fall));
+      return words + fmt::format(" (drops of at least {}).", print.force(number("threshold")));
+    }
+    case CheckKind::whiteness:
+      if (check.outcome == CheckOutcome::not_possible)
+        return "Not possible: one friction for the whole fibre predicts no reading from the one before.";
+      return fmt::format(
+          "{}: what each reading adds to those before it {} (Ljung and Box over {:.0f} readings: p {}).", outcome,
+          check.outcome == CheckOutcome::passed ? "is noise"
+                                                : "is not noise: something in the record is not in the model",
+          number("lags"), number("p_value") < 1e-4 ? "< 0.0001" : "= " + significant(number("p_value"), 2));
+    case CheckKind::nesting:
+      if (check.outcome == CheckOutcome::not_possible)
+        return "Not possible: the likeliest explanation contains no other.";
+      return fmt::format(
+          "{}: {} (ln L differs by {:.1f} at most against it).", outcome,
+          check.outcome == CheckOutcome::passed
+              ? "the likeliest explanation fits no worse than those it contains"
+              : "the likeliest explanation fits worse than one that it contains: its best fit was not found",
+          std::max(number("most_below"), 0.0));
+    case CheckKind::friction:
+      return check.outcome == CheckOutcome::passed
+                 ? "Passed: the record tells friction from none."
+                 : fmt::format("Failed: the record does not tell friction from none; it is at most {} (95 %).",
+                               significant(number("mu0_high"), 2));
+    case CheckKind::stability:
+      break;
+  }
+  if (check.numbers.empty()) return "Failed: with the force changed in its ninth digit there is no fit.";
+  return fmt::format(
+      "{}: with the force changed in its ninth digit, μ₀ moves by {:.1g} of its standard error, and the "
+      "likeliest explanation {}.",
+      outcome, number("mu0_moved"), number("same_explanation") > 0 ? "stays" : "changes");
+}
+
+CheckInShort check_in_short(const Check& check) {
+  const auto number = [&](std::string_view name) { return number_of(check, name); };
+  const bool passed = check.outcome == CheckOutcome::passed;
+  CheckInShort said{passed ? "ok" : check.outcome == CheckOutcome::failed ? "warning" : "not possible", "", ""};
+  const auto say = [&](std::string words, std::string_view remedy) {
+    said.words = std::move(words);
+    if (check.outcome == CheckOutcome::failed) said.remedy = remedy;
+    return said;
+  };
+  const bool possible = check.outcome != CheckOutcome::not_possible;
+  switch (check.kind) {
+    case CheckKind::residuals:
+      return say(fmt::format("the fit, run forward, misses the force by {}",
+                             percent_of(number("residual_rms"), number("greatest_force"))),
+                 "check modulus, section, span and units");
+    case CheckKind::drops:
+      if (!possible) return say("drops of the fit: it has no profiles whose drops could be counted", "");
+      return say(fmt::format("the fit drops {} times, the record {:.0f}",
+                             number("draws_low") < number("draws_high")
+                                 ? fmt::format("{:.0f} to {:.0f}", number("draws_low"), number("draws_high"))
+                                 : fmt::format("{:.0f}", number("draws_low")),
+                             number("record")),
+                 "see whether they can be cracks");
+    case CheckKind::whiteness:
+      if (!possible) return say("noise of the readings: one friction for all predicts none from the one before", "");
+      return say(fmt::format("what the fit leaves is {}noise (p {})", passed ? "" : "not ",
+                             number("p_value") < 1e-4 ? "< 0.0001" : "= " + significant(number("p_value"), 2)),
+                 "something is not in the model; a simulated record without noise fails here, too");
+    case CheckKind::nesting:
+      if (!possible) return say("simpler explanations: the likeliest one contains no other", "");
+      return say(passed ? "no simpler explanation fits better" : "a simpler explanation fits better",
+                 "its best fit was not found: compare fit --model constant and drift");
+    case CheckKind::friction:
+      return say(passed ? "the record tells friction from none"
+                        : fmt::format("the record does not tell friction from none: at most {}",
+                                      significant(number("mu0_high"), 2)),
+                 "bend farther, or state the bending stiffness more exactly");
+    case CheckKind::stability:
+      break;
+  }
+  if (check.numbers.empty())
+    return say("with the force changed in its ninth digit there is no fit", "check the record");
+  return say(fmt::format("with the force changed in its ninth digit, the friction moves by {:.1g} of its error",
+                         number("mu0_moved")),
+             "do not trust its last digits");
+}
+
+}  // namespace flexslip

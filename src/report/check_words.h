@@ -1,0 +1,20 @@
+// What the checks of a fit came to, in words.
+#pragma once
+
+#include <string>
+
+#include "cases/fitted_test.h"
+
+namespace flexslip {
+
+// In a sentence that begins with "Passed", "Failed" or "Not possible".
+std::string check_in_words(const FittedTest& test, const Check& check);
+
+// In a clause, and what to do where it failed; "" otherwise.
+struct CheckInShort {
+  std::string outcome;  // "ok", "warning", "not possible"
+  std::string words, remedy;
+};
+CheckInShort check_in_short(const Check& check);
+
+}  // namespace flexslip

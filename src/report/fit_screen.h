@@ -1,0 +1,14 @@
+// The answer of a fit on one screen.
+#pragma once
+
+#include <string>
+
+#include "cases/fitted_test.h"
+
+namespace flexslip {
+
+// What is known and no more, in lines of at most 100 characters: the verdict first, then what was read off the curve before any model, the checks
+// with what to do about those that failed, what was assumed, and where more is. About 30 lines; fit_text has the rest.
+std::string fit_screen(const FittedTest& test);
+
+}  // namespace flexslip
