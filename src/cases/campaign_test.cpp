@@ -98,7 +98,7 @@ std::string remark_on(Doubt doubt, const FittedTest& test) {
     case Doubt::unexpected_stiffness:
       break;
   }
-  return fmt::format("bending stiffness {:+.1f} % from that {}", 100 * (analysis.fit.bending_stiffness.value - 1),
+  return fmt::format("bending stiffness {} from that {}", signed_percent(analysis.fit.bending_stiffness.value - 1),
                      analysis.stiffness_from_slope ? "of the initial slope" : "given");
 }
 

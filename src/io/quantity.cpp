@@ -285,6 +285,12 @@ std::string with_decimals(double value, int decimals) {
   return fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 16));
 }
 
+// "-0.00" as "0.00".
+std::string without_minus_of_zero(std::string text) {
+  const bool is_zero = text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos;
+  return is_zero ? text.substr(1) : text;
+}
+
 std::string without_trailing_zeros(std::string text) {
   const std::size_t mark = std::min(text.find('e'), text.size());
   std::string digits = text.substr(0, mark);
@@ -439,7 +445,19 @@ std::string readable(double value, double uncertainty, const Kind& kind) {
   const double shown = from_si(value, scale);
   const double spread = from_si(uncertainty, scale);
   const int decimals = 1 - decade(spread);
-  return with_typeset_unit(with_decimals(shown, decimals) + " ± " + with_decimals(spread, decimals), unit);
+  constexpr int most_decimals = 7;  // that one still reads
+  const double size = std::abs(shown);
+  const bool is_fixed = (size == 0 || (size >= 1e-3 && size < 1e7)) && spread < 1e7 && decimals <= most_decimals;
+  const auto text = [&](double number) {
+    return is_fixed ? without_minus_of_zero(fmt::format("{:.{}f}", number, std::max(decimals, 0)))
+                    : with_decimals(number, decimals);
+  };
+  return with_typeset_unit(text(shown) + " ± " + text(spread), unit);
+}
+
+std::string signed_percent(double share) {
+  const std::string text = fmt::format("{:+.1f} %", 100 * share);
+  return text == "-0.0 %" ? "+0.0 %" : text;
 }
 
 std::string exact_text(double value, const Kind& kind) {

@@ -109,6 +109,9 @@ std::string readable(double value, const Kind& kind);
 // An uncertainty that is not known (NaN) is said to be so.
 std::string readable(double value, double uncertainty, const Kind& kind);
 
+// A difference [1] as "+2.1 %".
+std::string signed_percent(double share);
+
 // A value [SI] as text in its best unit that parse_quantity reads back to the same bits: "34.8 um".
 std::string exact_text(double value, const Kind& kind);
 

@@ -56,7 +56,7 @@ std::string why_nothing(CyclesStatus status) {
 std::string against_reference(const FittedTest& test) {
   const double ratio = std::exp(test.cycles->friction.log_stiffness.value);
   if (test.stiffness != StiffnessSource::mirror)
-    return fmt::format("{:+.1f} % from {}", 100 * (ratio - 1),
+    return fmt::format("{} from {}", signed_percent(ratio - 1),
                        test.stiffness == StiffnessSource::initial_slope ? "the initial slope" : "that stated");
   const double over_slope = ratio * test.analysis.stiffness_over_slope;
   return std::isfinite(over_slope) ? fmt::format("{:+.0f} % from the initial slope", 100 * (over_slope - 1))

@@ -234,8 +234,8 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     case Doubt::unexpected_stiffness:
       break;
   }
-  return fmt::format("The bending stiffness that fits is {:+.1f} % from that {}, {:.1f} times its error.",
-                     100 * (fit.bending_stiffness.value - 1),
+  return fmt::format("The bending stiffness that fits is {} from that {}, {:.1f} times its error.",
+                     signed_percent(fit.bending_stiffness.value - 1),
                      analysis.stiffness_from_slope ? "of the initial slope" : "stated",
                      std::abs(std::log(fit.bending_stiffness.value)) / analysis.bending_stiffness_error);
 }
@@ -416,7 +416,7 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
                         print.as(kind::bending_stiffness)));
   rows.back().remark = fit.model == ProfileModel::constant
                            ? "not fitted: a constant friction would bend it to the roughness"
-                           : fmt::format("{:+.1f} % from {}, ± {:.1f} %", 100 * (fit.bending_stiffness.value - 1),
+                           : fmt::format("{} from {}, ± {:.1f} %", signed_percent(fit.bending_stiffness.value - 1),
                                          test.stiffness == StiffnessSource::initial_slope ? "the initial slope"
                                          : test.stiffness == StiffnessSource::mirror      ? "that of the loops"
                                                                                           : "that given",

@@ -215,6 +215,11 @@ TEST_CASE("table: a value shows as many digits as its uncertainty knows") {
   CHECK(readable(0.58123, 0.0123, kind::number) == "0.581 ± 0.012");
   CHECK(readable(0.1e-6, 20e-6, kind::length) == "0 ± 20 µm");
   CHECK(readable(123.4, 45.6, kind::number) == "123 ± 46");
+  CHECK(readable(0.201583, 8.8e-4, kind::number) == "0.20158 ± 0.00088");
+  CHECK(readable(-0.001, 0.12, kind::number) == "0.00 ± 0.12");
+  CHECK(readable(1.5e-12, 3e-13, kind::number) == "1.50e-12 ± 3.0e-13");
+  CHECK(signed_percent(-0.0001) == "+0.0 %");
+  CHECK(signed_percent(-0.0213) == "-2.1 %");
   CHECK(readable(10.9e-6, std::nan(""), kind::length) == "10.9 µm (uncertainty not known)");
 }
 
