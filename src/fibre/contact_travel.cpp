@@ -17,6 +17,7 @@ ContactTravel::ContactTravel(const Fibre& fibre, double q, double S_least, doubl
     knots_.push_back({length, 2 * sigma * length_S});
     last_ = sigma;
   }
+  if (knots_.size() < 2) knots_.clear();  // no states to follow the contacts along
   const auto grows = std::find_if(knots_.begin(), knots_.end(), [](const Value& knot) { return knot.slope > 0; });
   if (grows == knots_.begin()) return;
   double high = std::min(first_ + step_ * static_cast<double>(grows - knots_.begin()), last_), low = high - step_;
