@@ -16,7 +16,7 @@
 namespace flexslip {
 namespace {
 
-int covers(const ParameterEstimate& e, double truth) { return e.low <= truth && truth <= e.high; }
+int covers(const Estimate& e, double truth) { return e.low <= truth && truth <= e.high; }
 
 int run(int count, char** arguments) {
   if (count != 4) {

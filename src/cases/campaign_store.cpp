@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "io/input_error.h"
-#include "io/json.h"
 #include "io/text_file.h"
+#include "result/json.h"
 
 namespace flexslip {
 namespace {
@@ -31,17 +31,17 @@ std::vector<double> numbers(const Json& json) {
   return values;
 }
 
-Json json_of(const ParameterEstimate& estimate) {
+Json json_of(const Estimate& estimate) {
   return {estimate.value, estimate.standard_error, estimate.low, estimate.high};
 }
 
-Json json_of(const std::optional<ParameterEstimate>& estimate) { return estimate ? json_of(*estimate) : Json(nullptr); }
+Json json_of(const std::optional<Estimate>& estimate) { return estimate ? json_of(*estimate) : Json(nullptr); }
 
-ParameterEstimate estimate_of(const Json& json) {
+Estimate estimate_of(const Json& json) {
   return {number(json.at(0)), number(json.at(1)), number(json.at(2)), number(json.at(3))};
 }
 
-std::optional<ParameterEstimate> optional_estimate_of(const Json& json) {
+std::optional<Estimate> optional_estimate_of(const Json& json) {
   if (json.is_null()) return std::nullopt;
   return estimate_of(json);
 }

@@ -115,7 +115,7 @@ std::vector<std::string> remarks_of(const FittedTest& test) {
 }  // namespace
 
 CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
-  const std::string status = status_of(test);
+  const std::string status(status_of(test));
   CampaignTest kept{.name = test.name,
                     .status = status,
                     .reason = reason_of(status),

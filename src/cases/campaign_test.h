@@ -44,12 +44,12 @@ CampaignTest failed_test(const std::string& name, const std::string& file, const
 
 // A parameter that several tests share, estimated from all of them.
 struct SharedParameter {
-  std::string name;            // "modulus"
-  std::string unit;            // of the estimate, SI
-  ParameterEstimate estimate;  // not a number where fewer than two records tell it
-  std::size_t tests;           // whose records tell it
-  double chi_squared;          // [1] of them about one value
-  double agreement;            // [1] probability that tests that do share it would differ as much
+  std::string name;    // "modulus"
+  std::string unit;    // of the estimate, SI
+  Estimate estimate;   // not a number where fewer than two records tell it
+  std::size_t tests;   // whose records tell it
+  double chi_squared;  // [1] of them about one value
+  double agreement;    // [1] probability that tests that do share it would differ as much
 };
 
 struct Campaign {

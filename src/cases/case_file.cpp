@@ -173,7 +173,7 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
                 input.reduced ? "one" : "both",
                 input.reduced ? "the bending stiffness is 1, or \"fit\"" : "delete one");
   if (has_product) {
-    const Estimate product = keys.estimate("bending_stiffness");
+    const StatedStiffness product = keys.estimate("bending_stiffness");
     const Known* known = std::get_if<Known>(&product);
     if (input.reduced && known && known->value != 1)
       keys.refuse("bending_stiffness", "1, the unit of reduced variables", fmt::format("{}", known->value));

@@ -32,16 +32,16 @@ struct Known {
   bool operator==(const Known&) const = default;
 };
 
-using Estimate = std::variant<ToFit, Known>;
+using StatedStiffness = std::variant<ToFit, Known>;
 
 // How stiff the specimen is: the modulus of its section, or the product EI.
 struct Modulus {
-  Estimate estimate;  // [Pa]
+  StatedStiffness estimate;  // [Pa]
   bool operator==(const Modulus&) const = default;
 };
 
 struct BendingStiffness {
-  Estimate estimate;  // [N m^2]
+  StatedStiffness estimate;  // [N m^2]
   bool operator==(const BendingStiffness&) const = default;
 };
 

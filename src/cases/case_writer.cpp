@@ -53,7 +53,7 @@ class Writer {
 
   void quantity(std::string_view key, double value) { line(key, quantity(value, *case_key(section_, key)->kind)); }
 
-  void estimate(std::string_view key, const Estimate& estimate) {
+  void estimate(std::string_view key, const StatedStiffness& estimate) {
     const Kind& kind = *case_key(section_, key)->kind;
     const Known* known = std::get_if<Known>(&estimate);
     if (!known)

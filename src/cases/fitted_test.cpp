@@ -28,12 +28,6 @@ InputFile input_file(const std::string& name) {
   return {name, digest.bytes, digest.sha256};
 }
 
-std::string title_with(std::string_view name, std::string_view unit, bool reduced) {
-  std::string title(name);
-  if (!reduced && !unit.empty()) title += " [" + std::string(unit) + "]";
-  return title;
-}
-
 // The friction of the loops, where they tell the bending stiffness.
 std::optional<CyclicFriction> mirrored_loops(const Measurement& measurement, const Scales& scales, const Rig& rig) {
   if (!measurement.cycles) return std::nullopt;
@@ -43,7 +37,7 @@ std::optional<CyclicFriction> mirrored_loops(const Measurement& measurement, con
 }
 
 // Moves the zero of the loading to the contact that its loop tells, and leaves out what comes before. The loops keep theirs.
-void move_contact(Measurement& measurement, const Measured& contact) {
+void move_contact(Measurement& measurement, const Estimate& contact) {
   const Kind kind = kind_in(measurement.test, kind::length);
   Record& record = measurement.record;
   const auto begin = std::lower_bound(record.stage.begin(), record.stage.end(), contact.value);
@@ -112,8 +106,9 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
       description.bending_stiffness = slope.value * std::exp(mirrored->log_stiffness.value);
       description.bending_stiffness_error = std::hypot(mirrored->log_stiffness.standard_error, systematic);
       if (measurement.contact == ContactSource::first_point && mirrored->loops.front().places > 0) {
-        const auto [contact, error] = mirrored->loops.front().contact;
-        move_contact(measurement, {scales.physical_length(contact), scales.physical_length(error)});
+        const Estimate& contact = mirrored->loops.front().contact;
+        move_contact(measurement, normal_estimate(scales.physical_length(contact.value),
+                                                  scales.physical_length(contact.standard_error)));
         description.points_before_failure = measurement.record.force.size();
         description.contact_error = measurement.contact_error;
       }
@@ -174,101 +169,13 @@ std::size_t last_row(const FittedTest& test) {
   return last_file_row(test.measurement, test.measurement.record.force.size() - 1);
 }
 
-std::string status_of(const FittedTest& test) {
-  return std::string(name_in_order<AnalysisStatus::not_explained>(
-      test.analysis.status, {"ok", "no_initial_slope", "too_few_points", "not_explained"}));
+std::string_view status_of(const FittedTest& test) {
+  return name_in_order<AnalysisStatus::not_explained>(test.analysis.status,
+                                                      {"ok", "no_initial_slope", "too_few_points", "not_explained"});
 }
 
-std::string name_of(SawtoothCategory category) {
-  return std::string(name_in_order<SawtoothCategory::none>(category, {"clear", "nominal", "none"}));
-}
-
-void write_curves(const std::string& path, const FittedTest& test) {
-  const auto& analysis = test.analysis;
-  const std::size_t n = analysis.record.force.size();
-  const std::vector<double> nothing(n, not_a_number);
-  std::vector<double> rows;
-  for (std::size_t i = 0; i < n; ++i) rows.push_back(static_cast<double>(file_row(test, i)));
-  // Forces that exist for some points only, in SI.
-  const auto forces = [&](const std::vector<double>& reduced) {
-    auto column = nothing;
-    for (std::size_t i = 0; i < std::min(n, reduced.size()); ++i)
-      column[i] = analysis.scales.physical_force(reduced[i]);
-    return column;
-  };
-  const bool fitted = analysis.status == AnalysisStatus::ok;
-  const auto model = fitted ? forces(analysis.fit.force) : nothing;
-  const auto replay = fitted ? forces(analysis.replay.force) : nothing;
-  auto length = nothing;
-  auto mu = nothing;
-  auto error = nothing;
-  for (const auto& point : analysis.profile.points) {
-    length[point.index] = analysis.scales.physical_length(point.length);
-    mu[point.index] = point.mu;
-    error[point.index] = standard_error(point);
-  }
-  const auto title = [&](std::string_view name, std::string_view unit) { return title_with(name, unit, test.reduced); };
-  write_table(path, {{"row", rows},
-                     {title("stage", "m"), analysis.record.stage},
-                     {title("deflection", "m"), analysis.record.deflection},
-                     {title("force", "N"), analysis.record.force},
-                     {title("model_force", "N"), model},
-                     {title("replay_force", "N"), replay},
-                     {title("length", "m"), length},
-                     {"mu", mu},
-                     {"mu_error", error}});
-}
-
-void write_draws(const std::string& path, const FittedTest& test) {
-  const auto& fit = test.analysis.fit;
-  if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no draws");
-  // Over rising lengths between the contacts, as simulate reads a table: those on the side of the middle where rollers take some off at first.
-  std::vector<std::size_t> order;
-  const auto rolls_back = [&](std::size_t i) { return fit.along.rolls_back_at(fit.along.at(fit.band.S[i])); };
-  for (std::size_t i = 0; i < fit.band.S.size(); ++i)
-    if (rolls_back(i) == rolls_back(fit.band.S.size() / 2)) order.push_back(i);
-  if (rolls_back(order.front())) std::reverse(order.begin(), order.end());
-  const auto ordered = [&](const std::vector<double>& values) {
-    std::vector<double> column;
-    for (const std::size_t i : order) column.push_back(values[i]);
-    return column;
-  };
-  std::vector<double> length;
-  for (const double S : fit.band.S) length.push_back(test.analysis.scales.physical_length(fit.between_contacts(S)));
-  const std::vector<double> rising = ordered(length), mean = ordered(fit.mean.mu),
-                            deviation = ordered(fit.band.deviation);
-  std::vector<std::vector<double>> draws;
-  for (const auto& draw : fit.draws) draws.push_back(ordered(draw.mu));  // all over the lengths of the band
-  std::vector<OutputColumn> columns{
-      {title_with("length", "m", test.reduced), rising}, {"mu", mean}, {"deviation", deviation}};
-  for (std::size_t k = 0; k < draws.size(); ++k) columns.push_back({fmt::format("draw_{}", k + 1), draws[k]});
-  write_table(path, columns);
-}
-
-void write_profile(const std::string& path, const FittedTest& test) {
-  const auto& scales = test.analysis.scales;
-  std::vector<double> row, length, drawn_in, position, mu, error, from_force, from_stiffness, from_contact;
-  for (const auto& point : test.analysis.profile.points) {
-    row.push_back(static_cast<double>(file_row(test, point.index)));
-    length.push_back(scales.physical_length(point.length));
-    drawn_in.push_back(scales.physical_length(point.S - 1));
-    position.push_back(scales.physical_length(point.length / 2));
-    mu.push_back(point.mu);
-    error.push_back(standard_error(point));
-    from_force.push_back(point.from_force);
-    from_stiffness.push_back(point.from_bending_stiffness);
-    from_contact.push_back(point.from_contact);
-  }
-  const auto title = [&](std::string_view name) { return title_with(name, "m", test.reduced); };
-  write_table(path, {{"row", row},
-                     {title("length"), length},
-                     {title("drawn_in"), drawn_in},
-                     {title("position"), position},
-                     {"mu", mu},
-                     {"mu_error", error},
-                     {"mu_error_force", from_force},
-                     {"mu_error_bending_stiffness", from_stiffness},
-                     {"mu_error_contact", from_contact}});
+std::string_view name_of(SawtoothCategory category) {
+  return name_in_order<SawtoothCategory::none>(category, {"clear", "nominal", "none"});
 }
 
 }  // namespace flexslip

@@ -69,17 +69,8 @@ std::size_t file_row(const FittedTest& test, std::size_t point);
 std::size_t last_row(const FittedTest& test);
 
 // "ok", or why not: "too_few_points", "not_explained", "no_initial_slope".
-std::string status_of(const FittedTest& test);
+std::string_view status_of(const FittedTest& test);
 
-std::string name_of(SawtoothCategory category);
-
-// In a table that a user may restyle or read into Excel: the curves point by point, and the friction profile.
-void write_curves(const std::string& path, const FittedTest& test);
-void write_profile(const std::string& path, const FittedTest& test);
-
-// Friction along the specimen as the model "table" of a case takes it: length, mu (the mean of the fit), deviation, and draw_1,
-// draw_2, …: profiles that explain the record as well.
-// Domain:     analysis.status is ok; std::invalid_argument otherwise.
-void write_draws(const std::string& path, const FittedTest& test);
+std::string_view name_of(SawtoothCategory category);
 
 }  // namespace flexslip

@@ -117,7 +117,7 @@ std::string Keys::path(std::string_view name) const {
   return path;
 }
 
-Estimate Keys::estimate(std::string_view name) const {
+StatedStiffness Keys::estimate(std::string_view name) const {
   const auto& [kind, range] = std::pair(*described(name).kind, described(name).range);
   const toml::node& node = need(name);
   if (const toml::table* parts = node.as_table()) {

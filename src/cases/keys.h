@@ -52,7 +52,7 @@ class Keys {
   std::uint64_t whole_number(std::string_view name) const;
   std::string text(std::string_view name) const;
   std::string word(std::string_view name) const;  // one of the words that it may be
-  Estimate estimate(std::string_view name) const;
+  StatedStiffness estimate(std::string_view name) const;
 
   // The title of a column; its unit may also stand in the file it is in.
   std::string column(std::string_view name) const;

@@ -13,6 +13,7 @@
 #include "contact/build_up.h"
 #include "contact/capped.h"
 #include "contact/over_rollers.h"
+#include "data/names.h"
 #include "fibre/elastica.h"
 #include "inference/analysis.h"
 #include "io/quantity.h"
@@ -28,7 +29,7 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Case& input) {
   if (!input.specimen) return std::nullopt;
   const auto& rigidity = input.specimen->rigidity;
   const auto* modulus = std::get_if<Modulus>(&rigidity);
-  const Estimate& estimate = modulus ? modulus->estimate : std::get<BendingStiffness>(rigidity).estimate;
+  const StatedStiffness& estimate = modulus ? modulus->estimate : std::get<BendingStiffness>(rigidity).estimate;
   const auto* known = std::get_if<Known>(&estimate);
   if (!known) return std::nullopt;
   const bool has_error = known->uncertainty > 0;
@@ -206,6 +207,11 @@ StageProgramme programme_from(const Case& input, const MeasuredProgramme& measur
 }
 
 }  // namespace
+
+std::string_view name_of(StiffnessSource source) {
+  return name_in_order<StiffnessSource::mirror>(
+      source, {"stated", "stated_without_uncertainty", "initial_slope", "mirror_symmetry"});
+}
 
 double span_of(const Case& input) {
   if (!input.rig) throw missing(input, "rig");

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bending_test/cracking_fibre.h"
@@ -35,6 +36,8 @@ enum class StiffnessSource {
   initial_slope,  // of the record, F = 48 EI w/L^3
   mirror,         // of the loops of a test that is unloaded, which friction makes mirror images in (S, q)
 };
+
+std::string_view name_of(StiffnessSource source);
 
 struct BendingStiffnessUsed {
   double value;           // [N m^2] EI

@@ -51,7 +51,7 @@ std::optional<Marginal> marginal_of(const CampaignTest& test, Shareable paramete
   return known.mu0;
 }
 
-ParameterEstimate of_exponential(const ParameterEstimate& log) {
+Estimate of_exponential(const Estimate& log) {
   const double value = elementary::exp(log.value);
   return {value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
 }

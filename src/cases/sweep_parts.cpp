@@ -16,9 +16,9 @@
 #include "cases/sweep_row.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
-#include "io/json.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
+#include "result/json.h"
 
 namespace flexslip {
 namespace {

@@ -9,8 +9,11 @@
 namespace flexslip {
 namespace {
 
-double missing_in(const OutcomeColumn& column) {
-  return column.stored_as == StoredAs::float64 ? std::numeric_limits<double>::quiet_NaN() : 0;
+StoredAs stored_as(Shape shape) { return shape == Shape::count ? StoredAs::uint32 : StoredAs::float64; }
+
+double number_in(const Json& value, Shape shape) {
+  if (!value.is_null()) return value.get<double>();
+  return shape == Shape::count ? 0 : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -18,15 +21,14 @@ double missing_in(const OutcomeColumn& column) {
 std::vector<SweepColumn> columns_of(const SweepPlan& plan) {
   const auto units = [&](const Kind& kind) { return std::string(unit_of(kind, plan.input.reduced)); };
   std::vector<SweepColumn> columns;
-  columns.reserve(plan.axes.size() + 1 + outcome_columns().size());
   for (const auto& [parameter, values] : plan.axes)
     columns.push_back({fmt::format("/inputs/{}", parameter.name), units(parameter.kind),
                        std::string(parameter.description), StoredAs::float64});
   columns.push_back({"/outcomes/status", units(kind::number), "whether the design could be computed, and how it ended",
                      StoredAs::uint8});
-  for (const OutcomeColumn& column : outcome_columns())
-    columns.push_back({fmt::format("/outcomes/{}", column.name), units(column.kind), std::string(column.description),
-                       column.stored_as});
+  for (const Description& outcome : outcome_fields().descriptions())
+    columns.push_back({fmt::format("/outcomes/{}", outcome.name), units(outcome.kind), std::string(outcome.meaning),
+                       stored_as(outcome.shape)});
   return columns;
 }
 
@@ -41,9 +43,9 @@ std::vector<double> RowComputer::operator()(std::span<const double> inputs) {
   for (std::size_t i = 0; i < inputs.size(); ++i) case_.set(parameters_[i], inputs[i]);
   const DesignResult result = result_of(case_);
   std::vector<double> values{static_cast<double>(result.status)};
-  values.reserve(1 + outcome_columns().size());
-  for (const OutcomeColumn& column : outcome_columns())
-    values.push_back(result.outcome ? column.value(*result.outcome, *result.units) : missing_in(column));
+  const Frame frame;  // outcomes are in the units of their own design
+  for (const auto& outcome : outcome_fields())
+    values.push_back(number_in(outcome.of(result, frame), outcome.what.shape));
   return values;
 }
 

@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "answers/campaign_fields.h"
+#include "answers/fit_fields.h"
+#include "answers/fit_tables.h"
 #include "cases/campaign_run.h"
 #include "cases/shared_parameters.h"
 #include "cli/analysis_flags.h"
@@ -20,10 +23,8 @@
 #include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/campaign_json.h"
 #include "report/campaign_report.h"
 #include "report/campaign_text.h"
-#include "report/fit_json.h"
 #include "report/page.h"
 #include "report/report.h"
 

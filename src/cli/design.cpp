@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "answers/design_fields.h"
 #include "cases/design_answer.h"
 #include "cases/design_map.h"
 #include "cases/problem.h"
@@ -18,7 +18,6 @@
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/design_figures.h"
-#include "report/design_json.h"
 #include "report/design_words.h"
 
 namespace flexslip {
@@ -60,45 +59,13 @@ std::vector<DesignAxis> axes_of(const DesignRequest& request, const DesignCase& 
   return axes;
 }
 
-std::string title_of(std::string_view name, const Kind& kind, bool reduced) {
-  return kind.dimension == kind::number.dimension ? std::string(name)
-                                                  : column_title(name, unit_of(kind, reduced), reduced);
-}
-
-double value_in(const OutcomeColumn& column, const DesignResult& result) {
-  return result.outcome ? column.value(*result.outcome, *result.units) : std::numeric_limits<double>::quiet_NaN();
-}
-
 void write_map(const DesignRequest& request, const DesignCase& input, const std::vector<DesignAxis>& axes,
                const std::vector<MapPoint>& points) {
-  if (request.output.json) return write_json(request.output.path, design_map_json(input, axes, points));
-  std::vector<std::string> titles;
-  std::vector<std::vector<double>> values;
-  const auto add = [&](std::string title, const auto& value) {
-    titles.push_back(std::move(title));
-    std::vector<double>& cells = values.emplace_back();
-    cells.reserve(points.size());
-    for (const MapPoint& point : points) cells.push_back(value(point));
-  };
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const DesignParameterName& parameter = axes[i].parameter;
-    add(title_of(parameter.name, parameter.kind, input.reduced()), [&](const MapPoint& at) { return at.values[i]; });
-  }
-  for (const OutcomeColumn& column : outcome_columns())
-    add(title_of(column.name, column.kind, input.reduced()),
-        [&](const MapPoint& at) { return value_in(column, at.result); });
-  add("stiffness_margin", [](const MapPoint& at) { return at.margin; });
-
-  std::vector<std::string_view> status;
-  status.reserve(points.size());
-  for (const MapPoint& point : points) status.push_back(word_of(point.result.status));
-  std::vector<OutputColumn> columns;
-  columns.reserve(titles.size() + 1);
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    if (i == axes.size()) columns.push_back({"status", status});
-    columns.push_back({titles[i], values[i]});
-  }
-  write_table(request.output.path, columns);
+  const Frame frame{Scales(1, 1), input.reduced()};
+  if (request.output.json)
+    write_json(request.output.path, design_map_fields(axes)({points}, frame));
+  else
+    write_csv(request.output.path, map_fields(axes), points, frame);
 }
 
 void run_design(const DesignRequest& request) {
@@ -118,7 +85,8 @@ void run_design(const DesignRequest& request) {
   const DesignAnswer answer = answer_of(input);
   if (!request.figure.empty()) draw_for(request.output, design_figure(answer), request.figure);
   if (request.output.json)
-    write_json(request.output.path, design_json(answer));
+    write_json(request.output.path, design_fields()({answer, design_in_short(answer), changes_in_words(answer)},
+                                                    {answer.scales, input.reduced()}));
   else
     write_text(request.output.path, design_text(answer));
 }

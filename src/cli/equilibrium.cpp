@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "answers/equilibrium_fields.h"
 #include "cases/problem.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
@@ -77,25 +78,10 @@ void run_equilibrium(const EquilibriumRequest& request) {
          fmt::format("the curve ends at the length {}, where the force has fallen to zero",
                      readable(scales.physical_length(points.back().S), input.reduced ? kind::number : kind::length)));
 
-  std::vector<double> length, drawn_in, friction_used, deflection, force;
-  for (const EquilibriumPoint& point : points) {
-    const double between =
-        fibre.on_edges() ? point.S : fibre.length_between_contacts(fibre.bent(point.w, point.q).state);
-    length.push_back(scales.physical_length(between));
-    drawn_in.push_back(scales.physical_length(point.S - 1));
-    friction_used.push_back(point.q);
-    deflection.push_back(scales.physical_length(point.w));
-    force.push_back(scales.physical_force(point.F));
-  }
-  const bool json = request.output.json;
-  const auto title = [&](std::string_view symbol, std::string_view word, std::string_view unit) {
-    return json ? std::string(word) : column_title(symbol, unit, input.reduced);
-  };
-  std::vector<OutputColumn> columns{{title("S", "length", "m"), length},
-                                    {request.region ? "q" : "mu", friction_used},
-                                    {title("w", "deflection", "m"), deflection},
-                                    {title("F", "force", "N"), force}};
-  if (!fibre.on_edges()) columns.push_back({title("drawn_in", "drawn_in", "m"), drawn_in});
+  Equilibria told{status == EquilibriumStatus::ok ? "ok" : "branch_ended", {}};
+  for (const EquilibriumPoint& point : points)
+    told.points.push_back(
+        {point, fibre.on_edges() ? point.S : fibre.length_between_contacts(fibre.bent(point.w, point.q).state)});
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};
     draw_for(request.output,
@@ -103,12 +89,12 @@ void run_equilibrium(const EquilibriumRequest& request) {
                             : equilibrium_figure(friction, fibre, S_max, units),
              request.figure);
   }
-  if (json)
-    write_json(request.output.path, {{"status", status == EquilibriumStatus::ok ? "ok" : "branch_ended"},
-                                     {"units", units_json(input.reduced)},
-                                     {request.region ? "region" : "curve", rows_json(columns)}});
+  const EquilibriumColumns columns{request.region, !fibre.on_edges()};
+  const Frame frame{scales, input.reduced};
+  if (request.output.json)
+    write_json(request.output.path, equilibria_fields(columns)(told, frame));
   else
-    write_table(request.output.path, columns);
+    write_csv(request.output.path, equilibrium_fields(columns), told.points, frame);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "answers/fit_fields.h"
+#include "answers/fit_tables.h"
 #include "cases/fitted_test.h"
 #include "cli/analysis_flags.h"
 #include "cli/case_flags.h"
@@ -16,7 +18,6 @@
 #include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/fit_json.h"
 #include "report/fit_screen.h"
 #include "report/fit_text.h"
 #include "report/report.h"
@@ -32,7 +33,7 @@ struct FitRequest {
   Output output;
 };
 
-std::string what_failed(const FittedTest& test, const std::string& status) {
+std::string what_failed(const FittedTest& test, std::string_view status) {
   if (status == "too_few_points")
     return fmt::format(
         "{}: fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
@@ -76,7 +77,7 @@ void run_fit(const FitRequest& request) {
     write_json(request.output.path, fit_json(test));
   else
     write_text(request.output.path, request.full ? fit_text(test) : fit_screen(test));
-  const std::string status = status_of(test);
+  const std::string_view status = status_of(test);
   if (status != "ok") throw CalculationFailed(what_failed(test, status));
 }
 

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "answers/profile_fields.h"
+#include "answers/state_fields.h"
 #include "cases/problem.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
@@ -72,29 +73,27 @@ void invert_states(const InvertRequest& request) {
   require_domain(table);
   const std::vector<double>& w = table.columns[0].values;
   const std::vector<double>& F = table.columns[1].values;
-  std::vector<double> S(w.size(), std::numeric_limits<double>::quiet_NaN());
-  std::vector<double> q = S;
+  std::vector<InvertedState> states;
   std::vector<std::size_t> unexplained;
   const Supports supports = supports_of(request, kind::number, Scales(1, 1), std::nullopt);
   for (std::size_t row = 0; row < w.size(); ++row) {
-    bool is_told = false;
+    states.push_back({.w = w[row], .F = F[row]});
+    const auto tell = [&](double S, double q) { states.back().S = S, states.back().q = q; };
     if (!request.on_supports()) {
       const FibreState state = fibre_state_from_force(w[row], F[row]);
-      is_told = state.status == FibreStatus::ok;
-      if (is_told) S[row] = state.S, q[row] = state.q;
+      if (state.status == FibreStatus::ok) tell(state.S, state.q);
     } else if (w[row] > 0 && w[row] <= deepest_on_supports) {
       const SupportedState state = state_on_supports_from_force(w[row], F[row], supports);
-      is_told = state.status == FibreStatus::ok;
-      if (is_told) S[row] = state.length, q[row] = state.q;
+      if (state.status == FibreStatus::ok) tell(state.length, state.q);
     }
-    if (!is_told) unexplained.push_back(row);
+    if (!states.back().q) unexplained.push_back(row);
   }
-  const std::vector<OutputColumn> columns{{"w", w}, {"F", F}, {"S", S}, {"q", q}};
+  const Frame frame{Scales(1, 1), true};
   if (request.output.json)
-    write_json(request.output.path,
-               {{"status", unexplained.empty() ? "ok" : "no_friction"}, {"states", rows_json(columns)}});
+    write_json(request.output.path, states_fields(no_friction, inverted_fields())(
+                                        {unexplained.empty() ? "ok" : "no_friction", states}, frame));
   else
-    write_table(request.output.path, columns);
+    write_csv(request.output.path, inverted_fields(), states, frame);
   if (unexplained.empty()) return;
   const std::size_t row = unexplained.front();
   const double most = request.on_supports() ? largest_q_on_supports : largest_q;
@@ -102,20 +101,6 @@ void invert_states(const InvertRequest& request) {
       "{}:{}: no friction from {:g} to {:g} explains w = {}, F = {}{}", table.source, table.line_of(row), -most, most,
       w[row], F[row],
       unexplained.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", unexplained.size() - 1)));
-}
-
-std::string_view name_of(StiffnessSource source) {
-  switch (source) {
-    case StiffnessSource::stated:
-      return "stated";
-    case StiffnessSource::assumed_error:
-      return "stated_without_uncertainty";
-    case StiffnessSource::initial_slope:
-      return "initial_slope";
-    case StiffnessSource::mirror:
-      return "mirror_symmetry";
-  }
-  throw std::invalid_argument("no such source of the bending stiffness");
 }
 
 void note_assumptions(const Output& output, const BendingStiffnessUsed& stiffness) {
@@ -149,57 +134,12 @@ void invert_case(const InvertRequest& request) {
          fmt::format("no friction from {:g} to {:g} explains {} readings, left out; the first is row {}", -most, most,
                      profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
 
-  std::vector<double> row, stage, deflection, force, length, drawn_in, imaged, position, mu, error, from_force,
-      from_stiffness, from_contact;
-  for (const ProfilePoint& point : profile.points) {
-    row.push_back(static_cast<double>(file_row(measurement, point.index)));
-    stage.push_back(measurement.record.stage[point.index]);
-    deflection.push_back(measurement.record.deflection[point.index]);
-    force.push_back(measurement.record.force[point.index]);
-    length.push_back(scales.physical_length(point.length));
-    drawn_in.push_back(scales.physical_length(point.S - 1));
-    imaged.push_back(scales.physical_length(point.imaged));
-    position.push_back(scales.physical_length(0.5 * point.length));
-    mu.push_back(point.mu);
-    error.push_back(standard_error(point));
-    from_force.push_back(point.from_force);
-    from_stiffness.push_back(point.from_bending_stiffness);
-    from_contact.push_back(point.from_contact);
-  }
-  const bool json = request.output.json;
-  const auto title = [&](std::string_view name, std::string_view unit) {
-    return json ? std::string(name) : column_title(name, unit, input.reduced);
-  };
-  const std::vector<OutputColumn> columns{{"row", row},
-                                          {title(json ? "stage" : "w_s", "m"), stage},
-                                          {title(json ? "deflection" : "w", "m"), deflection},
-                                          {title(json ? "force" : "F", "N"), force},
-                                          {title(json ? "length" : "S", "m"), length},
-                                          {title("drawn_in", "m"), drawn_in},
-                                          {title("imaged", "m"), imaged},
-                                          {title("position", "m"), position},
-                                          {"mu", mu},
-                                          {"mu_error", error},
-                                          {"mu_error_force", from_force},
-                                          {"mu_error_bending_stiffness", from_stiffness},
-                                          {"mu_error_contact", from_contact}};
-  if (json) {
-    Json unexplained = Json::array();
-    for (const std::size_t index : profile.unexplained) unexplained.push_back(file_row(measurement, index));
-    write_json(request.output.path, {{"status", profile.points.empty() ? "nothing_explained" : "ok"},
-                                     {"units", units_json(input.reduced)},
-                                     {"bending_stiffness",
-                                      {{"value", stiffness.value},
-                                       {"relative_error", stiffness.relative_error},
-                                       {"source", name_of(stiffness.source)}}},
-                                     {"contact_offset", measurement.contact_offset},
-                                     {"force_noise", measurement.force_noise},
-                                     {"last_row", last_file_row(measurement, measurement.record.force.size() - 1)},
-                                     {"profile", rows_json(columns)},
-                                     {"unexplained", unexplained}});
-  } else {
-    write_table(request.output.path, columns);
-  }
+  const ReadTest read{measurement, stiffness, profile};
+  const Frame frame = frame_of(read, scales);
+  if (request.output.json)
+    write_json(request.output.path, read_test_fields()(read, frame));
+  else
+    write_csv(request.output.path, profile_fields(), points_of(measurement.record, profile), frame);
   if (profile.points.empty())
     throw CalculationFailed(fmt::format(
         "{}: no reading tells a friction: all deflections are below {}, or no friction explains them; "

@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "answers/key_fields.h"
 #include "cases/case_keys.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"
-#include "io/json.h"
+#include "result/json.h"
 
 namespace flexslip {
 namespace {
@@ -17,20 +18,12 @@ struct KeysRequest {
   Output output;
 };
 
-Json json_of(const CaseKey& key) {
-  const auto text = [](std::string_view value) { return value.empty() ? Json() : Json(value); };
-  return {{"section", key.section},       {"name", key.name},
-          {"holds", what_holds(key)},     {"example", text(key.example)},
-          {"reduced", text(key.reduced)}, {"flag", text(key.flag)},
-          {"meaning", key.meaning},       {"more", key.more}};
-}
-
 void run_keys(const KeysRequest& request) {
   Json all = Json::array();
   std::string text, section;
   for (const CaseKey& key : case_keys()) {
     if (!request.section.empty() && key.section != request.section) continue;
-    all.push_back(json_of(key));
+    all.push_back(key_fields()(key, {}));
     if (key.section != section) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.section);
     section = key.section;
     text += fmt::format("  {:<20} {}\n{:23}{}{}\n", key.name, key.meaning, "", what_holds(key),

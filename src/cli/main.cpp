@@ -110,6 +110,7 @@ int run(int argc, char** argv) {
   add_merge_command(app);
   add_state_command(app);
   add_keys_command(app);
+  add_results_command(app);
   add_completions_command(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) command->group("Commands");
 

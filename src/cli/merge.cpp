@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "answers/sweep_fields.h"
 #include "cases/sweep_file.h"
 #include "cases/sweep_parts.h"
 #include "cli/commands.h"
@@ -49,7 +50,7 @@ void run_merge(const MergeRequest& request) {
   const bool is_gone = std::none_of(request.folders.begin(), request.folders.end(), is_there);
   if (is_gone && digest_of_sweep_file(path)) {
     note(request.output, fmt::format("no {}, but {} is there, the file of a sweep", request.folders.front(), path));
-    if (request.output.json) write_json("-", {{"status", "done"}, {"file", path}});
+    if (request.output.json) write_json("-", sweep_fields()({.status = "done", .file = path}, {}));
     return;
   }
   for (const std::string& folder : request.folders) {

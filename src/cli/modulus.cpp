@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "answers/standard_fields.h"
 #include "cases/measurement.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
@@ -13,9 +14,7 @@
 #include "io/quantity.h"
 #include "io/text_file.h"
 #include "report/plain_text.h"
-#include "report/preparation_json.h"
 #include "report/preparation_words.h"
-#include "report/small_deflection_json.h"
 #include "report/small_deflection_words.h"
 
 namespace flexslip {
@@ -67,9 +66,7 @@ void run_modulus(const ModulusRequest& request) {
   const SmallDeflection numbers = small_deflection(measurement.record, geometry, options);
   const StandardTest test{measurement, geometry, numbers, measurement.test.reduced};
   if (request.output.json) {
-    Json out = small_deflection_json(test);
-    out["preparation"] = preparation_json(measurement.preparation);
-    write_json(request.output.path, out);
+    write_json(request.output.path, modulus_fields()(test, frame_of(test)));
   } else {
     write_text(request.output.path, text_of(test));
   }

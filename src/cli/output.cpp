@@ -2,8 +2,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <span>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -43,23 +41,6 @@ void draw_for(const Output& output, const Figure& figure, const std::string& pat
 
 void note(const Output& output, std::string_view remark) {
   if (!output.quiet) std::cerr << fmt::format("flexslip: {}\n", remark);
-}
-
-std::string column_title(std::string_view name, std::string_view unit, bool reduced) {
-  return reduced ? std::string(name) : fmt::format("{} [{}]", name, unit);
-}
-
-Json rows_json(const std::vector<OutputColumn>& columns) {
-  Json rows = Json::array();
-  const auto size = [](const auto& cells) { return cells.size(); };
-  const std::size_t count = columns.empty() ? 0 : std::visit(size, columns.front().cells);
-  for (std::size_t row = 0; row < count; ++row) {
-    Json object = Json::object();
-    for (const OutputColumn& column : columns)
-      std::visit([&](const auto& cells) { object[column.title] = cells[row]; }, column.cells);
-    rows.push_back(std::move(object));
-  }
-  return rows;
 }
 
 }  // namespace flexslip

@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "io/json.h"
-#include "io/table.h"
 #include "report/figure.h"
+#include "result/json.h"
+#include "result/table.h"
 
 namespace flexslip {
 
@@ -32,11 +32,5 @@ void draw_for(const Output& output, const Figure& figure, const std::string& pat
 
 // A remark on standard error: what was assumed, left out or cut short.
 void note(const Output& output, std::string_view remark);
-
-// "w [m]", or "w" if the case is reduced.
-std::string column_title(std::string_view name, std::string_view unit, bool reduced);
-
-// The columns as JSON: one object a row.
-Json rows_json(const std::vector<OutputColumn>& columns);
 
 }  // namespace flexslip

@@ -10,7 +10,7 @@
 #include "cli/output.h"
 #include "instruments/canonical.h"
 #include "instruments/export.h"
-#include "instruments/export_json.h"
+#include "instruments/export_fields.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -135,7 +135,7 @@ void run_read(const ReadRequest& request) {
   const std::size_t chosen = chosen_specimen(request, file);
   if (request.specimen > 0) file.repeat_with += fmt::format(" --specimen {}", request.specimen);
   if (request.output.json)
-    write_json(request.output.path, export_json(file, chosen));
+    write_json(request.output.path, export_fields()({file, chosen}, {}));
   else
     write_canonical(request.output.path, file, file.specimens[chosen]);
   if (!request.output.json) note_decisions(request, file, file.specimens[chosen]);

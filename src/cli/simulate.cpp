@@ -2,18 +2,18 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <optional>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "answers/path_fields.h"
 #include "bending_test/history.h"
 #include "bending_test/rolling.h"
 #include "cases/problem.h"
+#include "cases/simulated_test.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
@@ -22,7 +22,8 @@
 #include "fibre/elastica.h"
 #include "io/input_error.h"
 #include "report/model_figures.h"
-#include "report/path_legs.h"
+#include "result/json.h"
+#include "result/table.h"
 
 namespace flexslip {
 namespace {
@@ -38,82 +39,6 @@ struct SimulateRequest {
   std::vector<std::string> equilibria_at;
   Output output;
 };
-
-std::string_view name_of(Motion motion) {
-  switch (motion) {
-    case Motion::stick:
-      return "stick";
-    case Motion::slip_in:
-      return "slip_in";
-    case Motion::slip_out:
-      return "slip_out";
-    case Motion::snap:
-      return "snap";
-    case Motion::crack:
-      return "crack";
-    case Motion::apart:
-      return "apart";
-  }
-  throw std::invalid_argument("no such motion");
-}
-
-// The path of a history in SI, as it is written.
-struct SimulatedTest {
-  std::vector<double> stage, deflection, force, length, friction;
-  std::vector<double> drawn_in, imaged;  // empty where both are told by the length: on edges, of no thickness
-  std::vector<double> strain, stress;    // of the surface at midspan; empty without a section
-  std::vector<std::string_view> motion;
-  std::vector<double> left, right;  // drawn in over each support; empty where both are alike
-  std::vector<double> stage_work, bending, load_train, friction_heat, snaps, cracks;  // from the start of the test
-};
-
-SimulatedTest physical_path(const History& history, const Fibre& fibre, const Scales& scales,
-                            const std::optional<SurfaceStrain>& surface) {
-  SimulatedTest test;
-  for (const PathPoint& point : history.path) {
-    test.stage.push_back(scales.physical_length(point.stage));
-    test.deflection.push_back(scales.physical_length(point.w));
-    test.force.push_back(scales.physical_force(point.F));
-    test.friction.push_back(point.q);
-    test.motion.push_back(name_of(point.motion));
-    const FibreState state = state_at(fibre, point);
-    test.length.push_back(scales.physical_length(fibre.length_between_contacts(state)));
-    if (!fibre.on_edges()) {
-      test.drawn_in.push_back(scales.physical_length(point.S - 1));
-      test.imaged.push_back(scales.physical_length(fibre.imaged_length(state)));
-    }
-    if (!surface) continue;
-    const double curvature = fibre.curvature_at_midspan(state);
-    test.strain.push_back(surface->strain(curvature));
-    test.stress.push_back(surface->stress(curvature) * point.left);
-  }
-  for (const auto& [left, right] : history.contacts) {
-    test.left.push_back(scales.physical_length(left));
-    test.right.push_back(scales.physical_length(right));
-  }
-  for (const EnergyAccount& account : history.energy_at) {
-    test.stage_work.push_back(scales.physical_energy(account.stage_work));
-    test.bending.push_back(scales.physical_energy(account.bending));
-    test.load_train.push_back(scales.physical_energy(account.load_train));
-    test.friction_heat.push_back(scales.physical_energy(account.friction));
-    test.snaps.push_back(scales.physical_energy(account.snaps));
-    test.cracks.push_back(scales.physical_energy(account.cracks));
-  }
-  return test;
-}
-
-// Gaussian noise on the force, and so on the deflection, which an experiment infers from the force and the stage.
-void add_noise(SimulatedTest& test, double deviation, double stiffness, std::uint64_t seed) {
-  std::mt19937_64 generator(seed);
-  const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
-  for (std::size_t i = 0; i < test.force.size(); ++i) {
-    // Box & Muller, because std::normal_distribution differs between libraries.
-    const double radius = std::sqrt(-2 * std::log(uniform()));
-    const double error = deviation * radius * std::cos(2 * std::numbers::pi * uniform());
-    test.force[i] += error;
-    test.deflection[i] -= error / stiffness;
-  }
-}
 
 double noise_of(const SimulateRequest& request, const Case& input) {
   if (request.noise.empty()) return 0;
@@ -136,90 +61,22 @@ std::vector<double> marked_stages(const SimulateRequest& request, const Case& in
   return stages;
 }
 
-std::string_view name_of(HistoryStatus status) {
-  switch (status) {
-    case HistoryStatus::ok:
-      return "ok";
-    case HistoryStatus::slipped_through:
-      return "slipped_through";
-    case HistoryStatus::contact_lost:
-      return "contact_lost";
-  }
-  throw std::invalid_argument("no such status");
+PathColumns columns_of(const SimulatedTest& test, const SimulateRequest& request) {
+  return {test.has_surface, test.has_three_lengths, test.has_two_sides, request.energies};
 }
 
-// The snaps, each with the heat of its friction and the energy that it sets free.
-Json snaps_with_energy_json(const std::vector<Snap>& snaps, const Scales& scales) {
-  Json out = snaps_json(snaps, scales);
-  for (std::size_t i = 0; i < snaps.size(); ++i) {
-    out[i]["friction"] = scales.physical_energy(snaps[i].friction);
-    out[i]["released"] = scales.physical_energy(snaps[i].released);
-  }
-  return out;
-}
-
-// The cracks, each with the energy that it sets free and with what is left of the bending stiffness.
-Json cracks_json(const std::vector<CrackOpened>& cracks, const Scales& scales) {
-  Json out = Json::array();
-  for (const CrackOpened& crack : cracks)
-    out.push_back({{"stage", scales.physical_length(crack.stage)},
-                   {"deflection_before", scales.physical_length(crack.before.w)},
-                   {"deflection_after", scales.physical_length(crack.after.w)},
-                   {"force_before", scales.physical_force(crack.before.F)},
-                   {"force_after", scales.physical_force(crack.after.F)},
-                   {"left", crack.after.left},
-                   {"released", scales.physical_energy(crack.released)}});
-  return out;
-}
-
-// The energies of a whole test, and what they make of the area under its curve.
-Json test_energy_json(const EnergyAccount& account, const Scales& scales) {
-  Json out = energy_json(account, scales);
-  out["cracks"] = scales.physical_energy(account.cracks);
-  const double lost = account.friction + account.snaps;
-  out["work_of_fracture"] = scales.physical_energy(work_of_fracture(account));
-  out["friction_share"] = lost / work_of_fracture(account);
-  out["remaining"] = scales.physical_energy(work_of_fracture(account) - lost);
-  return out;
-}
-
-// The path of a history as a user reads it: on request with the energies.
-std::vector<OutputColumn> columns_of(const SimulatedTest& test, const SimulateRequest& request, bool reduced) {
-  const bool json = request.output.json;
-  const auto title = [&](std::string_view symbol, std::string_view word, std::string_view unit) {
-    return json ? std::string(word) : column_title(symbol, unit, reduced);
-  };
-  std::vector<OutputColumn> columns{{title("w_s", "stage", "m"), test.stage},
-                                    {title("w", "deflection", "m"), test.deflection},
-                                    {title("F", "force", "N"), test.force},
-                                    {title("S", "length", "m"), test.length},
-                                    {"q", test.friction},
-                                    {"motion", test.motion}};
-  if (!test.imaged.empty()) {
-    columns.push_back({title("drawn_in", "drawn_in", "m"), test.drawn_in});
-    columns.push_back({title("imaged", "imaged", "m"), test.imaged});
-  }
-  if (!test.strain.empty()) {
-    columns.push_back({"strain", test.strain});
-    columns.push_back({title("stress", "stress", "Pa"), test.stress});
-  }
-  if (!test.left.empty()) {
-    columns.push_back({title("left", "left", "m"), test.left});
-    columns.push_back({title("right", "right", "m"), test.right});
-  }
-  if (!request.energies) return columns;
-  for (const auto& [name, values] :
-       {std::pair{"stage_work", &test.stage_work}, std::pair{"bending", &test.bending},
-        std::pair{"load_train", &test.load_train}, std::pair{"friction", &test.friction_heat},
-        std::pair{"snaps", &test.snaps}, std::pair{"cracks", &test.cracks}})
-    columns.push_back({title(name, name, "J"), *values});
-  return columns;
+void write_test(const SimulateRequest& request, const SimulatedTest& test, const Scales& scales, bool reduced) {
+  const Frame frame{scales, reduced};
+  if (request.output.json)
+    write_json(request.output.path, simulation_fields(columns_of(test, request))(test, frame));
+  else
+    write_csv(request.output.path, path_fields(columns_of(test, request)), test.path, frame);
 }
 
 // Why the path ends before its programme does.
 std::string reason_of_end(const Case& input, HistoryStatus status, const SimulatedTest& test) {
   const std::string last =
-      readable(test.stage.empty() ? 0 : test.stage.back(), input.reduced ? kind::number : kind::length);
+      readable(test.path.empty() ? 0 : test.path.back().stage, input.reduced ? kind::number : kind::length);
   if (status == HistoryStatus::slipped_through)
     return fmt::format("{}: the specimen slips through the supports after the stage position {}: the path ends there",
                        input.source, last);
@@ -257,30 +114,20 @@ std::string lift_in_words(const Case& input, const History& history, const Scale
       readable(scales.physical_length(apart->w), input.reduced ? kind::number : kind::length));
 }
 
-// Where the specimen first wraps the nose; null where it does not.
-Json wrap_json(const Case& input, const History& history, const Fibre& fibre, const Scales& scales) {
-  const double most = nose_curvature_of(input, input.specimen->section, scales);
-  if (std::isinf(most)) return nullptr;
-  const auto wraps = std::find_if(history.path.begin(), history.path.end(), [&](const PathPoint& point) {
-    return fibre.curvature_at_midspan(state_at(fibre, point)) > most;
-  });
-  return wraps == history.path.end() ? Json() : Json(scales.physical_length(wraps->stage));
-}
-
 // What the mechanics leaves out of a specimen: that it breaks, and that it shears.
 std::vector<std::string> left_out_in_words(const Case& input, const SimulatedTest& test, const Scales& scales) {
   std::vector<std::string> remarks;
   const SpecimenInput& specimen = *input.specimen;
   const double breaks_at = breaking_curvature_of(specimen, surface_of(input, scales));
   const auto surface = surface_of(input, scales);
-  const auto breaks = surface ? std::find_if(test.strain.begin(), test.strain.end(),
-                                             [&](double strain) { return strain >= surface->strain(breaks_at); })
-                              : test.strain.end();
-  if (breaks != test.strain.end())
+  const auto breaks =
+      surface ? std::find_if(test.path.begin(), test.path.end(),
+                             [&](const SimulatedPoint& point) { return point.strain >= surface->strain(breaks_at); })
+              : test.path.end();
+  if (breaks != test.path.end())
     remarks.push_back(fmt::format(
         "the specimen would break at the stage position {}, as stated: what follows is that of one that bears more",
-        readable(test.stage[static_cast<std::size_t>(breaks - test.strain.begin())],
-                 input.reduced ? kind::number : kind::length)));
+        readable(breaks->stage, input.reduced ? kind::number : kind::length)));
   constexpr double worth_a_word = 0.01;
   if (specimen.section)
     if (const double share = shear_share(*specimen.section, scales.span()); share > worth_a_word)
@@ -310,7 +157,15 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
     const int parts = programme.in_steps ? 1 : request.points;
     for (int j = 1; j <= parts; ++j) stages.push_back(j < parts ? from + (to - from) * j / parts : to);
   }
-  SimulatedTest test;
+  SimulatedTest test{.status = {},
+                     .path = {},
+                     .snaps = {},
+                     .cracks = {},
+                     .wraps_nose_from = {},
+                     .legs = {},
+                     .has_surface = surface.has_value(),
+                     .has_three_lengths = true,
+                     .has_two_sides = false};
   EnergyAccount energy{};
   bool gets_there = true;
   // A roller needs friction to roll.
@@ -330,40 +185,25 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
       slides_from = position;
       friction_there = std::abs(state.q);
     }
-    test.stage.push_back(position);
-    test.deflection.push_back(scales.physical_length(state.w));
-    test.force.push_back(scales.physical_force(state.F));
-    test.length.push_back(scales.physical_length(state.length));
-    test.friction.push_back(state.q);
-    test.motion.emplace_back("rolls");
-    test.drawn_in.push_back(scales.physical_length(state.slid));
-    test.imaged.push_back(scales.physical_length(state.imaged));
-    if (surface) {
-      test.strain.push_back(surface->strain(state.curvature));
-      test.stress.push_back(surface->stress(state.curvature));
-    }
     energy.bending = state.U;
     energy.load_train = std::isinf(stiffness) ? 0 : 0.5 * state.F * state.F / stiffness;
     energy.stage_work = energy.bending + energy.load_train;
-    for (const auto& [column, value] :
-         {std::pair{&test.stage_work, energy.stage_work}, std::pair{&test.bending, energy.bending},
-          std::pair{&test.load_train, energy.load_train}, std::pair{&test.friction_heat, 0.0},
-          std::pair{&test.snaps, 0.0}, std::pair{&test.cracks, 0.0}})
-      column->push_back(scales.physical_energy(value));
+    test.path.push_back({.stage = position,
+                         .deflection = scales.physical_length(state.w),
+                         .force = scales.physical_force(state.F),
+                         .length = scales.physical_length(state.length),
+                         .q = state.q,
+                         .motion = "rolls",
+                         .drawn_in = scales.physical_length(state.slid),
+                         .imaged = scales.physical_length(state.imaged),
+                         .strain = surface ? surface->strain(state.curvature) : 0,
+                         .stress = surface ? surface->stress(state.curvature) : 0,
+                         .energy = energy});
   }
-  add_noise(test, noise_of(request, input), rig_stiffness_of(input), request.seed);
-  const std::vector<OutputColumn> columns = columns_of(test, request, input.reduced);
-  if (request.output.json)
-    write_json(request.output.path, {{"status", gets_there ? "ok" : "not_computable"},
-                                     {"units", units_json(input.reduced)},
-                                     {"path", rows_json(columns)},
-                                     {"snaps", Json::array()},
-                                     {"cracks", Json::array()},
-                                     {"wraps_nose_from", nullptr},
-                                     {"legs", Json::array()},
-                                     {"energy", test_energy_json(energy, scales)}});
-  else
-    write_table(request.output.path, columns);
+  test.status = gets_there ? "ok" : "not_computable";
+  test.energy = energy;
+  add_noise(test.path, noise_of(request, input), rig_stiffness_of(input), request.seed);
+  write_test(request, test, scales, input.reduced);
   for (const std::string& remark : left_out_in_words(input, test, scales)) note(request.output, remark);
   if (slides_from)
     note(
@@ -377,7 +217,7 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
         "more "
         "than {:g} spans, or the rollers, with half of its thickness, take more than {:g} of the distance that is left "
         "between them",
-        input.source, shown(test.stage.back()), deepest_on_supports, widest_supports));
+        input.source, shown(test.path.back().stage), deepest_on_supports, widest_supports));
 }
 
 void run_simulate(const SimulateRequest& request) {
@@ -407,20 +247,19 @@ void run_simulate(const SimulateRequest& request) {
                               ? follow_in_steps(bending_test, stages, cracks, progress)
                               : follow_continuously(bending_test, stages, request.points, cracks, progress);
   if (const std::string lift = lift_in_words(input, history, scales); !lift.empty()) note(request.output, lift);
-  const Json wraps = wrap_json(input, history, bending_test.rig.fibre, scales);
-  if (!wraps.is_null())
-    note(
-        request.output,
-        fmt::format("from the stage position {} on the specimen is bent more sharply than the nose, and wraps it: what "
-                    "follows is that of a sharp nose",
-                    readable(wraps.get<double>(), input.reduced ? kind::number : kind::length)));
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
-
-  SimulatedTest test = physical_path(history, bending_test.rig.fibre, scales, surface_of(input, scales));
+  SimulatedTest test = simulated(input, history, bending_test.rig.fibre, scales, leg_options);
+  if (test.wraps_nose_from)
+    note(request.output,
+         fmt::format(
+             "from the stage position {} on the specimen is bent more sharply than the nose, and wraps it: what "
+             "follows is that of a sharp nose",
+             readable(scales.physical_length(*test.wraps_nose_from), input.reduced ? kind::number : kind::length)));
   // A stage in steps stands where it was asked to, without the rounding of there and back.
-  if (programme.in_steps) std::copy_n(programme.positions.begin(), test.stage.size(), test.stage.begin());
+  if (programme.in_steps)
+    for (std::size_t i = 0; i < test.path.size(); ++i) test.path[i].stage = programme.positions[i];
   for (const std::string& remark : left_out_in_words(input, test, scales)) note(request.output, remark);
-  add_noise(test, noise, rig_stiffness_of(input), request.seed);
+  add_noise(test.path, noise, rig_stiffness_of(input), request.seed);
 
   if (!request.figure.empty()) {
     const DrawnIn units{scales, input.reduced};
@@ -431,18 +270,7 @@ void run_simulate(const SimulateRequest& request) {
                             : overall_equilibria_figure(bending_test.friction.kinetic, bending_test.rig, marked, units),
              request.figure);
   }
-  const std::vector<OutputColumn> columns = columns_of(test, request, input.reduced);
-  if (request.output.json)
-    write_json(request.output.path, {{"status", name_of(history.status)},
-                                     {"units", units_json(input.reduced)},
-                                     {"path", rows_json(columns)},
-                                     {"snaps", snaps_with_energy_json(history.snaps, scales)},
-                                     {"cracks", cracks_json(history.cracks, scales)},
-                                     {"wraps_nose_from", wraps},
-                                     {"legs", legs_json(history, legs_of(history, leg_options), scales)},
-                                     {"energy", test_energy_json(history.energy, scales)}});
-  else
-    write_table(request.output.path, columns);
+  write_test(request, test, scales, input.reduced);
   if (history.status != HistoryStatus::ok) throw CalculationFailed(reason_of_end(input, history.status, test));
 }
 

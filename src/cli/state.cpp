@@ -1,14 +1,12 @@
-#include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "answers/state_fields.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "fibre/elastica.h"
@@ -96,30 +94,24 @@ void require_domain(const Input& input) {
   }
 }
 
-constexpr std::array<std::string_view, 6> result_names{"w", "F", "theta0", "Pn", "U", "curvature"};
-constexpr std::array<std::string_view, 8> slope_names{"w_S", "w_q", "F_S", "F_q", "Pn_S", "Pn_q", "U_S", "U_q"};
-
-// What was calculated, and the rows for which there is no state.
-struct States {
-  std::vector<OutputColumn> columns;
-  std::vector<std::size_t> missing;
-};
-
-void write_states(const StateRequest& request, const States& states) {
+// What was calculated; the rows without a state are nan.
+template <class State>
+void write_states(const StateRequest& request, const Fields<State>& fields, const std::vector<State>& states,
+                  bool all_exist) {
+  const Frame frame{Scales(1, 1), true};
   if (request.output.json)
     write_json(request.output.path,
-               {{"status", states.missing.empty() ? "ok" : "beyond_branch"}, {"states", rows_json(states.columns)}});
+               states_fields(no_state, fields)({all_exist ? "ok" : "beyond_branch", states}, frame));
   else
-    write_table(request.output.path, states.columns);
+    write_csv(request.output.path, fields, states, frame);
 }
 
 std::string place_of(const Input& input, std::size_t row) {
   return input.source.empty() ? "" : fmt::format("{}:{}: ", input.source, input.lines[row]);
 }
 
-std::string likewise(const States& states) {
-  return states.missing.size() == 1 ? ""
-                                    : fmt::format("; likewise {} more rows, written as nan", states.missing.size() - 1);
+std::string likewise(const std::vector<std::size_t>& missing) {
+  return missing.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", missing.size() - 1);
 }
 
 void run_states_on_supports(const StateRequest& request, const Input& input) {
@@ -134,72 +126,49 @@ void run_states_on_supports(const StateRequest& request, const Input& input) {
   if (request.loose && !(supports.radius > 0))
     throw InputError(
         {.field = "--loose", .expected = "rollers with a radius", .found = "none", .remedy = "add --roller-radius"});
-  constexpr std::array<std::pair<const char*, double SupportedState::*>, 9> fields{
-      {{"q", &SupportedState::q},
-       {"F", &SupportedState::F},
-       {"theta0", &SupportedState::theta0},
-       {"Pn", &SupportedState::Pn},
-       {"U", &SupportedState::U},
-       {"curvature", &SupportedState::curvature},
-       {"length", &SupportedState::length},
-       {"slid", &SupportedState::slid},
-       {"imaged", &SupportedState::imaged}}};
-  States states{{{"w", input.values}}, {}};
-  std::array<std::vector<double>, fields.size()> results;
+  std::vector<RollerState> states;
+  std::vector<std::size_t> missing;
   for (std::size_t row = 0; row < input.q.size(); ++row) {
     const SupportedState state = request.loose ? state_on_loose_rollers(input.values[row], supports).state
                                                : state_on_supports(input.values[row], input.q[row], supports);
-    const bool exists = state.status == FibreStatus::ok;
-    if (!exists) states.missing.push_back(row);
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      results[i].push_back(exists ? state.*fields[i].second : std::numeric_limits<double>::quiet_NaN());
+    states.push_back({.w = input.values[row]});
+    if (state.status == FibreStatus::ok)
+      states.back().state = state;
+    else
+      missing.push_back(row);
   }
-  for (std::size_t i = 0; i < fields.size(); ++i) states.columns.push_back({fields[i].first, results[i]});
-  write_states(request, states);
-  if (states.missing.empty()) return;
-  const std::size_t row = states.missing.front();
+  write_states(request, roller_state_fields(), states, missing.empty());
+  if (missing.empty()) return;
+  const std::size_t row = missing.front();
   throw CalculationFailed(fmt::format("{}no state with a force found at w = {}{} on these supports{}",
                                       place_of(input, row), input.values[row],
-                                      request.loose ? "" : fmt::format(", q = {}", input.q[row]), likewise(states)));
+                                      request.loose ? "" : fmt::format(", q = {}", input.q[row]), likewise(missing)));
 }
 
 void run_state(const StateRequest& request) {
   const Input input = read_input(request);
   require_domain(input);
   if (request.on_supports()) return run_states_on_supports(request, input);
-  const std::size_t n = input.q.size();
-  const double none = std::numeric_limits<double>::quiet_NaN();
-
-  std::array<std::vector<double>, result_names.size()> results;
-  std::array<std::vector<double>, slope_names.size()> slopes;
-  for (auto& column : results) column.assign(n, none);
-  for (auto& column : slopes) column.assign(request.slopes ? n : 0, none);
-  States states{{{"S", input.values}, {"q", input.q}}, {}};
-  auto& [columns, missing] = states;
-  for (std::size_t row = 0; row < n; ++row) {
+  std::vector<EdgeState> states;
+  std::vector<std::size_t> missing;
+  for (std::size_t row = 0; row < input.q.size(); ++row) {
+    states.push_back({.S = input.values[row], .q = input.q[row]});
     const FibreState state = fibre_state(input.values[row], input.q[row]);
     if (state.status != FibreStatus::ok) {
       missing.push_back(row);
       continue;
     }
-    const std::array values{state.w, state.F, state.theta0, state.Pn, state.U, curvature_at_midspan(state)};
-    for (std::size_t i = 0; i < values.size(); ++i) results[i][row] = values[i];
-    if (!request.slopes || input.values[row] == 1) continue;
-    const FibreSlopes at = fibre_state_slopes(input.values[row], input.q[row]).slopes;
-    const std::array derivatives{at.w_S, at.w_q, at.F_S, at.F_q, at.Pn_S, at.Pn_q, at.U_S, at.U_q};
-    for (std::size_t i = 0; i < derivatives.size(); ++i) slopes[i][row] = derivatives[i];
+    states.back().state = state;
+    if (request.slopes && input.values[row] != 1)
+      states.back().slopes = fibre_state_slopes(input.values[row], input.q[row]).slopes;
   }
-
-  for (std::size_t i = 0; i < results.size(); ++i) columns.push_back({std::string(result_names[i]), results[i]});
-  if (request.slopes)
-    for (std::size_t i = 0; i < slopes.size(); ++i) columns.push_back({std::string(slope_names[i]), slopes[i]});
-  write_states(request, states);
+  write_states(request, edge_state_fields(request.slopes), states, missing.empty());
   if (missing.empty()) return;
 
   const std::size_t row = missing.front();
   throw CalculationFailed(fmt::format(
       "{}no state at S = {}, q = {}: there the force has fallen to zero, at S = {:.6g}{}", place_of(input, row),
-      input.values[row], input.q[row], fibre_branch_end(input.q[row]).S, likewise(states)));
+      input.values[row], input.q[row], fibre_branch_end(input.q[row]).S, likewise(missing)));
 }
 
 }  // namespace

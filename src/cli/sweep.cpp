@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "answers/sweep_fields.h"
 #include "cases/sweep_digest.h"
 #include "cases/sweep_parts.h"
 #include "cases/sweep_plan.h"
@@ -102,11 +103,10 @@ SweepRun compute(const SweepRequest& request, const SweepParts& parts, const Sha
 void report_shard(const SweepRequest& request, const SweepParts& parts, const Shard& shard, const SweepRun& run) {
   const std::string folder = parts.folder().string();
   if (request.output.json)
-    write_json("-", {{"status", "done"},
-                     {"parts", folder},
-                     {"shard", {shard.index, shard.count}},
-                     {"rows_found", run.rows_found},
-                     {"rows_computed", run.rows_computed}});
+    write_json(
+        "-", sweep_fields()({.status = "done",
+                             .shard = ToldShard{folder, {shard.index, shard.count}, run.rows_found, run.rows_computed}},
+                            {}));
   else
     write_text("-", fmt::format("shard {} of {}: {} designs in {}; flexslip merge joins all shards\n", shard.index,
                                 shard.count, run.rows_found + run.rows_computed, folder));
@@ -116,7 +116,7 @@ void report_shard(const SweepRequest& request, const SweepParts& parts, const Sh
 void report_done(const SweepRequest& request, const SweepPlan& plan, const std::string& path) {
   const std::string folder = parts_folder_of(path);
   note(request.output, fmt::format("{} is complete already", path));
-  if (request.output.json) write_json("-", {{"status", "done"}, {"file", path}, {"rows", plan.rows}});
+  if (request.output.json) write_json("-", sweep_fields()({.status = "done", .file = path, .rows = plan.rows}, {}));
   if (!SweepParts::are_in(folder)) return;
   const SweepParts parts(folder, plan);
   if (!parts.are_all_there())

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "answers/sweep_fields.h"
 #include "cases/design_result.h"
 #include "cases/sweep_file.h"
 #include "cases/sweep_row.h"
@@ -23,20 +24,9 @@
 namespace flexslip {
 namespace {
 
-std::string_view word(PartState state) { return state == PartState::damaged ? "damaged" : "missing"; }
-
 std::size_t count_of(const std::vector<PartFault>& faults, PartState state) {
   return static_cast<std::size_t>(
       std::count_if(faults.begin(), faults.end(), [&](const PartFault& fault) { return fault.state == state; }));
-}
-
-Json faults_json(const std::vector<PartFault>& faults, const SweepPlan& plan) {
-  Json list = Json::array();
-  for (const PartFault& fault : faults) {
-    const auto [first, count] = rows_of_chunk(plan, fault.chunk);
-    list.push_back({{"file", fault.file}, {"rows", {first + 1, first + count}}, {"state", word(fault.state)}});
-  }
-  return list;
 }
 
 // The call that computes what is missing from a folder.
@@ -49,26 +39,19 @@ std::string remedy(const SweepParts& parts) {
                      shell_word(output.string()));
 }
 
-std::string words_of(const std::vector<PartFault>& faults, const SweepParts& parts, const std::string& path) {
+std::string words_of(const SweepMerge& merge, const SweepParts& parts, const std::string& path) {
+  const auto& faults = merge.faults;
   constexpr std::size_t most = 20;
   std::string text =
       fmt::format("{} is not written: of {} parts, {} are missing and {} damaged\n", path, chunks_of(parts.plan()),
                   count_of(faults, PartState::missing), count_of(faults, PartState::damaged));
-  for (std::size_t i = 0; i < std::min(faults.size(), most); ++i) {
-    const auto [first, count] = rows_of_chunk(parts.plan(), faults[i].chunk);
-    text += fmt::format("  {}, rows {} to {}: {}\n", faults[i].file, first + 1, first + count, word(faults[i].state));
-  }
+  const std::vector<ToldFault> told = faults_of(merge, parts.plan());
+  for (std::size_t i = 0; i < std::min(told.size(), most); ++i)
+    text += fmt::format("  {}, rows {} to {}: {}\n", told[i].file, told[i].first_row, told[i].last_row, told[i].state);
   if (faults.size() > most) text += fmt::format("  and {} more (--json lists all)\n", faults.size() - most);
   return text +
          fmt::format("To compute only these, and join all: {}\nIn jobs: the same with --shard I/N, for any I and N",
                      remedy(parts));
-}
-
-Json counts_json(const std::vector<std::uint64_t>& counts) {
-  Json json = Json::object();
-  const auto& words = result_status_words;
-  for (std::size_t i = 0; i < words.size(); ++i) json[std::string(words[i])] = counts[i];
-  return json;
 }
 
 std::string words_of(const std::vector<std::uint64_t>& counts) {
@@ -115,12 +98,13 @@ void join_parts(std::span<const SweepParts> folders, const std::string& path, co
                                   folders.front().folder().string()));
   const bool is_done = merge.status == MergeStatus::done;
   if (output.json)
-    write_json("-", {{"status", is_done ? "done" : "incomplete"},
-                     {"file", path},
-                     {"rows", plan.rows},
-                     {"counts", is_done ? counts_json(merge.counts) : Json(nullptr)},
-                     {"faults", faults_json(merge.faults, plan)}});
-  if (!is_done) throw CalculationFailed(words_of(merge.faults, folders.front(), path));
+    write_json("-", sweep_fields()({.status = is_done ? "done" : "incomplete",
+                                    .file = path,
+                                    .rows = plan.rows,
+                                    .counts = is_done ? merge.counts : std::vector<std::uint64_t>(),
+                                    .faults = faults_of(merge, plan)},
+                                   {}));
+  if (!is_done) throw CalculationFailed(words_of(merge, folders.front(), path));
   if (!output.json) write_text("-", fmt::format("{}: {} designs ({})\n", path, plan.rows, words_of(merge.counts)));
 }
 

@@ -31,7 +31,7 @@ std::ptrdiff_t as_difference(std::size_t points) { return static_cast<std::ptrdi
 struct Straight {
   ForceWindow window;
   std::size_t first, last;
-  Slope slope;
+  Estimate slope;
   double origin;
 };
 
@@ -56,7 +56,8 @@ std::optional<Straight> straight_in(const Record& record, std::size_t points, do
   for (std::size_t i = 0; i < n; ++i) residuals[i] = F[i] - force_line.mean_y - slope * (w[i] - deflection_line.mean_y);
   const double error = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), most_correlation) /
                        (deflection_line.slope * std::sqrt(force_line.sum_xx));
-  return Straight{window, first, last, {slope, error}, deflection_line.mean_y - force_line.mean_y / slope};
+  return Straight{window, first, last, normal_estimate(slope, error),
+                  deflection_line.mean_y - force_line.mean_y / slope};
 }
 
 std::optional<Straight> steepest(const Record& record, std::size_t points, double most,
@@ -90,7 +91,7 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, const St
   const auto high = force_at(record, points, straight.origin + to);
   if (!low || !high || !(*high > *low)) return std::nullopt;
   const double noise = force_noise(record);
-  const Slope slope{(*high - *low) / (to - from), std::numbers::sqrt2 * noise / (to - from)};
+  const Estimate slope = normal_estimate((*high - *low) / (to - from), std::numbers::sqrt2 * noise / (to - from));
   return Chord{slope, from, to, slope.value * span * span * span / (48 * second_moment(section))};
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "data/estimate.h"
 #include "data/record.h"
 #include "data/section.h"
 
@@ -28,13 +29,9 @@ struct BeamGeometry {
   std::optional<Section> section;
 };
 
-struct Slope {
-  double value, error;  // [N/m] and its standard error, from scatter
-};
-
 // The chord of ISO 178, between the flexural strains 0.05 % and 0.25 %.
 struct Chord {
-  Slope stiffness;                        // [N/m]
+  Estimate stiffness;                     // [N/m] from scatter
   double deflection_from, deflection_to;  // [m] from the origin of the straight part
   double modulus;                         // [Pa]
 };
@@ -49,7 +46,7 @@ struct SmallDeflection {
   ForceWindow window;       // of the straight part
   double window_force;      // [N] that the window is in shares of
   std::size_t first, last;  // points [first, last) it was drawn through
-  Slope stiffness;          // [N/m] dF/dw0
+  Estimate stiffness;       // [N/m] dF/dw0, from scatter
   double origin;  // [m] the deflection at which the straight part meets zero force: the toe, where strain counts from
   double greatest_force;                    // [N]
   double deflection;                        // [m] at the greatest force, from the origin

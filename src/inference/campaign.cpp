@@ -9,7 +9,7 @@
 namespace flexslip {
 namespace {
 
-ParameterEstimate scaled(const ParameterEstimate& estimate, double unit) {
+Estimate scaled(const Estimate& estimate, double unit) {
   return {.value = estimate.value * unit,
           .standard_error = estimate.standard_error * unit,
           .low = estimate.low * unit,

@@ -25,21 +25,21 @@ struct TestSummary {
   SawtoothCategory category;
   bool suspect;  // its standing is suspect or untrusted
   Standing standing;
-  CrackVerdict drops_verdict;            // on its drops, of which there may be none
-  ProfileModel model;                    // that was fitted
-  ParameterEstimate mu0;                 // [1] mean friction over the fibre seen
-  bool mu0_is_bound;                     // the record does not tell it from none: mu0.high is its upper limit
-  FrictionRead friction_read;            // [1]
-  ParameterEstimate roughness;           // [1] 0 of a model without
-  ParameterEstimate correlation_length;  // [m] likewise
+  CrackVerdict drops_verdict;   // on its drops, of which there may be none
+  ProfileModel model;           // that was fitted
+  Estimate mu0;                 // [1] mean friction over the fibre seen
+  bool mu0_is_bound;            // the record does not tell it from none: mu0.high is its upper limit
+  FrictionRead friction_read;   // [1]
+  Estimate roughness;           // [1] 0 of a model without
+  Estimate correlation_length;  // [m] likewise
   // The likeliest wave, the paper's (4.25), claimed or only indicative; none of a model without.
-  std::optional<ParameterEstimate> amplitude{};   // [1]
-  std::optional<ParameterEstimate> wavelength{};  // [m]
-  std::optional<ParameterEstimate> phase{};       // [rad] φ
+  std::optional<Estimate> amplitude{};   // [1]
+  std::optional<Estimate> wavelength{};  // [m]
+  std::optional<Estimate> phase{};       // [rad] φ
   bool wave_claimed;
-  double log_evidence_of_wave;          // ln of the evidence with a wave over that without; NaN where not compared
-  ParameterEstimate bending_stiffness;  // [N m^2] EI
-  double residual_rms;                  // [N] of the fit's mean run forward
+  double log_evidence_of_wave;  // ln of the evidence with a wave over that without; NaN where not compared
+  Estimate bending_stiffness;   // [N m^2] EI
+  double residual_rms;          // [N] of the fit's mean run forward
   std::size_t drops;
   double friction_share;    // [1] of the measured work of fracture: friction and snaps
   double work_of_fracture;  // [J]

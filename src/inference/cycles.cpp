@@ -325,7 +325,7 @@ Information whiten(const Pairs& places, const Noise& noise) {
   return information;
 }
 
-struct Estimate {
+struct NormalStep {
   Eigen::VectorXd step;
   Eigen::MatrixXd covariance;
   double objective;  // -2 log of the restricted likelihood
@@ -343,7 +343,7 @@ class Estimator {
   Estimator(std::span<const Mirror> mirrors, const Calibration& calibration, const CyclesOptions& options)
       : mirrors_(mirrors), calibration_(calibration), options_(options) {}
 
-  Estimate estimate(const Noise& noise, Eigen::Index differences) const {
+  NormalStep estimate(const Noise& noise, Eigen::Index differences) const {
     const auto contacts = static_cast<Eigen::Index>(calibration_.contact.size());
     const Eigen::Index n = 1 + contacts + differences;
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
@@ -371,7 +371,7 @@ class Estimator {
       add_prior(1 + i, calibration_.contact[static_cast<std::size_t>(i)], options_.contact_error);
     if (differences > 0) add_prior(1 + contacts, 0, 1);  // a mean difference beyond 1 is none of friction
     const Eigen::LDLT<Eigen::MatrixXd> factors(A);
-    Estimate result{.step = factors.solve(b), .covariance = {}, .objective = 0};
+    NormalStep result{.step = factors.solve(b), .covariance = {}, .objective = 0};
     result.covariance = factors.solve(Eigen::MatrixXd::Identity(n, n));
     result.objective = log_determinant + squares - b.dot(result.step) + factors.vectorD().array().abs().log().sum();
     return result;
@@ -518,11 +518,11 @@ double effective_count(std::span<const double> a, std::span<const double> b) {
   return n / (1 + 2 * sum);
 }
 
-Measured root_mean_square(std::span<const double> values) {
+Estimate root_mean_square(std::span<const double> values) {
   double sum = 0;
   for (const double value : values) sum += value * value;
   const double rms = std::sqrt(sum / static_cast<double>(values.size()));
-  return {rms, rms / std::sqrt(2 * effective_count(values, values))};
+  return normal_estimate(rms, rms / std::sqrt(2 * effective_count(values, values)));
 }
 
 // What the covariance of ln EI and a contact makes of an error.
@@ -571,7 +571,7 @@ void describe_directions(FrictionLoop& loop, const Block& block, const Noise& no
     for (const auto& slope : slopes)
       for (std::size_t j = 0; j < 2; ++j) mean[j] += slope[j] / n;
     const double reading = noise.force * noise.force * mean_of(pairs.noise_of_unit) / (2 * n);
-    return Measured{mean_of(values), std::sqrt(systematic(mean, covariance) + reading)};
+    return normal_estimate(mean_of(values), std::sqrt(systematic(mean, covariance) + reading));
   };
   loop.mu_in = mean_with_error(pairs.in, pairs.in_slopes);
   loop.mu_out = mean_with_error(pairs.out, pairs.out_slopes);
@@ -581,7 +581,7 @@ void describe_directions(FrictionLoop& loop, const Block& block, const Noise& no
   const double mean = mean_of(difference);
   for (double& value : difference) value -= mean;
   const double spread = root_mean_square(difference).value;
-  loop.mean_difference = {mean, spread / std::sqrt(effective_count(difference, difference))};
+  loop.mean_difference = normal_estimate(mean, spread / std::sqrt(effective_count(difference, difference)));
   std::vector<double> variance;
   variance.reserve(loop.places);
   for (const double unit : pairs.noise_of_unit) variance.push_back(noise.force * noise.force * unit);
@@ -689,7 +689,7 @@ struct Fit {
   Calibration calibration;
   Eigen::MatrixXd covariance;  // of ln EI and the contacts
   Noise noise;
-  Measured asymmetry;
+  Estimate asymmetry;
   std::vector<Point> points;
   std::vector<Block> blocks;  // of each loop
 };
@@ -702,7 +702,7 @@ std::vector<Mirror> select_mirrors(std::span<const Block> blocks, const std::vec
 }
 
 // Takes the step of an estimate, shortened where it is too long for its linearisation; the step in standard errors.
-double advance(Calibration& calibration, const Estimate& estimate) {
+double advance(Calibration& calibration, const NormalStep& estimate) {
   const auto unknowns = static_cast<Eigen::Index>(1 + calibration.contact.size());
   double shortening = std::min(1.0, 0.1 / std::abs(estimate.step[0]));
   for (Eigen::Index i = 1; i < unknowns; ++i) shortening = std::min(shortening, 0.01 / std::abs(estimate.step[i]));
@@ -731,7 +731,7 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
       .calibration = {0, {0}},
       .covariance = {},
       .noise = {reading, 1e-5, 0.01},  // no difference: nothing tells one without a mirror
-      .asymmetry = {not_a_number, not_a_number},
+      .asymmetry = normal_estimate(not_a_number, not_a_number),
       .points = locate(record, rig, options.least_deflection, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
       .blocks = {}};
 
@@ -789,7 +789,8 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
     if ((iteration > settling + 2 && largest < 1e-3) || (iteration > settling + 10 && largest < 0.3)) {
       fit.status = CyclesStatus::ok;
       fit.covariance = estimate.covariance;
-      fit.asymmetry = {with_asymmetry.step[unknowns], std::sqrt(with_asymmetry.covariance(unknowns, unknowns))};
+      fit.asymmetry =
+          normal_estimate(with_asymmetry.step[unknowns], std::sqrt(with_asymmetry.covariance(unknowns, unknowns)));
       return fit;
     }
   }
@@ -859,8 +860,8 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
                         .legs = find_legs(record.stage, options.legs),
                         .points = {},
                         .loops = {},
-                        .log_stiffness = {0, options.stiffness_error},
-                        .asymmetry = {not_a_number, not_a_number},
+                        .log_stiffness = normal_estimate(0, options.stiffness_error),
+                        .asymmetry = normal_estimate(not_a_number, not_a_number),
                         .correlation = {not_a_number, not_a_number, not_a_number, 0},
                         .force_noise = 0,
                         .roughness_noise = 0,
@@ -877,7 +878,7 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
   const bool calibrated = fit.status == CyclesStatus::ok;
   const auto& covariance = fit.covariance;
   result.status = fit.status;
-  result.log_stiffness = {fit.calibration.log_stiffness, std::sqrt(covariance(0, 0))};
+  result.log_stiffness = normal_estimate(fit.calibration.log_stiffness, std::sqrt(covariance(0, 0)));
   result.asymmetry = fit.asymmetry;
   result.force_noise = fit.noise.force;
   result.roughness_noise = calibrated ? fit.noise.difference : not_a_number;
@@ -901,22 +902,23 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
                              .motion = motion_of(point, legs[point.leg].direction)});
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(loops[i].column) + 1;
-    FrictionLoop loop{.loading = loops[i].loading,
-                      .unloading = loops[i].unloading,
-                      .contact = {fit.calibration.contact[loops[i].column], std::sqrt(covariance(at, at))},
-                      .start = {},
-                      .turn = {},
-                      .slides_back = {},
-                      .end = {},
-                      .stick_advance = not_a_number,
-                      .places = 0,
-                      .mu_in = {not_a_number, not_a_number},
-                      .mu_out = {not_a_number, not_a_number},
-                      .mean_difference = {not_a_number, not_a_number},
-                      .rms_difference = {not_a_number, not_a_number},
-                      .correlation = {},
-                      .table = {},
-                      .error = {}};
+    FrictionLoop loop{
+        .loading = loops[i].loading,
+        .unloading = loops[i].unloading,
+        .contact = normal_estimate(fit.calibration.contact[loops[i].column], std::sqrt(covariance(at, at))),
+        .start = {},
+        .turn = {},
+        .slides_back = {},
+        .end = {},
+        .stick_advance = not_a_number,
+        .places = 0,
+        .mu_in = normal_estimate(not_a_number, not_a_number),
+        .mu_out = normal_estimate(not_a_number, not_a_number),
+        .mean_difference = normal_estimate(not_a_number, not_a_number),
+        .rms_difference = normal_estimate(not_a_number, not_a_number),
+        .correlation = {},
+        .table = {},
+        .error = {}};
     const auto errors = covariance_with(loops[i].column);
     describe_corners(loop, fit.points, legs.size());
     describe_directions(loop, fit.blocks[i], fit.noise, errors);

@@ -11,14 +11,11 @@
 
 #include "bending_test/rig.h"
 #include "contact/friction.h"
+#include "data/estimate.h"
 #include "data/legs.h"
 #include "data/record.h"
 
 namespace flexslip {
-
-struct Measured {
-  double value, standard_error;  // in the unit that the field states
-};
 
 struct CyclesOptions {
   double stiffness_error = 0.1;  // [1] what is known of EI beforehand: standard deviation of ln EI about nominal
@@ -62,14 +59,14 @@ BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const doubl
 // One loading and the unloading after it. Directions are compared at places where both have points.
 struct FrictionLoop {
   std::optional<std::size_t> loading, unloading;  // legs; not given: the record has none
-  Measured contact;                               // [L] stage position of the contact
+  Estimate contact;                               // [L] stage position of the contact
   std::optional<LoopCorner> start, turn;          // first point of the loading that slides; where the stage turned back
   std::optional<LoopCorner> slides_back, end;     // end of stick, and of the unloading; not given: it never slid back
   double stick_advance;    // [L] of S while q fell halfway from turn to slides_back: 0 in the model; NaN if it did not
   std::size_t places;      // compared, evenly over what both directions passed; 0: nothing on the directions is valid
-  Measured mu_in, mu_out;  // [1] means; errors are of EI, contact and noise, mostly common and of opposite sign
-  Measured mean_difference;     // [1] of μ_in - μ_out after calibration, which has made them alike as far as it can
-  Measured rms_difference;      // [1] of the same, noise of the readings included
+  Estimate mu_in, mu_out;  // [1] means; errors are of EI, contact and noise, mostly common and of opposite sign
+  Estimate mean_difference;     // [1] of μ_in - μ_out after calibration, which has made them alike as far as it can
+  Estimate rms_difference;      // [1] of the same, noise of the readings included
   BumpCorrelation correlation;  // of μ_in with μ_out
   FrictionTable table;          // μ as both directions support it; empty where nothing slid
   std::vector<double> error;    // [1] standard deviations of table.mu
@@ -87,10 +84,10 @@ struct CyclicFriction {
   std::vector<Leg> legs;
   std::vector<CyclicPoint> points;  // those past least_deflection that a friction explains, in the order of the record
   std::vector<FrictionLoop> loops;
-  Measured log_stiffness;  // [1] ln of EI over nominal EI
+  Estimate log_stiffness;  // [1] ln of EI over nominal EI
   // [1] Mean of μ_in - μ_out if it is left free beside EI and contacts, to first order. These take up nearly all of it, so
   // errors of the model come out magnified: an asymmetry beyond the friction itself tells of them, and of no friction.
-  Measured asymmetry;
+  Estimate asymmetry;
   BumpCorrelation correlation;  // of all loops together: the mean of Fisher's transforms; NaN if no loop has enough
   double force_noise;           // [EI/L^2] of one reading
   double roughness_noise;       // [1] standard deviation of μ_in - μ_out from place to place...

@@ -19,21 +19,21 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-ParameterEstimate estimate_of(const NormalMixture& mixture) {
+Estimate estimate_of(const NormalMixture& mixture) {
   return {quantile_of(mixture, 0.5), deviation_of(mixture), quantile_of(mixture, 0.025), quantile_of(mixture, 0.975)};
 }
 
 // Of a number whose logarithm is known.
-ParameterEstimate estimate_of_exponential(const NormalMixture& mixture) {
+Estimate estimate_of_exponential(const NormalMixture& mixture) {
   const auto log = estimate_of(mixture);
   const double value = elementary::exp(log.value);
   return {value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
 }
 
-ParameterEstimate none() { return {0, 0, 0, 0}; }
+Estimate none() { return {0, 0, 0, 0}; }
 
 // Of weighted draws.
-ParameterEstimate estimate_of(std::vector<WeightedDraw> draws) {
+Estimate estimate_of(std::vector<WeightedDraw> draws) {
   std::stable_sort(draws.begin(), draws.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
   double total = 0, sum = 0, squares = 0;
   for (const auto& draw : draws) {
@@ -55,7 +55,7 @@ ParameterEstimate estimate_of(std::vector<WeightedDraw> draws) {
 
 // Friction is not negative: what is known of a mean that may be near zero.
 struct MeanFriction {
-  ParameterEstimate estimate;
+  Estimate estimate;
   bool is_bound;
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/friction.h"
+#include "data/estimate.h"
 #include "fibre/contact_travel.h"
 #include "inference/fit_problem.h"
 #include "inference/kernel.h"
@@ -31,18 +32,12 @@ struct FitOptions {
   ProfileModel model = ProfileModel::roughness;
 };
 
-struct ParameterEstimate {
-  double value;           // median of what is known
-  double standard_error;  // standard deviation
-  double low, high;       // 95 % interval
-};
-
 // A wave of friction, (4.25).
 struct WaveEstimate {
-  ParameterEstimate amplitude;        // [1] A, relative to mu0
-  ParameterEstimate wavelength;       // [L] λ
-  ParameterEstimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
-  ParameterEstimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not
+  Estimate amplitude;        // [1] A, relative to mu0
+  Estimate wavelength;       // [L] λ
+  Estimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
+  Estimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not
 };
 
 // What a record says of a parameter beside what was known beforehand: their quotient is the record's own.
@@ -87,16 +82,16 @@ struct FrictionFit {
   std::size_t readings;   // that tell of friction
   double S_begin, S_end;  // [L] the fibre seen, by what has been drawn in
   ContactTravel along;    // where its contacts were then
-  double S_middle;  // [L] between the contacts midway: where phase_at_middle is meant, and mu0 with drift and wave
-  ParameterEstimate mu0;        // [1] mean of μ over the fibre seen
-  bool mu0_is_bound;            // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
-  ParameterEstimate drift;      // [1/L] dμ/dS, S between the contacts; 0 of a constant
-  ParameterEstimate roughness;  // [1] standard deviation of μ about its mean; 0 of the paper's models
-  ParameterEstimate length;     // [L] correlation length of it along the fibre; likewise
-  ParameterEstimate bending_stiffness;  // [1] relative to the nominal one
-  ParameterEstimate noise;              // [EI/L^2] standard deviation of a force reading
-  double noise_correlation;             // [1] of readings one row apart
-  std::vector<WaveEstimate> waves;      // the likeliest, the largest first, claimed or not
+  double S_middle;     // [L] between the contacts midway: where phase_at_middle is meant, and mu0 with drift and wave
+  Estimate mu0;        // [1] mean of μ over the fibre seen
+  bool mu0_is_bound;   // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
+  Estimate drift;      // [1/L] dμ/dS, S between the contacts; 0 of a constant
+  Estimate roughness;  // [1] standard deviation of μ about its mean; 0 of the paper's models
+  Estimate length;     // [L] correlation length of it along the fibre; likewise
+  Estimate bending_stiffness;       // [1] relative to the nominal one
+  Estimate noise;                   // [EI/L^2] standard deviation of a force reading
+  double noise_correlation;         // [1] of readings one row apart
+  std::vector<WaveEstimate> waves;  // the likeliest, the largest first, claimed or not
   double
       log_evidence_of_wave;  // ln of the evidence with a wave over that without; NaN of models that have a wave or cannot
   bool

@@ -98,8 +98,8 @@ class Specimens {
     return {unit, begin, (asinh(at[before] / unit) - begin) / (spreads - 1)};
   }
 
-  static ParameterEstimate spread_of(const SpreadAxis& axis, const LineDensity& density,
-                                     const std::vector<Slice>& slices, const std::vector<double>& weights, bool bound) {
+  static Estimate spread_of(const SpreadAxis& axis, const LineDensity& density, const std::vector<Slice>& slices,
+                            const std::vector<double>& weights, bool bound) {
     const auto quantile = [&](double probability) { return axis.spread(density.quantile(probability)); };
     double total = 0, sum = 0, squares = 0;
     for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -111,7 +111,7 @@ class Specimens {
     return {quantile(0.5), std::sqrt(squares / total - mean * mean), bound ? 0 : quantile(0.025), quantile(0.975)};
   }
 
-  static ParameterEstimate mean_of(const std::vector<Slice>& slices, const std::vector<double>& weights) {
+  static Estimate mean_of(const std::vector<Slice>& slices, const std::vector<double>& weights) {
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
     double mean = 0, squares = 0;
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -136,8 +136,8 @@ class Specimens {
   }
 
   // At given M and T a specimen is its record's bells, each drawn towards M.
-  std::vector<KnownSpecimen> specimens(const std::vector<Slice>& slices, const std::vector<double>& weights) const {
-    std::vector<KnownSpecimen> drawn;
+  std::vector<Estimate> specimens(const std::vector<Slice>& slices, const std::vector<double>& weights) const {
+    std::vector<Estimate> drawn;
     for (const auto& record : records_) {
       double total = 0, sum = 0, squares = 0;
       for (std::size_t j = 0; j < slices.size(); ++j) {
@@ -168,7 +168,7 @@ class Specimens {
         }
       }
       const double mean = sum / total;
-      drawn.push_back({mean, std::sqrt(std::max(squares / total - mean * mean, 0.0))});
+      drawn.push_back(normal_estimate(mean, std::sqrt(std::max(squares / total - mean * mean, 0.0))));
     }
     return drawn;
   }

@@ -8,16 +8,13 @@
 
 namespace flexslip {
 
-// A specimen in the light of the others: drawn from what its own record says towards their mean, the more the less that is.
-struct KnownSpecimen {
-  double value, standard_error;
-};
-
 struct Population {
-  ParameterEstimate mean;    // M
-  ParameterEstimate spread;  // T: standard deviation of specimens about M, what their records err by taken off
-  bool spread_is_bound;      // the records do not tell the specimens apart: spread.low is 0
-  std::vector<KnownSpecimen> specimens;  // in the order of the tests
+  Estimate mean;         // M
+  Estimate spread;       // T: standard deviation of specimens about M, what their records err by taken off
+  bool spread_is_bound;  // the records do not tell the specimens apart: spread.low is 0
+  // Each in the light of the others: drawn from what its own record says towards their mean, the more the less that is. In the order of
+  // the tests.
+  std::vector<Estimate> specimens;
 };
 
 // The specimens' own values are x ~ N(M, T²). Beforehand M is as uncertain as the x of one specimen was, N(typical.mean, typical.deviation²),

@@ -85,7 +85,7 @@ Marginal shifted(Marginal marginal, double by) {
   return marginal;
 }
 
-Marginal of_logarithm(const ParameterEstimate& estimate) {
+Marginal of_logarithm(const Estimate& estimate) {
   if (!(0 < estimate.low && estimate.low < estimate.value && estimate.value < estimate.high))
     throw std::invalid_argument("no logarithm of " + std::to_string(estimate.value) + " within " +
                                 std::to_string(estimate.low) + " to " + std::to_string(estimate.high));

@@ -21,7 +21,7 @@ PriorKnowledge prior_told_to(std::span<const Marginal> tests);
 bool tells(const Marginal& test);
 
 struct SharedValue {
-  ParameterEstimate estimate;
+  Estimate estimate;
   std::size_t telling;  // tests whose records tell it
   double chi_squared;   // [1] of the tests about one value, with telling - 1 freedoms
   double agreement;     // [1] probability that tests that do share it would differ as much
@@ -40,6 +40,6 @@ Marginal shifted(Marginal marginal, double by);
 // What a record says of the logarithm of a positive number, of which nothing was known beforehand: a normal distribution of its median and
 // as wide as its 95 % interval.
 // Domain:     0 < low < value < high; std::invalid_argument otherwise.
-Marginal of_logarithm(const ParameterEstimate& estimate);
+Marginal of_logarithm(const Estimate& estimate);
 
 }  // namespace flexslip

@@ -11,6 +11,7 @@
 
 #include "data/distributions.h"
 #include "data/line.h"
+#include "data/names.h"
 #include "fibre/elastica.h"
 #include "fibre/elementary.h"
 #include "inference/chi_squared.h"
@@ -233,6 +234,10 @@ FibreState state_at(const ReducedRecord& record, const Fibre& fibre, std::size_t
 }
 
 }  // namespace
+
+std::string_view name_of(ToothVerdict verdict) {
+  return name_in_order<ToothVerdict::undecided>(verdict, {"sliding", "as_if_stuck", "undecided"});
+}
 
 Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                   std::span<const Drop> drops, const ToothOptions& options) {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "bending_test/rig.h"
@@ -35,6 +36,8 @@ enum class ToothVerdict {
   as_if_stuck,  // that it draws in least_share or more is rejected: stuck, or sliding where friction rises steeply
   undecided,    // neither
 };
+
+std::string_view name_of(ToothVerdict verdict);
 
 struct Tooth {
   std::size_t first, last;          // rows [first, last) of the record: from the end of a drop to the begin of the next

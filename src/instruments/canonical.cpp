@@ -49,19 +49,19 @@ void write_canonical(std::ostream& out, const Export& file, const ExportedSpecim
   const NumberFormat format{file.decimal, file.thousands};
   for (const Metadatum& datum : all) out << translated(datum, format);
   if (!specimen.name.empty() && specimen_name(all) != specimen.name) out << remark({"Specimen", specimen.name, 0});
-  std::vector<std::vector<std::string_view>> words(specimen.columns.size());
-  std::vector<OutputColumn> columns;
-  columns.reserve(specimen.columns.size());
-  for (std::size_t i = 0; i < specimen.columns.size(); ++i) {
-    const ExportColumn& column = specimen.columns[i];
-    std::string title = column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
-    words[i].assign(column.words.begin(), column.words.end());
-    if (column.words.empty())
-      columns.push_back({std::move(title), column.values});
-    else
-      columns.push_back({std::move(title), words[i]});
-  }
-  write_table(out, columns);
+  std::vector<std::string> titles;
+  titles.reserve(specimen.columns.size());
+  for (const ExportColumn& column : specimen.columns)
+    titles.push_back(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
+  std::size_t row = 0;
+  write_table(out, titles, [&](std::vector<Cell>& cells) {
+    if (row == specimen.lines.size()) return false;
+    cells.clear();
+    for (const ExportColumn& column : specimen.columns)
+      cells.push_back(column.words.empty() ? Cell(column.values[row]) : Cell(column.words[row]));
+    ++row;
+    return true;
+  });
 }
 
 void write_canonical(const std::string& path, const Export& file, const ExportedSpecimen& specimen) {

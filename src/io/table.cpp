@@ -290,10 +290,6 @@ class TableReader {
   std::vector<std::size_t> wanted_by_;  // for each cell of a line: which source takes it, sources_.size() if none
 };
 
-std::size_t length_of(const OutputColumn& column) {
-  return std::visit([](const auto& cells) { return cells.size(); }, column.cells);
-}
-
 void append_word(fmt::memory_buffer& text, std::string_view word) {
   if (word.find_first_of(",\"\r\n") == std::string_view::npos) {
     text.append(word);
@@ -307,11 +303,11 @@ void append_word(fmt::memory_buffer& text, std::string_view word) {
   text.push_back('"');
 }
 
-void append_cell(fmt::memory_buffer& text, const OutputColumn& column, std::size_t row) {
-  if (const auto* numbers = std::get_if<std::span<const double>>(&column.cells))
-    fmt::format_to(fmt::appender(text), "{}", (*numbers)[row]);
+void append_cell(fmt::memory_buffer& text, const Cell& cell) {
+  if (const auto* number = std::get_if<double>(&cell))
+    fmt::format_to(fmt::appender(text), "{}", *number);
   else
-    append_word(text, std::get<std::span<const std::string_view>>(column.cells)[row]);
+    append_word(text, std::get<std::string>(cell));
 }
 
 std::string reason(int error) { return std::generic_category().message(error); }
@@ -349,23 +345,20 @@ Table read_table(const std::string& path, const std::vector<WantedColumn>& wante
   return read_table(*open_to_read(path), path == "-" ? "standard input" : path, wanted, decimal);
 }
 
-void write_table(std::ostream& out, const std::vector<OutputColumn>& columns) {
+void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next) {
   constexpr std::size_t block = 1 << 16;  // [bytes] handed to the stream at a time
-  const std::size_t rows = columns.empty() ? 0 : length_of(columns.front());
-  for (const OutputColumn& column : columns)
-    if (length_of(column) != rows)
-      throw std::invalid_argument(
-          fmt::format("write_table: {} rows in '{}', {} in the first column", length_of(column), column.title, rows));
   fmt::memory_buffer text;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
+  for (std::size_t i = 0; i < titles.size(); ++i) {
     if (i > 0) text.push_back(',');
-    append_word(text, columns[i].title);
+    append_word(text, titles[i]);
   }
   text.push_back('\n');
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
+  for (std::vector<Cell> cells; next(cells);) {
+    if (cells.size() != titles.size())
+      throw std::invalid_argument(fmt::format("write_table: {} cells under {} titles", cells.size(), titles.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
       if (i > 0) text.push_back(',');
-      append_cell(text, columns[i], row);
+      append_cell(text, cells[i]);
     }
     text.push_back('\n');
     if (text.size() < block) continue;
@@ -377,10 +370,10 @@ void write_table(std::ostream& out, const std::vector<OutputColumn>& columns) {
   if (!out) throw InputError({.expected = "room to write a table", .found = "an error while writing"});
 }
 
-void write_table(const std::string& path, const std::vector<OutputColumn>& columns) {
+void write_table(const std::string& path, const std::vector<std::string>& titles, const NextRow& next) {
   OutputFile file(path);
   try {
-    write_table(file.stream(), columns);
+    write_table(file.stream(), titles, next);
   } catch (const InputError& error) {
     throw located(error, path == "-" ? "standard output" : path, 0, "");
   }

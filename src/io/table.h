@@ -5,9 +5,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -63,19 +63,19 @@ Table read_table(std::istream& in, std::string source, const std::vector<WantedC
 // The same from a file; "-" is standard input.
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.');
 
-// A column to write: numbers or words.
-struct OutputColumn {
-  std::string title;  // with its unit, "F [N]"
-  std::variant<std::span<const double>, std::span<const std::string_view>> cells;
-};
+// What stands in a table that is written: a number, or words.
+using Cell = std::variant<double, std::string>;
+
+// Gives the cells of the next row; false where there is none.
+using NextRow = std::function<bool(std::vector<Cell>& cells)>;
 
 // Writes CSV with a header. Numbers have the fewest digits (at most 17) that read back to the same bits.
-// Domain:     columns of one length; std::invalid_argument otherwise.
+// Domain:     a cell for each title; std::invalid_argument otherwise.
 // Fails:      InputError if not all could be written.
-void write_table(std::ostream& out, const std::vector<OutputColumn>& columns);
+void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next);
 
 // The same to a file, whole or not at all (OutputFile); "-" is standard output.
-void write_table(const std::string& path, const std::vector<OutputColumn>& columns);
+void write_table(const std::string& path, const std::vector<std::string>& titles, const NextRow& next);
 
 // A file to read from; "-" is standard input.
 // Fails:      OutputClash if the call writes it; InputError if it is missing, a directory or cannot be opened.

@@ -17,8 +17,9 @@
 #include <fmt/format.h>
 
 #include "bending_test/equilibrium.h"
-#include "report/campaign_table.h"
+#include "io/text_table.h"
 #include "report/campaign_words.h"
+#include "result/table.h"
 
 namespace flexslip {
 namespace {
@@ -486,7 +487,7 @@ std::vector<Figure> atlas_pages(const Campaign& campaign) {
   };
   for (const auto& look : looks)
     add_pages(
-        name_of(look.category),
+        std::string(name_of(look.category)),
         [&] {
           std::string title(look.title);
           title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));

@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "report/campaign_table.h"
+#include "answers/campaign_fields.h"
+#include "io/text_table.h"
+#include "report/campaign_units.h"
 #include "report/digits.h"
 
 namespace flexslip {
@@ -34,7 +36,7 @@ std::string minus(const std::string& text) {
   return text.empty() || text.front() != '-' ? text : "$-$" + text.substr(1);
 }
 
-std::string cell(const ParameterEstimate& estimate, double factor) {
+std::string cell(const Estimate& estimate, double factor) {
   const MatchedDigits digits = matched_digits(estimate, factor);
   return digits.error.empty() ? minus(digits.value) : fmt::format("{} $\\pm$ {}", minus(digits.value), digits.error);
 }
@@ -47,7 +49,7 @@ std::string cell(const Spread& spread, double factor, int decimals) {
 
 std::string row_of(const CampaignTest& test, const CampaignUnits& units) {
   const TestSummary& summary = test.summary.value();
-  const auto of_wave = [&](const std::optional<ParameterEstimate>& estimate, double factor) {
+  const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
     if (!estimate) return std::string("--");
     return summary.wave_claimed ? cell(*estimate, factor) : fmt::format("[{}]", cell(*estimate, factor));
   };
@@ -112,7 +114,7 @@ std::string categories_of(const Campaign& campaign) {
   return out + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
 }
 
-std::string with_interval(const ParameterEstimate& estimate, double factor) {
+std::string with_interval(const Estimate& estimate, double factor) {
   const MatchedDigits digits = matched_digits(estimate, factor);
   return digits.low.empty() ? digits.value : fmt::format("{} ({}, {})", digits.value, digits.low, digits.high);
 }

@@ -10,16 +10,15 @@
 
 #include <fmt/format.h>
 
+#include "answers/campaign_fields.h"
 #include "io/durable_file.h"
-#include "io/json.h"
 #include "io/text_file.h"
 #include "report/campaign_figures.h"
-#include "report/campaign_json.h"
 #include "report/campaign_latex.h"
-#include "report/campaign_table.h"
 #include "report/campaign_words.h"
 #include "report/campaign_xlsx.h"
 #include "report/page.h"
+#include "result/json.h"
 
 namespace flexslip {
 namespace {
@@ -111,9 +110,9 @@ void write_campaign_tables(const std::string& folder, const Campaign& campaign) 
   make_folder(folder);
   const fs::path base(folder);
   remove_from(base, is_unfinished);
-  write_campaign_csv((base / "tests.csv").string(), test_table(campaign));
-  write_campaign_csv((base / "categories.csv").string(), category_table(campaign));
-  write_campaign_csv((base / "specimens.csv").string(), specimen_table(campaign));
+  write_csv((base / "tests.csv").string(), test_table(campaign));
+  write_csv((base / "categories.csv").string(), category_table(campaign));
+  write_csv((base / "specimens.csv").string(), specimen_table(campaign));
   write_json((base / "campaign.json").string(), campaign_json(campaign));
   write_campaign_xlsx((base / "campaign.xlsx").string(), campaign);
   write_text((base / "tables.tex").string(), campaign_latex(campaign));

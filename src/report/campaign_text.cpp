@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "report/campaign_table.h"
+#include "io/text_table.h"
 #include "report/campaign_words.h"
 #include "report/plain_text.h"
 

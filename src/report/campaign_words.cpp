@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "answers/campaign_fields.h"
 #include "data/names.h"
-#include "report/campaign_table.h"
+#include "io/text_table.h"
+#include "report/campaign_units.h"
 #include "report/digits.h"
 #include "report/fit_words.h"
 
@@ -22,13 +24,13 @@ std::string titled(std::string_view symbol, const TableUnit& unit) {
   return fmt::format("{} ({})", symbol, typeset(unit.name));
 }
 
-std::string with_interval(const std::optional<ParameterEstimate>& estimate, double factor) {
+std::string with_interval(const std::optional<Estimate>& estimate, double factor) {
   if (!estimate) return "";
   const MatchedDigits digits = matched_digits(*estimate, factor);
   return digits.low.empty() ? digits.value : fmt::format("{} ({} to {})", digits.value, digits.low, digits.high);
 }
 
-std::string with_error(const ParameterEstimate& estimate, double factor) {
+std::string with_error(const Estimate& estimate, double factor) {
   const MatchedDigits digits = matched_digits(estimate, factor);
   return digits.error.empty() ? digits.value : fmt::format("{} ± {}", digits.value, digits.error);
 }
@@ -146,7 +148,8 @@ PrintedTable category_rows(const Campaign& campaign) {
   PrintedTable table{{"Sawtooth", "Suspects", "Tests", "μ₀", "A", titled("λ", length)}, {}};
   for (const auto& category : campaign.categories)
     for (const auto* spreads : {&category.without_suspects, &category.with_suspects})
-      table.rows.push_back({key_of(category), spreads == &category.without_suspects ? "left out" : "counted in",
+      table.rows.push_back({std::string(key_of(category)),
+                            spreads == &category.without_suspects ? "left out" : "counted in",
                             fmt::format("{}", spreads->tests), of_spread(spreads->mu0, 1, 3),
                             of_spread(spreads->amplitude, 1, 3), of_spread(spreads->wavelength, length.factor, 1)});
   return table;
@@ -161,14 +164,14 @@ PrintedTable test_rows(const Campaign& campaign) {
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
-    const auto of_wave = [&](const std::optional<ParameterEstimate>& estimate, double factor) {
+    const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
       const std::string text = with_interval(estimate, factor);
       return text.empty() || summary.wave_claimed ? text : fmt::format("[{}]", text);
     };
     const bool is_rough = summary.model == ProfileModel::roughness;
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
-    table.rows.push_back({printable(test.name), name_of(summary.category), summary.suspect ? "yes" : "",
+    table.rows.push_back({printable(test.name), std::string(name_of(summary.category)), summary.suspect ? "yes" : "",
                           summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
                                                : with_interval(summary.mu0, 1),
                           is_rough ? with_error(summary.roughness, 1) : "",

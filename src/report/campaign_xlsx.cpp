@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <xlsxwriter.h>
 
+#include "answers/campaign_fields.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
 #include "io/text_table.h"
-#include "report/campaign_table.h"
 
 namespace flexslip {
 namespace {
@@ -27,7 +27,7 @@ std::time_t date_of_creation() {
 }
 
 // "0.000" for a column whose largest number has one digit before the point.
-std::string number_format(const CampaignTable& table, std::size_t column) {
+std::string number_format(const ResultTable& table, std::size_t column) {
   double largest = 0;
   bool whole = true;
   for (const auto& row : table.rows)
@@ -57,13 +57,13 @@ class Workbook {
     workbook_set_properties(book_, &properties);
   }
 
-  void add(const CampaignTable& table, const std::string& name) {
+  void add(const ResultTable& table, const std::string& name) {
     lxw_worksheet* sheet = workbook_add_worksheet(book_, name.c_str());
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const auto& column = table.columns[i];
       const auto at = static_cast<lxw_col_t>(i);
       lxw_format* cells = nullptr;
-      if (column.kind) {
+      if (column.has_numbers) {
         cells = workbook_add_format(book_);
         format_set_num_format(cells, number_format(table, i).c_str());
       }

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answers/cycles_fields.h"
 #include "contact/build_up.h"
 #include "data/names.h"
 #include "io/quantity.h"
-#include "report/cycles_json.h"
 
 namespace flexslip {
 namespace {
@@ -42,7 +42,7 @@ DirectionMeans means_of(const CyclicFriction& friction) {
 // The model leaves out something of the size of friction.
 bool is_beyond_friction(const CyclicFriction& friction) {
   const auto [in, out, rms] = means_of(friction);
-  const auto& [value, error] = friction.asymmetry;
+  const auto& [value, error, low, high] = friction.asymmetry;
   return std::abs(value) > 0.5 * (in + out) && std::abs(value) > two_sided * error;
 }
 
@@ -69,7 +69,7 @@ std::string stiffness_in_words(const FittedTest& test) {
     return "No part of the specimen slid both ways, so the loops tell neither its bending stiffness nor the contact: "
            "both "
            "are as assumed, and what is said of friction rests on them.";
-  const auto [logarithm, error] = friction.log_stiffness;
+  const auto [logarithm, error, low, high] = friction.log_stiffness;
   const double value = test.analysis.scales.bending_stiffness() * std::exp(logarithm);
   return fmt::format(
       "The specimen slides in along q = +μ and out along q = −μ past the same points, so that with the right bending "
@@ -80,7 +80,7 @@ std::string stiffness_in_words(const FittedTest& test) {
 
 std::string asymmetry_in_words(const CyclicFriction& friction) {
   const auto [in, out, rms] = means_of(friction);
-  const auto& [value, error] = friction.asymmetry;
+  const auto& [value, error, low, high] = friction.asymmetry;
   const std::string means = fmt::format(
       "Friction is {:.3g} sliding in and {:.3g} sliding out, means of all loops; from place to place the directions "
       "differ by {:.2g} rms. That the means agree is no evidence, for EI and contacts were chosen so that they do. "

@@ -7,7 +7,7 @@
 
 namespace flexslip {
 
-MatchedDigits matched_digits(const ParameterEstimate& estimate, double factor) {
+MatchedDigits matched_digits(const Estimate& estimate, double factor) {
   const double error = factor * estimate.standard_error;
   constexpr double rounding = 1e-9;  // a value that is held has no error but this
   if (!std::isfinite(error) || error <= rounding * std::abs(factor * estimate.value))

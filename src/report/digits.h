@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "inference/fit.h"
+#include "data/estimate.h"
 
 namespace flexslip {
 
@@ -15,7 +15,7 @@ struct MatchedDigits {
 };
 
 // Domain:     factor > 0: from the unit of the estimate to that shown.
-MatchedDigits matched_digits(const ParameterEstimate& estimate, double factor);
+MatchedDigits matched_digits(const Estimate& estimate, double factor);
 
 // A number with this many significant digits, trailing zeros among them, without an exponent. Domain: digits >= 1.
 std::string significant(double value, int digits);

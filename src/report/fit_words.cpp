@@ -63,8 +63,8 @@ std::string drops_in_words(const FittedTest& test) {
                      cause_in_words(test));
 }
 
-ParameterRow row_of(std::string name, std::string symbol, std::string meaning, const ParameterEstimate& estimate,
-                    double factor, const Kind& kind) {
+ParameterRow row_of(std::string name, std::string symbol, std::string meaning, const Estimate& estimate, double factor,
+                    const Kind& kind) {
   const bool known = std::isfinite(estimate.standard_error);
   const double low = estimate.low * factor;
   const double high = estimate.high * factor;
@@ -404,7 +404,7 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
       rows.push_back(row_of("wavelength" + suffix, symbol("λ"), "along the specimen" + which, wave.wavelength,
                             scales.span(), print.as(kind::length)));
       const auto add_phase = [&](const std::string& name, const std::string& letter, const std::string& meaning,
-                                 const ParameterEstimate& phase) {
+                                 const Estimate& phase) {
         const bool is_determined = phase.high - phase.low <= 2 * std::numbers::pi;  // else it turns with λ
         if (is_determined)
           rows.push_back(row_of(name + suffix, letter, meaning + which, phase, 1, print.as(kind::angle)));

@@ -11,7 +11,6 @@ namespace flexslip {
 namespace {
 
 constexpr double shear_worth_a_word = 0.01;
-constexpr double two_sided = 1.96;  // [standard deviation] of a 95 % interval
 
 // In the units that the standards use.
 constexpr std::array<std::string_view, 4> stiffness_units{"mN/m", "N/m", "N/mm", "kN/mm"};
@@ -32,10 +31,6 @@ std::string percent_to_two_digits(double share) { return fmt::format("{:.2g} %",
 
 }  // namespace
 
-StandardTest standard_test(const FittedTest& test) {
-  return {test.measurement, test.geometry, test.small_deflection, test.reduced};
-}
-
 PrintedTable small_deflection_table(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   PrintedTable table{{"", "value"}, {}};
@@ -44,7 +39,7 @@ PrintedTable small_deflection_table(const StandardTest& test) {
   const auto add = [&](std::string name, std::string value) {
     table.rows.push_back({std::move(name), std::move(value)});
   };
-  const auto& [slope, error] = numbers.stiffness;
+  const auto& [slope, error, low, high] = numbers.stiffness;
   const double relative = error / slope;
   add("stiffness F/δ", readable(slope, error, as(stiffness_kind)));
   if (numbers.bending_stiffness)
@@ -53,7 +48,7 @@ PrintedTable small_deflection_table(const StandardTest& test) {
   if (numbers.chord)
     add("flexural modulus E_f, chord from 0.05 % to 0.25 % strain",
         fmt::format("{} (± {})", three_digits(numbers.chord->modulus, as(kind::pressure)),
-                    percent_to_two_digits(numbers.chord->stiffness.error / numbers.chord->stiffness.value)));
+                    percent_to_two_digits(numbers.chord->stiffness.standard_error / numbers.chord->stiffness.value)));
   if (numbers.modulus)
     add(numbers.chord ? "the same, of the straight part, F L³/(48 I δ)" : "flexural modulus E_f = F L³/(48 I δ)",
         fmt::format("{} (± {})", three_digits(*numbers.modulus, as(kind::pressure)), percent_to_two_digits(relative)));
@@ -105,17 +100,6 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
     list.emplace_back(
         "The wall of the tube is thin: it may become oval at the load, which makes the modulus appear too small.");
   return list;
-}
-
-std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
-  const SmallDeflection& numbers = test.small_deflection;
-  if (test.analysis.status != AnalysisStatus::ok || !numbers.bending_stiffness) return std::nullopt;
-  const ParameterEstimate& fitted = test.analysis.fit.bending_stiffness;
-  const double unit = test.analysis.scales.bending_stiffness();
-  const double error = *numbers.bending_stiffness * numbers.stiffness.error / numbers.stiffness.value;
-  return BesideFit{*numbers.bending_stiffness / (unit * fitted.value),
-                   *numbers.bending_stiffness + two_sided * error < unit * fitted.low ||
-                       *numbers.bending_stiffness - two_sided * error > unit * fitted.high};
 }
 
 std::string small_deflection_and_fit(const FittedTest& test) {

@@ -35,8 +35,7 @@ CampaignTest some_test() {
       .correlation_length = {.value = 4e-6, .standard_error = 1e-6, .low = 2e-6, .high = 6e-6},
       .amplitude = {},
       .wavelength =
-          ParameterEstimate{
-              .value = 1e-5, .standard_error = std::numeric_limits<double>::quiet_NaN(), .low = 0, .high = 1},
+          Estimate{.value = 1e-5, .standard_error = std::numeric_limits<double>::quiet_NaN(), .low = 0, .high = 1},
       .phase = {},
       .wave_claimed = true,
       .log_evidence_of_wave = 1.0 / 9,

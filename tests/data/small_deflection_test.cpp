@@ -70,7 +70,7 @@ TEST_CASE("small_deflection: the error of a stated window covers the truth (trut
     const auto found = small_deflection(bending(1e-12, 0.3, 1e6, seed), known(),
                                         SmallDeflectionOptions{.window = ForceWindow{0.2, 0.6}});
     REQUIRE(found.status == SmallDeflectionStatus::ok);
-    covered += std::abs(found.stiffness.value - k) < 1.96 * found.stiffness.error;
+    covered += std::abs(found.stiffness.value - k) < 1.96 * found.stiffness.standard_error;
   }
   CAPTURE(covered);
   CHECK(covered >= tests * 92 / 100);  // of nominal 95, with a standard deviation of 1.1
@@ -83,7 +83,7 @@ TEST_CASE(
   const int tests = 200;
   for (unsigned seed = 1; seed <= tests; ++seed) {
     const auto found = small_deflection(bending(1e-12, 0.3, 1e6, seed), known());
-    excess += (found.stiffness.value - k) / found.stiffness.error / tests;
+    excess += (found.stiffness.value - k) / found.stiffness.standard_error / tests;
   }
   CAPTURE(excess);
   CHECK(excess < 2);

@@ -16,8 +16,8 @@ TestSummary some_test(SawtoothCategory category, double mu0, std::optional<doubl
   test.suspect = suspect;
   test.mu0.value = mu0;
   if (wavelength) {
-    test.wavelength = ParameterEstimate{.value = *wavelength, .standard_error = 0, .low = 0, .high = 0};
-    test.amplitude = ParameterEstimate{.value = 0.1 * mu0, .standard_error = 0, .low = 0, .high = 0};
+    test.wavelength = Estimate{.value = *wavelength, .standard_error = 0, .low = 0, .high = 0};
+    test.amplitude = Estimate{.value = 0.1 * mu0, .standard_error = 0, .low = 0, .high = 0};
   }
   return test;
 }

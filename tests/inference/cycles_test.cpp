@@ -113,7 +113,7 @@ const std::vector<double> two_cycles = programme({-0.01, 0.32, -0.01, 0.36, -0.0
 
 constexpr double data_noise = 0.02;  // [EI/L^2] about that of the authors' cyclic tests
 
-bool covers(const Measured& measured, double truth) {
+bool covers(const Estimate& measured, double truth) {
   return std::abs(measured.value - truth) <= 1.96 * measured.standard_error;
 }
 

@@ -16,7 +16,7 @@ FitProblem problem_of(const SimulatedTruth& truth) {
   return {simulated_record(truth), {truth.stiffness, truth.fibre}, {truth.noise, 0.03, 0}};
 }
 
-bool covers(const ParameterEstimate& estimate, double truth) { return estimate.low <= truth && truth <= estimate.high; }
+bool covers(const Estimate& estimate, double truth) { return estimate.low <= truth && truth <= estimate.high; }
 
 // The mean of a profile over the fibre seen.
 double mean_over(const Friction& friction, double S_begin, double S_end) {

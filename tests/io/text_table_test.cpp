@@ -51,4 +51,16 @@ TEST_CASE("table: what is no such table is refused with its line") {
 }
 
 }  // namespace
+TEST_CASE("table: text that every format takes (Unicode 15, table 3-7)") {
+  CHECK(printable("ü µ 力 𝄞") == "ü µ 力 𝄞");
+  CHECK(printable("a\tb\nc\x7f") == "a b c ");
+  CHECK(printable("\xfc") == "\ufffd");                      // Latin-1
+  CHECK(printable("\xc0\xaf") == "\ufffd\ufffd");            // overlong
+  CHECK(printable("\xed\xa0\x80") == "\ufffd\ufffd\ufffd");  // a surrogate
+  CHECK(printable("\xe2\x82") == "\ufffd\ufffd");            // cut off
+  CHECK(printable("\xf5\x80\x80\x80") == "\ufffd\ufffd\ufffd\ufffd");
+  CHECK(printable("\xef\xbf\xbf") == "\ufffd\ufffd\ufffd");  // U+FFFF, which XML refuses
+  CHECK(printable("\xc2\x85") == " ");                       // a control character beyond ASCII
+}
+
 }  // namespace flexslip

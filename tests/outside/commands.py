@@ -529,8 +529,8 @@ class Changes(InFolder):
         self.refused("simulate", case, "--set", "rig.stifness=90 N/m", says=["--set", "did you mean 'rig.stiffness'?"])
         self.refused("simulate", case, "--set", "rig.stiffness=90 mm", says=["--set: rig.stiffness", "expected a stiffness"])
 
-    def test_the_page_tells_the_keys_as_the_program_does(self):
-        subprocess.run([SOURCE / "tools" / "write-keys", PROGRAM, "--check"], check=True)
+    def test_the_pages_tell_keys_and_results_as_the_program_does(self):
+        subprocess.run([SOURCE / "tools" / "write-reference", PROGRAM, "--check"], check=True)
 
 
 if __name__ == "__main__":

@@ -75,7 +75,7 @@ class Simulated(CyclicRecords):
             for loop in cycles["loops"]:
                 for mu in (loop["mu_in"], loop["mu_out"]):
                     # A wave of at least two periods, not a whole number of them, shifts the mean by at most A/(2 π).
-                    self.assertAlmostEqual(mu["value"], MU0, delta=0.1 * MU0 / 6 + 3 * mu["error"])
+                    self.assertAlmostEqual(mu["value"], MU0, delta=0.1 * MU0 / 6 + 3 * mu["standard_error"])
                 self.assertLess(loop["replay_rms"], 0.01)  # noise is 5 uN of some 12 mN
 
     def test_truth_of_the_bumps(self):

@@ -201,9 +201,9 @@ step = "2 um"
         curves, profile = self.folder / "curves.csv", self.folder / "profile.csv"
         self.succeeds("fit", CASE, "--curves", curves, "--profile", profile)
         columns = table(curves.read_text(encoding="utf-8"))
-        self.assertEqual(list(columns)[:5], ["row", "stage [m]", "deflection [m]", "force [N]", "model_force [N]"])
+        self.assertEqual(list(columns)[:5], ["row", "w_s [m]", "w [m]", "F [N]", "model_force [N]"])
         fit = self.json("fit", CASE)
-        residuals = [float(a) - float(b) for a, b in zip(columns["force [N]"], columns["model_force [N]"]) if b != "nan"]
+        residuals = [float(a) - float(b) for a, b in zip(columns["F [N]"], columns["model_force [N]"]) if b != "nan"]
         rms = (sum(r * r for r in residuals) / len(residuals)) ** 0.5
         # Over all rows here; in the answer over those that tell of friction.
         self.assertLess(abs(rms - fit["residual_rms"]), 0.5 * rms)

@@ -16,7 +16,7 @@ import unittest
 from program import SOURCE, WAVY, run
 
 GOLDEN = pathlib.Path(__file__).resolve().parent / "golden"
-COMMANDS = "fit", "campaign", "read", "modulus", "invert", "design", "simulate", "equilibrium", "sweep", "merge", "state", "completions"
+COMMANDS = "fit", "campaign", "keys", "results", "read", "modulus", "invert", "design", "simulate", "equilibrium", "sweep", "merge", "state", "completions"
 
 ON_ROLLERS = """[specimen]
 width = "10 mm"
@@ -114,6 +114,62 @@ def frozen(text, folder):
         return text
 
 
+def paths_of(value, above=""):
+    """The keys of an answer, as docs/results.md writes them."""
+    if isinstance(value, list):
+        for each in value:
+            yield from paths_of(each, above + "[]")
+    elif isinstance(value, dict):
+        for key, each in value.items():
+            yield (below := f"{above}.{key}".lstrip("."))
+            yield from paths_of(each, below)
+
+
+class Described:
+    """What `flexslip results` tells of the answers of a command."""
+    PARTS = {"estimate": (".value", ".standard_error", ".interval95", ".unit"), "quantity": (".value", ".unit")}
+
+    def __init__(self, told):
+        keys = [(line["key"], line["holds"]) for answer in told for line in answer["lines"]]
+        plain = {key + part for key, holds in keys for part in ("", *self.PARTS.get(holds, ()))}
+        self.exact = {key for key in plain if "*" not in key} | {f"{key}{part}" for key, holds in keys if holds == "estimate" for part in ("_standard_error", "_low", "_high")}
+        named = [key for key in plain if "*" in key] + [f"{key}.*" for key, holds in keys if holds in ("words by name", "group by name")]
+        self.pattern = re.compile("|".join(re.escape(key).replace(r"\*", ".+") for key in named) or "$.")
+
+    def misses(self, path):
+        return path not in self.exact and not self.pattern.fullmatch(path) and not re.fullmatch(r"draw_\d+", path)
+
+
+def written_keys(result, files):
+    """The keys and the titles of columns in what a command wrote."""
+    texts = [result.stdout, *(pathlib.Path(file).read_text(encoding="utf-8") for file in files if file.endswith(".csv"))]
+    for text in texts:
+        try:
+            yield from (re.sub(r"^\[\]\.", "", path) for path in paths_of(json.loads(text)) if path)
+        except json.JSONDecodeError:
+            first = text.split("\n", 1)[0]
+            if re.fullmatch(r"[\w \[\]^/,]+", first) and "," in first:
+                yield from (re.sub(r" \[.*\]$", "", title) for title in first.split(","))
+
+
+asked = []
+undescribed = {}  # keys that stand in no description, by the answer that has them
+
+
+def note_undescribed(arguments, result, files):
+    command = str(arguments[0])
+    asked.append(command)
+    if "--help" in arguments:
+        return
+    described = Described([answer for answer in DESCRIBED if re.match(rf"{command}\b|.*, {command} ", answer["command"])])
+    for key in written_keys(result, files):
+        if described.misses(key) and not ("--over" in arguments and key.split(".")[-1] in ("stiffness",)):
+            undescribed.setdefault(" ".join(map(str, arguments)), set()).add(key)
+
+
+DESCRIBED = json.loads(run("results", "--json").stdout)
+
+
 def answer(arguments, files):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -123,6 +179,7 @@ def answer(arguments, files):
         os.chdir(folder)
         try:
             result = run(*arguments)
+            note_undescribed(arguments, result, files)
             parts = [f"exit code {result.returncode}\n"]
             for title, text in (("standard error", result.stderr), ("standard output", result.stdout),
                                 *((file, pathlib.Path(file).read_text(encoding="utf-8")) for file in files)):
@@ -146,6 +203,12 @@ class Golden(unittest.TestCase):
                 is_now, was = answer(arguments, files), place_of(name).read_text(encoding="utf-8")
                 changed = difflib.unified_diff(was.splitlines(), is_now.splitlines(), "frozen", "now", lineterm="", n=0)
                 self.assertTrue(is_now == was, "\n".join(list(changed)[:60]))
+
+    def test_every_key_and_column_is_described(self):
+        if not asked:
+            for _, arguments, files in answers():
+                answer(arguments, files)
+        self.assertEqual(undescribed, {})
 
     def test_nothing_is_frozen_that_is_no_longer_asked(self):
         self.assertEqual({place_of(name) for name, _, _ in answers()}, set(GOLDEN.glob("*.txt")))

@@ -63,6 +63,11 @@ def peak_memory(*arguments):
     return 1024 * usage.ru_maxrss
 
 
+def told(result):
+    """What there is in an answer."""
+    return {key: value for key, value in json.loads(result.stdout).items() if value is not None}
+
+
 class Sweep(InFolder):
     def sweep(self, case, name, *arguments):
         """The bytes of the file that a sweep ends in."""
@@ -294,12 +299,12 @@ class Sweep(InFolder):
         self.assertEqual(output.read_bytes(), whole)
         # A whole set of parts is left where it is, whatever the file says: it may be the only good copy.
         result = run("sweep", case, "--output", output, "--json")
-        self.assertEqual(json.loads(result.stdout), {"status": "done", "file": str(output), "rows": 400})
+        self.assertEqual(told(result), {"status": "done", "file": str(output), "rows": 400, "faults": []})
         self.assertIn("its parts are still in", result.stderr)
         output.unlink()
         run("merge", f"{output}.parts/")
         self.assertEqual(output.read_bytes(), whole)
-        self.assertEqual(json.loads(run("merge", f"{output}.parts", "--json").stdout), {"status": "done", "file": str(output)})
+        self.assertEqual(told(run("merge", f"{output}.parts", "--json")), {"status": "done", "file": str(output), "faults": []})
 
     def test_nothing_that_is_read_is_written_over(self):
         case = self.file("map.toml", grid(5, 4))

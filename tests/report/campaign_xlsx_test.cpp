@@ -6,7 +6,7 @@
 
 #include "io/child_process.h"
 #include "io/input_error.h"
-#include "io/json.h"
+#include "result/json.h"
 #include "tests/report/some_campaign.h"
 
 using namespace flexslip;

@@ -65,9 +65,9 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
   test.summary->known.log_roughness = {{{0.7, -2.3, 0.2}, {0.3, -2.1, 0.3}}, -3.5, 1};
   test.summary->known.log_length = {{{1, -12.4, 0.3}}, -11.5, 1.2};
   if (wavelength) {
-    test.summary->amplitude = ParameterEstimate{0.15, 0.02, 0.11, 0.19};
-    test.summary->wavelength = ParameterEstimate{*wavelength, 0.2e-6, *wavelength - 0.4e-6, *wavelength + 0.4e-6};
-    test.summary->phase = ParameterEstimate{1, 0.5, 0, 2};
+    test.summary->amplitude = Estimate{0.15, 0.02, 0.11, 0.19};
+    test.summary->wavelength = Estimate{*wavelength, 0.2e-6, *wavelength - 0.4e-6, *wavelength + 0.4e-6};
+    test.summary->phase = Estimate{1, 0.5, 0, 2};
     test.curves->drops = {30, 40};
   }
   auto& curves = *test.curves;

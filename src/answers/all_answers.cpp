@@ -1,0 +1,122 @@
+#include "answers/all_answers.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "answers/campaign_fields.h"
+#include "answers/design_fields.h"
+#include "answers/equilibrium_fields.h"
+#include "answers/fit_fields.h"
+#include "answers/fit_tables.h"
+#include "answers/key_fields.h"
+#include "answers/path_fields.h"
+#include "answers/profile_fields.h"
+#include "answers/standard_fields.h"
+#include "answers/state_fields.h"
+#include "answers/sweep_fields.h"
+#include "data/names.h"
+#include "instruments/export_fields.h"
+
+namespace flexslip {
+namespace {
+
+std::string_view name_of(Shape shape) {
+  return name_in_order<Shape::any>(shape, {"number", "count", "yes or no", "words", "quantity", "numbers", "estimate",
+                                           "group", "list", "group by name", "words by name", "number or words"});
+}
+
+bool has_unit(Shape shape) {
+  return shape == Shape::number || shape == Shape::quantity || shape == Shape::numbers || shape == Shape::estimate;
+}
+
+void append(std::vector<ResultLine>& lines, const std::vector<Description>& entries, const std::string& above,
+            bool is_table) {
+  for (const Description& entry : entries) {
+    const std::string_view name = is_table && !entry.title.empty() ? entry.title : entry.name;
+    const std::string key = fmt::format("{}{}", above, name);
+    lines.push_back({key, name_of(entry.shape), has_unit(entry.shape) ? unit_of(entry.kind, false) : "",
+                     has_unit(entry.shape) ? unit_of(entry.kind, true) : "", entry.meaning});
+    const std::string_view below = is_table                        ? "_"
+                                   : entry.shape == Shape::list    ? "[]."
+                                   : entry.shape == Shape::by_name ? ".*."
+                                                                   : ".";
+    if (!is_table || entry.shape == Shape::group)
+      append(lines, entry.entries, fmt::format("{}{}", key, below), is_table);
+  }
+}
+
+// The parameters of a design and what comes of it.
+std::vector<Description> sweep_columns() {
+  std::vector<Description> columns;
+  for (const DesignParameterName& known : design_parameters())
+    columns.push_back({known.name, Shape::number, known.kind, known.description});
+  for (Description& outcome : map_fields({}).descriptions()) columns.push_back(std::move(outcome));
+  std::erase_if(columns, [](const Description& column) { return column.name == "stiffness_margin"; });
+  return columns;
+}
+
+}  // namespace
+
+std::vector<AnswerDescription> all_answers() {
+  static const std::array<std::string, 1> draws{"draw_1, draw_2, …"};
+  return {
+      {"fit --json", "what a measured test shows", false, fit_fields().descriptions()},
+      {"fit --profile", "friction along the specimen", true, profile_fields().descriptions()},
+      {"fit --curves", "the record, and what was read and fitted", true, curve_fields().descriptions()},
+      {"fit --draws", "profiles that explain the record", true, draw_fields(draws).descriptions()},
+      {"campaign --json", "many tests", false, campaign_fields().descriptions()},
+      {"campaign: tests.csv", "a row per test", true, test_columns().descriptions()},
+      {"campaign: categories.csv", "a row per category, without and with suspects", true,
+       category_columns().descriptions()},
+      {"campaign: specimens.csv", "what specimens have in common, a row per parameter", true,
+       specimen_columns().descriptions()},
+      {"invert --json", "friction point by point, of a case", false, read_test_fields().descriptions()},
+      {"invert --json of w,F", "friction of single states", false,
+       states_fields(no_friction, inverted_fields()).descriptions()},
+      {"invert", "friction point by point, of a case", true, profile_fields().descriptions()},
+      {"invert of w,F", "friction of single states", true, inverted_fields().descriptions()},
+      {"modulus --json", "the numbers of the bending standards", false, modulus_fields().descriptions()},
+      {"read --json", "what an export holds", false, export_fields().descriptions()},
+      {"simulate --json", "what a test would measure", false, simulation_fields(all_columns).descriptions()},
+      {"simulate", "its path; some columns only of some tests", true, path_fields(all_columns).descriptions()},
+      {"equilibrium --json", "the curve of loading", false, equilibria_fields({false, true}).descriptions()},
+      {"equilibrium --region --json", "all equilibria", false, equilibria_fields({true, true}).descriptions()},
+      {"equilibrium", "the curve of loading", true, equilibrium_fields({false, true}).descriptions()},
+      {"equilibrium --region", "all equilibria", true, equilibrium_fields({true, true}).descriptions()},
+      {"design --json", "what a planned test will show", false, design_fields().descriptions()},
+      {"design --over --json", "planned tests; beside it the parameters that go through values", false,
+       design_map_fields({}).descriptions()},
+      {"design --over", "planned tests; beside it the parameters that go through values", true,
+       map_fields({}).descriptions()},
+      {"sweep, HDF5", "/inputs, those of its axes, and /outcomes", true, sweep_columns()},
+      {"sweep --json, merge --json", "what came of it", false, sweep_fields().descriptions()},
+      {"state --json", "states on edges", false, states_fields(no_state, edge_state_fields(true)).descriptions()},
+      {"state --json on rollers", "states on rollers, or of a thick specimen", false,
+       states_fields(no_state, roller_state_fields()).descriptions()},
+      {"state", "states on edges", true, edge_state_fields(true).descriptions()},
+      {"state on rollers", "states on rollers, or of a thick specimen", true, roller_state_fields().descriptions()},
+      {"keys --json", "the keys of case files, a list", false, key_fields().descriptions()},
+      {"results --json", "this page, a list", false, line_fields().descriptions()},
+  };
+}
+
+std::vector<ResultLine> lines_of(const AnswerDescription& answer) {
+  std::vector<ResultLine> lines;
+  append(lines, answer.entries, "", answer.is_table);
+  return lines;
+}
+
+Fields<ResultLine> line_fields() {
+  using L = const ResultLine&;
+  return Fields<ResultLine>()
+      .words("key", "or the title of a column; [] for each of a list, * for any name", &ResultLine::key)
+      .words("holds", "number, count, estimate, words, …", &ResultLine::shape)
+      .words("unit", "of numbers and estimates; null of others",
+             [](L line) { return line.unit.empty() ? std::nullopt : std::optional(line.unit); })
+      .words("reduced_unit", "of reduced tests",
+             [](L line) { return line.reduced_unit.empty() ? std::nullopt : std::optional(line.reduced_unit); })
+      .words("meaning", "in a few words", &ResultLine::meaning);
+}
+
+}  // namespace flexslip

@@ -1,0 +1,33 @@
+// Every answer of every command, by what it holds: the page docs/results.md is made of it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "result/fields.h"
+
+namespace flexslip {
+
+struct AnswerDescription {
+  std::string_view command;  // "fit --json"
+  std::string_view what;     // in a few words
+  bool is_table;             // CSV or HDF5: of columns; else JSON, of keys
+  std::vector<Description> entries;
+};
+
+std::vector<AnswerDescription> all_answers();
+
+// A key or a column on a line.
+struct ResultLine {
+  std::string key;  // "drops[].row_before"; "categories.*.mu0.mean", where * stands for any name; the title of a column
+  std::string_view shape;
+  std::string_view unit, reduced_unit;  // of numbers and estimates
+  std::string_view meaning;
+};
+
+// Groups and lists stand before what they hold.
+std::vector<ResultLine> lines_of(const AnswerDescription& answer);
+Fields<ResultLine> line_fields();
+
+}  // namespace flexslip

@@ -1,0 +1,332 @@
+#include "answers/campaign_fields.h"
+
+#include <optional>
+#include <utility>
+
+#include "fibre/elementary.h"
+#include "result/mechanics.h"
+
+namespace flexslip {
+namespace {
+
+using T = const CampaignTest&;
+using S = const TestSummary&;
+
+Fields<TestSummary> parameter_fields() {
+  const auto of_roughness = [](Estimate TestSummary::*estimate) {
+    return [estimate](S test) {
+      return test.model == ProfileModel::roughness ? std::optional(test.*estimate) : std::nullopt;
+    };
+  };
+  return Fields<TestSummary>()
+      .own_estimate("mu0", kind::number, "mean friction over the fibre seen", &TestSummary::mu0,
+                    Fields<TestSummary>().yes_no(
+                        "bound", "the record does not tell it from 0: the upper end of its interval is a limit",
+                        &TestSummary::mu0_is_bound))
+      .own_estimate("roughness", kind::number, "standard deviation of friction about its mean",
+                    of_roughness(&TestSummary::roughness))
+      .own_estimate("correlation_length", kind::length, "of the roughness along the specimen",
+                    of_roughness(&TestSummary::correlation_length))
+      .own_estimate("amplitude", kind::number, "of the likeliest wave of friction, relative to mu0",
+                    &TestSummary::amplitude)
+      .own_estimate("wavelength", kind::length, "of that wave, along the specimen", &TestSummary::wavelength)
+      .own_estimate("phase", kind::angle, "of that wave, at the length 0", &TestSummary::phase)
+      .own_estimate("bending_stiffness", kind::bending_stiffness, "EI of the fit", &TestSummary::bending_stiffness);
+}
+
+// Of what a test is called, and what it comes to.
+Fields<CampaignTest> name_fields() {
+  return Fields<CampaignTest>()
+      .words("name", "of the test", &CampaignTest::name)
+      .titled("test")
+      .words("status", "ok, or why not", &CampaignTest::status);
+}
+
+Fields<TestSummary> verdict_fields() {
+  return Fields<TestSummary>()
+      .words("category", "of the sawtooth: clear, nominal, none", [](S test) { return name_of(test.category); })
+      .yes_no("suspect", "its standing is suspect or untrusted", &TestSummary::suspect)
+      .words("standing", "sound, doubtful, suspect, untrusted: the remarks say why",
+             [](S test) { return name_of(test.standing); })
+      .words("drops_verdict", "not_by_cracks_alone, cracks, cannot_be_told; null without drops",
+             [](S test) { return test.drops > 0 ? std::optional(name_of(test.drops_verdict)) : std::nullopt; })
+      .words("model", "of friction, that was fitted", [](S test) { return name_of(test.model); });
+}
+
+Fields<TestSummary> number_fields() {
+  return Fields<TestSummary>()
+      .own("residual_rms", kind::force, "measured force less the mean of the fit run forward, root mean square",
+           &TestSummary::residual_rms)
+      .count("drops", "of the force, beyond its noise", &TestSummary::drops)
+      .own("work_of_fracture", kind::energy, "work on the specimen", &TestSummary::work_of_fracture)
+      .number("friction_share", "of it that went into friction and snaps", &TestSummary::friction_share);
+}
+
+Fields<CampaignTest> remark_fields() {
+  return Fields<CampaignTest>()
+      .words("reason", "why the status is not ok",
+             [](T test) { return test.reason.empty() ? std::nullopt : std::optional(test.reason); })
+      .words("remarks", "what a reader of the table should know of it", &CampaignTest::remarks)
+      .words("file", "what describes the test", &CampaignTest::file);
+}
+
+Fields<CampaignTest> test_fields() {
+  return name_fields()
+      .all_of(verdict_fields(), &CampaignTest::summary)
+      .group("parameters", "what was fitted; null what the fit has not", parameter_fields(), &CampaignTest::summary)
+      .group(
+          "wave", "whether the likeliest one is claimed",
+          Fields<TestSummary>()
+              .yes_no("claimed", "by the evidence; a wave that is not is only indicative", &TestSummary::wave_claimed)
+              .number("log_evidence", "ln of the evidence with a wave over that without",
+                      &TestSummary::log_evidence_of_wave),
+          &CampaignTest::summary)
+      .group(
+          "friction_read", "friction read off the curve point by point, before any model of it",
+          Fields<TestSummary>()
+              .number("median", "half of the points lie below it", [](S test) { return test.friction_read.median; })
+              .number("low80", "a tenth of the points lie below it", [](S test) { return test.friction_read.low80; })
+              .number("high80", "a tenth of the points lie above it", [](S test) { return test.friction_read.high80; }),
+          &CampaignTest::summary)
+      .all_of(Fields<TestSummary>().words("failed_checks", "residuals, drops, whiteness, nesting, friction, stability",
+                                          [](S test) {
+                                            std::vector<std::string_view> names;
+                                            for (const auto kind : test.failed_checks) names.push_back(name_of(kind));
+                                            return names;
+                                          }),
+              &CampaignTest::summary)
+      .all_of(number_fields(), &CampaignTest::summary)
+      .all_of(remark_fields());
+}
+
+// Mean, least and greatest of a parameter.
+Fields<Spread> spread_fields(const Kind& kind) {
+  return Fields<Spread>()
+      .only_where([](const Spread& spread) { return spread.count > 0; })
+      .own("mean", kind, "over the tests", &Spread::mean)
+      .own("min", kind, "smallest", &Spread::min)
+      .own("max", kind, "largest", &Spread::max)
+      .anywhere()
+      .count("n", "tests that it is taken over", &Spread::count);
+}
+
+Fields<CategorySpread> category_fields() {
+  return Fields<CategorySpread>()
+      .count("tests", "in the category", &CategorySpread::tests)
+      .group("mu0", "mean friction", spread_fields(kind::number), &CategorySpread::mu0)
+      .group("amplitude", "of one wave of friction, relative to mu0", spread_fields(kind::number),
+             &CategorySpread::amplitude)
+      .group("wavelength", "of that wave, along the specimen", spread_fields(kind::length),
+             &CategorySpread::wavelength);
+}
+
+// A specimen in the light of the others.
+struct DrawnSpecimen {
+  std::string test;
+  double value, standard_error;
+};
+
+std::vector<DrawnSpecimen> specimens_of(const SpecimenLine& line) {
+  const auto& [tests, population] = *line.between;
+  std::vector<DrawnSpecimen> all;
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    const Estimate& own = population.specimens[i];
+    const double value = line.by_factors ? elementary::exp(own.value) : own.value;
+    all.push_back({tests[i], value, line.by_factors ? value * own.standard_error : own.standard_error});
+  }
+  return all;
+}
+
+std::string_view differ_by(const SpecimenLine& line) { return line.by_factors ? "factor" : "standard deviation"; }
+
+Fields<SpecimenLine> between_fields() {
+  using L = const SpecimenLine&;
+  return Fields<SpecimenLine>()
+      .count("tests", "whose records tell it", [](L line) { return line.between->tests.size(); })
+      .estimate_in("typical", "mean of the specimens, of mu0; of the others the middle one", &SpecimenLine::typical,
+                   &SpecimenLine::unit)
+      .words("differ_by", "what spread is: a standard deviation, or a factor either way", differ_by)
+      .estimate_in(
+          "spread", "between specimens", &SpecimenLine::spread,
+          [](L line) { return line.by_factors ? std::string("1") : line.unit; },
+          Fields<SpecimenLine>().yes_no("bound", "the records do not tell the specimens apart",
+                                        [](L line) { return line.between->population.spread_is_bound; }));
+}
+
+struct CategoryOf {
+  const Campaign& campaign;
+  const CategorySummary& category;
+};
+
+Fields<CategoryOf> category_answer_fields() {
+  using C = const CategoryOf&;
+  return Fields<CategoryOf>()
+      .all_of(category_fields(), [](C of) { return &of.category.without_suspects; })
+      .group("with_suspects", "the same with tests that are suspect", category_fields(),
+             [](C of) { return &of.category.with_suspects; })
+      .by_name(
+          "between_specimens", "what specimens have in common, and how they differ, by parameter",
+          between_fields().list("specimens", "each in the light of the others",
+                                Fields<DrawnSpecimen>()
+                                    .words("test", "its name", &DrawnSpecimen::test)
+                                    .number("value", "of the parameter, in the unit of typical", &DrawnSpecimen::value)
+                                    .number("standard_error", "of value", &DrawnSpecimen::standard_error),
+                                specimens_of),
+          [](C of) {
+            std::vector<std::pair<std::string, SpecimenLine>> lines;
+            for (SpecimenLine& line : specimen_lines(of.campaign))
+              if (line.category == key_of(of.category)) lines.emplace_back(line.parameter, std::move(line));
+            return lines;
+          });
+}
+
+Fields<CampaignTest> failure_fields() {
+  return name_fields()
+      .words("reason", "why there is no answer", &CampaignTest::reason)
+      .words("file", "what describes the test", &CampaignTest::file);
+}
+
+using SomeTests = std::vector<std::reference_wrapper<const CampaignTest>>;
+
+SomeTests answered_of(const Campaign& campaign) {
+  SomeTests answered;
+  for (const CampaignTest& test : campaign.tests)
+    if (test.summary) answered.emplace_back(test);
+  return answered;
+}
+
+SomeTests failures_of(const Campaign& campaign) {
+  SomeTests failures;
+  for (const CampaignTest& test : campaign.tests)
+    if (!test.summary) failures.emplace_back(test);
+  return failures;
+}
+
+// With the estimate as it stands there: its numbers beside the others in JSON, four columns in tables.
+Fields<SharedParameter> shared_fields(const Fields<SharedParameter>& estimate) {
+  return Fields<SharedParameter>()
+      .words("name", "of the parameter", &SharedParameter::name)
+      .titled("parameter")
+      .words("unit", "of the estimate", &SharedParameter::unit)
+      .all_of(estimate)
+      .count("tests", "whose records tell it", &SharedParameter::tests)
+      .number("chi_squared", "of the tests about it, with one freedom less than tests", &SharedParameter::chi_squared)
+      .number("agreement", "probability that tests that do share it differ as much", &SharedParameter::agreement);
+}
+
+Fields<SharedParameter> shared_answer_fields() {
+  using P = const SharedParameter&;
+  return shared_fields(Fields<SharedParameter>()
+                           .number("value", "from several tests", [](P p) { return p.estimate.value; })
+                           .number("standard_error", "of value", [](P p) { return p.estimate.standard_error; })
+                           .own_numbers("interval95", kind::number, "of value", [](P p) {
+                             return std::vector{p.estimate.low, p.estimate.high};
+                           }));
+}
+
+Fields<Campaign> all_fields() {
+  return Fields<Campaign>()
+      .list("tests", "with an answer, in the order of the plan", test_fields(), answered_of)
+      .by_name("categories", "clear, nominal, none and all; without tests that are suspect", category_answer_fields(),
+               [](const Campaign& campaign) {
+                 std::vector<std::pair<std::string, CategoryOf>> categories;
+                 for (const CategorySummary& category : campaign.categories)
+                   categories.emplace_back(key_of(category), CategoryOf{campaign, category});
+                 return categories;
+               })
+      .list("failures", "tests without an answer", failure_fields(), failures_of)
+      .list("shared", "parameters that tests share", shared_answer_fields(), &Campaign::shared)
+      .group("units", "of plain numbers", units_of_numbers<Campaign>());
+}
+
+}  // namespace
+
+std::string_view key_of(const CategorySummary& category) {
+  return category.category ? name_of(*category.category) : "all";
+}
+
+std::vector<SpecimenLine> specimen_lines(const Campaign& campaign) {
+  std::vector<SpecimenLine> lines;
+  const auto exponential = [](const Estimate& log) {
+    const double value = elementary::exp(log.value);
+    return Estimate{value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
+  };
+  for (const auto& category : campaign.categories) {
+    const auto add = [&](const char* parameter, const char* unit, const std::optional<BetweenSpecimens>& between) {
+      if (!between) return;
+      const Population& found = between->population;
+      const bool by_factors = &between != &category.mu0;
+      lines.push_back({std::string(key_of(category)), parameter, unit, by_factors,
+                       by_factors ? exponential(found.mean) : found.mean,
+                       by_factors ? exponential(found.spread) : found.spread, &*between});
+    };
+    add("mu0", "1", category.mu0);
+    add("roughness", "1", category.log_roughness);
+    add("correlation_length", "m", category.log_length);
+  }
+  return lines;
+}
+
+const Fields<Campaign>& campaign_fields() {
+  static const Fields<Campaign> fields = all_fields();
+  return fields;
+}
+
+Json campaign_json(const Campaign& campaign) { return campaign_fields()(campaign, {}); }
+
+Fields<CampaignTest> test_columns() {
+  return name_fields()
+      .all_of(verdict_fields(), &CampaignTest::summary)
+      .all_of(parameter_fields(), &CampaignTest::summary)
+      .all_of(Fields<TestSummary>()
+                  .yes_no("mu0_is_bound", "the record does not tell mu0 from 0: mu0_high is its upper limit",
+                          &TestSummary::mu0_is_bound)
+                  .yes_no("wave_claimed", "by the evidence; a wave that is not is only indicative",
+                          [](S test) { return test.wavelength ? std::optional(test.wave_claimed) : std::nullopt; }),
+              &CampaignTest::summary)
+      .all_of(number_fields(), &CampaignTest::summary)
+      .all_of(remark_fields());
+}
+
+Fields<CategoryLine> category_columns() {
+  return Fields<CategoryLine>()
+      .words("category", "of the sawtooth", &CategoryLine::key)
+      .words("suspects", "left out, or counted in", &CategoryLine::suspects)
+      .all_of(category_fields(), &CategoryLine::spread);
+}
+
+Fields<SpecimenLine> specimen_columns() {
+  return Fields<SpecimenLine>()
+      .words("category", "of the sawtooth, suspects left out", &SpecimenLine::category)
+      .words("parameter", "of friction", &SpecimenLine::parameter)
+      .words("unit", "of typical, low and high", &SpecimenLine::unit)
+      .all_of(between_fields());
+}
+
+ResultTable test_table(const Campaign& campaign) { return tabulated("tests", test_columns(), campaign.tests); }
+
+ResultTable category_table(const Campaign& campaign) {
+  std::vector<CategoryLine> lines;
+  for (const auto& category : campaign.categories) {
+    lines.push_back({key_of(category), "without", &category.without_suspects});
+    lines.push_back({key_of(category), "with", &category.with_suspects});
+  }
+  return tabulated("categories", category_columns(), lines);
+}
+
+ResultTable specimen_table(const Campaign& campaign) {
+  return tabulated("specimens", specimen_columns(), specimen_lines(campaign));
+}
+
+ResultTable failure_table(const Campaign& campaign) {
+  return tabulated("failures", failure_fields(), failures_of(campaign));
+}
+
+ResultTable shared_table(const Campaign& campaign) {
+  return tabulated("shared",
+                   shared_fields(Fields<SharedParameter>().estimate_in(
+                       "value", "from several tests", &SharedParameter::estimate, &SharedParameter::unit)),
+                   campaign.shared);
+}
+
+}  // namespace flexslip

@@ -1,0 +1,50 @@
+// What `campaign` tells of many tests, described once.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/campaign_test.h"
+#include "result/fields.h"
+#include "result/table.h"
+
+namespace flexslip {
+
+// What the specimens of a category have in common in one parameter, and how they differ.
+struct SpecimenLine {
+  std::string category;   // as key_of
+  std::string parameter;  // "mu0", "roughness", "correlation_length"
+  std::string unit;       // SI
+  bool by_factors;        // specimens differ by factors, exp of the spread; else by the spread itself
+  Estimate typical;       // the mean, or exp of the mean logarithm
+  Estimate spread;        // standard deviation, or exp of that of the logarithm
+  const BetweenSpecimens* between;
+};
+std::vector<SpecimenLine> specimen_lines(const Campaign& campaign);
+
+// "clear", "nominal", "none", or "all".
+std::string_view key_of(const CategorySummary& category);
+
+// Of `campaign --json`.
+const Fields<Campaign>& campaign_fields();
+Json campaign_json(const Campaign& campaign);
+
+// The columns of its tables.
+struct CategoryLine {
+  std::string_view key, suspects;
+  const CategorySpread* spread;
+};
+Fields<CampaignTest> test_columns();
+Fields<CategoryLine> category_columns();
+Fields<SpecimenLine> specimen_columns();
+
+// A row per test, those that failed among them; a category with its suspects and without, and all tests; what specimens have in common,
+// a row per category and parameter; a row per test without an answer; a row per shared parameter. Units: SI.
+ResultTable test_table(const Campaign& campaign);
+ResultTable category_table(const Campaign& campaign);
+ResultTable specimen_table(const Campaign& campaign);
+ResultTable failure_table(const Campaign& campaign);
+ResultTable shared_table(const Campaign& campaign);
+
+}  // namespace flexslip

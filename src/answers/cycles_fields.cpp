@@ -1,0 +1,237 @@
+#include "answers/cycles_fields.h"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "data/names.h"
+
+namespace flexslip {
+namespace {
+
+using T = const FittedTest&;
+
+// One of the loops of a test.
+struct LoopOf {
+  const FittedTest& test;
+  std::size_t i;
+  const FrictionLoop& loop() const { return test.cycles->friction.loops[i]; }
+  const LoopEnergy& energy() const { return test.cycles->energy[i]; }
+};
+using L = const LoopOf&;
+
+// A place of a table of friction.
+struct Place {
+  double S, mu;
+  std::optional<double> error;
+};
+
+std::vector<Place> places_of(const FrictionTable& table, const std::vector<double>& errors = {}) {
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < table.S.size(); ++i)
+    places.push_back({table.S[i], table.mu[i], errors.empty() ? std::nullopt : std::optional(errors[i])});
+  return places;
+}
+
+Fields<Place> place_fields() {
+  return Fields<Place>()
+      .number("length", kind::length, "drawn in, and the span", &Place::S)
+      .number("drawn_in", kind::length, "length drawn in over both supports", [](const Place& p) { return p.S - 1; })
+      .number("position", kind::length, "of the support along the specimen, from midspan",
+              [](const Place& p) { return p.S / 2; })
+      .number("mu", "friction there", &Place::mu);
+}
+
+Fields<BumpCorrelation> correlation_fields() {
+  return Fields<BumpCorrelation>()
+      .number("value", "Pearson's r of friction in the two directions, slow trends taken off", &BumpCorrelation::value)
+      .number("low", "lower end of its 95 % interval", &BumpCorrelation::low)
+      .number("high", "upper end of its 95 % interval", &BumpCorrelation::high)
+      .number("effective_points", "independent places that the places are worth", &BumpCorrelation::effective_points);
+}
+
+Fields<Leg> leg_fields() {
+  return Fields<Leg>()
+      .row("first_row", "first row of the file", &Leg::first)
+      .row("last_row", "last row of the file", [](const Leg& leg) { return leg.last - 1; });
+}
+
+Fields<LoopCorner> corner_fields() {
+  return Fields<LoopCorner>()
+      .row("row", "row of the file", &LoopCorner::index)
+      .number("length", kind::length, "drawn in, and the span", &LoopCorner::S)
+      .number("q", "mobilised friction", &LoopCorner::q);
+}
+
+Fields<FrictionLoop> corners_fields() {
+  const Fields<LoopCorner> corner = corner_fields();
+  return Fields<FrictionLoop>()
+      .group("start", "first point of the loading that slides", corner, &FrictionLoop::start)
+      .group("turn", "where the stage turned back", corner, &FrictionLoop::turn)
+      .group("slides_back", "where it began to slide out", corner, &FrictionLoop::slides_back)
+      .group("end", "end of the unloading", corner, &FrictionLoop::end);
+}
+
+Fields<LoopEnergy> loop_energy_fields() {
+  return Fields<LoopEnergy>()
+      .number("loading", kind::energy, "put in: the apparent work of fracture of this loading", &LoopEnergy::loading)
+      .number("unloading", kind::energy, "given back", &LoopEnergy::unloading)
+      .number("stored", kind::energy, "kept by bending, from where the loop begins to where it ends",
+              &LoopEnergy::stored)
+      .number("lost", kind::energy, "area of the loop less what is stored", &LoopEnergy::lost)
+      .number("friction", kind::energy, "heat of friction where it slides", &LoopEnergy::friction);
+}
+
+Fields<LoopOf> loop_fields() {
+  const auto leg_of = [](std::optional<std::size_t> FrictionLoop::*leg) {
+    return [leg](L loop) -> const Leg* {
+      const auto& which = loop.loop().*leg;
+      return which ? &loop.test.cycles->friction.legs[*which] : nullptr;
+    };
+  };
+  const auto part = [](auto member) { return [member](L loop) { return loop.loop().*member; }; };
+  return Fields<LoopOf>()
+      .group("loading", "rows of the loading; null without one", leg_fields(), leg_of(&FrictionLoop::loading))
+      .group("unloading", "rows of the unloading; null without one", leg_fields(), leg_of(&FrictionLoop::unloading))
+      .estimate("contact", kind::length, "stage position of the contact", part(&FrictionLoop::contact))
+      .group("corners", "of the loop in friction over length; null where it has none", corners_fields(),
+             [](L loop) { return &loop.loop(); })
+      .number("stick_advance", kind::length, "drawn in while it should stick, after the turn: 0 in the model",
+              part(&FrictionLoop::stick_advance))
+      .count("places", "at which the directions are compared", part(&FrictionLoop::places))
+      .only_where([](L loop) { return loop.loop().places > 0; })
+      .estimate("mu_in", kind::number, "friction sliding in, mean over the places", part(&FrictionLoop::mu_in))
+      .estimate("mu_out", kind::number, "friction sliding out, likewise", part(&FrictionLoop::mu_out))
+      .estimate("mean_difference", kind::number, "of the two, after EI and contact were chosen so that they agree",
+                part(&FrictionLoop::mean_difference))
+      .estimate("rms_difference", kind::number, "of the two from place to place", part(&FrictionLoop::rms_difference))
+      .group("correlation", "of the bumps of friction in the two directions", correlation_fields(),
+             part(&FrictionLoop::correlation))
+      .anywhere()
+      .group("energy", "work at the supports' side, past the deflection at which friction shows", loop_energy_fields(),
+             [](L loop) { return &loop.energy(); })
+      .number("replay_rms", "residuals of one profile for all loops run forward, of the greatest force",
+              [](L loop) {
+                const auto& rms = loop.test.cycles->replay.residual_rms;
+                return loop.i < rms.size() ? std::optional(rms[loop.i]) : std::nullopt;
+              })
+      .list("profile", "friction along the specimen as both directions support it",
+            place_fields().number("standard_error", "of mu", &Place::error),
+            [](L loop) { return places_of(loop.loop().table, loop.loop().error); });
+}
+
+Fields<LoadingStiffness> loading_fields() {
+  using S = const LoadingStiffness&;
+  return Fields<LoadingStiffness>()
+      .words("status",
+             "ok, or why it is not compared: loaded_too_little, window_not_covered, too_few_points, not_rising, "
+             "still_drawn_in, no_reference",
+             [](S loading) {
+               return name_in_order<LoadingStatus::no_reference>(
+                   loading.status, {"ok", "loaded_too_little", "window_not_covered", "too_few_points", "not_rising",
+                                    "still_drawn_in", "no_reference"});
+             })
+      .only_where([](S loading) { return loading.status == LoadingStatus::ok; })
+      .own_numbers("rows", kind::number, "first and last row of the file in the window",
+                   [](S loading, const Frame& frame) {
+                     return std::vector{frame.row(loading.first), frame.row(loading.last - 1)};
+                   })
+      .own("slope", kind::stiffness, "force over deflection in the window", &LoadingStiffness::slope)
+      .own("slope_error", kind::stiffness, "its standard error, from scatter", &LoadingStiffness::slope_error)
+      .number("ratio", "to the slope of the first loading", &LoadingStiffness::ratio)
+      .number("ratio_error", "its standard error, from scatter", &LoadingStiffness::ratio_error)
+      .number("ratio_systematic", "half the difference of the ratios in the lower and in the upper half of the window",
+              &LoadingStiffness::ratio_systematic)
+      .words("verdict", "damaged, not_damaged or undecided", [](S loading) { return name_of(loading.verdict); });
+}
+
+Fields<CyclicPoint> point_fields() {
+  return Fields<CyclicPoint>()
+      .row("row", "row of the file", &CyclicPoint::index)
+      .number("length", kind::length, "drawn in, and the span", &CyclicPoint::S)
+      .number("q", "mobilised friction: μ sliding in, −μ sliding out, within these when stuck", &CyclicPoint::q)
+      .number("standard_error", "of q: noise, EI and contact", &CyclicPoint::standard_error)
+      .words("motion", "slip_in, slip_out or stick", [](const CyclicPoint& point) {
+        return name_in_order<LegMotion::stuck>(point.motion, {"slip_in", "slip_out", "stick"});
+      });
+}
+
+Fields<BuildUpLength> build_up_fields() {
+  return Fields<BuildUpLength>()
+      .number("value", kind::length, "length of sliding, both sides together", &BuildUpLength::value)
+      .number("standard_error", kind::length, "from reversal to reversal; null of a single one",
+              &BuildUpLength::standard_error)
+      .number("least", kind::length, "least that could be told", &BuildUpLength::least)
+      .count("reversals", "that it is read off", &BuildUpLength::reversals)
+      .yes_no("told", "it is told from none", &BuildUpLength::is_told);
+}
+
+const CyclicFriction& friction_of(T test) { return test.cycles->friction; }
+bool is_mirrored(T test) { return friction_of(test).status == CyclesStatus::ok; }
+bool is_measurable(T test) { return is_mirrored(test) || friction_of(test).status == CyclesStatus::no_mirror; }
+
+// Its interval is symmetric in the logarithm.
+Estimate stiffness_of(T test) {
+  const auto& [logarithm, error, low, high] = friction_of(test).log_stiffness;
+  const double value = std::exp(logarithm);
+  return {value, value * error, value * std::exp(low - logarithm), value * std::exp(high - logarithm)};
+}
+
+std::vector<LoopOf> loops_of(T test) {
+  std::vector<LoopOf> loops;
+  if (is_measurable(test))
+    for (std::size_t i = 0; i < friction_of(test).loops.size(); ++i) loops.push_back({test, i});
+  return loops;
+}
+
+}  // namespace
+
+std::size_t cyclic_row(const FittedTest& test, std::size_t point) { return cyclic_file_row(test.measurement, point); }
+
+std::string_view name_of(CyclesStatus status) {
+  return name_in_order<CyclesStatus::not_converged>(status, {"ok", "no_mirror", "too_few_points", "not_converged"});
+}
+
+std::string_view name_of(DamageVerdict verdict) {
+  return name_in_order<DamageVerdict::undecided>(verdict, {"damaged", "not_damaged", "undecided"});
+}
+
+Fields<FittedTest> cycles_fields() {
+  const auto if_measurable = [](T test, auto points) { return is_measurable(test) ? points : decltype(points){}; };
+  return Fields<FittedTest>()
+      .in_frame([](T test) {
+        return Frame{.scales = test.analysis.scales, .reduced = test.reduced, .row = [&test](std::size_t point) {
+                       return cyclic_row(test, point);
+                     }};
+      })
+      .words("status", "ok, no_mirror (no part of the specimen slid both ways), too_few_points or not_converged",
+             [](T test) { return name_of(friction_of(test).status); })
+      .only_where(is_measurable)
+      .estimate("bending_stiffness", kind::bending_stiffness,
+                "EI at which friction is the same in loading and unloading", stiffness_of,
+                Fields<FittedTest>().number("relative_to_nominal", "over that stated, or of the initial slope",
+                                            [](T test) { return stiffness_of(test).value; }))
+      .only_where(is_mirrored)
+      .estimate("asymmetry", kind::number,
+                "friction sliding in less that sliding out, left free beside EI and contacts",
+                [](T test) { return friction_of(test).asymmetry; })
+      .group("correlation", "of the bumps of friction in the two directions, of all loops together",
+             correlation_fields(), [](T test) { return friction_of(test).correlation; })
+      .anywhere()
+      .group("build_up_length", "over which friction builds up after a reversal (Dahl); null where no reversal is seen",
+             build_up_fields(), [](T test) { return test.cycles->build_up; })
+      .only_where(is_measurable)
+      .number("force_noise", kind::force, "standard deviation of one force reading",
+              [](T test) { return friction_of(test).force_noise; })
+      .anywhere()
+      .list("loops", "each loading with the unloading after it", loop_fields(), loops_of)
+      .list(
+          "loading_stiffness", "of each loading, against the first", loading_fields(),
+          [](T test) -> const auto& { return test.cycles->stiffness; })
+      .list("profile", "friction along the specimen, of all loops", place_fields(),
+            [if_measurable](T test) { return if_measurable(test, places_of(friction_of(test).table)); })
+      .list("points", "mobilised friction, point by point", point_fields(),
+            [if_measurable](T test) { return if_measurable(test, friction_of(test).points); });
+}
+
+}  // namespace flexslip

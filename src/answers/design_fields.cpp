@@ -1,0 +1,119 @@
+#include "answers/design_fields.h"
+
+#include <cmath>
+#include <optional>
+
+#include "result/mechanics.h"
+
+namespace flexslip {
+namespace {
+
+using T = const ToldDesign&;
+
+struct ToldChange {
+  const DesignChange& change;
+  const std::string& words;
+};
+
+std::vector<ToldChange> changes_of(T told) {
+  std::vector<ToldChange> all;
+  for (std::size_t i = 0; i < told.changes.size(); ++i) all.push_back({told.answer.changes[i], told.changes[i]});
+  return all;
+}
+
+Fields<ToldChange> change_fields() {
+  using C = const ToldChange&;
+  return Fields<ToldChange>()
+      .words("parameter", "that changes, the others as they are",
+             [](C c) { return described(c.change.parameter).name; })
+      .own("from", kind::number, "its value, in the unit of the parameter", [](C c) { return c.change.from; })
+      .own("to", kind::number, "its value then, likewise", [](C c) { return c.change.to; })
+      .yes_no("and_beyond", "it stays so however far beyond", [](C c) { return c.change.and_beyond; })
+      .number("largest_drop_share", "largest drop then, of the greatest force",
+              [](C c) { return c.change.outcome.largest_drop / c.change.outcome.greatest_force; })
+      .words("words", "the change in a sentence", [](C c) { return c.words; });
+}
+
+Fields<PhaseStudy> phase_fields() {
+  return Fields<PhaseStudy>()
+      .count("count", "phases of the waves of friction that were tried", &PhaseStudy::phases)
+      .count("snapping", "of them, those with which the specimen snaps", &PhaseStudy::snapping)
+      .number("least_largest_drop", kind::force, "least of the largest drops, one for each phase",
+              &PhaseStudy::least_drop)
+      .number("greatest_largest_drop", kind::force, "greatest of them", &PhaseStudy::largest_drop)
+      .number("critical_stiffness", kind::stiffness, "stiffness from which it snaps with none of them",
+              &PhaseStudy::critical);
+}
+
+// Those that the case has, each in its unit.
+Fields<ToldDesign> parameter_fields() {
+  Fields<ToldDesign> fields;
+  fields.left_out_where_missing();
+  for (const DesignParameterName& known : design_parameters())
+    fields.own(known.name, known.kind, known.description, [parameter = known.parameter](T told) {
+      const DesignCase& input = told.answer.input;
+      return input.has(parameter) ? std::optional(input.value(parameter)) : std::nullopt;
+    });
+  return fields;
+}
+
+DesignResult outcome_told(T told) {
+  const DesignAnswer& answer = told.answer;
+  return {status_of(answer.outcome), DesignUnits{answer.scales, answer.surface}, answer.outcome};
+}
+
+constexpr std::string_view statuses =
+    "ok, slipped_through or breaks (the outcomes are those up to there), impossible or not_computable";
+
+}  // namespace
+
+Fields<ToldDesign> design_fields() {
+  return Fields<ToldDesign>()
+      .in_frame([](T told) {
+        return Frame{told.answer.scales, told.answer.input.reduced()};
+      })
+      .words("status", statuses, [](T told) { return word_of(status_of(told.answer.outcome)); })
+      .all_of(outcome_fields(), outcome_told)
+      .yes_no("wraps_nose", "the specimen is bent more sharply than the nose",
+              [](T told) { return told.answer.wraps_nose; })
+      .number("friction_share", "of the work that went into friction and snaps",
+              [](T told) {
+                const DesignOutcome& outcome = told.answer.outcome;
+                return (outcome.friction_heat + outcome.released) / outcome.work;
+              })
+      .words("answer", "whether the test shows a sawtooth, in a sentence", [](T told) { return told.words; })
+      .number("critical_stiffness", kind::stiffness,
+              "stiffness at and above which this loading meets no snap; null if it snaps on every rig, 0 if on none",
+              [](T told) { return told.answer.critical; })
+      .yes_no("snaps_whatever_the_stiffness", "even where the deflection itself is controlled",
+              [](T told) { return told.answer.critical > 0 && !std::isfinite(told.answer.critical); })
+      .group("phases", "what the phase of the friction decides; null where it decides nothing", phase_fields(),
+             [](T told) { return told.answer.phases; })
+      .list("changes", "with which the answer is the other one", change_fields(), changes_of)
+      .group("parameters", "of the design, in their units", parameter_fields())
+      .group("units", "of plain numbers", units_of_numbers<ToldDesign>());
+}
+
+Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes) {
+  using P = const MapPoint&;
+  Fields<MapPoint> fields;
+  fields.left_out_where_missing();
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    fields.own(axes[i].parameter.name, axes[i].parameter.kind, axes[i].parameter.description,
+               [i](P point) { return point.values[i]; });
+  return fields.words("status", statuses, [](P point) { return word_of(point.result.status); })
+      .all_of(outcome_fields(), &MapPoint::result)
+      .number("stiffness_margin",
+              "ln of the stiffness over the critical one, within ±3: above 0 the specimen does not snap",
+              [](P point) { return point.result.outcome ? std::optional(point.margin) : std::nullopt; });
+}
+
+Fields<DesignMap> design_map_fields(const std::vector<DesignAxis>& axes) {
+  return Fields<DesignMap>()
+      .group("units", "of plain numbers", units_of_numbers<DesignMap>())
+      .list(
+          "designs", "one for each combination of values", map_fields(axes),
+          [](const DesignMap& map) -> const auto& { return map.points; });
+}
+
+}  // namespace flexslip

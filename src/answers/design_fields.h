@@ -1,0 +1,30 @@
+// What `design` tells of a planned test, and of a map of them, described once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/design_answer.h"
+#include "cases/design_map.h"
+#include "result/fields.h"
+
+namespace flexslip {
+
+// An answer with the sentences that tell it.
+struct ToldDesign {
+  const DesignAnswer& answer;
+  std::string words;
+  std::vector<std::string> changes;  // one of each change
+};
+
+// Units: those of the case. What is infinite or does not exist is null.
+Fields<ToldDesign> design_fields();
+
+// A map: a row for each of its points.
+Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes);
+struct DesignMap {
+  const std::vector<MapPoint>& points;
+};
+Fields<DesignMap> design_map_fields(const std::vector<DesignAxis>& axes);
+
+}  // namespace flexslip

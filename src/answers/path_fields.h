@@ -1,0 +1,20 @@
+// What `simulate` tells, described once.
+#pragma once
+
+#include "cases/simulated_test.h"
+#include "result/fields.h"
+
+namespace flexslip {
+
+// Which fields of a point are told.
+struct PathColumns {
+  bool surface, three_lengths, two_sides, energies;
+};
+inline constexpr PathColumns all_columns{true, true, true, true};
+
+Fields<SimulatedPoint> path_fields(const PathColumns& columns);
+
+// Of `simulate --json`.
+Fields<SimulatedTest> simulation_fields(const PathColumns& columns);
+
+}  // namespace flexslip

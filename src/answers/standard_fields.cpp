@@ -1,0 +1,134 @@
+#include "answers/standard_fields.h"
+
+#include <cmath>
+#include <vector>
+
+namespace flexslip {
+namespace {
+
+using T = const StandardTest&;
+
+std::optional<Estimate> with_error_of_slope(const std::optional<double>& value, const Estimate& slope) {
+  if (!value) return std::nullopt;
+  return normal_estimate(*value, *value * (slope.standard_error / slope.value));
+}
+
+Fields<Chord> chord_fields() {
+  return Fields<Chord>()
+      .own_numbers("strain", kind::number, "flexural strains between which it is drawn",
+                   [](const Chord&) {
+                     return std::vector{0.0005, 0.0025};
+                   })
+      .own_numbers("deflection", kind::length, "deflections there, from the origin",
+                   [](const Chord& chord) {
+                     return std::vector{chord.deflection_from, chord.deflection_to};
+                   })
+      .own_estimate("stiffness", kind::stiffness, "force over deflection between them", &Chord::stiffness)
+      .own_estimate("modulus", kind::pressure, "flexural modulus of the chord, as ISO 178 has it",
+                    [](const Chord& chord) { return with_error_of_slope(chord.modulus, chord.stiffness); });
+}
+
+Fields<StandardTest> window_fields() {
+  return Fields<StandardTest>()
+      .number("from", "where the straight part begins, in shares of of_force",
+              [](T t) { return t.numbers.window.from; })
+      .number("up_to", "where it ends, likewise", [](T t) { return t.numbers.window.up_to; })
+      .own("of_force", kind::force, "greatest force reached at a small deflection",
+           [](T t) { return t.numbers.window_force; })
+      .own_numbers("rows", kind::number, "first and last row of the file in it", [](T t) {
+        return std::vector{file_row(t.measurement, t.numbers.first), last_file_row(t.measurement, t.numbers.last - 1)};
+      });
+}
+
+// The unit of a kind that needs no factor; "1" for plain numbers.
+std::string si_unit(const Kind& kind) {
+  for (const std::string_view unit : kind.units)
+    if (parse_unit(unit) == Unit{kind.dimension, 0, 1}) return std::string(unit);
+  return "1";
+}
+
+std::optional<std::string> unless_empty(std::string text) {
+  return text.empty() ? std::nullopt : std::optional(std::move(text));
+}
+
+}  // namespace
+
+StandardTest standard_test(const FittedTest& test) {
+  return {test.measurement, test.geometry, test.small_deflection, test.reduced};
+}
+
+std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
+  const SmallDeflection& numbers = test.small_deflection;
+  if (test.analysis.status != AnalysisStatus::ok || !numbers.bending_stiffness) return std::nullopt;
+  const Estimate straight = *with_error_of_slope(numbers.bending_stiffness, numbers.stiffness);
+  const Estimate& fitted = test.analysis.fit.bending_stiffness;
+  const double unit = test.analysis.scales.bending_stiffness();
+  return BesideFit{straight.value / (unit * fitted.value),
+                   straight.high < unit * fitted.low || straight.low > unit * fitted.high};
+}
+
+Fields<StandardTest> standard_fields() {
+  const auto ok = [](T t) { return t.numbers.status == SmallDeflectionStatus::ok; };
+  return Fields<StandardTest>()
+      .words("status", "ok, or no_straight_part: nothing else is there then",
+             [ok](T t) { return ok(t) ? "ok" : "no_straight_part"; })
+      .only_where(ok)
+      .own_estimate("stiffness", kind::stiffness, "force over deflection, slope of the straight part",
+                    [](T t) { return t.numbers.stiffness; })
+      .own_estimate("bending_stiffness", kind::bending_stiffness, "EI = F L³/(48 δ); null without a span",
+                    [](T t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
+      .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
+                    [](T t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
+      .group("chord", "of ISO 178; null where the record does not cover both strains", chord_fields(),
+             [](T t) { return t.numbers.chord; })
+      .group("window", "the straight part", window_fields())
+      .own_quantity("origin", kind::length, "deflection at which the straight part would meet zero force",
+                    [](T t) { return t.numbers.origin; })
+      .own_quantity("greatest_force", kind::force, "greatest force", [](T t) { return t.numbers.greatest_force; })
+      .own_quantity("deflection", kind::length, "deflection there, from the origin",
+                    [](T t) { return t.numbers.deflection; })
+      .own_quantity("stress", kind::pressure, "flexural stress there, F L depth/(8 I)",
+                    [](T t) { return t.numbers.stress; })
+      .own_quantity("strain", kind::number, "flexural strain there, 6 δ depth/L²", [](T t) { return t.numbers.strain; })
+      .yes_no("deflection_large", "it is beyond a tenth of the span: stress and strain of the standards do not hold",
+              [](T t) { return t.numbers.deflection_large; })
+      .number("shear_share", "what shear, left out, adds to a small deflection",
+              [](T t) { return t.numbers.shear_share; });
+}
+
+Fields<PreparationStep> preparation_fields() {
+  using S = const PreparationStep&;
+  return Fields<PreparationStep>()
+      .words("step", "columns, metadata, sign, thinning, zero, compliance, end, turn, stage or contact",
+             [](S step) { return step.name; })
+      .yes_no("changed", "numbers are not as in the file, or rows are left out", [](S step) { return step.changed; })
+      .words("done", "what was done, in words", [](S step) { return step.done; })
+      .own("value", kind::number, "taken off, applied or found",
+           [](S step) { return step.value ? std::optional(step.value->value) : std::nullopt; })
+      .own("uncertainty", kind::number, "its standard deviation, where it is known",
+           [](S step) { return step.value ? step.value->error : std::nullopt; })
+      .words("unit", "of both",
+             [](S step) { return step.value ? std::optional(si_unit(step.value->kind)) : std::nullopt; })
+      .own_numbers("rows", kind::number, "first and last row of the file that it is about; null: all",
+                   [](S step) {
+                     return step.rows ? std::optional(std::vector{step.rows->first, step.rows->last}) : std::nullopt;
+                   })
+      .words("key", "what to write into the case for having it otherwise",
+             [](S step) { return unless_empty(step.key); })
+      .words("flag", "the flag that says the same", [](S step) { return unless_empty(flag_of(step)); });
+}
+
+Fields<StandardTest> modulus_fields() {
+  Fields<StandardTest> fields = standard_fields();
+  return fields.anywhere().list(
+      "preparation", "from the file to the record, step by step", preparation_fields(),
+      [](T t) -> const auto& { return t.measurement.preparation.steps; });
+}
+
+Frame frame_of(const StandardTest& test) {
+  return {.scales = Scales(1, 1), .reduced = test.reduced, .row = [&test](std::size_t point) {
+            return file_row(test.measurement, point);
+          }};
+}
+
+}  // namespace flexslip

@@ -1,0 +1,37 @@
+// The numbers of the bending standards and the way from the file to the record, as `fit` and `modulus` tell them.
+#pragma once
+
+#include <optional>
+
+#include "cases/fitted_test.h"
+#include "result/fields.h"
+
+namespace flexslip {
+
+// What is known of a test where only these numbers are asked for.
+struct StandardTest {
+  const Measurement& measurement;
+  const BeamGeometry& geometry;
+  const SmallDeflection& numbers;
+  bool reduced;
+};
+
+StandardTest standard_test(const FittedTest& test);
+
+// The bending stiffness of the straight part over that of the fit.
+struct BesideFit {
+  double ratio;    // [1]
+  bool disagrees;  // the 95 % intervals of the two do not meet
+};
+
+// Nothing where one of the two is not known.
+std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test);
+
+Fields<StandardTest> standard_fields();
+Fields<PreparationStep> preparation_fields();
+
+// Of `modulus --json`: the former, and "preparation".
+Fields<StandardTest> modulus_fields();
+Frame frame_of(const StandardTest& test);
+
+}  // namespace flexslip

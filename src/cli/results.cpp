@@ -1,0 +1,68 @@
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "answers/all_answers.h"
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "io/input_error.h"
+#include "io/text_file.h"
+#include "result/json.h"
+
+namespace flexslip {
+namespace {
+
+struct ResultsRequest {
+  std::string command;
+  Output output;
+};
+
+std::string text_of(const AnswerDescription& answer) {
+  std::string text = fmt::format("{}: {}\n", answer.command, answer.what);
+  for (const ResultLine& line : lines_of(answer))
+    text += fmt::format("  {:<44} {}{}\n", line.key, line.meaning,
+                        line.unit.empty() || line.unit == "1" ? "" : fmt::format(" [{}]", line.unit));
+  return text;
+}
+
+void run_results(const ResultsRequest& request) {
+  Json all = Json::array();
+  std::string text;
+  for (const AnswerDescription& answer : all_answers()) {
+    if (!request.command.empty() && answer.command.substr(0, answer.command.find_first_of(" :,")) != request.command)
+      continue;
+    Json lines = Json::array();
+    for (const ResultLine& line : lines_of(answer)) lines.push_back(line_fields()(line, {}));
+    all.push_back({{"command", answer.command}, {"what", answer.what}, {"table", answer.is_table}, {"lines", lines}});
+    text += (text.empty() ? "" : "\n") + text_of(answer);
+  }
+  if (all.empty())
+    throw InputError({.field = "COMMAND",
+                      .expected = "a command that writes numbers, such as fit or simulate",
+                      .found = in_quotes(request.command)});
+  if (request.output.json)
+    write_json(request.output.path, all);
+  else
+    write_text(request.output.path, text);
+}
+
+}  // namespace
+
+void add_results_command(CLI::App& app) {
+  const auto request = std::make_shared<ResultsRequest>();
+  CLI::App* command =
+      app.add_subcommand("results", "Every key and column that the commands write: its unit, and what it means");
+  command->add_option("command", request->command, "Of one command only: fit, say")->type_name("COMMAND");
+  add_output_options(*command, request->output);
+  command->get_option("--json")->description("Write JSON instead of text");
+  command->footer(
+      "In JSON an estimate holds value, standard_error, interval95 and unit; [] stands for each of a list, * for any\n"
+      "name. In tables it takes four columns: NAME, NAME_standard_error, NAME_low and NAME_high.\n\n"
+      "Examples:\n"
+      "  flexslip results fit\n"
+      "  flexslip results simulate --json");
+  command->callback([request] { run_results(*request); });
+}
+
+}  // namespace flexslip

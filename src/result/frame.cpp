@@ -1,0 +1,56 @@
+#include "result/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace flexslip {
+namespace {
+
+struct Quantity {
+  Dimension dimension;
+  std::string_view physical, reduced;  // units
+  double (*of)(double reduced, const Scales& scales);
+};
+
+double itself(double value, const Scales& /*scales*/) { return value; }
+
+constexpr std::array quantities{
+    Quantity{kind::number.dimension, "1", "1", itself},
+    Quantity{kind::angle.dimension, "rad", "rad", itself},
+    Quantity{kind::length.dimension, "m", "L", [](double x, const Scales& s) { return s.physical_length(x); }},
+    Quantity{kind::inverse_length.dimension, "1/m", "1/L",
+             [](double x, const Scales& s) { return x * (1 / s.span()); }},
+    Quantity{kind::force.dimension, "N", "EI/L^2", [](double x, const Scales& s) { return s.physical_force(x); }},
+    Quantity{kind::energy.dimension, "J", "EI/L", [](double x, const Scales& s) { return s.physical_energy(x); }},
+    Quantity{kind::stiffness.dimension, "N/m", "EI/L^3",
+             [](double x, const Scales& s) { return s.physical_stiffness(x); }},
+    Quantity{kind::compliance.dimension, "m/N", "L^3/EI",
+             [](double x, const Scales& s) { return x / s.stiffness_unit(); }},
+    Quantity{kind::pressure.dimension, "Pa", "EI/L^4",
+             [](double x, const Scales& s) { return x * s.force_unit() / (s.span() * s.span()); }},
+    Quantity{kind::bending_stiffness.dimension, "N m^2", "EI",
+             [](double x, const Scales& s) { return x * s.bending_stiffness(); }},
+};
+
+const Quantity& quantity_of(const Kind& kind) {
+  const auto* found = std::find_if(quantities.begin(), quantities.end(),
+                                   [&](const Quantity& quantity) { return quantity.dimension == kind.dimension; });
+  if (found == quantities.end()) throw std::invalid_argument(fmt::format("no answer is {}", kind.name));
+  return *found;
+}
+
+}  // namespace
+
+double physical(double reduced, const Kind& kind, const Scales& scales) {
+  return quantity_of(kind).of(reduced, scales);
+}
+
+std::string_view unit_of(const Kind& kind, bool reduced) {
+  const Quantity& quantity = quantity_of(kind);
+  return reduced ? quantity.reduced : quantity.physical;
+}
+
+}  // namespace flexslip
