@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/case_file.h"
-#include "cases/fitted_test.h"
+#include "case/case_file.h"
+#include "case/fitted.h"
 #include "inference/process_search.h"
 
 namespace flexslip {

@@ -9,6 +9,7 @@
 
 #include "bench/reference.h"
 #include "bending_test/critical_stiffness.h"
+#include "bending_test/design.h"
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
 #include "bending_test/rig.h"
@@ -18,7 +19,6 @@
 #include "fibre/fibre.h"
 #include "fibre/state_table.h"
 #include "inference/analysis.h"
-#include "inference/design.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {

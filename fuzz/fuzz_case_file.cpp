@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "cases/case_file.h"
+#include "case/case_file.h"
 
 using flexslip::InputError;
 using flexslip::read_case;

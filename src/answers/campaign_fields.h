@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/campaign_test.h"
+#include "campaign/campaign.h"
 #include "result/fields.h"
 #include "result/table.h"
 

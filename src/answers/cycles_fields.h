@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "result/fields.h"
 
 namespace flexslip {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/design_answer.h"
-#include "cases/design_map.h"
+#include "design/design_answer.h"
+#include "design/design_map.h"
 #include "result/fields.h"
 
 namespace flexslip {

@@ -1,7 +1,7 @@
 // Every number of `fit --json`, described once.
 #pragma once
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "result/fields.h"
 
 namespace flexslip {

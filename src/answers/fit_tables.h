@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "result/fields.h"
 
 namespace flexslip {

@@ -1,7 +1,7 @@
 // What `keys --json` tells of a key of case files.
 #pragma once
 
-#include "cases/case_keys.h"
+#include "case/case_keys.h"
 #include "result/fields.h"
 
 namespace flexslip {

@@ -79,22 +79,21 @@ Fields<SimulatedPoint> path_fields(const PathColumns& columns) {
   return fields;
 }
 
-Fields<SimulatedTest> simulation_fields(const PathColumns& columns) {
-  return Fields<SimulatedTest>()
+Fields<Simulation> simulation_fields(const PathColumns& columns) {
+  return Fields<Simulation>()
       .words("status",
              "ok, or why the path ends before its programme: slipped_through, contact_lost, not_computable (on loose "
              "rollers)",
-             &SimulatedTest::status)
-      .group("units", "of plain numbers", units_of_numbers<SimulatedTest>())
-      .list("path", "point by point", path_fields(columns), &SimulatedTest::path)
-      .list("snaps", "of the specimen", snap_fields_with_energies(), &SimulatedTest::snaps)
-      .list("cracks", "as stated, where they opened", crack_fields(), &SimulatedTest::cracks)
+             &Simulation::status)
+      .group("units", "of plain numbers", units_of_numbers<Simulation>())
+      .list("path", "point by point", path_fields(columns), &Simulation::path)
+      .list("snaps", "of the specimen", snap_fields_with_energies(), &Simulation::snaps)
+      .list("cracks", "as stated, where they opened", crack_fields(), &Simulation::cracks)
       .number("wraps_nose_from", kind::length,
               "stage position from which the specimen wraps the nose; null where it does not",
-              &SimulatedTest::wraps_nose_from)
-      .list("legs", "from turn to turn of the stage: by how much each energy changes", leg_fields(),
-            &SimulatedTest::legs)
-      .group("energy", "where the work went, from the start to the end", whole_energy_fields(), &SimulatedTest::energy);
+              &Simulation::wraps_nose_from)
+      .list("legs", "from turn to turn of the stage: by how much each energy changes", leg_fields(), &Simulation::legs)
+      .group("energy", "where the work went, from the start to the end", whole_energy_fields(), &Simulation::energy);
 }
 
 }  // namespace flexslip

@@ -1,7 +1,7 @@
 // What `simulate` tells, described once.
 #pragma once
 
-#include "cases/simulated_test.h"
+#include "case/simulation.h"
 #include "result/fields.h"
 
 namespace flexslip {
@@ -15,6 +15,6 @@ inline constexpr PathColumns all_columns{true, true, true, true};
 Fields<SimulatedPoint> path_fields(const PathColumns& columns);
 
 // Of `simulate --json`.
-Fields<SimulatedTest> simulation_fields(const PathColumns& columns);
+Fields<Simulation> simulation_fields(const PathColumns& columns);
 
 }  // namespace flexslip

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "cases/measurement.h"
-#include "cases/problem.h"
+#include "case/measurement.h"
+#include "case/problem.h"
 #include "data/record.h"
 #include "inference/profile.h"
 #include "result/fields.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "result/fields.h"
 
 namespace flexslip {

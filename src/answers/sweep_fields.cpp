@@ -1,7 +1,7 @@
 #include "answers/sweep_fields.h"
 
-#include "cases/design_result.h"
 #include "data/names.h"
+#include "design/design_result.h"
 
 namespace flexslip {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cases/case_file.h"
+#include "case/case_file.h"
 #include "inference/analysis.h"
 
 namespace flexslip {

@@ -8,8 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cases/case_file.h"
-#include "cases/case_keys.h"
+#include "case/case_file.h"
+#include "case/case_keys.h"
 #include "io/input_error.h"
 
 namespace flexslip {

@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "answers/design_fields.h"
-#include "cases/design_answer.h"
-#include "cases/design_map.h"
-#include "cases/problem.h"
+#include "case/problem.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "design/design_answer.h"
+#include "design/design_map.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/design_figures.h"

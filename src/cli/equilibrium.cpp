@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "answers/equilibrium_fields.h"
-#include "cases/problem.h"
+#include "case/problem.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"

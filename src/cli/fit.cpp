@@ -10,7 +10,7 @@
 
 #include "answers/fit_fields.h"
 #include "answers/fit_tables.h"
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "cli/analysis_flags.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"

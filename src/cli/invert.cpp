@@ -8,7 +8,7 @@
 
 #include "answers/profile_fields.h"
 #include "answers/state_fields.h"
-#include "cases/problem.h"
+#include "case/problem.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "answers/key_fields.h"
-#include "cases/case_keys.h"
+#include "case/case_keys.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"

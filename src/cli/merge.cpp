@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "answers/sweep_fields.h"
-#include "cases/sweep_file.h"
-#include "cases/sweep_parts.h"
 #include "cli/commands.h"
 #include "cli/sweep_output.h"
+#include "design/sweep_file.h"
+#include "design/sweep_parts.h"
 #include "io/input_error.h"
 
 namespace flexslip {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "answers/standard_fields.h"
-#include "cases/measurement.h"
+#include "case/measurement.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"

@@ -12,8 +12,8 @@
 #include "answers/path_fields.h"
 #include "bending_test/history.h"
 #include "bending_test/rolling.h"
-#include "cases/problem.h"
-#include "cases/simulated_test.h"
+#include "case/problem.h"
+#include "case/simulation.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
@@ -61,11 +61,11 @@ std::vector<double> marked_stages(const SimulateRequest& request, const Case& in
   return stages;
 }
 
-PathColumns columns_of(const SimulatedTest& test, const SimulateRequest& request) {
+PathColumns columns_of(const Simulation& test, const SimulateRequest& request) {
   return {test.has_surface, test.has_three_lengths, test.has_two_sides, request.energies};
 }
 
-void write_test(const SimulateRequest& request, const SimulatedTest& test, const Scales& scales, bool reduced) {
+void write_test(const SimulateRequest& request, const Simulation& test, const Scales& scales, bool reduced) {
   const Frame frame{scales, reduced};
   if (request.output.json)
     write_json(request.output.path, simulation_fields(columns_of(test, request))(test, frame));
@@ -74,7 +74,7 @@ void write_test(const SimulateRequest& request, const SimulatedTest& test, const
 }
 
 // Why the path ends before its programme does.
-std::string reason_of_end(const Case& input, HistoryStatus status, const SimulatedTest& test) {
+std::string reason_of_end(const Case& input, HistoryStatus status, const Simulation& test) {
   const std::string last =
       readable(test.path.empty() ? 0 : test.path.back().stage, input.reduced ? kind::number : kind::length);
   if (status == HistoryStatus::slipped_through)
@@ -115,7 +115,7 @@ std::string lift_in_words(const Case& input, const History& history, const Scale
 }
 
 // What the mechanics leaves out of a specimen: that it breaks, and that it shears.
-std::vector<std::string> left_out_in_words(const Case& input, const SimulatedTest& test, const Scales& scales) {
+std::vector<std::string> left_out_in_words(const Case& input, const Simulation& test, const Scales& scales) {
   std::vector<std::string> remarks;
   const SpecimenInput& specimen = *input.specimen;
   const double breaks_at = breaking_curvature_of(specimen, surface_of(input, scales));
@@ -157,15 +157,15 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
     const int parts = programme.in_steps ? 1 : request.points;
     for (int j = 1; j <= parts; ++j) stages.push_back(j < parts ? from + (to - from) * j / parts : to);
   }
-  SimulatedTest test{.status = {},
-                     .path = {},
-                     .snaps = {},
-                     .cracks = {},
-                     .wraps_nose_from = {},
-                     .legs = {},
-                     .has_surface = surface.has_value(),
-                     .has_three_lengths = true,
-                     .has_two_sides = false};
+  Simulation test{.status = {},
+                  .path = {},
+                  .snaps = {},
+                  .cracks = {},
+                  .wraps_nose_from = {},
+                  .legs = {},
+                  .has_surface = surface.has_value(),
+                  .has_three_lengths = true,
+                  .has_two_sides = false};
   EnergyAccount energy{};
   bool gets_there = true;
   // A roller needs friction to roll.
@@ -248,7 +248,7 @@ void run_simulate(const SimulateRequest& request) {
                               : follow_continuously(bending_test, stages, request.points, cracks, progress);
   if (const std::string lift = lift_in_words(input, history, scales); !lift.empty()) note(request.output, lift);
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
-  SimulatedTest test = simulated(input, history, bending_test.rig.fibre, scales, leg_options);
+  Simulation test = simulated(input, history, bending_test.rig.fibre, scales, leg_options);
   if (test.wraps_nose_from)
     note(request.output,
          fmt::format(

@@ -11,11 +11,6 @@
 #include <fmt/format.h>
 
 #include "answers/sweep_fields.h"
-#include "cases/sweep_digest.h"
-#include "cases/sweep_parts.h"
-#include "cases/sweep_plan.h"
-#include "cases/sweep_row.h"
-#include "cases/sweep_run.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -23,6 +18,11 @@
 #include "cli/shell_word.h"
 #include "cli/slurm_script.h"
 #include "cli/sweep_output.h"
+#include "design/sweep_digest.h"
+#include "design/sweep_parts.h"
+#include "design/sweep_plan.h"
+#include "design/sweep_row.h"
+#include "design/sweep_run.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include "answers/sweep_fields.h"
-#include "cases/design_result.h"
-#include "cases/sweep_file.h"
-#include "cases/sweep_row.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/progress.h"
 #include "cli/shell_word.h"
+#include "design/design_result.h"
+#include "design/sweep_file.h"
+#include "design/sweep_row.h"
 #include "io/call_files.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"

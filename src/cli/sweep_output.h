@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "cases/sweep_parts.h"
 #include "cli/output.h"
+#include "design/sweep_parts.h"
 
 namespace flexslip {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "inference/sliding_ladder.h"
+#include "bending_test/sliding_ladder.h"
 
 namespace flexslip {
 namespace {

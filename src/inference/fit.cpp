@@ -6,12 +6,12 @@
 #include <numbers>
 #include <span>
 
+#include "bending_test/sliding_ladder.h"
 #include "data/names.h"
 #include "fibre/elementary.h"
 #include "inference/constant_fit.h"
 #include "inference/process_posterior.h"
 #include "inference/process_search.h"
-#include "inference/sliding_ladder.h"
 
 namespace flexslip {
 namespace {

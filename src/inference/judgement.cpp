@@ -13,7 +13,7 @@ namespace {
 
 constexpr double two_sided = 1.96;
 
-const LoadingStiffness* last_reload(const CyclicTest* cycles) {
+const LoadingStiffness* last_reload(const CyclicAnswer* cycles) {
   if (!cycles) return nullptr;
   for (std::size_t i = cycles->stiffness.size(); i-- > 1;)
     if (cycles->stiffness[i].status == LoadingStatus::ok) return &cycles->stiffness[i];
@@ -92,7 +92,7 @@ std::string_view name_of(NextStep step) {
       step, {"none", "check_case", "reload", "finer_steps", "stiffer_rig", "image_length"});
 }
 
-Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles) {
+Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
   const LoadingStiffness* const reload = last_reload(cycles);
   const std::size_t drops = analysis.drops.drops.size(), impossible = impossible_drops(analysis);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "inference/analysis.h"
-#include "inference/cyclic_test.h"
+#include "inference/cyclic_answer.h"
 
 namespace flexslip {
 
@@ -64,6 +64,6 @@ struct Judgement {
 // A reload that is softer says cracks; one that lost less, at 95 %, than cracks would need to make the drops says that these were not cracks
 // alone. Drops are not asked about where there are none.
 // Domain:     analysis.status is ok; std::invalid_argument otherwise. cycles null: it was loaded once.
-Judgement judge(const TestAnalysis& analysis, const CyclicTest* cycles);
+Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles);
 
 }  // namespace flexslip

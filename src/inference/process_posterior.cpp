@@ -9,9 +9,9 @@
 
 #include <Eigen/Dense>
 
+#include "bending_test/sliding_ladder.h"
 #include "fibre/elementary.h"
 #include "inference/matern.h"
-#include "inference/sliding_ladder.h"
 
 namespace flexslip {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cases/campaign_test.h"
+#include "campaign/campaign.h"
 #include "report/figure.h"
 
 namespace flexslip {

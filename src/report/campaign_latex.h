@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "cases/campaign_test.h"
+#include "campaign/campaign.h"
 
 namespace flexslip {
 

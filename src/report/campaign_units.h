@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cases/campaign_test.h"
+#include "campaign/campaign.h"
 #include "result/table.h"
 
 namespace flexslip {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/campaign_test.h"
+#include "campaign/campaign.h"
 #include "report/printed.h"
 
 namespace flexslip {

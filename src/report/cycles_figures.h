@@ -1,7 +1,7 @@
 // Load-unload-reload tests, drawn.
 #pragma once
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "report/figure.h"
 
 namespace flexslip {

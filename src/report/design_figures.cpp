@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "inference/readings.h"
+#include "bending_test/readings.h"
 #include "io/quantity.h"
 
 namespace flexslip {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "cases/design_answer.h"
-#include "cases/design_map.h"
+#include "design/design_answer.h"
+#include "design/design_map.h"
 #include "report/figure.h"
 
 namespace flexslip {

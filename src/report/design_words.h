@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/design_answer.h"
+#include "design/design_answer.h"
 
 namespace flexslip {
 

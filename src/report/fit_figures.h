@@ -1,7 +1,7 @@
 // The figures of a fitted test, in journal column widths.
 #pragma once
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "report/figure.h"
 
 namespace flexslip {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 
 namespace flexslip {
 

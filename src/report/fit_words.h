@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "report/printed.h"
 
 namespace flexslip {

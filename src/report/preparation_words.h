@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/preparation.h"
+#include "case/preparation.h"
 
 namespace flexslip {
 

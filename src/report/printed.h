@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "io/quantity.h"
 
 namespace flexslip {

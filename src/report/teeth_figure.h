@@ -1,7 +1,7 @@
 // Stick or slide between the drops, drawn.
 #pragma once
 
-#include "cases/fitted_test.h"
+#include "case/fitted.h"
 #include "report/figure.h"
 
 namespace flexslip {

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/cases/some_design.h"
+#include "tests/design/some_design.h"
 
 namespace flexslip {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "bending_test/history.h"
 #include "contact/build_up.h"
-#include "inference/cyclic_test.h"
+#include "inference/cyclic_answer.h"
 
 namespace flexslip {
 namespace {

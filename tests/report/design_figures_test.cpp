@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/approximately.h"
-#include "tests/cases/some_design.h"
+#include "tests/design/some_design.h"
 #include "tests/refusal.h"
 
 namespace flexslip {

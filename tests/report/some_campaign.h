@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bending_test/equilibrium.h"
-#include "cases/campaign_test.h"
+#include "campaign/campaign.h"
 #include "data/scales.h"
 
 namespace flexslip {

@@ -1,0 +1,152 @@
+#include "answers/friction_fields.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace flexslip {
+namespace {
+
+using T = const FittedTest&;
+
+bool is_fitted(T test) { return test.analysis.status == AnalysisStatus::ok; }
+
+// A part of the fit, where there is one.
+template <class Part>
+auto of_fit(Part FrictionFit::*part) {
+  return [part](T test) { return test.analysis.fit.*part; };
+}
+
+Fields<WaveEstimate> wave_fields() {
+  return Fields<WaveEstimate>()
+      .estimate("amplitude", kind::number, "of the wave of friction, relative to mu0", &WaveEstimate::amplitude)
+      .estimate("wavelength", kind::length, "of that wave, along the specimen", &WaveEstimate::wavelength)
+      .estimate("phase", kind::angle, "of that wave, at the length 0", &WaveEstimate::phase)
+      .estimate("phase_at_middle", kind::angle, "of that wave, at the reference", &WaveEstimate::phase_at_middle);
+}
+
+}  // namespace
+
+Fields<FittedTest> parameter_fields() {
+  const auto wave = [](std::size_t i) {
+    return [i](T test) -> const WaveEstimate* {
+      const auto& fit = test.analysis.fit;
+      return fit.wave_claimed && i < fit.waves.size() ? &fit.waves[i] : nullptr;
+    };
+  };
+  Fields<WaveEstimate> second;
+  second.estimate("amplitude_2", kind::number, "of the second wave, relative to mu0", &WaveEstimate::amplitude)
+      .estimate("wavelength_2", kind::length, "of the second wave, along the specimen", &WaveEstimate::wavelength)
+      .estimate("phase_2", kind::angle, "of the second wave, at the length 0", &WaveEstimate::phase)
+      .estimate("phase_at_middle_2", kind::angle, "of the second wave, at the reference",
+                &WaveEstimate::phase_at_middle);
+  return Fields<FittedTest>()
+      .left_out_where_missing()
+      .only_where(is_fitted)
+      .estimate("mu0", kind::number, "mean friction over the fibre seen", of_fit(&FrictionFit::mu0),
+                Fields<FittedTest>().yes_no(
+                    "bound", "the record does not tell it from 0: the upper end of its interval is a limit",
+                    of_fit(&FrictionFit::mu0_is_bound)))
+      .all_of(wave_fields(), wave(0))
+      .all_of(second, wave(1))
+      .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model != ProfileModel::constant; })
+      .estimate("drift", kind::inverse_length, "slope of friction along the specimen", of_fit(&FrictionFit::drift))
+      .estimate("force_noise", kind::force, "standard deviation of a force reading", of_fit(&FrictionFit::noise))
+      .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model == ProfileModel::roughness; })
+      .estimate("roughness", kind::number, "standard deviation of friction about its mean",
+                of_fit(&FrictionFit::roughness))
+      .estimate("correlation_length", kind::length, "of the roughness along the specimen", of_fit(&FrictionFit::length))
+      .only_where(is_fitted)
+      .estimate("bending_stiffness", kind::bending_stiffness, "EI of the fit", of_fit(&FrictionFit::bending_stiffness))
+      .estimate("reference", kind::length,
+                "length between the contacts where phase_at_middle, and mu0 with drift and wave, hold",
+                [](T test) { return normal_estimate(test.analysis.fit.S_middle, 0); })
+      .anywhere()
+      .own_estimate("contact_offset", kind::length, "stage position of the contact in the file, taken off", [](T test) {
+        return normal_estimate(test.measurement.contact_offset, test.measurement.contact_error);
+      });
+}
+
+Fields<FittedTest> likeliest_wave_fields() {
+  return Fields<FittedTest>()
+      .yes_no("claimed", "by the evidence, and shorter than a quarter of the fibre seen",
+              of_fit(&FrictionFit::wave_claimed))
+      .number("log_evidence", "ln of the evidence with a wave over that without",
+              of_fit(&FrictionFit::log_evidence_of_wave))
+      .all_of(wave_fields(), [](T test) { return &test.analysis.fit.waves.front(); });
+}
+
+Fields<Explanation> explanation_fields() {
+  return Fields<Explanation>()
+      .words("kernel", "of the roughness: exponential, matern_3_2, matern_5_2 or none",
+             [](const Explanation& each) { return name_of(each.kernel); })
+      .numbers("wavelengths", kind::length, "of its waves", [](const Explanation& each) { return each.wavelengths; })
+      .number("weight", "of all; they add up to 1", &Explanation::weight)
+      .number("log_evidence", "ln of its evidence", &Explanation::log_evidence)
+      .number("log_likelihood", "ln of its likelihood where its posterior is greatest", &Explanation::log_likelihood);
+}
+
+// All of the fit that is made of the bands along the fibre.
+Fields<FittedTest> band_fields() {
+  return Fields<FittedTest>()
+      .numbers("length", kind::length, "between the contacts",
+               [](T test) {
+                 std::vector<double> lengths;
+                 for (const double S : test.analysis.fit.band.S)
+                   lengths.push_back(test.analysis.fit.between_contacts(S));
+                 return lengths;
+               })
+      .numbers("drawn_in", kind::length, "length drawn in over both supports",
+               [](T test) {
+                 std::vector<double> lengths;
+                 for (const double S : test.analysis.fit.band.S) lengths.push_back(S - 1);
+                 return lengths;
+               })
+      .own_numbers("mean", kind::number, "friction there", [](T test) { return test.analysis.fit.band.mean; })
+      .own_numbers("deviation", kind::number, "its standard deviation",
+                   [](T test) { return test.analysis.fit.band.deviation; });
+}
+
+Fields<Check> check_fields() {
+  Fields<Check> fields;
+  fields
+      .words("name", "residuals, drops, whiteness, nesting, friction or stability",
+             [](const Check& check) { return name_of(check.kind); })
+      .yes_no("passed", "null where it is not possible",
+              [](const Check& check) {
+                return check.outcome == CheckOutcome::not_possible
+                           ? std::nullopt
+                           : std::optional(check.outcome == CheckOutcome::passed);
+              })
+      .left_out_where_missing();
+  struct Number {
+    std::string_view name;
+    const Kind& kind;
+    std::string_view meaning;
+  };
+  for (const auto& [name, kind, meaning] :
+       {Number{"residual_rms", kind::force, "by which the mean of the fit, run forward, misses the force"},
+        Number{"greatest_force", kind::force, "greatest force measured"},
+        Number{"threshold", kind::force, "smallest drop that is counted"},
+        Number{"record", kind::number, "drops of the record"},
+        Number{"draws_low", kind::number, "fewest drops of a profile drawn from the fit"},
+        Number{"draws_median", kind::number, "drops of such profiles, median"},
+        Number{"draws_high", kind::number, "most drops of such a profile"},
+        Number{"record_fall", kind::force, "mean fall in the drops of the record"},
+        Number{"draws_fall", kind::force, "mean fall in the drops of such profiles"},
+        Number{"ljung_box", kind::number, "Ljung and Box's statistic of what the fit leaves"},
+        Number{"lags", kind::number, "readings over which it is taken"},
+        Number{"p_value", kind::number, "probability of as much from noise alone"},
+        Number{"most_below", kind::number, "greatest ln L by which the explanation lies below one that it contains"},
+        Number{"mu0_high", kind::number, "upper end of the 95 % interval of mu0"},
+        Number{"mu0_moved", kind::number, "standard errors that mu0 moves by as the force changes in its ninth digit"},
+        Number{"same_explanation", kind::number, "1 if the likeliest explanation stays then, else 0"}})
+    fields.number(name, kind, meaning, [name = name](const Check& check) {
+      const auto found = std::find_if(check.numbers.begin(), check.numbers.end(),
+                                      [&](const CheckNumber& number) { return number.name == name; });
+      return found == check.numbers.end() ? std::nullopt : std::optional(found->value);
+    });
+  return fields;
+}
+
+}  // namespace flexslip

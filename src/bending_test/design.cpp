@@ -1,0 +1,395 @@
+#include "bending_test/design.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bending_test/quadrature.h"
+#include "bending_test/reach.h"
+#include "bending_test/readings.h"
+#include "bending_test/shallow.h"
+#include "bending_test/sliding_piece.h"
+#include "bending_test/snap.h"
+#include "contact/over_rollers.h"
+
+namespace flexslip {
+namespace {
+
+// A state with what holds the stage there, and how it changes as the fibre slides at that stage position.
+struct Rest {
+  FibreState state;
+  double potential;  // [EI/L] U + F^2/2k
+  double Pn_slope;   // [EI/L^3] dPn/dS
+};
+
+Rest rest_at(const Rig& rig, double S, double q) {
+  const double c = 1 / rig.stiffness;
+  const auto [state, slopes] = rig.fibre.state_slopes(S, q);
+  const double q_slope = -(slopes.w_S + c * slopes.F_S) / (slopes.w_q + c * slopes.F_q);
+  return {state, state.U + 0.5 * c * state.F * state.F, slopes.Pn_S + slopes.Pn_q * q_slope};
+}
+
+// Walks along the curve of a loading, from one stable part to the next.
+class Loading {
+ public:
+  explicit Loading(const Design& design)
+      : design_(design),
+        readings_(design.step > 0 ? std::optional<ReadingPositions>({design.travel, design.step}) : std::nullopt),
+        curve_(trace_loading_curve(design.friction, design.rig,
+                                   longest_in_loading(design.friction, design.rig, design.travel))) {}
+
+  DesignOutcome outcome() {
+    outcome_.status = walk();
+    drops_.end();
+    outcome_.drops = drops_.count();
+    outcome_.largest_drop = drops_.largest();
+    outcome_.mean_drop = drops_.mean();
+    return outcome_;
+  }
+
+ private:
+  DesignStatus walk() {
+    RigPoint here = curve_.begin;
+    if (!fibre().begins_straight() && !bend_shallow(here)) return breaks_ ? DesignStatus::breaks : DesignStatus::ok;
+    Rest rest{fibre().state(here.S, here.q), 0, 0};
+    for (std::size_t i = 0;; i += 2) {
+      RigPoint to = point(i);
+      const bool arrives = to.stage >= design_.travel;
+      if (arrives) to = point_at_stage(curve_, {here, to}, design_.travel);
+      const Rest end = rest_at(design_.rig, to.S, to.q);
+      if (!slide(here, rest, to, end)) return breaks_ ? DesignStatus::breaks : DesignStatus::slipped_through;
+      if (arrives) {
+        outcome_.stage_reached = design_.travel;
+        // The last reading, which may stand beyond the rounded end of its piece.
+        if (readings_ && readings_->first_beyond(design_.travel) > next_) drops_.read(end.state.F);
+        return DesignStatus::ok;
+      }
+      // The next rising part that comes up to this stage position.
+      while (i + 2 <= curve_.folds.size() && point(i + 2).stage < to.stage) i += 2;
+      if (i + 2 > curve_.folds.size()) return DesignStatus::slipped_through;
+      here = landing(point(i + 1), point(i + 2), to.stage);
+      here.stage = to.stage;
+      rest = rest_at(design_.rig, here.S, here.q);
+      const auto heat = heat_of_snap(to.stage, end, rest);
+      if (!heat) return DesignStatus::slipped_through;
+      snap(to.stage, end, rest, *heat);
+      if (sees(rest.state)) {  // as it comes to rest
+        outcome_.stage_reached = to.stage;
+        outcome_.w_reached = rest.state.w;
+        return DesignStatus::breaks;
+      }
+    }
+  }
+
+  // Up to where the surface slides in beyond the original contact (bending_test/shallow.h). Does the loading lead on?
+  bool bend_shallow(const RigPoint& begin) {
+    const Friction friction = design_.friction.at_the_beginning();
+    const Shallow shallow(friction, design_.rig);
+    const double stage = std::min(begin.stage, design_.travel);
+    PathPoint here = shallow.straight();
+    while (here.stage < stage && here.S <= 1 && !(here.S == 1 && here.w > 0)) {
+      const PathPoint to = shallow.next(here, stage);
+      const StretchWork work = shallow.work(here, to);
+      const double c = 1 / design_.rig.stiffness;
+      outcome_.work += work.stage - 0.5 * c * (to.F * to.F - here.F * here.F);
+      outcome_.friction_heat += work.friction;
+      here = to;
+    }
+    breaks_ = sees(fibre().bent(here.w, here.q).state);
+    outcome_.stage_reached = here.stage;
+    outcome_.w_reached = here.w;
+    see(here.F);
+    if (readings_) next_ = readings_->first_beyond(here.stage);
+    drops_.read(here.F);
+    return !breaks_ && here.stage < design_.travel && begin.stage < design_.travel;
+  }
+
+  const Fibre& fibre() const { return design_.rig.fibre; }
+
+  const RigPoint& point(std::size_t i) const { return i < curve_.folds.size() ? curve_.folds[i].point : curve_.end; }
+
+  RigPoint landing(const RigPoint& low, const RigPoint& high, double stage) const {
+    // The folds of a snap may differ by less than rounding.
+    if (!(low.stage < high.stage)) return high;
+    stage = std::clamp(stage, low.stage, high.stage);
+    // G is level at both; of the cubic between them, the part that has risen.
+    const double share = (stage - low.stage) / (high.stage - low.stage);
+    const double t = 0.5 - std::sin(std::asin(1 - 2 * share) / 3);
+    return point_at_stage(curve_, {low, high}, stage, low.S + t * (high.S - low.S));
+  }
+
+  // Has a state so much curvature that the fibre breaks?
+  bool sees(const FibreState& state) {
+    if (state.status != FibreStatus::ok) return false;
+    const double curvature = fibre().curvature_at_midspan(state);
+    outcome_.greatest_curvature =
+        std::max(outcome_.greatest_curvature, std::min(curvature, design_.breaking_curvature));
+    return curvature >= design_.breaking_curvature;
+  }
+
+  // How far on a stretch the fibre gets before it breaks.
+  double sound_until(double S_from, double S_to) {
+    const int parts = std::isinf(design_.breaking_curvature) ? 2 : 4;
+    const auto breaks_at = [&](double S) { return sees(fibre().state(S, curve_.friction.at(S).mu)); };
+    double low = S_from;
+    for (int i = 1; i <= parts; ++i) {
+      double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
+      if (breaks_at(high)) {
+        breaks_ = true;
+        for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+          (breaks_at(middle) ? high : low) = middle;
+        return high;
+      }
+      low = high;
+    }
+    return S_to;
+  }
+
+  // Is there a force all the way, and does it not break? The tracer may have stepped over a stretch without; the outcome is then that up to there.
+  bool slide(const RigPoint& from, const Rest& rest_from, const RigPoint& to, const Rest& rest_to) {
+    constexpr double scales = 3;  // three quarters of the shortest period
+    const double work_before = outcome_.work;
+    slid_to_ = from.S;
+    bool is_held = true;
+    for (double S = from.S; is_held && !breaks_ && S < to.S;) {
+      const double end = sound_until(S, end_of_stretch(curve_.friction, fibre(), S, to.S, scales));
+      is_held = end == S || read_along(S, end, 0);
+      S = end;
+    }
+    is_held = is_held && !breaks_;
+    const FibreState reached = is_held ? rest_to.state : fibre().state(slid_to_, curve_.friction.at(slid_to_).mu);
+    outcome_.friction_heat += outcome_.work - work_before - (reached.U - rest_from.state.U);
+    outcome_.stage_reached = is_held ? to.stage : reached.w + reached.F / design_.rig.stiffness;
+    outcome_.w_reached = reached.w;
+    see(reached.F);
+    return is_held;
+  }
+
+  // Reads the forces along a stretch. Are there states all the way?
+  bool read_along(double S_from, double S_to, int halvings) {
+    constexpr double accuracy = 1e-6;  // of the last coefficients: of the polynomial, a hundredth
+    constexpr int most_halvings = 12;  // only a friction that begins or ends to be held at zero needs them
+    const SlidingPiece piece(curve_.friction, design_.rig, S_from, S_to);
+    const double middle = 0.5 * (S_from + S_to);
+    const bool can_halve = halvings < most_halvings && S_from < middle && middle < S_to;
+    if (can_halve && (!piece.exists() || piece.error() > accuracy))
+      return read_along(S_from, middle, halvings + 1) && read_along(middle, S_to, halvings + 1);
+    if (!piece.exists()) return false;
+    const auto turns = piece.turns();
+    see(piece.force_from());  // friction may have a corner there
+    see(piece.force_to());
+    for (const auto& turn : turns) see(turn.F);
+    if (readings_)
+      read_in_steps(piece, turns);
+    else
+      read_all(piece, turns);
+    outcome_.work += piece.work();
+    slid_to_ = S_to;
+    return true;
+  }
+
+  void read_all(const SlidingPiece& piece, const std::vector<SlidingPiece::Turn>& turns) {
+    drops_.read(piece.force_from());
+    for (const auto& turn : turns) drops_.read(turn.F);
+    drops_.read(piece.force_to());
+  }
+
+  // Between two turns the forces rise or fall: only the readings beside them tell the falls.
+  void read_in_steps(const SlidingPiece& piece, const std::vector<SlidingPiece::Turn>& turns) {
+    const double last = readings_->first_beyond(piece.stage_to()) - 1;
+    const auto read = [&](double i) {
+      if (i < next_ || i > last) return;
+      drops_.read(piece.force_at(readings_->position(i)));
+      next_ = i + 1;
+    };
+    read(next_);
+    for (const auto& turn : turns) {
+      const double beyond = readings_->first_beyond(turn.stage);
+      read(beyond - 1);
+      read(beyond);
+    }
+    read(last);
+  }
+
+  void see(double F) { outcome_.greatest_force = std::max(outcome_.greatest_force, F); }
+
+  // ∫ μ Pn dS of a snap. At a fixed stage position the force at the supports is a smooth function of the length, whatever the
+  // friction: a cubic between lengths that are near one another for the elastica. None if the fibre is not held all the way.
+  std::optional<double> heat_of_snap(double stage, const Rest& from, const Rest& to) const {
+    constexpr double near = 0.15;         // of S - 1
+    constexpr double longest_part = 0.1;  // [L]
+    const double length = to.state.S - from.state.S;
+    const int parts = static_cast<int>(
+        std::ceil(std::max(length / (near * (from.state.S - fibre().least_length())), length / longest_part)));
+    double heat = 0;
+    Rest a = from;
+    for (int i = 1; i <= parts; ++i) {
+      Rest b = to;
+      if (i < parts) {
+        const auto held = held_at(from.state.S + length * i / parts, stage, design_.rig, a.state.q);
+        if (held.holding != Holding::held) return std::nullopt;
+        b = rest_at(design_.rig, held.state.S, held.state.q);
+      }
+      heat += heat_between(a, b);
+      a = b;
+    }
+    return heat;
+  }
+
+  double heat_between(const Rest& a, const Rest& b) const {
+    const double length = b.state.S - a.state.S;
+    const double rise = b.state.Pn - a.state.Pn;
+    const auto power = [&](double S) {
+      const double t = (S - a.state.S) / length;
+      const double s = 1 - t;
+      const double Pn = a.state.Pn + rise * t * t * (1 + 2 * s) + length * t * s * (a.Pn_slope * s - b.Pn_slope * t);
+      FibreState held{};
+      held.q = a.state.q + (b.state.q - a.state.q) * t;
+      held.Pn = Pn;
+      return curve_.friction.at(S).mu * Pn + fibre().lost_bending(held);
+    };
+    constexpr double scales = 2;  // half the shortest period
+    double heat = 0;
+    for (double S = a.state.S; S < b.state.S;) {
+      const double end = end_of_stretch(curve_.friction, fibre(), S, b.state.S, scales);
+      heat += integral(gauss_6, S, end, power);
+      S = end;
+    }
+    return heat;
+  }
+
+  void snap(double stage, const Rest& from, const Rest& to, double heat) {
+    const FibreState& before = from.state;
+    const FibreState& after = to.state;
+    if (outcome_.snaps++ == 0) outcome_.first_snap = FirstSnap{stage, before.w, before.F, after.F};
+    outcome_.largest_snap = std::max(outcome_.largest_snap, before.F - after.F);
+    outcome_.work += 0.5 * (before.F + after.F) * (after.w - before.w);
+    outcome_.friction_heat += heat;
+    outcome_.released += from.potential - to.potential - heat;
+  }
+
+  const Design& design_;
+  std::optional<ReadingPositions> readings_;  // none if all is recorded
+  SlidingCurve curve_;
+  DesignOutcome outcome_{};
+  ForceFalls drops_;
+  double next_ = 0;     // reading
+  double slid_to_ = 1;  // [L]
+  bool breaks_ = false;
+};
+
+// The deflection at which the fibre breaks; infinite if it does not as long as the stage travels, on some rig.
+double breaking_deflection(const Design& design, const Rig& rig) {
+  if (std::isinf(design.breaking_curvature)) return design.breaking_curvature;
+  constexpr double scales = 0.75;
+  const double S_max = longest_in_loading(design.friction, rig, design.travel);
+  const Fibre& fibre = rig.fibre;
+  const Friction friction = met(design.friction, fibre, 1, S_max);
+  const auto state_at = [&](double S) { return fibre.state(S, friction.at(S).mu); };
+  const auto breaks = [&](const FibreState& state) {
+    return state.status == FibreStatus::ok && fibre.curvature_at_midspan(state) >= design.breaking_curvature;
+  };
+  for (double S = 1; S < S_max;) {
+    double low = S, high = end_of_stretch(friction, fibre, S, S_max, scales);
+    S = high;
+    if (!breaks(state_at(high))) continue;
+    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+      (breaks(state_at(middle)) ? high : low) = middle;
+    return state_at(high).w;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+void require_loading(const Design& design) {
+  constexpr double least_deflection = 1e-6;                                   // below it S - 1 has lost its digits
+  const double deflection = design.travel / (1 + 48 / design.rig.stiffness);  // of the straight fibre
+  if (!(deflection >= least_deflection))
+    throw std::invalid_argument("a loading must bend the fibre by at least 1e-6 spans, not " +
+                                std::to_string(1e6 * deflection) + "e-6");
+  constexpr double most_readings = 1e9;  // the counts of readings are doubles
+  if (!(design.step >= 0 && std::isfinite(design.step)))
+    throw std::invalid_argument("the step of the stage must be finite and not negative, not " +
+                                std::to_string(design.step));
+  if (design.step > 0 && design.travel / design.step > most_readings)
+    throw std::invalid_argument("a loading has at most 1e9 readings, not " +
+                                std::to_string(design.travel / design.step));
+}
+
+}  // namespace
+
+DesignOutcome outcome_of(const Design& design) {
+  require_loading(design);
+  return Loading(design).outcome();
+}
+
+bool snaps(const Design& design) {
+  require_loading(design);
+  const double longest = longest_in_loading(design.friction, design.rig, design.travel);
+  const double breaks = breaking_deflection(design, design.rig);
+  for (const double part : {1.0 / 64, 1.0 / 16, 0.25, 1.0}) {
+    const auto curve = trace_loading_curve(design.friction, design.rig, 1 + part * (longest - 1));
+    if (curve.folds.empty()) continue;
+    const auto& fold = curve.folds.front().point;
+    if (fold.stage >= design.travel || fold.w >= breaks) return false;
+    if (const auto landing = landing_after(curve, fold.S, fold.stage))
+      return snap_work(design.friction, design.rig, fold.stage, fold.S, landing->S).has_value();
+  }
+  return false;
+}
+
+double critical_stiffness(const Design& design) {
+  constexpr double above = 1e-7;
+  constexpr double settled = 1e-9;
+  constexpr double least = 1e-6;  // [L] of a deflection: what a curve can be traced for
+  double stiffness = std::numeric_limits<double>::infinity();
+  const double breaks = breaking_deflection(design, {stiffness, design.rig.fibre});
+  double deflection = std::min(design.travel, breaks);
+  while (true) {
+    const double critical = (1 + above) * critical_stiffness(design.friction, deflection, design.rig.fibre);
+    if (!(critical < (1 - settled) * stiffness)) return critical;
+    // A rig that soft hardly bends the fibre, which has not begun to slide.
+    if (!(design.travel / (1 + 48 / critical) > least)) return 0;
+    stiffness = critical;
+    const Rig rig{stiffness, design.rig.fibre};
+    const auto curve =
+        trace_loading_curve(design.friction, rig, longest_in_loading(design.friction, rig, design.travel));
+    if (curve.begin.stage >= design.travel) return 0;  // a thick specimen has not begun to slide in
+    const StablePart part = stable_part_from(curve, curve.begin);
+    const double reached = part.to.stage > design.travel ? point_at_stage(curve, part, design.travel).w : part.to.w;
+    deflection = std::max(std::min(reached, breaks), least);
+  }
+}
+
+double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
+  constexpr double most = 3;
+  constexpr double least_deflection = 1e-6;
+  const double w = outcome.status == DesignStatus::slipped_through ? design.travel : outcome.w_reached;
+  const double critical = critical_stiffness(design.friction, std::max(w, least_deflection), design.rig.fibre);
+  if (std::isinf(critical)) return -most;
+  return std::clamp(std::log(design.rig.stiffness / critical), -most, most);
+}
+
+std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fibre& fibre) {
+  constexpr double per_period = 96;
+  constexpr double per_knot = 8;
+  const double S_max = longest_in_loading(along, {std::numeric_limits<double>::infinity(), fibre}, w_max);
+  const Friction friction = met(along, fibre, 1, S_max);
+  const double for_waves = per_period * (S_max - 1) / (4 * friction.smooth_scale());
+  const double for_knots = per_knot * static_cast<double>(friction.knots().size());
+  const int n = static_cast<int>(std::clamp(std::max(for_waves, for_knots), 400.0, 20000.0));
+  std::vector<FoldPoint> points;
+  points.reserve(static_cast<std::size_t>(n));
+  for (int i = 1; i <= n; ++i) {
+    const double S = fibre.length_at(fibre.way(1) + (fibre.way(S_max) - fibre.way(1)) * i / n);
+    const auto state = fibre.state(S, friction.at(S).mu);
+    if (state.status != FibreStatus::ok || state.w > w_max) break;
+    points.push_back({state.w, state.F, stiffness_of_fold(friction, S, fibre)});
+  }
+  return points;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,61 @@
+// One test of a campaign as the campaign keeps it: what its table, figures and pages are made of, whether it was computed just
+// now or in a run before.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/fitted.h"
+#include "data/literature_friction.h"
+#include "inference/campaign.h"
+
+namespace flexslip {
+
+// The curves of a test for a figure. Units: SI; in a reduced test all scales are 1. From the contact to the failure.
+struct CampaignCurves {
+  double span;                                   // [m]
+  double bending_stiffness;                      // [N m^2] nominal
+  double load_train_stiffness;                   // [N/m]
+  std::vector<double> stage, deflection, force;  // [m], [m], [N] measured
+  std::vector<double> model_deflection,
+      model_force;                 // [m], [N] the mean of the fit at the stage positions, snaps included
+  std::vector<std::size_t> drops;  // rows of the measured columns before a drop
+};
+
+struct CampaignTest {
+  std::string name;
+  std::string status;                    // as status_of, or "failed": then only name, file and reason are valid
+  std::string reason;                    // why the status is not "ok"; empty if it is
+  std::string file;                      // case, data file or line of a table that describes the test
+  std::optional<TestSummary> summary;    // where the analysis came to a fit
+  std::optional<CampaignCurves> curves;  // likewise
+  std::vector<std::string> remarks;      // what a reader of the table should know of it
+  std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
+  std::optional<Materials> materials{};  // in contact, if its case states both
+};
+
+// The test in a line and in curves.
+CampaignTest campaign_test_of(const FittedTest& test, const std::string& file);
+
+// A test that gave no answer, and why.
+CampaignTest failed_test(const std::string& name, const std::string& file, const std::string& reason);
+
+// A parameter that several tests share, estimated from all of them.
+struct SharedParameter {
+  std::string name;    // "modulus"
+  std::string unit;    // of the estimate, SI
+  Estimate estimate;   // not a number where fewer than two records tell it
+  std::size_t tests;   // whose records tell it
+  double chi_squared;  // [1] of them about one value
+  double agreement;    // [1] probability that tests that do share it would differ as much
+};
+
+struct Campaign {
+  std::vector<CampaignTest> tests;  // in the order of the plan
+  std::vector<CategorySummary> categories;
+  std::vector<SharedParameter> shared;
+};
+
+}  // namespace flexslip

@@ -1,0 +1,315 @@
+#include "campaign/campaign_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "case/case_keys.h"
+#include "case/fitted.h"
+#include "case/toml.h"
+#include "io/quantity.h"
+#include "io/table.h"
+#include "io/text_table.h"
+
+namespace flexslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 6> data_endings{".csv", ".tsv", ".txt", ".dat", ".asc", ".tra"};
+
+std::string lower_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+// Names of tests.
+
+// A name made fit for a folder: no separators, no control characters, not hidden, not too long for a file system.
+std::string folder_name(std::string_view name) {
+  constexpr std::size_t longest = 100;
+  std::string fit;
+  std::size_t end = std::min(name.size(), longest);
+  while (end < name.size() && end > 0 && (name[end] & 0xc0) == 0x80) --end;  // between characters
+  for (const char c : name.substr(0, end)) {
+    const bool unfit = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ||
+                       std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
+    fit += unfit ? '_' : c;
+  }
+  if (fit.empty() || fit.front() == '.') fit.insert(fit.begin(), '_');
+  return fit;
+}
+
+// Names that differ: those that several tests have are told apart by number.
+void tell_apart(std::vector<PlannedTest>& tests) {
+  std::map<std::string, std::size_t, std::less<>> used;
+  for (const auto& test : tests) used[lower_case(test.name)] = 0;
+  for (auto& test : tests) {
+    auto& count = used[lower_case(test.name)];
+    if (count++ == 0) continue;
+    std::string numbered;
+    do numbered = fmt::format("{}-{}", test.name, count++);
+    while (used.contains(lower_case(numbered)));
+    used[lower_case(numbered)] = 1;
+    test.name = std::move(numbered);
+  }
+}
+
+// Cases from what they have in common and what each says itself.
+
+toml::table read_common(const std::optional<std::string>& path) {
+  if (!path) return {};
+  std::ostringstream text;
+  text << open_to_read(*path)->rdbuf();
+  toml::table common = parse_toml(text.str(), *path);
+  // Its paths are relative to it; from here on all are relative to the working directory.
+  const fs::path folder = fs::absolute(*path).parent_path();
+  for (const auto& [section, key] : {std::pair{"friction", "file"}, {"stage", "file"}, {"record", "file"}})
+    if (auto* file = common[section][key].as_string()) file->get() = (folder / file->get()).string();
+  return common;
+}
+
+Case case_from(const toml::table& table, const std::string& source, const std::vector<std::string>& changes) {
+  std::ostringstream text;
+  text << toml::toml_formatter(table);
+  return read_case(text.str(), source, changes);
+}
+
+// The key of a case file that a column of a table stands for.
+struct TableKey {
+  std::string title;
+  std::string section, key, part;  // part: "uncertainty", or empty
+  std::string unit;                // of plain numbers in the column
+};
+
+// The section of a key that a title names without one: that of the record, or else of the specimen or the rig.
+std::string section_of(std::string_view name) {
+  for (const char* section : {"record", "specimen", "rig"})
+    if (case_key(section, name)) return section;
+  return "record";
+}
+
+TableKey key_of(const std::string& title) {
+  const ColumnTitle column = parse_column_title(title);
+  std::string name = column.name;
+  std::string part;
+  for (const char between : {' ', '_', '.'}) {
+    const std::string ending = between + std::string("uncertainty");
+    if (!name.ends_with(ending)) continue;
+    part = "uncertainty";
+    name.erase(name.size() - ending.size());
+  }
+  if (const std::size_t dot = name.find('.'); dot != std::string::npos)
+    return {title, name.substr(0, dot), name.substr(dot + 1), part, column.unit};
+  return {title, section_of(name), name, part, column.unit};
+}
+
+template <class Number>
+std::optional<Number> as(std::string_view cell) {
+  Number value{};
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
+  return value;
+}
+
+void set(toml::table& table, const std::string& key, const std::string& cell, const std::string& unit) {
+  const auto number = as<double>(cell);
+  auto whole = as<std::int64_t>(cell);
+  constexpr double largest = 1e15;  // "267.0", as spreadsheets write a count
+  if (number && !whole && *number == std::floor(*number) && std::abs(*number) < largest)
+    whole = static_cast<std::int64_t>(*number);
+  if (number && !unit.empty())
+    table.insert_or_assign(key, fmt::format("{} {}", cell, unit));
+  else if (whole)
+    table.insert_or_assign(key, *whole);
+  else if (number)
+    table.insert_or_assign(key, *number);
+  else
+    table.insert_or_assign(key, cell);
+}
+
+toml::table& subtable(toml::table& table, const std::string& name) {
+  if (!table[name].is_table()) table.insert_or_assign(name, toml::table{});
+  return *table[name].as_table();
+}
+
+void say(toml::table& table, const TableKey& key, const std::string& cell) {
+  toml::table& section = subtable(table, key.section);
+  if (key.part.empty()) {
+    set(section, key.key, cell, key.unit);
+    return;
+  }
+  if (!section[key.key].is_table()) {  // a value becomes one with an uncertainty
+    toml::table parts;
+    if (const auto* value = section.get(key.key)) parts.insert_or_assign("value", *value);
+    section.insert_or_assign(key.key, std::move(parts));
+  }
+  set(*section[key.key].as_table(), key.part, cell, key.unit);
+}
+
+// A case as a test of a campaign.
+Case checked(Case input) {
+  if (!input.record) throw missing(input, "record");
+  if (input.reduced)
+    throw wrong_value(input, "reduced", "a test in physical units, as its campaign is", "a reduced one",
+                      "give the span and the bending stiffness");
+  return input;
+}
+
+// A complaint about a case in the words of the table whose row it is.
+InputError in_row(const InputError& error, const TextTable& table, const TextRow& row,
+                  const std::vector<TableKey>& keys) {
+  InputFault fault = error.fault;
+  if (!fault.file.empty() && fault.file != table.source) return error;
+  fault.file = table.source;
+  fault.line = row.line;
+  for (const auto& key : keys)
+    if (fault.field == fmt::format("[{}] {}", key.section, key.key)) fault.field = "column " + in_quotes(key.title);
+  if (fault.expected == "it in the file") fault.expected = "it in the table, or in a case file passed as --common";
+  return InputError(fault);
+}
+
+InputError unknown_column(const TableKey& key, const TextTable& table) {
+  std::vector<std::string> known;
+  for (const CaseKey& each : case_keys())
+    if (each.section == key.section || section_of(each.name) == each.section) known.emplace_back(each.name);
+  const std::string meant = nearest(key.key, known);
+  return InputError({table.source, table.header_line, "column " + in_quotes(key.title),
+                     "name, or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span "
+                     "[um]', 'diameter [um]', 'stiffness', 'modulus', 'until', 'rig.span', ...",
+                     "an unknown key",
+                     meant.empty() ? "put # before the title of a column that is not meant for FlexSlip"
+                                   : "did you mean " + in_quotes(meant) + "?"});
+}
+
+std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::table& common,
+                                       const std::vector<std::string>& changes) {
+  const TextTable table = read_text_table(path);
+  std::vector<TableKey> keys;
+  std::vector<std::size_t> columns;
+  std::size_t name_column = table.titles.size();
+  for (std::size_t i = 0; i < table.titles.size(); ++i) {
+    if (table.titles[i].starts_with('#')) continue;
+    if (table.titles[i] == "name") {
+      name_column = i;
+      continue;
+    }
+    columns.push_back(i);
+    try {
+      keys.push_back(key_of(table.titles[i]));
+    } catch (const InputError& error) {
+      throw located(error, table.source, table.header_line, "column " + in_quotes(table.titles[i]));
+    }
+    if (!case_key(keys.back().section, keys.back().key)) throw unknown_column(keys.back(), table);
+  }
+  if (table.rows.empty())
+    throw InputError({.file = table.source, .expected = "a row for each test", .found = "a header only"});
+
+  std::vector<PlannedTest> tests;
+  for (const TextRow& row : table.rows) {
+    toml::table text = common;
+    // Uncertainties last: they make a table of a value that is there.
+    for (const bool of_uncertainties : {false, true})
+      for (std::size_t i = 0; i < keys.size(); ++i)
+        if (!row.cells[columns[i]].empty() && keys[i].part.empty() != of_uncertainties)
+          say(text, keys[i], row.cells[columns[i]]);
+    const std::string file = text["record"]["file"].value_or(std::string());
+    std::string name = name_column < row.cells.size() ? row.cells[name_column] : "";
+    if (name.empty()) name = file.empty() ? fmt::format("row {}", row.line) : fs::path(file).stem().string();
+    PlannedTest test{folder_name(name), fmt::format("{}:{}", table.source, row.line), InputError({})};
+    try {
+      Case input = checked(case_from(text, table.source, changes));
+      for (auto& [key, line] : input.lines) line = row.line;
+      test.input = std::move(input);
+    } catch (const InputError& error) {
+      test.input = in_row(error, table, row, keys);
+    }
+    tests.push_back(std::move(test));
+  }
+  return tests;
+}
+
+std::vector<fs::path> files_in(const fs::path& folder, bool below) {
+  std::vector<fs::path> files;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (auto entry = fs::recursive_directory_iterator(folder, options); entry != fs::recursive_directory_iterator();
+       ++entry) {
+    const bool hidden = entry->path().filename().string().starts_with('.');
+    if (entry->is_directory() && (hidden || !below)) entry.disable_recursion_pending();
+    if (entry->is_regular_file() && !hidden) files.push_back(entry->path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<PlannedTest> plan_of_cases(const std::string& folder, const std::vector<std::string>& changes) {
+  std::vector<PlannedTest> tests;
+  for (const auto& file : files_in(folder, true)) {
+    if (file.extension() != ".toml") continue;
+    PlannedTest test{folder_name(name_of_test(file.string())), file.string(), InputError({})};
+    try {
+      Case input = read_case(file.string(), changes);
+      if (!input.record) continue;  // for simulating, or what others have in common
+      test.input = checked(std::move(input));
+    } catch (const InputError& error) {
+      test.input = error;
+    }
+    tests.push_back(std::move(test));
+  }
+  return tests;
+}
+
+std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::table& common,
+                                      const std::vector<std::string>& changes) {
+  std::vector<PlannedTest> tests;
+  for (const auto& file : files_in(folder, false)) {
+    const std::string ending = lower_case(file.extension().string());
+    if (std::find(data_endings.begin(), data_endings.end(), ending) == data_endings.end()) continue;
+    PlannedTest test{folder_name(name_of_test(file.string())), file.string(), InputError({})};
+    toml::table text = common;
+    subtable(text, "record").insert_or_assign("file", file.string());
+    try {
+      test.input = checked(case_from(text, "", changes));
+    } catch (const InputError& error) {
+      test.input = error;
+    }
+    tests.push_back(std::move(test));
+  }
+  return tests;
+}
+
+}  // namespace
+
+std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optional<std::string>& common,
+                                       const std::vector<std::string>& changes) {
+  const toml::table shared = read_common(common);
+  std::vector<PlannedTest> tests;
+  if (fs::is_directory(path)) {
+    tests = common ? plan_of_data(path, shared, changes) : plan_of_cases(path, changes);
+    if (tests.empty())
+      throw InputError(
+          {.file = path,
+           .expected =
+               common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra)" : "case files (.toml) with a [record]",
+           .found = "none",
+           .remedy = common ? ""
+                            : "write one for each test, pass what all data files of the folder have in common "
+                              "as --common CASE, or give a table with a row for each test"});
+  } else {
+    tests = plan_of_table(path, shared, changes);
+  }
+  tell_apart(tests);
+  return tests;
+}
+
+}  // namespace flexslip

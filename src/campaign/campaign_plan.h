@@ -1,0 +1,34 @@
+// The tests of a campaign, before any is computed: from a folder of case files, a folder of data files with what they have in
+// common, or a table with a test a row.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "case/case_file.h"
+#include "io/input_error.h"
+
+namespace flexslip {
+
+struct PlannedTest {
+  std::string name;                      // fit for the name of a folder, unique in the campaign
+  std::string file;                      // what describes the test, as the user named it
+  std::variant<Case, InputError> input;  // or why it cannot be read
+};
+
+// The tests of a campaign.
+//   a folder                 every case file (.toml) with a [record], in the folder and those below it, by path
+//   a folder with `common`   every data file (.csv .tsv .txt .dat .asc .tra) of the folder, by name
+//   a table (any other file) a test a row, a column a key of a case file: "file", "span [um]", "modulus uncertainty [GPa]",
+//                            "record.until"; "name" is the name of the test, by default that of its file. An empty cell says
+//                            nothing; a column whose title begins with # is not read. Paths are relative to the table.
+// `common` is a case file that says what all tests have in common; a row says otherwise where it wants.
+// `changes` from the command line (case_changes.h) are made to every test.
+// Fails:      InputError for a folder without tests, a table without rows or with a column that is no key, a common case that
+//             cannot be read. A test that cannot be read is planned all the same, with its error.
+std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optional<std::string>& common,
+                                       const std::vector<std::string>& changes = {});
+
+}  // namespace flexslip

@@ -1,0 +1,76 @@
+// A measured test together with its answers and where they come from: what JSON, text, figures and the report present.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case_file.h"
+#include "case/problem.h"
+#include "data/literature_friction.h"
+#include "data/small_deflection.h"
+#include "data/surface_strain.h"
+#include "inference/analysis.h"
+#include "inference/cyclic_answer.h"
+#include "inference/imaged_length.h"
+#include "inference/judgement.h"
+
+namespace flexslip {
+
+struct InputFile {
+  std::string name;  // as the user named it
+  unsigned long bytes;
+  std::string sha256;  // empty for standard input, which can be read only once
+};
+
+// What to give to the same version of the program to get the same bytes again.
+struct Provenance {
+  std::string version;
+  std::vector<InputFile> inputs;
+  std::string test;  // the case as TOML, also where it was given by flags
+  AnalysisOptions options;
+};
+
+struct FittedTest {
+  std::string name;  // of the case or data file
+  bool reduced;      // all numbers are in the model's scaled variables
+  Measurement measurement;
+  StiffnessSource stiffness;
+  std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
+  std::optional<Materials> materials;    // in contact, if the case states both
+  BeamGeometry geometry;                 // span, and section if the case says what it is
+  SmallDeflection small_deflection;      // of the first loading, as the bending standards have it
+  TestAnalysis analysis;                 // of the first loading
+  std::optional<CyclicAnswer> cycles;    // if it was unloaded; in the scales of the analysis
+  std::optional<ImagedLength> imaged;    // if the record has lengths that were imaged, and the analysis an answer
+  std::optional<Judgement> judgement;    // if the analysis has an answer
+  std::optional<SurfaceStrain>
+      surface;  // of a specimen as stiff as fitted; if the analysis has an answer, and the case a section
+  std::optional<double> strain_at_break;  // [1] as the case states it, or its strength
+  double nose_curvature;                  // [1/L] from which it wraps the nose; infinite for a sharp one
+  Provenance provenance;
+};
+
+// The name of the test that a file describes: its own, without folder and ending; that of its folder, which says more, for case.toml.
+std::string name_of_test(const std::string& file);
+
+// What a case says of its specimen as a beam.
+BeamGeometry geometry_of(const Case& input);
+
+// Reads the record of a case and analyses it.
+// Fails:      InputError as read_measurement and scales_of; for friction models that cannot be fitted.
+FittedTest fit_test(const Case& asked, const AnalysisOptions& options);
+
+// The data row, counted from 1, at which a point of the record begins in its file.
+std::size_t file_row(const FittedTest& test, std::size_t point);
+
+// That of the last reading that is evaluated.
+std::size_t last_row(const FittedTest& test);
+
+// "ok", or why not: "too_few_points", "not_explained", "no_initial_slope".
+std::string_view status_of(const FittedTest& test);
+
+std::string_view name_of(SawtoothCategory category);
+
+}  // namespace flexslip

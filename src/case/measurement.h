@@ -1,0 +1,62 @@
+// The record of a case made ready to evaluate: read, counted the right way and from the right zero, cut where the loading ends.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case_file.h"
+#include "case/preparation.h"
+#include "data/record.h"
+#include "data/sampling.h"
+
+namespace flexslip {
+
+// Of records of more rows that count every so many are used: a test has a few hundred features, whatever the readings of them.
+inline constexpr std::size_t most_record_points = 2000;
+inline constexpr std::size_t most_cyclic_points = 10000;  // of a test that is unloaded
+
+// What ends the loading that is evaluated.
+enum class MeasurementEnd { last_row, until, failure, turn };
+enum class ContactSource {
+  stated,       // by the case
+  found,        // the record begins before the contact, see find_contact
+  first_point,  // the record begins at the contact: nothing is taken off
+};
+
+// The part of a record that is evaluated: one loading, from the contact to the failure or to where the stage turns back; of a
+// test that is unloaded, all of it besides.
+struct Measurement {
+  Case test;                // completed with what the file says, see Readings
+  Preparation preparation;  // how the file became the record
+  std::string file;
+  std::size_t rows;               // of the file
+  Sampling sampling;              // which of them are points, from the first row of the file on
+  std::size_t first;              // of these the first that is a point of the record
+  Record record;                  // stage and deflection counted from the contact
+  std::vector<double> pulled_in;  // [m] of each row of the file, as imaged; empty where it was not
+  std::optional<Record> cycles;   // from the first row of the file, if the stage turns back before the failure; contact
+                                  // taken off as well
+  MeasurementEnd end;             // what ends the loading
+  ContactSource contact;
+  double contact_offset;  // [m] taken off stage and deflection
+  double contact_error;   // [m] standard deviation
+  double force_noise;     // [N] standard deviation of one point
+};
+
+// Row of the file, counted from 1, at which a point of the record begins; and one of the cycles.
+std::size_t file_row(const Measurement& measurement, std::size_t point);
+std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point);
+
+// Row of the file, counted from 1, before that at which the next point begins, or its last row.
+std::size_t last_file_row(const Measurement& measurement, std::size_t point);
+
+// Reads the record of a case and prepares it, in the order of Preparation.
+// Domain:     at least least_points points, 11 or more; std::invalid_argument otherwise.
+// Fails:      InputError, besides what read_readings throws, for too few points, a record that begins by unloading, an `until`
+//             beyond the file, no stiffness of the rig where the displacement is that of the stage, a contact to be found
+//             where the force does not rise straight.
+Measurement read_measurement(const Case& asked, std::size_t least_points);
+
+}  // namespace flexslip

@@ -1,0 +1,146 @@
+#include "case/toml.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+// Holds a text to the tokens that case files are made of: words, plain numbers, texts in quotes on one line, = [ ] { } , and
+// comments. toml++ 3.3 answers some of what is outside them, most of it no TOML, with undefined behaviour or a failed
+// assertion, as fuzzing showed: "µ" outside quotes, "[" without a name, "[}", "1262-05-7n 3". Dates and multi-line strings
+// go with them, for which a case file has no use.
+class TokenCheck {
+ public:
+  TokenCheck(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+
+  void run() {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    at_ = text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '\n') {
+        ++line_;
+        if (in_header_) open_.clear();  // if its bracket is not closed, TOML refuses it
+        in_header_ = false;
+        line_is_blank_ = true;
+        ++at_;
+      } else if (blanks.find(c) != std::string_view::npos) {
+        ++at_;
+      } else if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else {
+        take_token(c);
+        line_is_blank_ = false;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::string_view blanks = " \t\r";
+  static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.";
+
+  [[noreturn]] void refuse(std::string expected, std::string found) const {
+    throw InputError({source_, line_, "", std::move(expected), std::move(found), ""});
+  }
+
+  std::string_view text_to_blank() const { return text_.substr(at_, text_.find_first_of(" =\r\n", at_) - at_); }
+
+  char next_after(std::size_t at) const {
+    const std::size_t next = text_.find_first_not_of(" \t", at);
+    return next < text_.size() ? text_[next] : '\n';
+  }
+
+  void take_token(char c) {
+    if (c == '"' || c == '\'')
+      take_text(c);
+    else if (letters.find(c) != std::string_view::npos)
+      take_word();
+    else if (std::string_view("=[]{},").find(c) != std::string_view::npos)
+      take_mark(c);
+    else
+      refuse("plain letters outside quotes", in_quotes(text_to_blank()));
+  }
+
+  void take_text(char quote) {
+    if (at_ > 0 && std::string_view(" \t\r\n=[{,").find(text_[at_ - 1]) == std::string_view::npos)
+      refuse("quotes around a whole text", "one in its middle");
+    if (text_.substr(at_, 3) == std::string(3, quote)) refuse("text in quotes on one line", "a multi-line string");
+    for (++at_; at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n'; ++at_)
+      if (quote == '"' && text_[at_] == '\\') ++at_;
+    if (at_ >= text_.size() || text_[at_] == '\n') refuse("text in quotes on one line", "no closing quote");
+    last_ = text_[at_++];
+  }
+
+  void take_word() {
+    const std::size_t end = std::min(text_.find_first_not_of(letters, at_), text_.size());
+    const std::string_view word = text_.substr(at_, end - at_);
+    const bool is_key = next_after(end) == '=' && last_ != '=' && (open_.empty() || open_.back() == '{');
+    const bool is_whole =
+        end == text_.size() || std::string_view(" \t\r\n,]}#").find(text_[end]) != std::string_view::npos;
+    if (!is_key && !in_header_ && line_is_blank_ && open_.empty())
+      refuse("a [section] or key = value in plain letters", in_quotes(text_to_blank()));
+    if (!is_key && !in_header_ && !(is_value(word) && is_whole))
+      refuse("a number, true, false or text in quotes", in_quotes(text_to_blank()));
+    last_ = word.back();
+    at_ = end;
+  }
+
+  static bool is_value(std::string_view word) {
+    if (word == "true" || word == "false") return true;
+    if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+    if (word == "inf" || word == "nan") return true;
+    const std::size_t sign = word.find_first_of("+-");  // of the exponent, or else it is a date
+    const bool has_odd_sign = sign != std::string_view::npos && word.find_first_of("eE") + 1 != sign;
+    return word.find_first_of("0123456789") == 0 && !has_odd_sign &&
+           word.find_first_not_of("0123456789.eE+-_") == std::string_view::npos;
+  }
+
+  void take_mark(char c) {
+    if (c == '[' && line_is_blank_ && open_.empty()) {
+      const char first = next_after(text_.substr(at_ + 1, 1) == "[" ? at_ + 2 : at_ + 1);
+      in_header_ = true;
+      if (first != '"' && first != '\'' && letters.substr(0, letters.size() - 2).find(first) == std::string_view::npos)
+        refuse("the name of a section after [", "none");
+    }
+    if (c == '=' && (line_is_blank_ || std::string_view("=[{,").find(last_) != std::string_view::npos))
+      refuse("a key before =", "none");
+    if (c == '}' && (last_ == '[' || last_ == ',')) refuse("a value", "'}'");
+    if (c == '[' || c == '{') open_ += c;
+    if ((c == ']' || c == '}') && !open_.empty()) open_.pop_back();
+    last_ = c;
+    ++at_;
+  }
+
+  std::string_view text_;
+  const std::string& source_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+  bool line_is_blank_ = true;
+  bool in_header_ = false;
+  std::string open_;  // the brackets that are
+  char last_ = '\n';  // of the tokens so far
+};
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& source) {
+  if (text.find('\0') != std::string_view::npos)
+    throw InputError({.file = source, .expected = "a case file (TOML)", .found = "binary data (a NUL byte)"});
+  TokenCheck(text, source).run();
+  try {
+    return toml::parse(text, source);
+  } catch (const toml::parse_error& error) {
+    std::string description(error.description());
+    if (description.starts_with('E')) description.replace(0, 1, "an e");  // "Error while parsing …"
+    throw InputError({.file = source,
+                      .line = error.source().begin.line,
+                      .expected = "a case file (TOML)",
+                      .found = std::move(description)});
+  }
+}
+
+}  // namespace flexslip

@@ -1,0 +1,198 @@
+#include "design/design_answer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "case/problem.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double close = 1e-4;  // to where a change is reached
+
+struct PowerInBendingStiffness {
+  DesignParameter parameter;
+  int power;
+  bool is_depth;
+};
+constexpr std::array powers_in_bending_stiffness{PowerInBendingStiffness{DesignParameter::diameter, 4, true},
+                                                 PowerInBendingStiffness{DesignParameter::height, 3, true},
+                                                 PowerInBendingStiffness{DesignParameter::width, 1, false},
+                                                 PowerInBendingStiffness{DesignParameter::modulus, 1, false}};
+
+// None if there is no such design.
+std::optional<DesignOutcome> outcome_with(DesignCase input, DesignParameter parameter, double value) {
+  if (!is_within(described(parameter), value)) return std::nullopt;
+  input.set(parameter, value);
+  return result_of(input).outcome;
+}
+
+std::optional<bool> snaps_with(DesignCase input, DesignParameter parameter, double value) try {
+  if (!is_within(described(parameter), value)) return std::nullopt;
+  input.set(parameter, value);
+  const auto plan = input.plan();
+  const auto* planned = std::get_if<PlannedDesign>(&plan);
+  return planned ? std::optional(snaps(planned->design)) : std::nullopt;
+} catch (const std::invalid_argument&) {  // too extreme a number
+  return std::nullopt;
+}
+
+// Between two values, of which the one snaps and the other does not: the one nearest to the first that is as the other.
+double nearest_between(const DesignCase& input, DesignParameter parameter, double as_now, double otherwise, bool now) {
+  while (std::abs(otherwise - as_now) > close * otherwise) {
+    const double middle = 0.5 * (as_now + otherwise);
+    (snaps_with(input, parameter, middle) == !now ? otherwise : as_now) = middle;
+  }
+  return otherwise;
+}
+
+struct Way {
+  double factor;  // of a step
+  double last;    // value that is as now
+  bool goes_on;
+};
+
+// The nearest values with which it is otherwise, one more and one less, the nearer first; no more than are wanted.
+std::vector<double> nearest_changes(const DesignCase& input, DesignParameter parameter, bool now, std::size_t wanted) {
+  constexpr double step = 1.1;
+  constexpr int steps = 36;  // to 30 times as much
+  const double from = input.value(parameter);
+  const bool is_nothing = from == 0;
+  const double start = is_nothing ? described(parameter).most * std::pow(step, -2 * steps) : from;
+  std::vector<double> found;
+  if (!std::isfinite(start)) return found;
+  std::array<Way, 2> ways{{{step, from, true}, {1 / step, from, !is_nothing}}};
+  for (int n = 1; n <= (is_nothing ? 2 * steps : steps); ++n)
+    for (Way& way : ways) {
+      if (!way.goes_on || found.size() == wanted) continue;
+      const double value = start * std::pow(way.factor, n);
+      const auto there = snaps_with(input, parameter, value);
+      if (there == !now) found.push_back(nearest_between(input, parameter, way.last, value, now));
+      way.goes_on = there == now;
+      way.last = value;
+    }
+  return found;
+}
+
+// Of load train and supports together, in the units of the case.
+std::vector<double> stiffness_changes(const DesignCase& input, double own, bool now, double critical) {
+  const double just_below = critical * (1 - close);
+  if (!now && critical <= own) return critical > 0 ? std::vector{just_below} : std::vector<double>{};
+  auto values = nearest_changes(input, DesignParameter::stiffness, now, 2);
+  for (double& value : values) value = with_supports(value, input.support_compliance());
+  if (!std::isfinite(critical)) return values;
+  const auto stiffer = std::find_if(values.begin(), values.end(), [&](double value) { return value > own; });
+  if (now && stiffer != values.end()) values.erase(stiffer);
+  if (now) values.insert(values.begin(), critical);
+  if (!now && stiffer == values.end()) values.push_back(just_below);
+  return values;
+}
+
+// Rounded away from what it is now, to as few digits, three or more, as leave it otherwise.
+double printed(const DesignCase& input, DesignParameter parameter, double to, bool now) {
+  constexpr int least_digits = 3;
+  constexpr int most_digits = 9;
+  const bool more = to > input.value(parameter);
+  for (int digits = least_digits; digits <= most_digits; ++digits) {
+    const double step = std::pow(10, std::floor(std::log10(to)) - (digits - 1));
+    const double rounded = step * (more ? std::ceil(to / step) : std::floor(to / step));
+    const double decimal = std::stod(fmt::format("{:.{}e}", rounded, digits - 1));
+    if (snaps_with(input, parameter, decimal) == !now) return decimal;
+  }
+  return to;
+}
+
+std::optional<double> travel_change(const DesignCase& input, const DesignAnswer& answer) {
+  constexpr double much_farther = 30;
+  constexpr double hair = 1e-6;  // beyond which units are not rounded
+  if (answer.outcome.first_snap) return answer.scales.physical_length(answer.outcome.first_snap->stage) * (1 - hair);
+  const auto farther =
+      outcome_with(input, DesignParameter::travel, much_farther * input.value(DesignParameter::travel));
+  if (!farther || !farther->first_snap) return std::nullopt;
+  return answer.scales.physical_length(farther->first_snap->stage) * (1 + hair);
+}
+
+std::optional<PhaseStudy> phases_of(DesignCase input) {
+  constexpr int phases = 24;
+  constexpr double finest =
+      1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
+  if (input.planned().design.friction.walk()) return std::nullopt;
+  if (!input.has(DesignParameter::phase) || input.value(DesignParameter::amplitude) == 0) return std::nullopt;
+  if (input.planned().units.scales.reduced_length(input.value(DesignParameter::wavelength)) < finest)
+    return std::nullopt;
+  PhaseStudy study{0, 0, std::numeric_limits<double>::infinity(), 0, 0};
+  const double first = input.value(DesignParameter::phase);
+  for (int i = 0; i < phases; ++i) {
+    input.set(DesignParameter::phase, first + 2 * std::numbers::pi * i / phases);
+    const auto outcome = result_of(input).outcome;
+    if (!outcome) continue;
+    ++study.phases;
+    if (outcome->snaps > 0) ++study.snapping;
+    study.least_drop = std::min(study.least_drop, outcome->largest_drop);
+    study.largest_drop = std::max(study.largest_drop, outcome->largest_drop);
+    study.critical = std::max(study.critical, critical_stiffness(input.planned().design));
+  }
+  return study;
+}
+
+}  // namespace
+
+DesignAnswer answer_of(const DesignCase& input) {
+  const auto [design, units] = input.planned();
+  const Scales& scales = units.scales;
+  DesignAnswer answer{.input = input,
+                      .design = design,
+                      .scales = scales,
+                      .surface = units.surface,
+                      .wraps_nose = false,
+                      .outcome = outcome_of(design),
+                      .critical = critical_stiffness(design),
+                      .changes = {},
+                      .phases = phases_of(input)};
+  answer.wraps_nose = answer.outcome.greatest_curvature > input.nose_curvature(scales);
+  const bool now = answer.outcome.snaps > 0;
+  const auto add = [&](DesignParameter parameter, double to, bool and_beyond) {
+    const auto outcome = outcome_with(input, parameter, to);
+    if (outcome && (outcome->snaps > 0) != now)
+      answer.changes.push_back(
+          {parameter, input.value(parameter), to, printed(input, parameter, to, now), and_beyond, *outcome});
+  };
+  const auto is_told = [&](DesignParameter parameter) {
+    return std::any_of(answer.changes.begin(), answer.changes.end(),
+                       [&](const DesignChange& change) { return change.parameter == parameter; });
+  };
+  const double supports = input.support_compliance();
+  const double own = with_supports(input.value(DesignParameter::stiffness), supports);
+  const double critical = scales.physical_stiffness(answer.critical);
+  // The depth decides elsewhere, too, of a specimen that stands half of it off its supports, or that may break.
+  const bool depth_is_more = design.rig.fibre.supports().half_depth > 0 || std::isfinite(design.breaking_curvature);
+  for (const double stiffness : stiffness_changes(input, own, now, critical)) {
+    const bool and_beyond = now && stiffness == critical;
+    const double load_train = without_supports(stiffness, supports);
+    if (std::isfinite(load_train) || std::isinf(stiffness)) add(DesignParameter::stiffness, load_train, and_beyond);
+    if (!std::isfinite(own)) continue;
+    // k L^3/EI decides: what the stiffness must gain, the specimen may lose.
+    for (const auto& [parameter, power, is_depth] : powers_in_bending_stiffness)
+      if (input.has(parameter) && !(is_depth && depth_is_more))
+        add(parameter, input.value(parameter) * std::pow(own / stiffness, 1.0 / power), and_beyond);
+  }
+  std::vector<DesignParameter> others{DesignParameter::span};
+  // Of supports that are not alike the case varies one.
+  if (!design.friction.walk())
+    others.insert(others.end(), {DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength});
+  if (depth_is_more) others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});
+  for (const auto parameter : others)
+    if (input.has(parameter) && !is_told(parameter))
+      for (const double to : nearest_changes(input, parameter, now, 1)) add(parameter, to, false);
+  if (const auto travel = travel_change(input, answer)) add(DesignParameter::travel, *travel, true);
+  return answer;
+}
+
+}  // namespace flexslip

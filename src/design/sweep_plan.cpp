@@ -1,0 +1,257 @@
+#include "design/sweep_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "case/case_changes.h"
+#include "case/keys.h"
+#include "case/toml.h"
+#include "io/table.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::uint64_t most_rows = 1'000'000'000'000;  // three days of a thousand cores; more is a slip of the pen
+constexpr std::uint64_t most_points = 1'000'000;        // of an axis; all its values stand in the file
+constexpr std::uint64_t many_chunks = 512;              // enough for every core that a cluster gives one person
+constexpr std::uint64_t least_chunk = 64;               // [rows] 20 ms of a core: a file for less would cost as much
+constexpr std::uint64_t largest_chunk = 1 << 16;        // [rows] 20 s of a core: what a kill may lose
+
+constexpr Words<Spacing, 2> spacing_names{{{"linear", Spacing::linear}, {"log", Spacing::logarithmic}}};
+
+enum class Method { grid, latin_hypercube };
+constexpr Words<Method, 2> method_names{{{"grid", Method::grid}, {"latin hypercube", Method::latin_hypercube}}};
+
+constexpr std::string_view example_axis =
+    R"(stiffness = { from = "10 N/m", to = "1 kN/m", points = 50, spacing = "log" })";
+
+std::string axis_key(const DesignAxis& axis) { return fmt::format("sweep.axes.{}", axis.parameter.name); }
+
+// A stiffness may be infinite, and a step continuous, in a list.
+double listed_value(const Keys& keys, const toml::node& node, const std::string& key,
+                    const DesignParameterName& parameter) {
+  if (parameter.parameter == DesignParameter::step && node.value_exact<std::string_view>() == "continuous") return 0;
+  const bool is_stiffness = parameter.parameter == DesignParameter::stiffness;
+  return keys.value(node, key, parameter.kind, is_stiffness ? Range::positive_or_infinite : Range::any);
+}
+
+AxisValues read_values(const Keys& axes, const toml::array& array, const DesignParameterName& parameter) {
+  if (array.empty()) axes.refuse(parameter.name, "at least one value", "an empty array");
+  AxisValues values;
+  values.reserve(array.size());
+  for (std::size_t i = 0; i < array.size(); ++i)
+    values.push_back(listed_value(axes, array[i], fmt::format("{}[{}]", axes.key(parameter.name), i + 1), parameter));
+  return values;
+}
+
+AxisRange read_range(const Keys& keys, Method method, const DesignParameterName& parameter) {
+  const bool is_grid = method == Method::grid;
+  keys.only(is_grid ? std::vector<std::string>{"from", "to", "points", "spacing"}
+                    : std::vector<std::string>{"from", "to", "spacing"});
+  AxisRange range{keys.quantity("from", parameter.kind, Range::any), keys.quantity("to", parameter.kind, Range::any),
+                  keys.optional_choice("spacing", spacing_names).value_or(Spacing::linear),
+                  is_grid ? keys.whole_number("points", 2) : 0};
+  if (range.points > most_points)
+    keys.refuse("points", fmt::format("at most {} points", most_points), std::to_string(range.points));
+  if (range.from == range.to)
+    keys.refuse("to", "another value than from", kind_of_node(keys.need("to")), "leave the axis out, or write a list");
+  if (range.spacing == Spacing::logarithmic && !(range.from > 0 && range.to > 0))
+    keys.refuse(range.from > 0 ? "to" : "from", "a positive value, as the spacing is \"log\"",
+                kind_of_node(keys.need(range.from > 0 ? "to" : "from")), "write spacing = \"linear\"");
+  return range;
+}
+
+DesignAxis read_axis(const Keys& axes, const toml::node& node, Method method, const DesignParameterName& parameter,
+                     const Case& input) {
+  if (const toml::table* range = node.as_table())
+    return {parameter, read_range({*range, axes.key(parameter.name), input}, method, parameter)};
+  const toml::array* values = node.as_array();
+  if (!values || method == Method::latin_hypercube)
+    axes.refuse(parameter.name,
+                method == Method::grid ? "{ from = …, to = …, points = … } or a list of values"
+                                       : "{ from = …, to = … } in a Latin hypercube",
+                kind_of_node(node), fmt::format("write {}", example_axis));
+  return {parameter, read_values(axes, *values, parameter)};
+}
+
+std::vector<DesignAxis> read_axes(const Keys& axes, Method method, const Case& input) {
+  std::vector<std::string> known;
+  known.reserve(design_parameters().size());
+  for (const auto& parameter : design_parameters()) known.emplace_back(parameter.name);
+  axes.only(known);
+  if (axes.size() == 0)
+    throw wrong_value(input, "sweep.axes", "at least one axis", "none", fmt::format("add {}", example_axis));
+  std::vector<std::pair<toml::source_position, DesignAxis>> placed;
+  for (const auto& parameter : design_parameters())
+    if (const toml::node* node = axes.find(parameter.name))
+      placed.emplace_back(node->source().begin, read_axis(axes, *node, method, parameter, input));
+  std::sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<DesignAxis> in_order;
+  in_order.reserve(placed.size());
+  for (auto& [position, axis] : placed) in_order.push_back(std::move(axis));
+  return in_order;
+}
+
+std::uint64_t rows_of(const Keys& sweep, const std::vector<DesignAxis>& axes,
+                      const std::variant<Grid, LatinHypercube>& method) {
+  const auto* hypercube = std::get_if<LatinHypercube>(&method);
+  std::uint64_t rows = hypercube ? hypercube->samples : 1;
+  auto product = static_cast<double>(rows);  // which does not overflow
+  if (!hypercube)
+    for (const DesignAxis& axis : axes) {
+      rows *= points_of(axis);
+      product *= static_cast<double>(points_of(axis));
+    }
+  if (product > static_cast<double>(most_rows))
+    sweep.refuse(hypercube ? "samples" : "axes", fmt::format("at most {:.0e} designs", static_cast<double>(most_rows)),
+                 fmt::format("{:.3g}", product), hypercube ? "" : "take fewer points on an axis");
+  return rows;
+}
+
+// A hash of 64 bits: splitmix64 (Steele, Lea & Flood 2014).
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+// Where a permutation of 0, ..., count - 1, chosen by the key, takes i.
+std::uint64_t permuted(std::uint64_t i, std::uint64_t count, std::uint64_t key) {
+  constexpr int rounds = 6;  // four make a pseudorandom permutation of a good hash (Luby & Rackoff 1988)
+  const int half = std::max(1, (static_cast<int>(std::bit_width(count - 1)) + 1) / 2);
+  const std::uint64_t mask = (std::uint64_t{1} << half) - 1;
+  do {  // on average at most four times
+    std::uint64_t left = i >> half;
+    std::uint64_t right = i & mask;
+    for (int round = 0; round < rounds; ++round)
+      left = std::exchange(right, left ^ (mixed(right ^ mixed(key + static_cast<std::uint64_t>(round))) & mask));
+    i = left << half | right;
+  } while (i >= count);
+  return i;
+}
+
+// Uniform in [0, 1), a multiple of 2^-53.
+double fraction(std::uint64_t bits) { return std::ldexp(static_cast<double>(bits >> 11), -53); }
+
+std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube& hypercube, std::uint64_t row) {
+  std::vector<double> inputs;
+  inputs.reserve(plan.axes.size());
+  for (const DesignAxis& axis : plan.axes) {
+    // By the parameter, not by its place: an axis that is added leaves the others as they were.
+    const std::uint64_t key = mixed(hypercube.seed ^ mixed(static_cast<std::uint64_t>(axis.parameter.parameter)));
+    const std::uint64_t stratum = permuted(row, hypercube.samples, key);
+    const double within_it = fraction(mixed(mixed(key) ^ row));
+    const double t = (static_cast<double>(stratum) + within_it) / static_cast<double>(hypercube.samples);
+    inputs.push_back(value_at(std::get<AxisRange>(axis.values), t));
+  }
+  return inputs;
+}
+
+// A refusal of a number, told as one of the axis that it stands in.
+void set_from_axis(DesignCase& design, const SweepPlan& plan, const DesignAxis& axis, const std::string& key,
+                   double value) {
+  try {
+    design.set(axis.parameter.parameter, value);
+  } catch (const InputError& error) {
+    throw wrong_value(plan.input, key, error.fault.expected, error.fault.found, error.fault.remedy);
+  }
+}
+
+void check(const SweepPlan& plan) {
+  DesignCase design(plan.input);
+  for (const DesignAxis& axis : plan.axes) {
+    const std::string key = axis_key(axis);
+    if (!design.has(axis.parameter.parameter))
+      throw wrong_value(plan.input, key, "a parameter that the case has", in_quotes(axis.parameter.name),
+                        "take another axis, or another kind of case");
+    if (const auto* range = std::get_if<AxisRange>(&axis.values)) {
+      set_from_axis(design, plan, axis, key + ".from", range->from);
+      set_from_axis(design, plan, axis, key + ".to", range->to);
+    } else {
+      const auto& values = std::get<AxisValues>(axis.values);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        set_from_axis(design, plan, axis, fmt::format("{}[{}]", key, i + 1), values[i]);
+    }
+  }
+}
+
+}  // namespace
+
+SweepPlan read_sweep(std::string_view text, const std::string& source) {
+  SweepPlan plan{read_case(text, source), std::string(text), {}, {}, 0};
+  const toml::table file = parse_toml(text, source);
+  const toml::node& section = Keys(file, "", plan.input).need("sweep");
+  if (!section.is_table()) throw wrong_value(plan.input, "sweep", "a section [sweep]", kind_of_node(section));
+  const Keys sweep(*section.as_table(), "sweep", plan.input);
+  sweep.only({"method", "samples", "seed", "axes"});
+  sweep.need("method");
+  const Method method = sweep.optional_choice("method", method_names).value();
+  if (method == Method::latin_hypercube) {
+    plan.method = LatinHypercube{sweep.whole_number("samples", 1), sweep.whole_number("seed", 0)};
+  } else {
+    for (const std::string_view other : {"samples", "seed"})
+      if (sweep.has(other))
+        sweep.refuse(other, "it in a Latin hypercube only", "it in a grid", "delete it, or set method");
+  }
+  const toml::node& axes = sweep.need("axes");
+  if (!axes.is_table()) sweep.refuse("axes", "a section [sweep.axes]", kind_of_node(axes));
+  plan.axes = read_axes({*axes.as_table(), sweep.key("axes"), plan.input}, method, plan.input);
+  plan.rows = rows_of(sweep, plan.axes, plan.method);
+  return plan;
+}
+
+SweepPlan read_sweep(const std::string& path, const std::vector<std::string>& changes) {
+  const std::string source = path == "-" ? "standard input" : path;
+  std::string text = case_text(path);
+  if (!changes.empty()) {
+    std::ostringstream changed;
+    changed << toml::toml_formatter(with_changes(parse_toml(text, source), changes));
+    text = changed.str();
+  }
+  SweepPlan plan = read_sweep(text, source);
+  check(plan);
+  return plan;
+}
+
+std::vector<std::uint64_t> shape_of(const SweepPlan& plan) {
+  std::vector<std::uint64_t> shape;
+  if (std::holds_alternative<LatinHypercube>(plan.method)) return shape;
+  shape.reserve(plan.axes.size());
+  for (const DesignAxis& axis : plan.axes) shape.push_back(points_of(axis));
+  return shape;
+}
+
+std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row) {
+  if (row >= plan.rows) throw std::invalid_argument(fmt::format("inputs_of: no row {} of {}", row, plan.rows));
+  const auto* hypercube = std::get_if<LatinHypercube>(&plan.method);
+  return hypercube ? inputs_of_sample(plan, *hypercube, row) : grid_inputs(plan.axes, row);
+}
+
+std::uint64_t row_from_all_over(const SweepPlan& plan, std::uint64_t i) {
+  const double place = static_cast<double>(i) * 0.6180339887498949;
+  const auto row = static_cast<std::uint64_t>((place - std::floor(place)) * static_cast<double>(plan.rows));
+  return std::min(row, plan.rows - 1);
+}
+
+std::uint64_t rows_in_chunk(const SweepPlan& plan) {
+  return std::clamp(std::bit_ceil(plan.rows / many_chunks), least_chunk, largest_chunk);
+}
+
+std::uint64_t chunks_of(const SweepPlan& plan) { return (plan.rows - 1) / rows_in_chunk(plan) + 1; }
+
+RowSpan rows_of_chunk(const SweepPlan& plan, std::uint64_t chunk) {
+  const std::uint64_t first = chunk * rows_in_chunk(plan);
+  if (first >= plan.rows) throw std::invalid_argument(fmt::format("rows_of_chunk: no chunk {}", chunk));
+  return {first, std::min(rows_in_chunk(plan), plan.rows - first)};
+}
+
+}  // namespace flexslip

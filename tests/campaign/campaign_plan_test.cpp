@@ -1,0 +1,146 @@
+#include "campaign/campaign_plan.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/refusal.h"
+#include "tests/temporary_folder.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::string_view a_case = R"([rig]
+span = "1 mm"
+stiffness = "90 N/m"
+[record]
+file = "a.csv"
+stage = "w [mm]"
+force = "F [N]"
+)";
+
+const Case& case_in(const PlannedTest& test) { return std::get<Case>(test.input); }
+std::string error_in(const PlannedTest& test) { return std::get<InputError>(test.input).what(); }
+
+TEST_CASE("table: a folder gives its case files by path, broken ones with their reason, each name once") {
+  const TemporaryFolder folder;
+  folder.file("b.toml", a_case);
+  folder.file("a/case.toml", a_case);
+  folder.file("z/b.toml", a_case);
+  folder.file("broken.toml", "[rig]\nspan = 12\n");
+  folder.file("simulate.toml", "[rig]\nspan = \"1 mm\"\n");  // no [record]: no measured test
+  folder.file(".hidden/c.toml", a_case);
+  folder.file("a.csv", "w [mm],F [N]\n");
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
+  REQUIRE(plan.size() == 4);
+  CHECK(plan[0].name == "a");
+  CHECK(case_in(plan[0]).record.value().file == (folder.path() / "a" / "a.csv").string());
+  CHECK(plan[1].name == "b");
+  CHECK(plan[2].name == "broken");
+  CHECK(error_in(plan[2]).find("broken.toml:2: [rig] span: expected") != std::string::npos);
+  CHECK(plan[3].name == "b-2");
+}
+
+TEST_CASE("table: with what is common, a folder gives its data files") {
+  const TemporaryFolder folder;
+  const auto common = folder.file("common.toml", R"([rig]
+span = "1 mm"
+stiffness = "90 N/m"
+[record]
+stage = "w [mm]"
+force = "F [N]"
+)");
+  folder.file("two.CSV", "");
+  folder.file("one.dat", "");
+  folder.file("below/three.csv", "");
+  folder.file("notes.md", "");
+  const auto plan = plan_campaign(folder.path().string(), common);
+  REQUIRE(plan.size() == 2);
+  CHECK(plan[0].name == "one");
+  CHECK(case_in(plan[0]).record.value().file == (folder.path() / "one.dat").string());
+  CHECK(case_in(plan[0]).rig.value().span == 1e-3);
+  CHECK(plan[1].name == "two");
+}
+
+TEST_CASE("table: a row is a test, its keys by short or full names, units in titles or cells, over what is common") {
+  const TemporaryFolder folder;
+  const auto common =
+      folder.file("common.toml",
+                  "[rig]\nspan = \"1 mm\"\nstiffness = \"90 N/m\"\n[record]\nstage = \"w [mm]\"\nforce = \"F [N]\"\n");
+  const auto table = folder.file("cases.csv",
+                                 "file,diameter [um],modulus,modulus uncertainty [GPa],rig.span,until,#operator\n"
+                                 "a.csv,34.8,29.6 GPa,1.5,1278 um,267,Jo\n"
+                                 "sub/b.csv,40,fit,,,,\n");
+  const auto plan = plan_campaign(table, common);
+  REQUIRE(plan.size() == 2);
+  CHECK(plan[0].name == "a");
+  CHECK(plan[0].file == table + ":2");
+  const Case& first = case_in(plan[0]);
+  CHECK(std::get<RoundSection>(first.specimen.value().section.value()).diameter == 34.8e-6);
+  const auto& modulus = std::get<Known>(std::get<Modulus>(first.specimen->rigidity).estimate);
+  CHECK(modulus.value == 29.6e9);
+  CHECK(modulus.uncertainty == 1.5e9);
+  CHECK(first.rig.value().span == 1278e-6);
+  CHECK(first.record.value().until == PlaceInRecord(AtRow{267}));
+  CHECK(first.record->file == (folder.path() / "a.csv").string());
+  const Case& second = case_in(plan[1]);
+  CHECK(second.rig.value().span == 1e-3);
+  CHECK(!second.record.value().until);
+  CHECK(std::holds_alternative<ToFit>(std::get<Modulus>(second.specimen.value().rigidity).estimate));
+}
+
+TEST_CASE("table: friction with a drift and its reference in columns") {
+  const TemporaryFolder folder;
+  const auto table = folder.file("cases.csv",
+                                 "file,span,stage,force,friction.model,friction.mu0,friction.drift [1/mm],"
+                                 "friction.reference [mm]\n"
+                                 "a.csv,1 mm,w [mm],F [N],drift,0.3,0.8,1.4\n");
+  const auto plan = plan_campaign(table, std::nullopt);
+  REQUIRE(plan.size() == 1);
+  CHECK(case_in(plan[0]).friction.value().profile == FrictionProfileInput{WavyFriction{0.3, 800, {}, 1.4e-3}});
+}
+
+TEST_CASE("table: a bad cell fails its test, named by line and column; a column that is no key fails the table") {
+  const TemporaryFolder folder;
+  const std::string head = "file,span,stiffness,stage,force";
+  const auto bad_cell =
+      folder.file("cells.csv", head + "\na.csv,12,90 N/m,w [mm],F [N]\nb.csv,1 mm,90 N/m,w [mm],F [N]\n");
+  const auto plan = plan_campaign(bad_cell, std::nullopt);
+  REQUIRE(plan.size() == 2);
+  CHECK(error_in(plan[0]).find("cells.csv:2: column 'span': expected") != std::string::npos);
+  CHECK(std::holds_alternative<Case>(plan[1].input));
+
+  const auto bad_column = folder.file("columns.csv", head + ",diametr\na.csv,1 mm,90 N/m,w [mm],F [N],1 um\n");
+  const auto message = message_of([&] { plan_campaign(bad_column, std::nullopt); });
+  CHECK(message.find("columns.csv:1: column 'diametr'") != std::string::npos);
+  const auto empty = folder.file("empty.csv", head + "\n");
+  CHECK(message_of([&] { plan_campaign(empty, std::nullopt); }).find("a row for each test") != std::string::npos);
+}
+
+TEST_CASE("table: names are made fit for folders, and differ also where letters of either case are one") {
+  const TemporaryFolder folder;
+  const auto table = folder.file("cases.csv",
+                                 "name,file,span,stiffness,stage,force\n"
+                                 "../a/b,x.csv,1 mm,9 N/m,w [mm],F [N]\n"
+                                 "Test,x.csv,1 mm,9 N/m,w [mm],F [N]\n"
+                                 "test,x.csv,1 mm,9 N/m,w [mm],F [N]\n");
+  const auto plan = plan_campaign(table, std::nullopt);
+  REQUIRE(plan.size() == 3);
+  CHECK(plan[0].name == "_.._a_b");
+  CHECK(plan[1].name == "Test");
+  CHECK(plan[2].name == "test-2");
+}
+
+TEST_CASE("table: a reduced case fails, as the tables and figures of a campaign are physical") {
+  const TemporaryFolder folder;
+  folder.file("a.toml",
+              "reduced = true\n[rig]\nstiffness = 90\n[record]\nfile = \"a.csv\"\nstage = \"w\"\nforce = \"F\"\n");
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
+  CHECK(error_in(plan.at(0)).find("a.toml:1: reduced: expected a test in physical units") != std::string::npos);
+}
+
+TEST_CASE("table: a folder without tests says what to do") {
+  const TemporaryFolder folder;
+  CHECK(message_of([&] { plan_campaign(folder.path().string(), std::nullopt); }).find("--common") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace flexslip

@@ -1,0 +1,111 @@
+#include "campaign/campaign_store.h"
+
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+
+#include "tests/refusal.h"
+#include "tests/temporary_folder.h"
+
+namespace flexslip {
+namespace {
+
+CampaignTest some_test() {
+  CampaignTest test{.name = "SS14",
+                    .status = "ok",
+                    .reason = "",
+                    .file = "ss14.toml",
+                    .summary = {},
+                    .curves = {},
+                    .remarks = {"one", "tw\"o"},
+                    .section_moment = 1.0 / 3e20,
+                    .materials = Materials{"glass", "steel"}};
+  test.summary = TestSummary{
+      .name = "SS14",
+      .category = SawtoothCategory::nominal,
+      .suspect = true,
+      .standing = Standing::suspect,
+      .drops_verdict = CrackVerdict::not_by_cracks_alone,
+      .model = ProfileModel::sinusoid,
+      .mu0 = {.value = 0.1, .standard_error = 1.0 / 3, .low = -1e-300, .high = 5e-324},
+      .mu0_is_bound = true,
+      .friction_read = {.median = 0.2, .low80 = 1.0 / 7, .high80 = std::numeric_limits<double>::quiet_NaN()},
+      .roughness = {.value = 0.1, .standard_error = 0.02, .low = 0.07, .high = 0.15},
+      .correlation_length = {.value = 4e-6, .standard_error = 1e-6, .low = 2e-6, .high = 6e-6},
+      .amplitude = {},
+      .wavelength =
+          Estimate{.value = 1e-5, .standard_error = std::numeric_limits<double>::quiet_NaN(), .low = 0, .high = 1},
+      .phase = {},
+      .wave_claimed = true,
+      .log_evidence_of_wave = 1.0 / 9,
+      .bending_stiffness = {},
+      .residual_rms = 0.3,
+      .drops = 7,
+      .friction_share = 0.25,
+      .work_of_fracture = 2e-9,
+      .failed_checks = {CheckKind::drops, CheckKind::friction},
+      .known = {.mu0 = {{{0.25, 1.0 / 3, 0.1}, {0.75, 0.4, 1.0 / 7}}, 0.55, 0.5},
+                .log_roughness = {},
+                .log_length = {},
+                .log_stiffness = {},
+                .log_wavelength = {{{1, -10.8, 0.01}}, 0, std::numeric_limits<double>::infinity()}}};
+  test.curves = CampaignCurves{.span = 1278e-6,
+                               .bending_stiffness = 2e-12,
+                               .load_train_stiffness = std::numeric_limits<double>::infinity(),
+                               .stage = {0, 0.1, 0.2},
+                               .deflection = {0, 0.1, 0.15},
+                               .force = {0, 1, 2},
+                               .model_deflection = {0, 0.1},
+                               .model_force = {0, 1},
+                               .drops = {1}};
+  return test;
+}
+
+TEST_CASE("identity: a kept test comes back to the last bit, and its text to the last byte") {
+  const std::string text = to_text(some_test());
+  const auto back = campaign_test_from(text);
+  REQUIRE(back);
+  CHECK(to_text(*back) == text);
+  CHECK(back->summary->mu0.standard_error == 1.0 / 3);
+  CHECK(back->summary->mu0.high == 5e-324);
+  CHECK(std::isnan(back->summary->wavelength->standard_error));
+  CHECK(!back->summary->amplitude);
+  CHECK(back->summary->category == SawtoothCategory::nominal);
+  CHECK(std::isinf(back->curves->load_train_stiffness));
+  CHECK(back->curves->force == some_test().curves->force);
+  CHECK(back->remarks == some_test().remarks);
+  CHECK(back->section_moment == some_test().section_moment);
+  CHECK(back->materials == some_test().materials);
+  const auto& known = back->summary->known;
+  REQUIRE(known.mu0.posterior.size() == 2);
+  CHECK(known.mu0.posterior[1].deviation == 1.0 / 7);
+  CHECK(known.mu0.prior_deviation == 0.5);
+  CHECK(known.log_roughness.posterior.empty());
+  CHECK(std::isinf(known.log_wavelength.prior_deviation));
+}
+
+TEST_CASE("table: what was kept is found under its key alone, what is torn or foreign not at all") {
+  const TemporaryFolder folder;
+  const CampaignStore store(folder.path() / "tests");
+  CHECK(!store.find("SS14", "key"));
+  folder.file("tests/SS14/old.csv", "of another run");
+  store.emptied_folder("SS14");
+  CHECK(!std::filesystem::exists(folder.path() / "tests" / "SS14" / "old.csv"));
+  store.keep(some_test(), "key");
+  CHECK(to_text(store.find("SS14", "key").value()) == to_text(some_test()));
+  CHECK(!store.find("SS14", "another"));
+  folder.file("tests/SS14/result.json", "{\"layout\":1,\"key\":\"key\",\"te");
+  CHECK(!store.find("SS14", "key"));
+  folder.file("tests/SS14/result.json", "[]");
+  CHECK(!store.find("SS14", "key"));
+}
+
+TEST_CASE("table: a folder that cannot be made is refused") {
+  const TemporaryFolder folder;
+  const auto file = folder.file("tests", "a file");
+  CHECK(message_of([&] { CampaignStore store(file); }).find("a folder that can be written to") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace flexslip

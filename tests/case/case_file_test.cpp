@@ -1,0 +1,520 @@
+#include "case/case_file.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+using namespace flexslip;
+
+namespace {
+
+// The example of the documentation, whole.
+constexpr std::string_view full = R"([specimen]
+diameter = "34.8 um"
+modulus  = { value = "29.6 GPa", uncertainty = "1.5 GPa" }
+[rig]
+span      = "1278 um"
+stiffness = "90.65 N/m"
+[friction]
+model = "sinusoid"
+mu0 = 0.5
+amplitude = 0.15
+wavelength = "10.9 um"
+phase = 1.0
+[stage]
+program = ["0 um", "900 um", "0 um", "900 um"]
+step = "2 um"
+[record]
+file  = "ss14.csv"
+stage = "w_s_m [m]"
+force = "F_N [N]"
+until = 267
+)";
+
+Case read(std::string_view text) { return read_case(text, "data/case.toml"); }
+
+std::string complaint(std::string_view text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The complaint about the full example with one piece of it replaced.
+std::string complaint_with(std::string_view piece, std::string_view replacement) {
+  std::string text(full);
+  const std::size_t at = text.find(piece);
+  REQUIRE(at != std::string::npos);
+  return complaint(text.replace(at, piece.size(), replacement));
+}
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+void check_same(const Case& a, const Case& b) {
+  CHECK(a.reduced == b.reduced);
+  CHECK(a.specimen == b.specimen);
+  CHECK(a.rig == b.rig);
+  CHECK(a.friction == b.friction);
+  CHECK(a.stage == b.stage);
+  CHECK(a.record == b.record);
+}
+
+}  // namespace
+
+TEST_CASE("table: the documented example, in SI") {
+  const Case input = read(full);
+  CHECK_FALSE(input.reduced);
+  CHECK(input.specimen == SpecimenInput{RoundSection{34.8e-6}, Modulus{Known{29.6e9, 1.5e9}}});
+  CHECK(input.rig == RigInput{1278e-6, 90.65});
+  CHECK(input.friction == FrictionInput{{FrictionModel::sinusoid}, WavyFriction{0.5, 0, {{0.15, 10.9e-6, 1.0}}}});
+  CHECK(input.stage == StageInput{TurningPoints{{0, 900e-6, 0, 900e-6}, 1, 2e-6}});
+  CHECK(input.record == RecordInput{.file = "data/ss14.csv",
+                                    .columns = TableColumns{"w_s_m [m]", {}, "F_N [N]", '.'},
+                                    .until = AtRow{267}});
+  CHECK(input.lines.at("specimen.diameter") == 2);
+  CHECK(input.lines.at("specimen.modulus.uncertainty") == 3);
+  CHECK(input.lines.at("rig") == 4);
+  CHECK(input.lines.at("stage.program[2]") == 14);
+  CHECK(input.lines.at("record.until") == 20);
+}
+
+TEST_CASE("table: the specimens that can be described") {
+  const auto specimen = [](const std::string& text) { return *read("[specimen]\n" + text).specimen; };
+  CHECK(specimen("diameter = '1 um'") == SpecimenInput{RoundSection{1e-6}, Modulus{ToFit{}}});
+  CHECK(specimen("diameter = '1 um'\nmodulus = 'fit'") == SpecimenInput{RoundSection{1e-6}, Modulus{ToFit{}}});
+  CHECK(specimen("width = '2 um'\nheight = '1 um'\nmodulus = '3 GPa'") ==
+        SpecimenInput{RectangularSection{2e-6, 1e-6}, Modulus{Known{3e9, 0}}});
+  CHECK(specimen("diameter = '4 mm'\ninner_diameter = '3 mm'") ==
+        SpecimenInput{TubularSection{4e-3, 3e-3}, Modulus{ToFit{}}});
+  CHECK(specimen("diameter = '4 mm'\nwall = '0.5 mm'") == SpecimenInput{TubularSection{4e-3, 3e-3}, Modulus{ToFit{}}});
+  CHECK(specimen("bending_stiffness = '2.1e-12 N m^2'") == SpecimenInput{{}, BendingStiffness{Known{2.1e-12, 0}}});
+  CHECK(specimen("bending_stiffness = 'fit'\ndiameter = '1 um'") ==
+        SpecimenInput{RoundSection{1e-6}, BendingStiffness{ToFit{}}});
+  CHECK(specimen("bending_stiffness = { value = '2 N m^2', uncertainty = '5 %' }") ==
+        SpecimenInput{{}, BendingStiffness{Known{2, 2 * 0.05}}});
+}
+
+TEST_CASE("table: the friction that can be described") {
+  const auto friction = [](const std::string& text) { return *read("[friction]\n" + text).friction; };
+  CHECK(friction("") == FrictionInput{{}, {}});
+  CHECK(friction("model = 'roughness'") == FrictionInput{{FrictionModel::roughness}, {}});
+  CHECK(friction("model = 'sinusoid'") == FrictionInput{{FrictionModel::sinusoid}, {}});
+  CHECK(friction("model = 'constant'\nmu0 = 0.5\ndrift = '0.2 1/mm'") ==
+        FrictionInput{{FrictionModel::constant}, WavyFriction{0.5, 200, {}}});
+  CHECK(friction("model = 'drift'\nmu0 = 0.5\ndrift = '0.2 1/mm'\nreference = '1.4 mm'") ==
+        FrictionInput{{FrictionModel::drift}, WavyFriction{0.5, 200, {}, 1.4e-3}});
+  CHECK(friction("model = 'sinusoids'\nmu0 = 0.5\ndrift = '0.2 1/mm'\nreference = '1.4 mm'\n"
+                 "waves = [{ amplitude = 0.1, wavelength = '1 um' }]") ==
+        FrictionInput{{FrictionModel::sinusoids}, WavyFriction{0.5, 200, {{0.1, 1e-6, 0}}, 1.4e-3}});
+  CHECK(friction("model = 'sinusoid'\nmu0 = 1\namplitude = 0\nwavelength = '1 um'\nphase = '90 deg'") ==
+        FrictionInput{{FrictionModel::sinusoid}, WavyFriction{1, 0, {{0, 1e-6, std::numbers::pi / 2}}}});
+  const FrictionInput unlike{{FrictionModel::constant},
+                             WavyFriction{0.5, 0, {}},
+                             0,
+                             OtherSupport{FrictionModel::sinusoid, WavyFriction{0.4, 0, {{0.1, 1e-6, 2}}}}};
+  CHECK(friction("model = 'constant'\nmu0 = 0.5\n[friction.other]\nmodel = 'sinusoid'\nmu0 = 0.4\namplitude = 0.1\n"
+                 "wavelength = '1 um'\nphase = 2") == unlike);
+  const FrictionInput two{{FrictionModel::sinusoids}, WavyFriction{0.5, 0, {{0.1, 1e-6, 2}, {0.2, 3e-6, 0}}}};
+  CHECK(friction("model = 'sinusoids'\nmu0 = 0.5\nwaves = [{ amplitude = 0.1, wavelength = '1 um', phase = 2 }, "
+                 "{ amplitude = 0.2, wavelength = '3 um' }]") == two);
+  CHECK(friction("model = 'sinusoids'\nmu0 = 0.5\n[[friction.waves]]\namplitude = 0.1\nwavelength = '1 um'\nphase = 2\n"
+                 "[[friction.waves]]\namplitude = 0.2\nwavelength = '3 um'") == two);
+  CHECK(friction("model = 'table'\nfile = 'afm.csv'\nlength = 'S [um]'") ==
+        FrictionInput{{FrictionModel::table}, TabulatedFriction{"data/afm.csv", "S [um]", "mu"}});
+  CHECK(friction("model = 'constant'\nmu0 = 0.5\nstatic_excess = 0.05") ==
+        FrictionInput{{FrictionModel::constant}, WavyFriction{0.5, 0, {}}, 0.05});
+  CHECK(friction("model = 'constant'\nmu0 = 0.5\nbuild_up_length = '2.5 um'") ==
+        FrictionInput{{FrictionModel::constant}, WavyFriction{0.5, 0, {}}, 0, std::nullopt, 2.5e-6});
+  CHECK(friction("model = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7") ==
+        FrictionInput{{FrictionModel::rough}, RoughFriction{0.5, 0.1, 5e-6, 7}});
+}
+
+TEST_CASE("table: rigs, stages and records that can be described") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(read("[rig]\nspan = '1 mm'\nstiffness = 'inf'").rig == RigInput{1e-3, infinity});
+  CHECK(read("[rig]\nspan = '1 mm'\nstiffness = inf").rig == RigInput{1e-3, infinity});
+  CHECK(read("[rig]\nspan = '1 mm'").rig == RigInput{1e-3, {}});
+  CHECK(read("[stage]\nprogram = ['0 um', '1 mm']\nstep = 'continuous'").stage ==
+        StageInput{TurningPoints{{0, 1e-3}, 1, {}}});
+  CHECK(read("[stage]\nprogram = ['0 um', '1 mm']").stage == StageInput{TurningPoints{{0, 1e-3}, 1, {}}});
+  CHECK(read("[stage]\nprogram = ['0 um', '1 mm', '1 mm', '0 um']\ncycles = 10\nsnaps = 'overshoot'").stage ==
+        StageInput{TurningPoints{{0, 1e-3, 1e-3, 0}, 10, {}}, SnapRest::overshoot});
+  CHECK(read("[stage]\nfile = 'run.csv'\nstage = 'w_s [um]'").stage ==
+        StageInput{MeasuredProgramme{"data/run.csv", "w_s [um]", {}, '.'}});
+  CHECK(read("[stage]\nfile = 'run.csv'\nstage = 's'\ntime = 't [s]'\ndecimal = ','\nsnaps = 'nearest'").stage ==
+        StageInput{MeasuredProgramme{"data/run.csv", "s", "t [s]", ','}});
+  CHECK(read("[record]\nfile = '/a/b.csv'\ndeflection = 'w'\nforce = 'F [mN]'\ncontact = '-3 um'\ndecimal = ','")
+            .record ==
+        RecordInput{.file = "/a/b.csv", .columns = TableColumns{{}, "w", "F [mN]", ','}, .contact = -3e-6});
+  CHECK(read_case("[record]\nfile = 'b.csv'\nstage = 's'\nforce = 'F'", "standard input").record->file == "b.csv");
+}
+
+TEST_CASE("table: the exports and the preparations that can be described") {
+  const auto record = [](const std::string& text) { return *read("[record]\nfile = '/a'\n" + text).record; };
+  CHECK(record("") == RecordInput{.file = "/a", .columns = ExportColumns{}});
+  CHECK(record("displacement = 'crosshead'") ==
+        RecordInput{.file = "/a", .columns = ExportColumns{.displacement = DisplacementOf::crosshead}});
+  CHECK(
+      record("displacement = 'deflection'\ndisplacement_column = 'LVDT'\nforce = '4'\nspecimen = 2\n"
+             "calibration = '222 N/V'\ndecimal = ','") ==
+      RecordInput{.file = "/a", .columns = ExportColumns{DisplacementOf::deflection, "LVDT", "4", 2, "222 N/V", ','}});
+  const std::string table = "stage = 's'\nforce = 'F'\n";
+  CHECK(record(table).sign == SignRule::find);
+  CHECK(record(table + "sign = 'find'").sign == SignRule::find);
+  CHECK(record(table + "sign = 'keep'").sign == SignRule::keep);
+  CHECK(record(table + "sign = 'reverse'").sign == SignRule::reverse);
+  CHECK(record(table).zero == ForceZeroRule{ToFind{}});
+  CHECK(record(table + "zero = 'find'").zero == ForceZeroRule{ToFind{}});
+  CHECK(record(table + "zero = 'keep'").zero == ForceZeroRule{ToKeep{}});
+  CHECK(record(table + "zero = '-0.12 N'").zero == ForceZeroRule{-0.12});
+  CHECK(record(table).contact == ContactRule{WhereFree{}});
+  CHECK(record(table + "contact = 'find'").contact == ContactRule{ToFind{}});
+  CHECK(record(table + "contact = 'first row'").contact == ContactRule{AtFirstRow{}});
+  CHECK(record(table + "contact = '12 um'").contact == ContactRule{12e-6});
+  CHECK(record(table + "until = 250").until == PlaceInRecord{AtRow{250}});
+  CHECK(record(table + "first = '120 um'").first == PlaceInRecord{AtStage{120e-6}});
+  CHECK(record(table + "first = { stage = '120 um' }").first == PlaceInRecord{AtStage{120e-6}});
+  CHECK(record(table + "until = { deflection = '80 um' }").until == PlaceInRecord{AtDeflection{80e-6}});
+  CHECK(read("[specimen]\nbending_stiffness = 'fit'\nmaterial = 'glass'").specimen->material == "glass");
+  CHECK(read("[rig]\nspan = '1 mm'\nsupport_material = 'steel'").rig->support_material == "steel");
+  CHECK(record(table).find_failure);
+  CHECK(record(table + "failure = 'find'").find_failure);
+  CHECK_FALSE(record(table + "failure = 'none'").find_failure);
+
+  // What an export may say itself is not asked for.
+  CHECK_FALSE(read("[record]\nfile = 'a'\n[rig]\nstiffness = 'inf'").rig->span.has_value());
+  CHECK_FALSE(read("[record]\nfile = 'a'\n[specimen]\nmodulus = '3 GPa'").specimen->section.has_value());
+}
+
+TEST_CASE("table: exports and preparations that cannot be are refused") {
+  const auto refusal = [](const std::string& text) { return complaint("[record]\nfile = 'a'\n" + text); };
+  CHECK(has(refusal("stage = 's'\ndisplacement = 'crosshead'"),
+            ":4: [record] displacement: expected either titles of columns or what the displacement of an export is"));
+  CHECK(has(refusal("displacement = 'stage'"), ":3: [record] displacement: expected \"crosshead\" or \"deflection\""));
+  CHECK(has(refusal("specimen = 0"), "[record] specimen: expected a whole number, at least 1"));
+  CHECK(has(refusal("sign = 'flip'"), "[record] sign: expected \"find\", \"keep\" or \"reverse\", found 'flip'"));
+  CHECK(has(refusal("zero = '3 um'"), "[record] zero: expected a force, found a length"));
+  CHECK(has(refusal("contact = 'first'"), "[record] contact: expected a length"));
+  CHECK(has(refusal("failure = true"), "[record] failure: expected \"find\" or \"none\", found true or false"));
+  CHECK(has(complaint("reduced = true\n[record]\nfile = 'a'\ndisplacement = 'deflection'"), "the case is reduced"));
+}
+
+TEST_CASE("table: a place in the record is a row, or one position") {
+  const auto until = [](const std::string& place) { return complaint("[record]\nfile = '/a'\nuntil = " + place); };
+  CHECK(has(complaint("[record]\nfile = '/a'\nlength = 'dS [mm]'"), "an export of a testing machine"));
+  CHECK(has(until("0"), "a whole number, at least 1"));
+  CHECK(has(until("{ }"), "either a stage or a deflection, found neither"));
+  CHECK(has(until("{ stage = '1 mm', deflection = '1 mm' }"), "found both"));
+  CHECK(has(until("{ depth = '1 mm' }"), "depth"));
+  CHECK(has(until("{ stage = 3 }"), "unit"));
+}
+
+TEST_CASE("table: a tube needs a wall") {
+  const auto refusal = [](const std::string& text) { return complaint("[specimen]\n" + text); };
+  CHECK(has(refusal("diameter = '4 mm'\ninner_diameter = '4 mm'"),
+            ":3: [specimen] inner_diameter: expected an inner diameter less than the outer one, found '4 mm'"));
+  CHECK(has(refusal("diameter = '4 mm'\ninner_diameter = '5 mm'"), "check which of the two is which"));
+  CHECK(has(refusal("diameter = '4 mm'\nwall = '2 mm'"),
+            ":3: [specimen] wall: expected a wall of less than half the diameter, found '2 mm'"));
+  CHECK(has(refusal("diameter = '4 mm'\nwall = '1 mm'\ninner_diameter = '2 mm'"), "either the inner diameter"));
+  CHECK(has(refusal("inner_diameter = '4 mm'"), "[specimen] diameter: expected it in the file"));
+  CHECK(has(refusal("width = '4 mm'\ninner_diameter = '2 mm'"), "either a diameter or a width and height"));
+}
+
+TEST_CASE("table: a reference is a length beside a drift") {
+  const auto refusal = [](const std::string& text) { return complaint("[friction]\nmu0 = 0.5\n" + text); };
+  CHECK(refusal("model = 'sinusoid'\namplitude = 0.1\nwavelength = '1 um'\nreference = '1.4 mm'") ==
+        "data/case.toml:6: [friction] reference: expected a drift beside it, found none; add drift, or delete "
+        "reference: without a drift mu0 holds at every length");
+  CHECK(has(refusal("model = 'constant'\nreference = '1.4 mm'"), "expected a drift beside it"));
+  CHECK(has(refusal("model = 'constant'\ndrift = '0.2 1/mm'\nreference = 1.4"),
+            ":5: [friction] reference: expected a length with its unit, found the bare number"));
+  CHECK(has(refusal("model = 'constant'\ndrift = '0.2 1/mm'\nreference = '0 mm'"), "expected a positive length"));
+  CHECK(has(refusal("model = 'rough'\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 1\nreference = '1.4 mm'"),
+            ":7: [friction] reference: expected one of the keys"));
+  const Case reduced = read("reduced = true\n[friction]\nmodel = 'constant'\nmu0 = 0.5\ndrift = 0.2\nreference = 1.1");
+  CHECK(reduced.friction->profile == FrictionProfileInput{WavyFriction{0.5, 0.2, {}, 1.1}});
+}
+
+TEST_CASE("table: reduced cases hold plain numbers, and have the span and EI of one") {
+  const Case input = read(
+      "reduced = true\n[rig]\nstiffness = 30\n[friction]\nmodel = 'sinusoid'\nmu0 = 0.6\n"
+      "amplitude = 0.4\nwavelength = 0.0628\nphase = '180 deg'\n[stage]\nprogram = [0, 0.75]\nstep = 0.01");
+  CHECK(input.reduced);
+  CHECK(input.specimen == SpecimenInput{{}, BendingStiffness{Known{1, 0}}});
+  CHECK(input.rig == RigInput{1, 30});
+  CHECK(input.friction->profile == FrictionProfileInput{WavyFriction{0.6, 0, {{0.4, 0.0628, std::numbers::pi}}}});
+  CHECK(input.stage == StageInput{TurningPoints{{0, 0.75}, 1, 0.01}});
+  CHECK(read("reduced = true\n[specimen]\nbending_stiffness = { value = 1, uncertainty = 0.05 }").specimen->rigidity ==
+        std::variant<Modulus, BendingStiffness>{BendingStiffness{Known{1, 0.05}}});
+  CHECK(std::isinf(*read("reduced = true\n[rig]\nspan = 1\nstiffness = 'inf'").rig->stiffness));
+
+  CHECK(complaint("reduced = true\n[rig]\nstiffness = '30 N/m'") ==
+        "data/case.toml:3: [rig] stiffness: expected a plain number, found '30 N/m'; the case is reduced: write it in "
+        "the "
+        "model's variables, without quotes and unit, or delete reduced = true");
+  CHECK(has(complaint("reduced = true\n[rig]\nspan = 2"),
+            "[rig] span: expected 1, the unit of reduced variables, found 2"));
+  CHECK(has(complaint("reduced = true\n[specimen]\nbending_stiffness = 2"), "expected 1"));
+  CHECK(has(complaint("reduced = true\n[specimen]\nmodulus = 3"), "expected no modulus in a reduced case"));
+  CHECK(has(complaint("reduced = true\n[record]\nfile = 'a'\nstage = 'w [m]'\nforce = 'F'"),
+            "expected no unit, found 'm'"));
+  CHECK(has(complaint("reduced = 1"), "data/case.toml:1: reduced: expected true or false, found the number 1"));
+}
+
+TEST_CASE("table: a bare number, a wrong unit or an impossible value is refused at its line") {
+  CHECK(complaint_with("\"1278 um\"", "1278") ==
+        "data/case.toml:5: [rig] span: expected a length with its unit, found the bare number '1278'; "
+        "write \"1278 nm\", \"1278 um\", \"1278 mm\" or \"1278 m\"");
+  CHECK(has(complaint_with("\"90.65 N/m\"", "\"90.65 N\""),
+            ":6: [rig] stiffness: expected a stiffness, found a force '90.65 N'"));
+  CHECK(has(complaint_with("\"90.65 N/m\"", "\"-90.65 N/m\""), ":6: [rig] stiffness: expected a positive stiffness"));
+  CHECK(has(complaint_with("\"90.65 N/m\"", "nan"), ":6: [rig] stiffness: expected a known stiffness, found 'nan'"));
+  CHECK(has(complaint_with("\"90.65 N/m\"", "true"), ":6: [rig] stiffness: expected a stiffness, found true or false"));
+  CHECK(has(complaint_with("\"1.5 GPa\"", "\"1.5 um\""),
+            ":3: [specimen] modulus.uncertainty: expected a modulus, found a length"));
+  CHECK(has(complaint_with("\"34.8 um\"", "\"inf\""), ":2: [specimen] diameter: expected a finite length"));
+  CHECK(has(complaint_with("mu0 = 0.5", "mu0 = -0.5"),
+            ":9: [friction] mu0: expected a non-negative plain number, found '-0.5'"));
+  CHECK(has(complaint_with("mu0 = 0.5", "mu0 = \"0.5\""),
+            ":9: [friction] mu0: expected a plain number, found '0.5'; write it without quotes"));
+  CHECK(has(complaint_with("amplitude = 0.15", "amplitude = 1.5"),
+            "[friction] amplitude: expected at most 1, found 1.5"));
+  CHECK(has(complaint_with("\"900 um\"", "\"900\""),
+            ":14: [stage] program[2]: expected a length with its unit, found the bare number"));
+  CHECK(has(complaint_with("\"900 um\"", "\"-900 um\""), ":14: [stage] program[2]: expected a non-negative length"));
+  CHECK(
+      has(complaint_with("\"2 um\"", "\"1e-9 um\""), ":15: [stage] step: expected at most 1e+07 steps, found 2.7e+12"));
+  CHECK(
+      has(complaint_with("step = \"2 um\"", "cycles = 0"), ":15: [stage] cycles: expected a whole number, at least 1"));
+  CHECK(has(complaint_with("step = \"2 um\"", "cycles = 1000000000000"),
+            ":15: [stage] cycles: expected at most 1e+05 turning points, found 3.0e+12"));
+  CHECK(has(complaint_with("step = \"2 um\"", "snaps = \"far\""),
+            ":15: [stage] snaps: expected \"nearest\" or \"overshoot\", found 'far'"));
+  CHECK(has(complaint_with("mu0 = 0.5", "mu0 = 0.5\nstatic_excess = -0.1"),
+            ":10: [friction] static_excess: expected a non-negative plain number"));
+  CHECK(has(complaint_with("until = 267", "until = 0"), ":20: [record] until: expected a whole number, at least 1"));
+  CHECK(has(complaint_with("until = 267", "until = 2.5"), ":20: [record] until: expected a whole number"));
+  CHECK(has(complaint_with("[N]\"", "[um]\""),
+            ":19: [record] force: expected a unit of force, found 'um', the unit of a length"));
+  CHECK(has(complaint_with("until = 267", "decimal = \"x\""), ":20: [record] decimal: expected \".\" or \",\""));
+}
+
+TEST_CASE("table: an unknown key or section is refused with the nearest known") {
+  CHECK(complaint_with("diameter", "diamter") ==
+        "data/case.toml:2: [specimen] diamter: expected one of the keys 'diameter', 'inner_diameter', 'wall', 'width', "
+        "'height', 'modulus', 'bending_stiffness', 'material', 'strain_at_break', 'strength' and 'cracks', found an "
+        "unknown key; did you mean "
+        "'diameter'?");
+  CHECK(has(complaint_with("[friction]", "[frictoin]"), ":7: frictoin: expected one of the keys"));
+  CHECK(has(complaint_with("[friction]", "[frictoin]"), "did you mean 'friction'?"));
+  CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), ":8: [friction] model: expected one of the models"));
+  CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), "did you mean 'sinusoid'?"));
+  CHECK(has(complaint_with("\"sinusoid\"", "\"constant\""),
+            ": expected one of the keys 'model', 'mu0', 'drift', 'reference', 'static_excess', 'other' and "
+            "'build_up_length', found an unknown key"));
+  CHECK(has(complaint_with("uncertainty", "sd"), ":3: [specimen] modulus.sd: expected one of the keys"));
+  CHECK(has(complaint_with("model", "modle"), "did you mean 'model'?"));
+  CHECK(has(complaint_with("force", "forse"), ":19: [record] forse: expected one of the keys"));
+  CHECK(has(complaint("rig = 5"), "data/case.toml:1: [rig]: expected a section [rig], found the number 5"));
+}
+
+TEST_CASE("table: what is missing is asked for with an example") {
+  CHECK(complaint_with("span      = \"1278 um\"\n", "") ==
+        "data/case.toml:4: [rig] span: expected it in the file, found nothing; add span = \"1278 um\"");
+  CHECK(has(complaint_with("mu0 = 0.5\n", ""),
+            ":7: [friction] mu0: expected it in the file, found nothing; add mu0 = 0.5"));
+  CHECK(has(complaint_with("model = \"sinusoid\"\n", ""), "add model = \"sinusoid\""));
+  CHECK(has(complaint_with("force = \"F_N [N]\"\n", ""),
+            "expected two of the columns stage, deflection and force, found stage"));
+  CHECK(has(complaint_with("until = 267", "deflection = \"w0_m [m]\""), "found stage and deflection and force"));
+  CHECK(has(complaint("[specimen]\nmodulus = '3 GPa'"), "[specimen] diameter: expected it in the file"));
+  CHECK(has(complaint("[specimen]\nwidth = '3 um'"), "add height = "));
+  CHECK(has(complaint("[friction]\nmodel = 'sinusoids'\nmu0 = 1\nwaves = [{ wavelength = '1 um' }]"),
+            ":4: [friction] waves[1].amplitude: expected it in the file, found nothing; add amplitude = 0.15"));
+  CHECK(has(complaint("[specimen]\nbending_stiffness = '1 N m^2'\nstrength = '3 MPa'"),
+            ":3: [specimen] strength: expected the section of the specimen beside it"));
+  CHECK(has(complaint("[specimen]\ndiameter = '3 um'\nstrength = '3 MPa'\nstrain_at_break = '2 %'"),
+            ":3: [specimen] strength: expected either a strength or a strain_at_break, found both"));
+  CHECK(has(complaint("[specimen]\ndiameter = '3 um'\nstrain_at_break = '-2 %'"), ":3: [specimen] strain_at_break"));
+  CHECK(has(complaint("reduced = true\n[specimen]\ndiameter = 0.02\nstrength = 3"), "give strain_at_break instead"));
+  CHECK(has(complaint("[specimen]\ncracks = [{ loss = '3 %' }]"),
+            ":2: [specimen] cracks[1].deflection: expected it in the file, found nothing"));
+  CHECK(has(complaint_with(", uncertainty = \"1.5 GPa\"", ""),
+            ":3: [specimen] modulus.uncertainty: expected it in the file"));
+  CHECK(has(complaint("[stage]\nprogram = ['1 um']"), "expected at least two stage positions"));
+
+  const Case empty = read("");
+  CHECK(std::string(missing(empty, "friction").what()) ==
+        "data/case.toml: [friction]: expected it in the file, found nothing; add model = \"constant\" and mu0 = 0.5");
+  CHECK(has(missing(read("reduced = true\n[rig]"), "rig.stiffness").what(),
+            "case.toml:2: [rig] stiffness: expected it in the file, "
+            "found nothing; add the stiffness of your load train in EI/L^3, stiffness = …, or \"inf\""));
+  for (const std::string_view key : {"rig", "rig.stiffness"}) {
+    const std::string asked = missing(empty, key).what();
+    CHECK(has(asked, "the stiffness of your load train"));
+    CHECK_FALSE(has(asked, "90.65"));  // the number of another rig
+  }
+}
+
+TEST_CASE("table: what contradicts itself is refused") {
+  CHECK(has(complaint_with("\"34.8 um\"", "\"1278 um\""),
+            ":2: [specimen] diameter: expected a specimen thinner than the span, 1.278 mm, found 1.278 mm; check the "
+            "units of both"));
+  CHECK(has(complaint("[specimen]\nwidth = '1 um'\nheight = '2 mm'\n[rig]\nspan = '1 mm'"),
+            ":3: [specimen] height: expected a specimen thinner"));
+  CHECK(has(complaint_with("diameter = \"34.8 um\"", "diameter = \"34.8 um\"\nwidth = \"1 um\""),
+            "either a diameter or a width and height"));
+  CHECK(has(complaint_with("diameter = \"34.8 um\"", "bending_stiffness = \"1 N m^2\""),
+            ":3: [specimen] modulus: expected either"));
+  CHECK(has(complaint("[rig]\nspan = '1 mm'\nstiffness = 'inf'\n[record]\nfile = 'a'\nstage = 's'\ndeflection = 'w'"),
+            ":4: [record]: expected a force column, since the rig is infinitely stiff"));
+  CHECK(has(complaint("[friction]\nmodel = 'sinusoids'\nmu0 = 1\nwaves = [{ amplitude = 0.6, wavelength = '1 um' }, "
+                      "{ amplitude = 0.6, wavelength = '2 um' }]"),
+            "expected amplitudes of at most 1 in sum, found 1.2"));
+  const std::string run = "[stage]\nfile = 'run.csv'\nstage = 's [um]'\n";
+  CHECK(has(complaint(run + "program = ['0 um', '1 um']"),
+            ":4: [stage] program: expected either a program or the file of one, found both; delete one"));
+  CHECK(has(complaint(run + "step = '1 um'"), ":4: [stage] step: expected either a program or the file of one"));
+  CHECK(has(complaint(run + "step = '1 um'"), "the rows of the file are the steps"));
+  CHECK(has(complaint(run + "cycles = 3"), ":4: [stage] cycles: expected either"));
+  CHECK(has(complaint(run + "time = 't [um]'"), ":4: [stage] time: expected a unit of time"));
+  CHECK(has(complaint("[stage]\nfile = 'run.csv'"),
+            "[stage] stage: expected it in the file, found nothing; add stage = "));
+  CHECK(has(complaint("[stage]\nprogram = ['0 um', '1 um']\ntime = 't [s]'"),
+            ":3: [stage] time: expected it beside the file it is about, found no file"));
+  CHECK(has(complaint("[friction]\nmodel = ['constant', 'drift']"), "expected one of the models"));
+  CHECK(
+      has(complaint("[friction]\nmodel = 'roughness'\nmu0 = 1"), "[friction] mu0: expected no other key than 'model'"));
+}
+
+TEST_CASE("table: what is no case file is refused as what it is") {
+  CHECK(
+      has(complaint("[rig\nspan = 3"), "data/case.toml:1: expected a case file (TOML), found an error while parsing "));
+  CHECK(has(complaint("w_s,F\n1,2\n"),
+            "data/case.toml:1: expected a [section] or key = value in plain letters, found 'w_s,F'"));
+  CHECK(has(complaint(std::string_view("a\0b", 3)), "found binary data"));
+  CHECK(has(complaint("a = 1\na = 2"), "data/case.toml:2: expected a case file (TOML)"));
+  CHECK(complaint("[rig]\n# länge\nlänge = 3") ==
+        "data/case.toml:3: expected a [section] or key = value in plain letters, found 'länge'");
+  CHECK(
+      has(complaint("[rig]\nspan = \"1 um\nx = 1"), ":2: expected text in quotes on one line, found no closing quote"));
+  CHECK(has(complaint("\na = 0x'\xc2\xb5'"), ":2: expected a number, true, false or text in quotes, found '0x'µ''"));
+  CHECK(has(complaint("[stage]\nprogram = [ # none\n}"), ":3: expected a value, found '}'"));
+  CHECK(has(complaint("[rig]\nspan = 1262-05-07"),
+            ":2: expected a number, true, false or text in quotes, found '1262-05-07'"));
+  CHECK(has(complaint("[rig]\nspan = 1278 um"), ":2: expected a number, true, false or text in quotes, found 'um'"));
+  CHECK(has(complaint("a = \"1\"'2'"), "expected quotes around a whole text, found one in its middle"));
+  CHECK(has(complaint("\n[\nrig]"), ":2: expected the name of a section after [, found none"));
+  CHECK(has(complaint("[rig]\nspan = \"\"\"1 \\\n µm\"\"\""),
+            ":2: expected text in quotes on one line, found a multi-line string"));
+  CHECK(read("\xEF\xBB\xBF[rig]\nspan = '3 µm' # µ").rig->span == 3e-6);
+  CHECK(has(complaint("[rig]\nspan = '1 \xb5m'"), "expected a case file (TOML)"));  // Latin-1
+}
+
+TEST_CASE("outside: files, folders and files that are not there") {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "flexslip_case_file_test";
+  std::filesystem::create_directories(folder);
+  const std::string path = (folder / "case.toml").string();
+  std::ofstream(path) << full;
+  CHECK(read_case(path).record->file == (folder / "ss14.csv").string());
+  CHECK_THROWS_WITH_AS(read_case(folder.string()), (folder.string() + ": expected a file, found a directory").c_str(),
+                       InputError);
+  CHECK_THROWS_AS(read_case(path + "x"), InputError);
+  std::ofstream(path) << std::string(2 << 20, '#');
+  CHECK_THROWS_WITH_AS(read_case(path),
+                       (path + ": expected a case file (TOML), found a file of more than 1 MiB").c_str(), InputError);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("identity: a value found wrong later is pointed at where it stands, or where it would") {
+  const Case input = read(full);
+  CHECK(std::string(wrong_value(input, "rig.span", "a", "b", "c").what()) ==
+        "data/case.toml:5: [rig] span: expected a, found b; c");
+  CHECK(std::string(wrong_value(input, "specimen.width", "a", "b").what()) ==
+        "data/case.toml:1: [specimen] width: expected a, found b");
+  CHECK(std::string(wrong_value(input, "friction.waves[2].phase", "a", "b").what()) ==
+        "data/case.toml:7: [friction] waves[2].phase: expected a, found b");
+}
+
+TEST_CASE("identity: the effective case is read back as the same case") {
+  for (const std::string_view text :
+       {full, std::string_view(""), std::string_view("reduced = true"),
+        std::string_view("[specimen]\nwidth = '2 um'\nheight = '0.123456789 um'\nbending_stiffness = { value = '2 N "
+                         "m^2', uncertainty = '5 %' }\n"
+                         "[rig]\nspan = '1 in'\nstiffness = 'inf'\n[friction]\nmodel = 'roughness'\n"
+                         "[stage]\nprogram = ['0 um', '1 um']"),
+        std::string_view("[friction]\nmodel = 'table'\nfile = \"a \\\"b\\\" \\u0001.csv\"\nlength = 'S [um]'"),
+        std::string_view("[friction]\nmodel = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7"),
+        std::string_view("reduced = true\n[rig]\nstiffness = inf\n[friction]\nmodel = 'sinusoids'\nmu0 = 0.1\ndrift = "
+                         "-0.3\nwaves = [{ amplitude = 1e-9, wavelength = 3 }]"),
+        std::string_view("[friction]\nmodel = 'drift'\nmu0 = 0.1\ndrift = '-0.3 1/mm'\nreference = '1.3 mm'"),
+        std::string_view("reduced = true\n[friction]\nmodel = 'sinusoid'\nmu0 = 0.1\namplitude = 0.2\nwavelength = "
+                         "0.1\ndrift = 0\nreference = 1.123456789"),
+        std::string_view("[friction]\nmodel = 'constant'\nmu0 = 0.1\ndrift = '-0.3 "
+                         "1/mm'\n[record]\nfile='x'\ndeflection='a'\nforce='b'\ndecimal=','\ncontact='1 mm'"),
+        std::string_view("[specimen]\ndiameter = '4 mm'\nwall = '0.3 mm'\n[rig]\nspan = '80 mm'\n[record]\nfile='x'\n"
+                         "displacement='crosshead'\ndisplacement_column='1'\nforce=\"a \\\"b\\\"\"\nspecimen=3\n"
+                         "calibration='222 N/V'\ndecimal='.'\nsign='reverse'\nzero='-0.12 N'\ncontact='first row'\n"
+                         "failure='none'\nuntil=7"),
+        std::string_view("[specimen]\nbending_stiffness = 'fit'\nmaterial = \"gl\\\"ass\"\n[rig]\nspan = '1 "
+                         "mm'\nsupport_material = 'steel'\n"
+                         "[record]\nfile='x'\nfirst='12 um'\nuntil={ deflection = '0.3 mm' }"),
+        std::string_view("[record]\nfile='x'\nstage='s'\nforce='F'\nlength='dS [mm]'"),
+        std::string_view("[specimen]\ndiameter = '30 um'\ncracks = [{ deflection = '0.16 mm', loss = '3 %' }, "
+                         "{ deflection = '200 um', loss = 0.05 }]"),
+        std::string_view("[specimen]\ndiameter = '30 um'\nstrain_at_break = '2 %'"),
+        std::string_view("[specimen]\nwidth = '30 um'\nheight = '3 um'\nstrength = '600 MPa'"),
+        std::string_view("reduced = true\n[specimen]\ncracks = [{ deflection = 0.12, loss = '3 %' }]"),
+        std::string_view("[record]\nfile='x'\nsign='keep'\nzero='keep'\ncontact='find'")}) {
+    const Case input = read_case(text, "case.toml");
+    const std::string written = to_toml(input);
+    CAPTURE(written);
+    check_same(read_case(written, "case.toml"), input);
+    CHECK(to_toml(read_case(written, "case.toml")) == written);
+  }
+  CHECK(rc::check("any lengths", [] {
+    const double mantissa = std::abs(*rc::gen::arbitrary<double>()) + 1e-3;
+    const double span = std::ldexp(mantissa, *rc::gen::inRange(-60, 60));
+    RC_PRE(std::isfinite(span) && span > 0);
+    Case input = read_case("", "case.toml");
+    input.rig = RigInput{span, span / 3};
+    RC_ASSERT(read_case(to_toml(input), "case.toml").rig == input.rig);
+  }));
+}
+
+TEST_CASE("table: the text of the effective case") {
+  CHECK(to_toml(read_case(full, "case.toml")) == R"([specimen]
+diameter = "34.8 um"
+modulus = { value = "29.6 GPa", uncertainty = "1.5 GPa" }
+
+[rig]
+span = "1.278 mm"
+stiffness = "90.65 N/m"
+
+[friction]
+model = "sinusoid"
+mu0 = 0.5
+amplitude = 0.15
+wavelength = "10.9 um"
+phase = 1
+
+[stage]
+program = ["0 m", "900 um", "0 m", "900 um"]
+step = "2 um"
+
+[record]
+file = "ss14.csv"
+stage = "w_s_m [m]"
+force = "F_N [N]"
+until = 267
+)");
+}

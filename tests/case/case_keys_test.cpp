@@ -1,0 +1,120 @@
+// Every key as it is described is read, and only those; changes from the command line say what a file would.
+#include "case/case_keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "case/case_changes.h"
+#include "case/case_file.h"
+#include "tests/refusal.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::string_view physical = R"([specimen]
+diameter = "34.8 um"
+modulus = "29.6 GPa"
+[rig]
+span = "1278 um"
+stiffness = "90 N/m"
+[friction]
+model = "sinusoid"
+mu0 = 0.5
+amplitude = 0.15
+wavelength = "10.9 um"
+[friction.other]
+model = "constant"
+mu0 = 0.4
+[stage]
+program = ["0 um", "700 um"]
+[record]
+file = "test.csv"
+stage = "stage [um]"
+force = "force [mN]"
+)";
+
+// What goes with a key where it alone is no case.
+std::vector<std::string> beside(const CaseKey& key) {
+  const std::string_view name = key.name;
+  if (key.section == "rig" && (name.starts_with("pin_") || name == "rollers"))
+    return {"rig.span=64 mm", "rig.roller_radius=5 mm", "rig.rollers=pinned", "rig.pin_radius=1 mm",
+            "rig.pin_friction=0.1"};
+  if (key.section == "friction") {
+    if (name == "file" || name == "length" || name == "mu")
+      return {"friction.model=table", "friction.file=trace.csv", "friction.length=S [um]"};
+    if (name == "rms" || name == "correlation_length" || name == "seed")
+      return {"friction.model=rough", "friction.rms=0.1", "friction.correlation_length=5 um", "friction.seed=1"};
+    if (name == "reference") return {"friction.drift=0.2 1/mm"};
+  }
+  return {};
+}
+
+// Keys that exclude what the case above has.
+bool is_another_case(const CaseKey& key) {
+  const std::string_view name = key.name;
+  if (key.section == "specimen") return name == "width" || name == "height" || name == "bending_stiffness";
+  if (key.section == "friction")
+    return name == "waves" || name == "static_excess" || name == "build_up_length" || name == "file" ||
+           name == "length" || name == "mu" || name == "rms" || name == "correlation_length" || name == "seed";
+  if (key.section == "stage") return name == "file" || name == "stage" || name == "time" || name == "decimal";
+  return key.section == "record" &&
+         (name == "deflection" || name.starts_with("displacement") || name == "specimen" || name == "calibration");
+}
+
+}  // namespace
+
+TEST_CASE("case keys, identity: the example of each is read as it stands, and so is each of its words") {
+  int read = 0;
+  for (const CaseKey& key : case_keys()) {
+    const std::string name = fmt::format("{}.{}", key.section, key.name);
+    CAPTURE(name);
+    CHECK(case_key(key.section, key.name) == &key);
+    if (key.section.find('.') != std::string_view::npos || key.holds == Holds::section || is_another_case(key))
+      continue;
+    std::vector<std::string> changes = beside(key);
+    changes.push_back(fmt::format("{}={}", name, key.example));
+    CHECK_NOTHROW(read_case(physical, "case.toml", changes));
+    ++read;
+    if (key.holds != Holds::word || name == "friction.model") continue;
+    for (const std::string_view word : words_of(key)) {
+      changes.back() = fmt::format("{}={}", name, word);
+      if (name == "rig.rollers") changes = {"rig.roller_radius=5 um", changes.back()};
+      if (changes.back() != "rig.rollers=pinned") CHECK_NOTHROW(read_case(physical, "case.toml", changes));
+    }
+  }
+  CHECK(read > 30);
+}
+
+TEST_CASE("case keys, identity: a changed case is the one that says so itself") {
+  const Case changed = read_case(physical, "case.toml",
+                                 {"rig.stiffness=200 N/m", "friction.mu0 = 0.4", "friction.other.mu0=0.3",
+                                  "stage.program=[\"0 um\", \"1 mm\"]", "record.contact=find"});
+  CHECK(*changed.rig->stiffness == 200);
+  CHECK(std::get<WavyFriction>(*changed.friction->profile).mu0 == 0.4);
+  CHECK(std::get<WavyFriction>(changed.friction->other->profile).mu0 == 0.3);
+  CHECK(std::get<TurningPoints>(changed.stage->programme).positions.back() == 1e-3);
+  CHECK(std::holds_alternative<ToFind>(changed.record->contact));
+  CHECK(read_case(to_toml(changed), "case.toml").rig == changed.rig);
+  CHECK(std::isinf(*read_case(physical, "case.toml", {"rig.stiffness=inf"}).rig->stiffness));
+}
+
+TEST_CASE("case keys, bad input: a change that is none, of a key that is none, or to what it cannot hold") {
+  const auto complaint = [](const std::string& change) {
+    return message_of([&] { read_case(physical, "case.toml", {change}); });
+  };
+  CHECK(complaint("rig.stiffness").find("--set: expected SECTION.KEY=VALUE") != std::string::npos);
+  CHECK(complaint("rig.stifness=90 N/m").find("did you mean 'rig.stiffness'?") != std::string::npos);
+  CHECK(complaint("stiffness=90 N/m").find("did you mean 'rig.stiffness'?") != std::string::npos);
+  CHECK(complaint("rig.stiffness=").find("write a value after the =") != std::string::npos);
+  CHECK(complaint("rig.stiffness=90 um").find("--set: rig.stiffness: expected a stiffness") != std::string::npos);
+  CHECK(complaint("rig.stiffness=90").find("--set: rig.stiffness") != std::string::npos);
+  CHECK(complaint("sweep.method=grid").find("flexslip keys") != std::string::npos);
+}
+
+}  // namespace flexslip

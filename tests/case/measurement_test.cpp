@@ -1,0 +1,238 @@
+#include "case/measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "tests/approximately.h"
+
+using namespace flexslip;
+
+namespace {
+
+// A test as a machine sees it: a way before the contact, a rise that stays below a straight line, a break.
+struct Machine {
+  double contact = 0.3e-3;  // [m] of the stage
+  double tare = 0;          // [N] what the load cell shows before
+  double noise = 0.05;      // [N]
+  double stiffness = 2e4;   // [N/m] of the specimen and
+  double load_train = 1e5;  //       of the load train
+  int displacement_sign = 1, force_sign = 1;
+};
+
+constexpr int rows = 400;
+constexpr int last_before_failure = 360;  // counted from 1
+
+struct Columns {
+  std::vector<double> stage, deflection, force;
+};
+
+Columns columns_of(const Machine& machine) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> unit(0, 1);
+  Columns columns;
+  const double series = machine.stiffness * machine.load_train / (machine.stiffness + machine.load_train);
+  for (int i = 0; i < rows; ++i) {
+    const double stage = 1e-5 * i;
+    const double force = i >= last_before_failure ? 0 : series * std::max(0.0, stage - machine.contact);
+    const double shown = force + machine.tare + machine.noise * unit(random);
+    columns.stage.push_back(machine.displacement_sign * stage);
+    columns.deflection.push_back(machine.displacement_sign * (stage - force / machine.load_train));
+    columns.force.push_back(machine.force_sign * shown);
+  }
+  return columns;
+}
+
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / fmt::format("flexslip-measurement-{}", ++count)) {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  // Reads the test of a machine; `lines` are added to [record].
+  Measurement measured(const Machine& machine, const std::string& lines = "",
+                       const std::string& rig = "stiffness = '1e5 N/m'") const {
+    return measured(columns_of(machine), lines, rig);
+  }
+
+  Measurement measured(const Columns& columns, const std::string& lines,
+                       const std::string& rig = "stiffness = '1e5 N/m'") const {
+    std::ofstream data(path_ / "test.csv");
+    data << "stage [m],deflection [m],force [N]\n";
+    for (std::size_t i = 0; i < columns.stage.size(); ++i)
+      data << fmt::format("{},{},{}\n", columns.stage[i], columns.deflection[i], columns.force[i]);
+    data.close();
+    const bool names_columns =
+        lines.find("stage =") != std::string::npos || lines.find("deflection =") != std::string::npos;
+    const std::string text = fmt::format("[rig]\nspan = '40 mm'\n{}\n[record]\nfile = 'test.csv'\n{}{}", rig,
+                                         names_columns ? "" : "stage = 'stage'\nforce = 'force'\n", lines);
+    return read_measurement(read_case(text, (path_ / "case.toml").string()), 30);
+  }
+
+ private:
+  static inline int count = 0;
+  std::filesystem::path path_;
+};
+
+const PreparationStep* step_of(const Measurement& measurement, std::string_view name) {
+  for (const PreparationStep& step : measurement.preparation.steps)
+    if (step.name == name) return &step;
+  return nullptr;
+}
+
+bool same(const Record& a, const Record& b) {
+  return a.stage == b.stage && a.deflection == b.deflection && a.force == b.force;
+}
+
+std::string complaint(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("measurement: contact, failure, compliance and tare of a simulated machine (truth)") {
+  const Folder folder;
+  const Measurement found = folder.measured({.tare = 2.5});
+  CHECK(found.contact == ContactSource::found);
+  CHECK(std::abs(found.contact_offset - 0.3e-3) < 4 * found.contact_error);
+  CHECK(found.end == MeasurementEnd::failure);
+  CHECK(file_row(found, found.record.force.size() - 1) == last_before_failure);
+  const PreparationStep* zero = step_of(found, "zero");
+  REQUIRE(zero);
+  CHECK(zero->changed);
+  CHECK(std::abs(zero->value->value - 2.5) < 4 * *zero->value->error);
+  for (std::size_t i = 0; i < found.record.force.size(); i += 10)
+    CHECK(found.record.deflection[i] == to(1e-9, found.record.stage[i] - found.record.force[i] / 1e5).scale(1e-6));
+}
+
+TEST_CASE("measurement: which way the machine counts makes no difference (identity)") {
+  const Folder folder;
+  const Measurement straight = folder.measured({.tare = 0.4});
+  CHECK_FALSE(step_of(straight, "sign")->changed);
+  for (const int displacement : {1, -1})
+    for (const int force : {1, -1}) {
+      const Measurement other = folder.measured({.tare = 0.4, .displacement_sign = displacement, .force_sign = force});
+      CHECK(same(other.record, straight.record));
+      CHECK(step_of(other, "sign")->changed == (displacement < 0 || force < 0));
+    }
+  const Measurement reversed =
+      folder.measured({.tare = 0.4, .displacement_sign = -1, .force_sign = -1}, "sign = 'reverse'\n");
+  CHECK(same(reversed.record, straight.record));
+}
+
+TEST_CASE("measurement: stage and deflection that count downwards (identity)") {
+  const Folder folder;
+  const std::string lines = "stage = 'stage'\ndeflection = 'deflection'\n";
+  const Measurement up = folder.measured(Machine{}, lines);
+  const Measurement down = folder.measured({.displacement_sign = -1}, lines);
+  CHECK(same(up.record, down.record));
+}
+
+TEST_CASE("measurement: a tare that is stated, or taken off before, is the one found (identity)") {
+  const Folder folder;
+  const Measurement found = folder.measured({.tare = 2.5});
+  const double tare = step_of(found, "zero")->value->value;
+  const Measurement stated = folder.measured({.tare = 2.5}, fmt::format("zero = '{} N'\n", tare));
+  CHECK(same(stated.record, found.record));
+  const Measurement kept = folder.measured({.tare = 0.0}, "zero = 'keep'\n");
+  const Measurement none = folder.measured({.tare = 0.0});
+  CHECK(same(kept.record, none.record));  // noise about zero is not taken off
+  CHECK_FALSE(step_of(none, "zero")->changed);
+  CHECK(step_of(none, "zero")->value.has_value());
+}
+
+TEST_CASE("measurement: every step can be switched (table)") {
+  const Folder folder;
+  const Machine machine{.tare = 2.5, .displacement_sign = -1, .force_sign = -1};
+  CHECK(complaint([&] { folder.measured(machine, "sign = 'keep'\n"); }) != "");  // a stage that runs backwards
+  CHECK(folder.measured(machine, "failure = 'none'\n").end == MeasurementEnd::last_row);
+  CHECK(folder.measured(machine, "until = 100\n").end == MeasurementEnd::until);
+  const Measurement first_row = folder.measured(machine, "contact = 'first row'\n");
+  CHECK(first_row.contact_offset == 0);
+  CHECK(first_row.first == 0);
+  CHECK(folder.measured(machine, "contact = '1 mm'\n").first == 100);
+  CHECK(folder.measured(machine, "zero = 'keep'\n").record.force.back() ==
+        to(1e-12,
+           folder.measured(machine).record.force.back() + step_of(folder.measured(machine), "zero")->value->value));
+  const Measurement stiff = folder.measured(machine, "", "stiffness = 'inf'");
+  CHECK(stiff.record.stage == stiff.record.deflection);
+}
+
+TEST_CASE("measurement: a contact is found from the straight beginning where that is asked for (truth)") {
+  const Folder folder;
+  // Preloaded: the record begins 0.2 mm after the contact.
+  const Machine machine{.contact = -0.2e-3};
+  CHECK(folder.measured(machine).contact == ContactSource::first_point);
+  const Measurement asked = folder.measured(machine, "contact = 'find'\n");
+  CHECK(asked.contact == ContactSource::found);
+  CHECK(std::abs(asked.contact_offset + 0.2e-3) < 4 * asked.contact_error);
+  CHECK(asked.first == 0);
+}
+
+TEST_CASE("measurement: a stage that trembles is held, one that runs back is refused (limit)") {
+  const Folder folder;
+  Columns columns = columns_of({.contact = 0});
+  columns.stage[200] -= 1.5e-5;  // below the one before, by 0.1 % of the travel
+  const Measurement held = folder.measured(columns, "");
+  CHECK(std::is_sorted(held.record.stage.begin(), held.record.stage.end()));
+  REQUIRE(step_of(held, "stage"));
+  CHECK(step_of(held, "stage")->value->value == to(1e-9, 0.5e-5));
+  columns.stage[200] -= 3e-5;  // and now by 1 %
+  CHECK(complaint([&] { folder.measured(columns, ""); }).find("not behind that of the row before") !=
+        std::string::npos);
+}
+
+TEST_CASE("measurement: a stage without a load-train stiffness is refused, a deflection needs none (limit)") {
+  const Folder folder;
+  const std::string refusal = complaint([&] { folder.measured(Machine{}, "", ""); });
+  CHECK(refusal.find("stiffness of the load train") != std::string::npos);
+  CHECK(refusal.find("\"inf\"") != std::string::npos);
+  CHECK(refusal.find("write the stiffness of your load train into [rig] as stiffness = \"… N/m\"") !=
+        std::string::npos);
+  CHECK(refusal.find("90.65") == std::string::npos);
+  const Measurement measured = folder.measured(Machine{}, "deflection = 'deflection'\nforce = 'force'\n", "");
+  CHECK(measured.record.stage == measured.record.deflection);
+}
+
+TEST_CASE("measurement: a record steeper than its load train is refused with the numbers that contradict it (limit)") {
+  const Folder folder;
+  // Specimen and load train together are as stiff as 16.67 kN/m: on a softer load train the specimen would bend upwards.
+  const Machine machine{.contact = 0, .noise = 0};
+  const std::string refusal = complaint([&] { folder.measured(machine, "", "stiffness = '1e3 N/m'"); });
+  CAPTURE(refusal);
+  CHECK(refusal.find("case.toml:3: [rig] stiffness: expected a load train that gives way by less than the stage moves, "
+                     "found 1 kN/m, which 59.83 N bends by 59.83 mm, but the stage moved 3.59 mm; check it and the "
+                     "units of stage and force") != std::string::npos);
+  CHECK(complaint([&] { folder.measured(machine, "", "stiffness = '16.6e3 N/m'"); }) != "");
+  CHECK(complaint([&] { folder.measured(machine, "", "stiffness = '16.7e3 N/m'"); }) == "");
+}
+
+TEST_CASE("measurement: the steps are in their documented order, each with the flag of its key (table)") {
+  const Folder folder;
+  const Measurement found = folder.measured({.tare = 2.5});
+  std::string names;
+  for (const PreparationStep& step : found.preparation.steps) names += step.name + " ";
+  CHECK(names == "columns sign zero compliance end contact ");
+  CHECK(step_of(found, "sign")->key == "[record] sign = \"reverse\"");
+  CHECK(flag_of(*step_of(found, "sign")) == "--sign \"reverse\"");
+  CHECK(flag_of(*step_of(found, "columns")).empty());
+  CHECK(step_of(found, "end")->rows->first == last_before_failure + 1);
+  CHECK(step_of(found, "end")->rows->last == rows);
+}

@@ -1,0 +1,146 @@
+#include "case/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "bending_test/history.h"
+#include "tests/design/some_design.h"
+#include "tests/refusal.h"
+
+namespace flexslip {
+namespace {
+
+// The spicule with other friction.
+std::string with_friction(const std::string& keys) {
+  const std::size_t from = spicule.find("[friction]");
+  return spicule.substr(0, from) + "[friction]\n" + keys + spicule.substr(spicule.find("[stage]"));
+}
+
+// Where friction may be ten times as great.
+std::string at_the_axis(std::string text) {
+  const std::string_view rig = "[rig]";
+  return text.replace(text.find(rig), rig.size(), "[rig]\nfriction_at = \"axis\"");
+}
+
+History simulated(const std::string& text) {
+  const Case input = read_case(text, "case.toml");
+  const Scales scales = scales_of(input, bending_stiffness_of(input));
+  const StageProgramme programme = programme_of(input);
+  std::vector<double> stages;
+  for (const double position : programme.positions) stages.push_back(scales.reduced_length(position));
+  return follow_in_steps(bending_test_of(input, scales, scales.reduced_length(programme.farthest)), stages);
+}
+
+std::string refusal_of(const std::string& text) {
+  return message_of([&] { simulated(text); });
+}
+
+bool begins(const std::string& text, std::string_view part) { return text.find(part) == 0; }
+
+}  // namespace
+
+TEST_CASE("identity: friction stated at a reference is the same friction stated at the span, along a whole test") {
+  constexpr double span = 1278e-6, reference = 1.4e-3;
+  for (const double drift : {800.0, -300.0}) {
+    const double mu0 = 0.4, amplitude = 0.3;
+    const double at_span = mu0 - drift * (reference - span);
+    const auto text = [&](double mean, const std::string& last) {
+      // Amplitudes are relative to mu0.
+      return with_friction(
+          fmt::format("model = \"sinusoid\"\nmu0 = {}\namplitude = {}\nwavelength = \"40 um\"\ndrift = \"{} 1/m\"\n{}",
+                      mean, amplitude * mu0 / mean, drift, last));
+    };
+    const History a = simulated(text(mu0, "reference = \"1.4 mm\"\n"));
+    const History b = simulated(text(at_span, ""));
+    REQUIRE(a.path.size() == b.path.size());
+    REQUIRE(a.path.size() == 351);
+    double most = 0, reached = 1;
+    int snaps = 0;
+    for (std::size_t i = 0; i < a.path.size(); ++i) {
+      most = std::max({most, std::abs(a.path[i].F - b.path[i].F), std::abs(a.path[i].S - b.path[i].S),
+                       std::abs(a.path[i].q - b.path[i].q)});
+      reached = std::max(reached, a.path[i].S);
+      CHECK(a.path[i].motion == b.path[i].motion);
+      if (a.path[i].motion == Motion::snap) ++snaps;
+    }
+    CHECK(reached * span > reference);
+    CHECK(snaps > 0);
+    // Roundings of μ, 2e-16 each, times the condition of a state at a stage position: below 1e3, as no reading stands at a fold.
+    CHECK(most < 1e-12);
+  }
+}
+
+TEST_CASE("limit: a reference at the span changes no bit") {
+  const auto text = [](const std::string& last) {
+    return with_friction("model = \"constant\"\nmu0 = 0.3\ndrift = \"0.8 1/mm\"\n" + last);
+  };
+  const History a = simulated(text(""));
+  const History b = simulated(text("reference = \"1278 um\"\n"));
+  REQUIRE(a.path.size() == b.path.size());
+  for (std::size_t i = 0; i < a.path.size(); ++i) CHECK(a.path[i].F == b.path[i].F);
+}
+
+TEST_CASE("limit: friction that a drift carries below zero is zero, with a reference as without") {
+  const History path =
+      simulated(with_friction("model = \"constant\"\nmu0 = 0.02\ndrift = \"0.8 1/mm\"\nreference = \"1.4 mm\"\n"));
+  int without = 0, with_it = 0;
+  for (const PathPoint& point : path.path) {
+    CHECK(point.q >= 0);
+    ++(point.q == 0 ? without : with_it);
+  }
+  CHECK(without > 10);  // up to 1.375 mm
+  CHECK(with_it > 10);
+}
+
+TEST_CASE("table: friction beyond what is computed is refused with key, value, limit and remedy") {
+  const auto drifting = [](const std::string& keys) {
+    return at_the_axis(with_friction("model = \"constant\"\n" + keys));
+  };
+  CHECK(
+      refusal_of(drifting("mu0 = 21\n")) ==
+      "case.toml:10: [friction] mu0: expected friction of at most 20, its waves and drift included, found 21; write a "
+      "smaller one");
+  // 700 um are 0.548 spans: the specimen is at most 1 + 2.4 0.548^2 = 1.72 spans long.
+  CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"40 1/mm\"\n")) ==
+        "case.toml:11: [friction] drift: expected friction of at most 20, its waves and drift included, found 40 1/mm, "
+        "which brings it from 19 at 1.278 mm to 55.8075 at 2.198 mm; check its unit, or go less far");
+  CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\n")) == "");
+  CHECK(
+      refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\nreference = \"1.4 mm\"\n")) ==
+      "case.toml:11: [friction] drift: expected friction of at most 20, its waves and drift included, found -40 1/mm, "
+      "which brings it from 19 at 1.4 mm to 23.88 at 1.278 mm; check its unit, and that of reference");
+  CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"1 1/mm\"\nreference = \"2.5 mm\"\n")) == "");
+  CHECK(
+      refusal_of(drifting("mu0 = 0.3\nstatic_excess = 19.8\n")) ==
+      "case.toml:11: [friction] static_excess: expected static friction of at most 20, found 19.8, which brings it to "
+      "20.1; write a smaller one");
+  CHECK(begins(refusal_of(drifting("mu0 = 0.3\ndrift = \"1 1/mm\"\nstatic_excess = 19\n")),
+               "case.toml:12: [friction] static_excess: expected static friction of at most 20"));
+  const auto rough = [](const std::string& mu0) {
+    return with_friction("model = \"rough\"\nmu0 = " + mu0 + "\nrms = 1\ncorrelation_length = \"5 um\"\nseed = 1\n");
+  };
+  CHECK(begins(refusal_of(at_the_axis(rough("19"))),
+               "case.toml:10: [friction] mu0: expected friction of at most 20, its roughness included"));
+  CHECK(begins(refusal_of(rough("1.9")),
+               "case.toml:9: [friction] mu0: expected friction of at most 2 at the surface, its roughness included"));
+}
+
+TEST_CASE("table: a reference that is no length between the supports is refused") {
+  const auto refusal = [](const std::string& reference) {
+    return refusal_of(
+        with_friction("model = \"constant\"\nmu0 = 0.3\ndrift = \"0.8 1/mm\"\nreference = \"" + reference + "\"\n"));
+  };
+  CHECK(refusal("1.4 um") ==
+        "case.toml:11: [friction] reference: expected a length between the supports, from the span, 1.278 mm, to 100 "
+        "spans, found 1.4 µm; check its unit");
+  CHECK(begins(refusal("1.4 m"), "case.toml:11: [friction] reference: expected"));
+  CHECK(refusal("1.277 mm") == "");  // the span, to four digits
+}
+
+}  // namespace flexslip

@@ -1,0 +1,148 @@
+#include "design/design_answer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+#include "tests/approximately.h"
+#include "tests/design/some_design.h"
+
+namespace flexslip {
+
+TEST_CASE("design answer, limit: from displacement control a softer load train down to the critical one is offered") {
+  DesignCase input = design_of(spicule);
+  const auto soft = answer_of(input);
+  input.set(DesignParameter::stiffness, std::numeric_limits<double>::infinity());
+  const auto stiff = answer_of(input);
+  CHECK(stiff.critical == soft.critical);  // the stiffness of the design itself does not count
+  REQUIRE(stiff.outcome.snaps == 0);
+  REQUIRE(stiff.changes.front().parameter == DesignParameter::stiffness);
+  CHECK(stiff.changes.front().to == to(2e-4, stiff.scales.physical_stiffness(stiff.critical)));  // a hair softer
+  CHECK(soft.changes.front().to == soft.scales.physical_stiffness(soft.critical));
+  for (const double stiffness : {1e3, 1e5, 1e7}) {
+    input.set(DesignParameter::stiffness, stiffness);
+    CHECK(answer_of(input).changes.front().to == stiff.changes.front().to);
+  }
+}
+
+TEST_CASE("design answer, limit: what is 0 can be raised to where the specimen snaps, and a hair before it does not") {
+  for (const auto parameter : {DesignParameter::mu0, DesignParameter::amplitude}) {
+    CAPTURE(described(parameter).name);
+    DesignCase input = design_of(spicule);
+    input.set(parameter, 0);
+    const auto answer = answer_of(input);
+    REQUIRE(answer.outcome.snaps == 0);
+    const auto change = std::find_if(answer.changes.begin(), answer.changes.end(),
+                                     [&](const DesignChange& found) { return found.parameter == parameter; });
+    REQUIRE(change != answer.changes.end());
+    input.set(parameter, change->to * (1 - 2e-4));  // twice what the search leaves
+    CHECK(result_of(input).outcome->snaps == 0);
+    input.set(parameter, change->to);
+    CHECK(result_of(input).outcome->snaps > 0);
+  }
+}
+
+TEST_CASE("design answer, identity: each change makes it otherwise, and a hair before it nothing has changed") {
+  const DesignCase input = design_of(spicule);
+  const auto answer = answer_of(input);
+  REQUIRE(answer.outcome.snaps > 0);
+  REQUIRE(answer.changes.size() >= 8);
+  for (const auto& change : answer.changes) {
+    CAPTURE(described(change.parameter).name);
+    CHECK(change.outcome.snaps == 0);
+    DesignCase before = input;
+    before.set(change.parameter,
+               change.to * (change.from > change.to ? 1 + 2e-4 : 1 - 2e-4));  // twice what the search leaves
+    CHECK(outcome_of(before.planned().design).snaps > 0);
+  }
+}
+
+TEST_CASE("design answer, identity: what is printed of a change has few digits, and makes it otherwise, too") {
+  for (const double stiffness : {3.0, 15.0, 90.0, 500.0, 5e4}) {
+    CAPTURE(stiffness);
+    DesignCase input = design_of(with("40 um", "10.9 um"));
+    input.set(DesignParameter::stiffness, stiffness);
+    const auto answer = answer_of(input);
+    const bool now = answer.outcome.snaps > 0;
+    for (const auto& change : answer.changes) {
+      CAPTURE(described(change.parameter).name);
+      const auto snaps_at = [&](double value) {
+        DesignCase there = input;
+        there.set(change.parameter, value);
+        return result_of(there).outcome.value().snaps > 0;
+      };
+      CHECK(snaps_at(change.to) != now);
+      CHECK(snaps_at(change.printed) != now);
+      CHECK(change.printed == to(0.01, change.to));  // three digits
+      if (change.and_beyond)
+        for (const double farther : {1.3, 2.0, 4.0})
+          CHECK(snaps_at(change.to > change.from ? change.to * farther : change.to / farther) != now);
+    }
+  }
+}
+
+TEST_CASE(
+    "design answer, limit: below the critical stiffness, where it does not snap, it can be made to on either side") {
+  DesignCase input = design_of(with("40 um", "10.9 um"));
+  input.set(DesignParameter::stiffness, 0.5);
+  const auto answer = answer_of(input);
+  REQUIRE(answer.outcome.snaps == 0);
+  REQUIRE(answer.critical > answer.design.rig.stiffness);
+  CHECK(answer.changes.front().parameter == DesignParameter::stiffness);
+  CHECK(answer.changes.front().to > 0.5);
+}
+
+TEST_CASE("design answer, limit: at the axis, stiffness, section and modulus change the same number") {
+  const auto at_the_axis = [](std::string text) {
+    return design_of(text.replace(text.find("[rig]"), 5, "[rig]\nfriction_at = \"axis\""));
+  };
+  const auto answer = answer_of(at_the_axis(spicule));
+  double stiffness = 0, diameter = 0, modulus = 0;
+  for (const auto& change : answer.changes) {
+    if (change.parameter == DesignParameter::stiffness) stiffness = change.to / change.from;
+    if (change.parameter == DesignParameter::diameter) diameter = change.to / change.from;
+    if (change.parameter == DesignParameter::modulus) modulus = change.to / change.from;
+  }
+  CHECK(modulus == to(1e-12, 1 / stiffness));  // k L^3/EI, I as the fourth power of the diameter
+  CHECK(std::pow(diameter, 4) == to(1e-12, 1 / stiffness));
+
+  double height = 0, width = 0;
+  const auto flat = answer_of(at_the_axis(with("diameter = \"34.8 um\"", "width = \"40 um\"\nheight = \"30 um\"")));
+  for (const auto& change : flat.changes) {
+    if (change.parameter == DesignParameter::stiffness) stiffness = change.to / change.from;
+    if (change.parameter == DesignParameter::height) height = change.to / change.from;
+    if (change.parameter == DesignParameter::width) width = change.to / change.from;
+  }
+  CHECK(width == to(1e-12, 1 / stiffness));  // I = b h^3/12
+  CHECK(std::pow(height, 3) == to(1e-12, 1 / stiffness));
+}
+
+TEST_CASE("design answer, identity: the study of phases is the same from the next of them") {
+  DesignCase input = design_of(spicule);
+  const auto usual = answer_of(input);
+  const double own = usual.scales.physical_stiffness(usual.critical);
+  const double worst = usual.scales.physical_stiffness(usual.phases.value().critical);
+  REQUIRE(own < worst);
+  for (const double stiffness : {0.5 * own, 0.5 * (own + worst), 1.001 * worst}) {  // all of them snap, some, none
+    CAPTURE(stiffness);
+    input.set(DesignParameter::stiffness, stiffness);
+    const auto here = answer_of(input).phases.value();
+    DesignCase turned = input;
+    turned.set(DesignParameter::phase, input.value(DesignParameter::phase) + 2 * std::numbers::pi / 24);
+    const auto next = answer_of(turned).phases.value();
+    CHECK(here.phases == 24);
+    CHECK(here.snapping == next.snapping);
+    CHECK((here.snapping == 24) == (stiffness < own));
+    CHECK((here.snapping == 0) == (stiffness > worst));
+    CHECK(here.least_drop == to(1e-6, next.least_drop));
+    CHECK(here.largest_drop == to(1e-6, next.largest_drop));
+    CHECK(here.critical == to(1e-6, next.critical));
+  }
+  input.set(DesignParameter::amplitude, 0);
+  CHECK_FALSE(answer_of(input).phases);  // no waves, no phase
+}
+
+}  // namespace flexslip

@@ -1,0 +1,35 @@
+#include "design/design_axis.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+namespace flexslip {
+
+TEST_CASE("oracle: a logarithmic range against long double pow, its ends exact") {
+  for (const auto& [from, to] : {std::pair{10.0, 1000.0}, std::pair{3e10, 1e-6}, std::pair{1e-9, 1e9}}) {
+    const AxisRange range{from, to, Spacing::logarithmic, 0};
+    CHECK(value_at(range, 0) == from);
+    CHECK(value_at(range, 1) == to);
+    for (int i = 1; i < 1000; ++i) {
+      const double t = i / 1000.0;
+      const auto exact = static_cast<double>(from * std::pow(static_cast<long double>(to) / from, t));
+      // Half an ulp for each square root, 26 of them twice; a last interval of 1e-8 of the logarithm, squared over 8.
+      const double bound = 30 * 2.3e-16 + std::pow(std::log(to / from) * std::ldexp(1, -26), 2) / 8;
+      CHECK(std::abs(value_at(range, t) / exact - 1) < bound);
+    }
+  }
+}
+
+TEST_CASE("table: the rows of a grid, the last axis fastest") {
+  const std::vector<DesignAxis> axes{{described(DesignParameter::mu0), AxisValues{0.3, 0.1}},
+                                     {described(DesignParameter::step), AxisRange{1, 2, Spacing::linear, 3}}};
+  CHECK(points_of(axes[0]) == 2);
+  CHECK(values_of(axes[1]) == std::vector{1.0, 1.5, 2.0});
+  const std::vector<std::vector<double>> rows{{0.3, 1}, {0.3, 1.5}, {0.3, 2}, {0.1, 1}, {0.1, 1.5}, {0.1, 2}};
+  for (std::size_t i = 0; i < rows.size(); ++i) CHECK(grid_inputs(axes, i) == rows[i]);
+}
+
+}  // namespace flexslip
