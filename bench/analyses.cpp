@@ -11,6 +11,7 @@
 
 #include "case/case_file.h"
 #include "case/fitted.h"
+#include "inference/prior_draw.h"
 #include "inference/process_search.h"
 
 namespace flexslip {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bending_test/sliding_ladder.h"
-#include "inference/chain.h"
 #include "inference/fit_problem.h"
+#include "inference/prior_draw.h"
 
 namespace flexslip {
 

@@ -13,6 +13,7 @@
 #include "answers/friction_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
+#include "case/analysis_fields.h"
 #include "data/names.h"
 #include "result/mechanics.h"
 
@@ -166,20 +167,11 @@ Fields<InputFile> input_fields() {
 }
 
 Fields<Provenance> provenance_fields() {
-  const auto option = [](auto get) { return [get](const Provenance& from) { return get(from.options); }; };
-  using O = const AnalysisOptions&;
   return Fields<Provenance>()
       .words("program", "flexslip", [](const Provenance&) { return "flexslip"; })
       .words("version", "its version", &Provenance::version)
       .list("inputs", "files that were read", input_fields(), &Provenance::inputs)
-      .group(
-          "options", "of the analysis",
-          Fields<Provenance>()
-              .words("model", "of friction", option([](O o) { return name_of(o.fit.model); }))
-              .number("false_alarms", "drops to be expected in a test without slips",
-                      option([](O o) { return o.drops.false_alarms_per_test; }))
-              .number("suspect_limit", "friction above it is implausible", option([](O o) { return o.suspect_limit; }))
-              .yes_no("check_stability", "whether it was asked for", option([](O o) { return o.check_stability; })))
+      .group("options", "of the analysis", analysis_fields(), &Provenance::options)
       .words("case", "as TOML, also where it was given by flags", &Provenance::test);
 }
 

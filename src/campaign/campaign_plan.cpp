@@ -16,6 +16,7 @@
 #include "case/case_keys.h"
 #include "case/fitted.h"
 #include "case/toml.h"
+#include "io/natural_order.h"
 #include "io/quantity.h"
 #include "io/table.h"
 #include "io/text_table.h"
@@ -248,7 +249,9 @@ std::vector<fs::path> files_in(const fs::path& folder, bool below) {
     if (entry->is_directory() && (hidden || !below)) entry.disable_recursion_pending();
     if (entry->is_regular_file() && !hidden) files.push_back(entry->path());
   }
-  std::sort(files.begin(), files.end());
+  std::sort(files.begin(), files.end(), [](const fs::path& first, const fs::path& second) {
+    return in_natural_order(first.string(), second.string());
+  });
   return files;
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign_store.h"
+#include "case/analysis_fields.h"
 #include "io/parallel.h"
 #include "io/sha256.h"
 #include "io/table.h"
@@ -21,11 +22,9 @@ namespace {
 std::string key_of(const PlannedTest& planned, const Case& input, const AnalysisOptions& options,
                    const std::string& presented) {
   const std::string source = input.source.empty() ? "" : digest_of(*open_to_read(input.source)).sha256;
-  return sha256_of(
-      fmt::format("{}\n{}\n{}\n{}\nmodel {}\nfalse alarms {}\nsuspect limit {}\nstability {}\npresented {}\n{}\n{}\n",
-                  FLEXSLIP_VERSION, source, planned.name, planned.file, name_of(options.fit.model),
-                  options.drops.false_alarms_per_test, options.suspect_limit, options.check_stability, presented,
-                  to_toml(input), digest_of(*open_to_read(input.record.value().file)).sha256));
+  return sha256_of(fmt::format("{}\n{}\n{}\n{}\n{}\npresented {}\n{}\n{}\n", FLEXSLIP_VERSION, source, planned.name,
+                               planned.file, analysis_fields()(options, {}).dump(), presented, to_toml(input),
+                               digest_of(*open_to_read(input.record.value().file)).sha256));
 }
 
 // A device has no end, and standard input no second reading.

@@ -13,6 +13,7 @@
 
 #include "case/case_changes.h"
 #include "case/case_words.h"
+#include "case/friction_section.h"
 #include "case/keys.h"
 #include "case/toml.h"
 #include "io/quantity.h"
@@ -113,29 +114,9 @@ std::optional<Section> read_section(const Keys& keys) {
   return RectangularSection{keys.quantity("width"), keys.quantity("height")};
 }
 
-// The tables in an array of tables, such as waves = [{ … }, { … }].
-std::vector<Keys> read_tables(const Keys& keys, std::string_view name, const std::vector<std::string>& known,
-                              const Case& input) {
-  const toml::node& node = keys.need(name);
-  const toml::array* several = node.as_array();
-  if (!several || several->empty())
-    keys.refuse(name, fmt::format("an array of {}", name), several ? "an empty one" : kind_of_node(node));
-  std::vector<Keys> tables;
-  for (std::size_t i = 0; i < several->size(); ++i) {
-    const std::string path = fmt::format("{}[{}]", keys.key(name), i + 1);
-    const toml::table* table = (*several)[i].as_table();
-    if (!table)
-      throw wrong_value(input, path, fmt::format("{{ {} = … }}", fmt::join(known, " = …, ")),
-                        kind_of_node((*several)[i]));
-    tables.emplace_back(*table, path, input);
-    tables.back().only(known);
-  }
-  return tables;
-}
-
-std::vector<CrackInput> read_cracks(const Keys& keys, const Case& input) {
+std::vector<CrackInput> read_cracks(const Keys& keys) {
   std::vector<CrackInput> cracks;
-  for (const Keys& each : read_tables(keys, "cracks", {"deflection", "loss"}, input)) {
+  for (const Keys& each : keys.tables("cracks", {"deflection", "loss"})) {
     cracks.push_back({each.quantity("deflection"), each.share("loss")});
     if (!(cracks.back().loss < 1))
       each.refuse("loss", "less than 100 % of the bending stiffness that is left",
@@ -153,9 +134,6 @@ void read_what_it_bears(const Keys& keys, const Case& input, SpecimenInput& spec
     keys.refuse(name, "the section of the specimen beside it", "none",
                 "add diameter, or width and height: bending strains a specimen by its depth");
   if (name == "strain_at_break") specimen.strain_at_break = keys.share("strain_at_break");
-  if (specimen.strain_at_break > 1)
-    keys.refuse("strain_at_break", "a strain of at most 1, which is 100 %",
-                fmt::format("{:g}", *specimen.strain_at_break), "write it as \"2 %\" or 0.02");
   if (name == "strength" && input.reduced)
     keys.refuse("strength", "no strength in a reduced case", "one", "give strain_at_break instead");
   if (name == "strength") specimen.strength = keys.quantity("strength");
@@ -165,7 +143,7 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
   keys.only_described();
   SpecimenInput specimen{read_section(keys), BendingStiffness{Known{1, 0}}};
   if (keys.has("material")) specimen.material = keys.text("material");
-  if (keys.has("cracks")) specimen.cracks = read_cracks(keys, input);
+  if (keys.has("cracks")) specimen.cracks = read_cracks(keys);
   read_what_it_bears(keys, input, specimen);
   const bool has_product = keys.has("bending_stiffness");
   if (keys.has("modulus") && (has_product || input.reduced))
@@ -227,127 +205,6 @@ RigInput read_rig(const Keys& keys, const Case& input) {
     rig.friction_at = at == "surface" ? FrictionAt::surface : FrictionAt::axis;
   }
   return rig;
-}
-
-FrictionModel read_model(const Keys& keys) {
-  const toml::node& node = keys.need("model");
-  std::vector<std::string> names;
-  for (const auto& [name, model] : model_names) {
-    if (node.value_exact<std::string_view>() == name) return model;
-    names.emplace_back(name);
-  }
-  const std::string meant = nearest(node.value_exact<std::string>().value_or(""), names);
-  keys.refuse("model", "one of the models " + listed(names), kind_of_node(node),
-              meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
-}
-
-WaveInput read_wave(const Keys& keys) {
-  const WaveInput wave{keys.quantity("amplitude"), keys.quantity("wavelength"),
-                       keys.optional_quantity("phase").value_or(0)};
-  if (wave.amplitude > 1)
-    keys.refuse("amplitude", "at most 1", fmt::format("{}", wave.amplitude),
-                "it is relative to mu0, and friction cannot be negative");
-  return wave;
-}
-
-std::vector<WaveInput> read_waves(const Keys& keys, const Case& input) {
-  std::vector<WaveInput> waves;
-  double sum = 0;
-  for (const Keys& wave : read_tables(keys, "waves", {"amplitude", "wavelength", "phase"}, input)) {
-    waves.push_back(read_wave(wave));
-    sum += waves.back().amplitude;
-  }
-  if (sum > 1)
-    keys.refuse("waves", "amplitudes of at most 1 in sum", fmt::format("{}", sum),
-                "they are relative to mu0, and friction cannot be negative");
-  return waves;
-}
-
-std::optional<double> read_reference(const Keys& keys) {
-  if (keys.has("reference") && !keys.has("drift"))
-    keys.refuse("reference", "a drift beside it", "none",
-                "add drift, or delete reference: without a drift mu0 holds at every length");
-  return keys.optional_quantity("reference");
-}
-
-FrictionProfileInput read_profile(FrictionModel model, const Keys& keys, const Case& input) {
-  if (model == FrictionModel::table)
-    return TabulatedFriction{keys.path("file"), keys.column("length"), keys.has("mu") ? keys.column("mu") : "mu"};
-  const double mu0 = keys.quantity("mu0");
-  if (model == FrictionModel::rough)
-    return RoughFriction{mu0, keys.quantity("rms"), keys.quantity("correlation_length"), keys.whole_number("seed")};
-  WavyFriction wavy{mu0, keys.optional_quantity("drift").value_or(0), {}};
-  wavy.reference = read_reference(keys);
-  if (model == FrictionModel::sinusoid) wavy.waves = {read_wave(keys)};
-  if (model == FrictionModel::sinusoids) wavy.waves = read_waves(keys, input);
-  return wavy;
-}
-
-// Of one support.
-std::vector<std::string> keys_of(FrictionModel model) {
-  switch (model) {
-    case FrictionModel::constant:
-    case FrictionModel::drift:
-      return {"model", "mu0", "drift", "reference"};
-    case FrictionModel::sinusoid:
-      return {"model", "mu0", "amplitude", "wavelength", "phase", "drift", "reference"};
-    case FrictionModel::sinusoids:
-      return {"model", "mu0", "waves", "drift", "reference"};
-    case FrictionModel::table:
-      return {"model", "file", "length", "mu"};
-    case FrictionModel::rough:
-      return {"model", "mu0", "rms", "correlation_length", "seed"};
-    case FrictionModel::roughness:
-      return {"model"};
-  }
-  throw std::invalid_argument("keys_of: no such model");
-}
-
-// The model, once it is known that there are no keys but those of models, of this one and the further ones.
-FrictionModel read_known_model(const Keys& keys, const std::vector<std::string>& further) {
-  keys.only_described();
-  const FrictionModel model = read_model(keys);
-  std::vector<std::string> all = keys_of(model);
-  if (model != FrictionModel::roughness)
-    all.insert(all.end(), further.begin(), further.end());
-  else if (keys.has("other"))
-    keys.refuse("other", "no section [friction.other] beside a model that is fitted", "one",
-                "write a model to compute with into [friction], such as model = \"constant\" with mu0 = 0.5");
-  keys.only(all);
-  return model;
-}
-
-OtherSupport read_other(const Keys& keys, const Case& input) {
-  const toml::table* table = keys.need("other").as_table();
-  if (!table)
-    keys.refuse("other", "a section [friction.other], of the other support", kind_of_node(keys.need("other")));
-  if (keys.has("static_excess") && keys.quantity("static_excess") > 0)
-    keys.refuse("static_excess", "the same friction at rest, on two supports that are not alike", "an excess",
-                "delete it, or [friction.other]");
-  const Keys side(*table, keys.key("other"), input);
-  if (side.has("static_excess"))
-    side.refuse("static_excess", "the same friction at rest, on two supports that are not alike", "an excess",
-                "delete it");
-  const FrictionModel model = read_known_model(side, {});
-  if (model == FrictionModel::roughness)
-    side.refuse("model", "a model to compute with", "'roughness', which is fitted",
-                "write the one to compute with, such as model = \"constant\"");
-  return {model, read_profile(model, side, input)};
-}
-
-FrictionInput read_friction(const Keys& keys, const Case& input) {
-  if (keys.size() == 0) return {};
-  const FrictionModel model = read_known_model(keys, {"static_excess", "other", "build_up_length"});
-  FrictionInput friction{model, {}};
-  if (keys.size() > 1) friction.profile = read_profile(model, keys, input);
-  if (keys.has("other")) friction.other = read_other(keys, input);
-  if (keys.has("static_excess")) friction.static_excess = keys.quantity("static_excess");
-  if (keys.has("build_up_length")) friction.build_up_length = keys.quantity("build_up_length");
-  for (const std::string_view beside : {"static_excess", "other"})
-    if (friction.build_up_length > 0 && keys.has(beside))
-      keys.refuse("build_up_length", fmt::format("none beside {}", beside), "one",
-                  fmt::format("delete it, or {}", beside));
-  return friction;
 }
 
 char read_decimal(const Keys& keys) { return keys.has("decimal") ? keys.word("decimal").front() : '.'; }

@@ -37,6 +37,12 @@ constexpr CaseKey title(std::string_view section, std::string_view name, const K
   return {section, name, Holds::title, &kind, Range::any, 0, "", example, reduced, flag, meaning, more};
 }
 
+constexpr CaseKey at_most(double most, std::string_view why, CaseKey key) {
+  key.most = most;
+  key.why_most = why;
+  return key;
+}
+
 constexpr std::array keys{
     // specimen
     quantity("specimen", "diameter", kind::length, Range::positive, R"("34.8 um")", "0.027", "--diameter",
@@ -57,9 +63,11 @@ constexpr std::array keys{
              "EI, instead of section and modulus, in the same three ways", ""),
     plain("specimen", "material", Holds::text, R"("glass")", "", "what it is made of",
           ", only to hold friction against the literature, together with `support_material`"),
-    CaseKey{"specimen", "strain_at_break", Holds::share, nullptr, Range::positive, 0, "", R"("2 %")", R"("2 %")", "",
-            "the bending strain of its surface at which it breaks, with a section",
-            ": [`design` and `sweep`](rig-design.md) end there, `simulate` and `fit` say if the record gets beyond"},
+    at_most(1, "write it as \"2 %\" or 0.02",
+            CaseKey{"specimen", "strain_at_break", Holds::share, nullptr, Range::positive, 0, "", R"("2 %")",
+                    R"("2 %")", "", "the bending strain of its surface at which it breaks, with a section",
+                    ": [`design` and `sweep`](rig-design.md) end there, `simulate` and `fit` say if the record gets "
+                    "beyond"}),
     quantity("specimen", "strength", kind::pressure, Range::positive, R"("600 MPa")", "", "",
              "the bending stress of its surface at which it breaks, instead"),
     CaseKey{
@@ -104,8 +112,9 @@ constexpr std::array keys{
              "slope of friction in S; none, unless it is given", "; where it would carry μ below 0, μ is 0"),
     quantity("friction", "reference", kind::length, Range::positive, R"("1.5 mm")", "1.2", "",
              "length S at which friction is mu0, beside a drift; the span, unless it is given", ", and never below it"),
-    quantity("friction", "amplitude", kind::number, Range::non_negative, "0.15", "0.15", "",
-             "of a wave, relative to mu0; at most 1"),
+    at_most(1, "it is relative to mu0, and friction cannot be negative",
+            quantity("friction", "amplitude", kind::number, Range::non_negative, "0.15", "0.15", "",
+                     "of a wave, relative to mu0; at most 1")),
     quantity("friction", "wavelength", kind::length, Range::positive, R"("10.9 um")", "0.0085", "",
              "of a wave, along the specimen"),
     quantity("friction", "phase", kind::angle, Range::any, R"("90 deg")", "1.0", "",

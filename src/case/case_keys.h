@@ -2,6 +2,7 @@
 // tables of docs/case-files.md are made of this.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,8 @@ struct CaseKey {
   std::string_view flag;     // for a data file without a case, "--diameter"; "": none
   std::string_view meaning;  // a phrase
   std::string_view more;     // what docs/case-files.md adds (Markdown)
+  double most = std::numeric_limits<double>::infinity();  // the greatest value within the range
+  std::string_view why_most = "";                         // a remedy for one that is greater
 };
 
 std::span<const CaseKey> case_keys();

@@ -62,7 +62,14 @@ double Keys::quantity(std::string_view name, const Kind& kind, Range range) cons
 
 double Keys::quantity(std::string_view name) const {
   const CaseKey& key = described(name);
-  return quantity(name, *key.kind, key.range);
+  return at_most(quantity(name, *key.kind, key.range), name);
+}
+
+double Keys::at_most(double value, std::string_view name) const {
+  const CaseKey* key = case_key(path_, name);
+  if (key && value > key->most)
+    refuse(name, fmt::format("at most {:g}", key->most), fmt::format("{}", value), std::string(key->why_most));
+  return value;
 }
 
 std::optional<double> Keys::optional_quantity(std::string_view name) const {
@@ -163,11 +170,30 @@ InputError Keys::placed(const InputError& error, const std::string& key) const {
   return wrong_value(input_, key, error.fault.expected, error.fault.found, error.fault.remedy);
 }
 
+std::vector<Keys> Keys::tables(std::string_view name, const std::vector<std::string>& known) const {
+  const toml::node& node = need(name);
+  const toml::array* several = node.as_array();
+  if (!several || several->empty())
+    refuse(name, fmt::format("an array of {}", name), several ? "an empty one" : kind_of_node(node));
+  std::vector<Keys> tables;
+  for (std::size_t i = 0; i < several->size(); ++i) {
+    const std::string path = fmt::format("{}[{}]", key(name), i + 1);
+    const toml::table* table = (*several)[i].as_table();
+    if (!table)
+      throw wrong_value(input_, path, fmt::format("{{ {} = … }}", fmt::join(known, " = …, ")),
+                        kind_of_node((*several)[i]));
+    tables.emplace_back(*table, path, input_);
+    tables.back().only(known);
+  }
+  return tables;
+}
+
 double Keys::share(std::string_view name) const {
   const auto text = need(name).value_exact<std::string_view>();
-  if (!text || text->find('%') == std::string_view::npos) return quantity(name, kind::number, Range::positive);
+  if (!text || text->find('%') == std::string_view::npos)
+    return at_most(quantity(name, kind::number, Range::positive), name);
   try {
-    return parse_quantity(*text, kind::number, Range::positive);
+    return at_most(parse_quantity(*text, kind::number, Range::positive), name);
   } catch (const InputError& error) {
     throw placed(error, key(name));
   }

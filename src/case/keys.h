@@ -53,6 +53,8 @@ class Keys {
   std::string text(std::string_view name) const;
   std::string word(std::string_view name) const;  // one of the words that it may be
   StatedStiffness estimate(std::string_view name) const;
+  // The tables in an array of them, such as waves = [{ … }, { … }], with no keys but those known.
+  std::vector<Keys> tables(std::string_view name, const std::vector<std::string>& known) const;
 
   // The title of a column; its unit may also stand in the file it is in.
   std::string column(std::string_view name) const;
@@ -79,6 +81,7 @@ class Keys {
 
  private:
   const CaseKey& described(std::string_view name) const;
+  double at_most(double value, std::string_view name) const;  // refuses what is beyond the limit of its key
   [[noreturn]] void refuse_word(std::string_view name, const std::vector<std::string_view>& known) const;
   InputError placed(const InputError& error, const std::string& key) const;
   double uncertainty(double value_of_it, const Kind& kind) const;

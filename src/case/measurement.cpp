@@ -130,7 +130,7 @@ void find_sign(SignRule rule, Columns& columns, Steps& steps) {
   std::string words = signs.displacement < 0 && signs.force < 0 ? "displacement and force are reversed"
                       : signs.displacement < 0                  ? "the displacement is reversed"
                       : signs.force < 0                         ? "the force is reversed"
-                                                                : "displacement and force count as they are";
+                                                                : "displacement and force keep their signs";
   words += !is_found ? ", as stated" : changed ? ", as compression is negative in the file" : ", positive in loading";
   steps.add("sign", changed, std::move(words),
             fmt::format("[record] sign = \"{}\"", !is_found ? "find"
@@ -155,14 +155,14 @@ void note_sampling(const Sampling& sampling, std::size_t rows, Steps& steps) {
               fmt::format("{} of the {} rows repeat the row before and count once", sampling.repeated, rows), "");
   if (sampling.held > 0)
     steps.add("held", true,
-              fmt::format("in {} of the {} rows the force is held over from the row before: they do not count",
+              fmt::format("in {} of the {} rows the force is held over from the row before; these rows do not count",
                           sampling.held, rows),
               "");
   if (sampling.interpolated > 0)
-    steps.add(
-        "interpolated", true,
-        fmt::format("{} of the {} rows lie straight between readings: they do not count", sampling.interpolated, rows),
-        "");
+    steps.add("interpolated", true,
+              fmt::format("{} of the {} rows lie on a straight line between readings and do not count",
+                          sampling.interpolated, rows),
+              "");
   if (sampling.stride > 1)
     steps.add("thinning", true,
               fmt::format("one in {} of the {} rows is used", sampling.stride,
@@ -197,14 +197,14 @@ Record zeroed(const Case& input, const Record& record, bool stage_is_read, doubl
   }
   const ForceZero zero = zero_of(record);
   if (zero.status != ForceZeroStatus::found) {
-    steps.add("zero", false, "no rows before the contact tell the zero of the force, which is that of the file",
+    steps.add("zero", false, "no rows before the contact tell the zero of the force: the zero of the file is kept",
               "[record] zero = \"…\"");
     return record;
   }
   const bool changed = is_significant(zero);
   steps.add("zero", changed,
             changed ? "the mean force before the contact is taken off"
-                    : "the mean force before the contact is zero within four standard errors and left alone",
+                    : "the mean force before the contact is zero within four standard errors and is left alone",
             "[record] zero = \"keep\"", steps.value(zero.offset, zero.error, kind::force),
             RowRange{1, rows_of_points(sampling, rows, zero.points)});
   return changed ? with_force_zero(record, zero.offset, stage_is_read, stiffness) : record;
@@ -214,14 +214,14 @@ void note_compliance(const Columns& columns, double stiffness, bool is_stated, S
   const bool is_stiff = std::isinf(stiffness);
   std::string words;
   if (!columns.has(Reading::force))
-    words = "the force is the stiffness of the load train times what the stage is ahead of the deflection";
+    words = "the force is load-train stiffness times the lead of the stage over the deflection";
   else if (columns.has(Reading::stage))
     words = is_stiff ? "the deflection is the displacement of the stage, as the load train is stated to be stiff"
                      : "the deflection is the displacement of the stage less force over load-train stiffness";
   else
-    words = !is_stated ? "the stage is taken to be where the deflection is, as no load-train stiffness is stated"
-            : is_stiff ? "the stage is where the deflection is, as the load train is stated to be stiff"
-                       : "the stage is ahead of the deflection by force over load-train stiffness";
+    words = !is_stated ? "the stage is taken to move by the deflection, as no load-train stiffness is stated"
+            : is_stiff ? "the stage moves by the deflection, as the load train is stated to be stiff"
+                       : "the displacement of the stage is the deflection plus force over load-train stiffness";
   std::optional<PreparedValue> value;
   if (!is_stiff) value = steps.value(stiffness, {}, kind::stiffness);
   steps.add("compliance", !is_stiff, std::move(words),
@@ -271,7 +271,9 @@ void hold_stage(const Case& input, const Table& table, Record& record, const Sam
     stage[i] = farthest;
   }
   if (held > 0)
-    steps.add("stage", true, fmt::format("the stage is held at its farthest where it runs back, at {} points", held),
+    steps.add("stage", true,
+              fmt::format("where the stage runs back, at {} {}, it is held at its farthest position", held,
+                          held == 1 ? "point" : "points"),
               "", steps.value(largest, {}, kind::length));
 }
 
@@ -360,15 +362,14 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
     return points;
   }
   if (!input.record->find_failure) {
-    steps.add("end", false, "a failure was not looked for, as stated: all rows are used",
-              "[record] failure = \"find\"");
+    steps.add("end", false, "no failure was looked for, as stated: all rows are used", "[record] failure = \"find\"");
     return points;
   }
   const Failure failure = find_failure(all);
   if (failure.status == FailureStatus::found && (legs.size() < 2 || failure.points <= legs.front().last)) {
     result.end = MeasurementEnd::failure;
     const std::size_t last = rows_of_points(result.sampling, rows, failure.points);
-    steps.add("end", true, fmt::format("the specimen fails after row {}, as found: what follows is left out", last),
+    steps.add("end", true, fmt::format("a failure was found after row {}: the rows after it are left out", last),
               "[record] failure = \"none\"", {}, RowRange{last + 1, rows});
     return failure.points;
   }
@@ -477,12 +478,11 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
     result.cycles = first_points(all, points);
     points = legs.front().last;
     result.end = MeasurementEnd::turn;
-    steps.add(
-        "turn", true,
-        fmt::format("the stage turns back after row {}: the first loading ends there; the rows after it belong to "
-                    "{} further loadings and unloadings",
-                    rows_of_points(result.sampling, result.rows, points), legs.size() - 1),
-        fmt::format("[record] until = {}", rows_of_points(result.sampling, result.rows, points)));
+    steps.add("turn", true,
+              fmt::format("the stage turns back after row {}: the first loading ends there; the rows after it belong "
+                          "to {} further loadings and unloadings",
+                          rows_of_points(result.sampling, result.rows, points), legs.size() - 1),
+              fmt::format("[record] until = {}", rows_of_points(result.sampling, result.rows, points)));
   }
   Record whole = first_points(all, points);
   require_points(table, whole, least_points);

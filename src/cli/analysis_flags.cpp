@@ -38,29 +38,25 @@ ProfileModel fitted_model(const Case& input, FrictionModel model) {
 }  // namespace
 
 void add_analysis_options(CLI::App& command, AnalysisFlags& flags) {
-  command
-      .add_option("--model", flags.model,
-                  "Friction model to fit: roughness, where nothing is said, or one of the paper's")
+  command.add_option("--model", flags.model, "Friction model to fit: roughness, the default, or one of the paper's")
       ->type_name("NAME")
       ->check(CLI::IsMember(model_names()));
   command
-      .add_option("--false-alarms", flags.false_alarms, "Drops to be expected in a test of this length without slips")
+      .add_option("--false-alarms", flags.options.drops.false_alarms_per_test,
+                  "Drops expected on average in a test of this length without slips")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command.add_option("--suspect-limit", flags.suspect_limit, "Friction above it is implausible")
+  command.add_option("--suspect-limit", flags.options.suspect_limit, "Friction above this is implausible")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command.add_flag("--check-stability", flags.check_stability,
-                   "Fit twice, the force changed in its ninth digit, and check that the answer stays");
+  command.add_flag("--check-stability", flags.options.check_stability,
+                   "Fit again with the force changed in its ninth digit, and check that the answer stays");
 }
 
 AnalysisOptions options_for(const Case& input, const AnalysisFlags& flags) {
-  AnalysisOptions options;
-  options.drops.false_alarms_per_test = flags.false_alarms;
-  options.suspect_limit = flags.suspect_limit;
-  options.check_stability = flags.check_stability;
+  AnalysisOptions options = flags.options;
   for (const auto model : models)
     if (name_of(model) == flags.model) options.fit.model = model;
   if (flags.model.empty() && input.friction && input.friction->model && !input.friction->profile)

@@ -12,9 +12,7 @@ namespace flexslip {
 
 struct AnalysisFlags {
   std::string model;  // its name; empty: as the case says, or roughness
-  double false_alarms = DropOptions{}.false_alarms_per_test;
-  double suspect_limit = AnalysisOptions{}.suspect_limit;
-  bool check_stability = false;
+  AnalysisOptions options{};
 };
 
 // Gives a command the options --model, --false-alarms, --suspect-limit and --check-stability.

@@ -124,8 +124,7 @@ void run_campaign_command(const CampaignRequest& request) {
     note(request.output, fmt::format("{} of {} tests were kept by an earlier run", run.found, plan.size()));
   if (!request.report.empty() && present(request, run.campaign) == DrawStatus::no_gnuplot)
     note(request.output,
-         "gnuplot is not installed: the report has no "
-         "pictures, but their scripts and data");
+         "gnuplot is not installed: the report has the scripts and data of the pictures, but no pictures");
   if (request.output.json)
     write_json(request.output.path, campaign_json(run.campaign));
   else
@@ -136,8 +135,7 @@ void run_campaign_command(const CampaignRequest& request) {
     for (const auto& shared : run.campaign.shared)
       if (shared.name == name_of(parameter) && shared.tests < 2)
         throw CalculationFailed(
-            fmt::format("--share {}: expected at least two tests whose records tell this parameter, "
-                        "found {}; {}",
+            fmt::format("--share {}: expected at least two tests whose records tell this parameter, found {}; {}",
                         shared.name, shared.tests, needed_for(parameter)));
   if (without_answer > 0)
     throw CalculationFailed(fmt::format("{}: {} of {} tests gave no answer; the reasons are listed", request.path,
@@ -151,8 +149,7 @@ void add_campaign_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("campaign", "Many measured tests: one table, categories, figures");
   command
       ->add_option("path", request->path,
-                   "Folder of case files; or, with --common, of data files; or "
-                   "a table (CSV) with a test a row")
+                   "Folder of case files; or, with --common, of data files; or a table (CSV) with one test per row")
       ->type_name("PATH")
       ->required();
   command->add_option("--common", request->common, "Case file that says what all tests have in common")
@@ -160,33 +157,29 @@ void add_campaign_command(CLI::App& app) {
   add_set_option(*command, request->changes);
   command
       ->add_option("--report", request->report,
-                   "Write report.html, tables, figures and each test's results "
-                   "into this folder; "
-                   "results that are there already are not computed again")
+                   "Write report.html, tables, figures and each test's results into this folder; results that are "
+                   "there already are not computed again")
       ->type_name("FOLDER")
       ->each(announce_campaign_report);
-  command->add_flag("!--no-figures", request->figures, "Write the tables alone, no report.html and no figures");
-  command->add_flag("--test-reports", request->test_reports, "Write the report of each test, with its figures, too");
+  command->add_flag("!--no-figures", request->figures, "Write only the tables, without report.html and figures");
+  command->add_flag("--test-reports", request->test_reports, "Also write the report of each test, with its figures");
   command->add_option("-j,--jobs", request->jobs, "Tests computed at the same time")
       ->type_name("NUMBER")
       ->check(CLI::Range(1U, 1024U))
       ->default_str("the number of cores");
   command
       ->add_option("--share", request->shared,
-                   "Estimate one value for all tests from what their records say together; may be repeated")
+                   "Estimate one value of this parameter from all records together; may be repeated")
       ->type_name("PARAMETER")
       ->check(CLI::IsMember(shareable_names()));
   add_analysis_options(*command, request->flags);
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "A table has a column for each key of a case file that differs: "
-      "\"file\", \"diameter [um]\", \"until\". A test\n"
-      "that cannot be computed is listed with its reason, and the exit code is "
-      "1. Interrupted at any moment, the same\n"
-      "command with the same --report goes on where it stopped; the results "
-      "are the same bytes for any number of "
-      "jobs.\n\n"
+      "A table has a column for each key of a case file that differs: \"file\", \"diameter [um]\", \"until\". A test\n"
+      "that cannot be computed is listed with its reason, and the exit code is 1. If a run is interrupted, at any\n"
+      "moment, the same command with the same --report goes on where it stopped. The results are the same bytes\n"
+      "for any number of jobs.\n\n"
       "Examples:\n"
       "  flexslip campaign tests/ --report report\n"
       "  flexslip campaign exports/ --common rig.toml --report report\n"

@@ -96,14 +96,13 @@ void run_design(const DesignRequest& request) {
 void add_design_command(CLI::App& app) {
   const auto request = std::make_shared<DesignRequest>();
   CLI::App* command =
-      app.add_subcommand("design", "Before a test: will it show a sawtooth, and what must change for it not to?");
+      app.add_subcommand("design", "Before a test: will it show a sawtooth, and what would change that?");
   command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
   add_set_option(*command, request->changes);
   command
       ->add_option("--over", request->over,
-                   "A parameter and its range, NAME=FROM:TO[:POINTS]: a table over it instead of the answer in words; "
-                   "twice: a map "
-                   "over two")
+                   "A parameter and its range, NAME=FROM:TO[:POINTS]: write a table over it instead of the answer in "
+                   "words; given twice, a map over both")
       ->type_name("RANGE");
   command->add_option("-j,--threads", request->threads, "With --over: designs computed at the same time")
       ->type_name("NUMBER")
@@ -112,12 +111,12 @@ void add_design_command(CLI::App& app) {
   add_figure_option(*command, request->figure);
   add_output_options(*command, request->output);
   command->footer(
-      "Says whether a fibre on this rig will snap, where first, what the record will show of it, how stiff the load "
-      "train\n"
-      "would have to be, and which single change would make it otherwise. The case is one for flexslip simulate: its "
-      "farthest\n"
-      "stage position is the travel of one loading, its step the distance between readings.\n"
-      "With --over, a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, height, width,\n"
+      "Says whether a fibre on this rig will snap and where first, what the record will show of it, how stiff the\n"
+      "load train would have to be, and which single changes would reverse the answer. The case is one for\n"
+      "flexslip simulate: its farthest stage position is the travel of one loading, and its step is the distance\n"
+      "between readings.\n"
+      "With --over, writes a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, height, "
+      "width,\n"
       "modulus, stiffness, travel, step or reference.\n\n"
       "Examples:\n"
       "  flexslip design case.toml --figure design.svg\n"

@@ -105,8 +105,9 @@ void add_equilibrium_command(CLI::App& app) {
       app.add_subcommand("equilibrium", "The equilibrium curve or region of a specimen, whatever the rig");
   command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
   add_set_option(*command, request->changes);
-  command->add_flag("--region", request->region, "All equilibria, |q| <= mu, instead of the curve of loading, q = mu");
-  command->add_option("--points", request->points, "Points along S; not given: as many as the roughness needs")
+  command->add_flag("--region", request->region,
+                    "All equilibria, |q| <= mu, instead of only the loading curve, q = mu");
+  command->add_option("--points", request->points, "Points along S; without it, as many as the roughness needs")
       ->type_name("N")
       ->check(CLI::Range(2, static_cast<int>(most_points)).description(""));
   command->add_option("--levels", request->levels, "With --region, values of q from -mu to mu")
@@ -115,14 +116,14 @@ void add_equilibrium_command(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--longest", request->longest,
-                   "Compute up to this length between the supports; not given: 1.5 spans")
+                   "Compute up to this length between the supports; without it, 1.5 spans")
       ->type_name("LENGTH");
   add_figure_option(*command, request->figure);
   add_output_options(*command, request->output);
   command->footer(
-      "Writes S,mu,w,F along the curve, or S,q,w,F over the region: in SI, or reduced if the case is;\n"
-      "of a thick specimen, or on rollers, drawn_in besides. That of a thick specimen begins where its surface,\n"
-      "which slides out at first, has come back to where it touched: simulate shows the way there.\n\n"
+      "Writes S,mu,w,F along the curve, or S,q,w,F over the region, in SI, or reduced if the case is. For a thick\n"
+      "specimen, or on rollers, it also writes drawn_in. The surface of a thick specimen slides out at first: the\n"
+      "curve begins where the surface has come back to the point that touched, and simulate shows the way there.\n\n"
       "Examples:\n"
       "  flexslip equilibrium case.toml --longest \"1500 um\"\n"
       "  flexslip equilibrium case.toml --region --output region.csv");

@@ -72,7 +72,8 @@ void run_fit(const FitRequest& request) {
   if (!request.curves.empty()) write_curves(request.curves, test);
   if (!request.draws.empty() && test.analysis.status == AnalysisStatus::ok) write_draws(request.draws, test);
   if (!request.report.empty() && write_report(request.report, test) == DrawStatus::no_gnuplot)
-    note(request.output, "gnuplot is not installed: the report has no pictures, but their scripts and data");
+    note(request.output,
+         "gnuplot is not installed: the report has the scripts and data of the pictures, but no pictures");
   if (request.output.json)
     write_json(request.output.path, fit_json(test));
   else
@@ -86,7 +87,7 @@ void run_fit(const FitRequest& request) {
 void add_fit_command(CLI::App& app) {
   const auto request = std::make_shared<FitRequest>();
   CLI::App* command =
-      app.add_subcommand("fit", "What friction a measured test shows, where along the specimen, how certainly");
+      app.add_subcommand("fit", "What friction a measured test shows, where along the specimen, and how certainly");
   add_case_options(*command, request->test);
   add_analysis_options(*command, request->analysis);
   add_output_file(*command, "--profile", request->profile, "Write the friction along the specimen to this CSV file");
@@ -102,11 +103,10 @@ void add_fit_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "Writes the answer on one screen; with --full the parameters with their intervals, every slip, the energy\n"
-      "account and all that was assumed. Rows are those of the file, counted from 1 without its header. Without "
-      "gnuplot the report has\n"
-      "no pictures, but their scripts and data; the exit code is 0. It is 1 if the record tells no\n"
-      "friction.\n\n"
+      "Writes the answer on one screen. With --full it writes the parameters with their intervals, every slip, the\n"
+      "energy account and all that was assumed. Rows are those of the file, counted from 1 without its header.\n"
+      "Without gnuplot the report has the scripts and data of the pictures, but no pictures, and the exit code is\n"
+      "0. The exit code is 1 if the record tells no friction.\n\n"
       "Examples:\n"
       "  flexslip fit examples/simulated/case.toml --report report\n"
       "  flexslip fit test.csv --span \"1278 um\" --stiffness \"90.6 N/m\" --diameter \"34.8 um\" \\\n"

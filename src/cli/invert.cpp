@@ -142,8 +142,7 @@ void invert_case(const InvertRequest& request) {
     write_csv(request.output.path, profile_fields(), points_of(measurement.record, profile), frame);
   if (profile.points.empty())
     throw CalculationFailed(fmt::format(
-        "{}: no reading tells a friction: all deflections are below {}, or no friction explains them; "
-        "check the units",
+        "{}: no reading tells a friction: all deflections are below {}, or no friction explains them; check the units",
         measurement.file,
         is_thick ? "twice the thickness of the specimen, up to where its surface hardly slides" : "0.02 spans"));
 }
@@ -173,26 +172,25 @@ void add_invert_command(CLI::App& app) {
   command->add_flag("--case", request->is_case, "The file is a case, whatever its name");
   command
       ->add_option("--roller-radius", request->radius,
-                   "Of fixed rollers as supports, such as \"5 mm\"; without a case, in spans")
+                   "Radius of fixed rollers as supports, such as \"5 mm\"; in spans without a case")
       ->type_name("LENGTH");
   command
-      ->add_option(
-          "--thickness", request->thickness,
-          "Of the specimen, at whose surface friction acts; with --roller-radius, that of the case unless it is given")
+      ->add_option("--thickness", request->thickness,
+                   "Thickness of the specimen, at whose surface friction acts; with --roller-radius, by default that "
+                   "of the case")
       ->type_name("LENGTH");
   add_output_options(*command, request->output);
   command->footer(
       "From CSV: reduced variables, w in spans and F in EI/L^2; writes w,F,S,q. A point that no friction\n"
       "explains is written as nan, and the exit code is 1.\n"
-      "From a case: the friction along the specimen in its test up to failure, in SI. drawn_in is S - L on edges;\n"
-      "imaged is the axis between the verticals through the supports, as a camera sees it.\n"
+      "From a case: the friction along the specimen in its test up to failure, in SI. drawn_in is S - L on edges.\n"
+      "imaged is the length of the axis between the verticals through the supports, as a camera sees it.\n"
       "position is that of the support, counted along the specimen from midspan. mu_error is the standard\n"
-      "error; its parts stem from the noise of the force, the bending stiffness and the contact point, the\n"
-      "last two of which move all points together.\n"
-      "Supports are knife edges, and friction acts at the axis of the specimen, unless the case or flags say more: "
-      "then S is\n"
-      "the axis between the contacts, drawn_in what has slid, the arc over the roller included, and nothing is\n"
-      "told below a deflection of twice the thickness.\n\n"
+      "error. Its parts stem from the noise of the force, the bending stiffness and the contact point; the last\n"
+      "two move all points together.\n"
+      "Supports are knife edges, and friction acts at the axis of the specimen, unless the case or flags say more.\n"
+      "If they do, S is the length of the axis between the contacts, drawn_in is what has slid, including the arc\n"
+      "over the roller, and nothing is told below a deflection of twice the thickness.\n\n"
       "Examples:\n"
       "  flexslip invert bar.toml --roller-radius \"5 mm\"\n"
       "  flexslip invert examples/simulated/case.toml --output profile.csv\n"

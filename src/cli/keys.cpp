@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"
+#include "io/text_file.h"
 #include "result/json.h"
 
 namespace flexslip {
@@ -44,7 +45,7 @@ void run_keys(const KeysRequest& request) {
 void add_keys_command(CLI::App& app) {
   const auto request = std::make_shared<KeysRequest>();
   CLI::App* command = app.add_subcommand("keys", "Every key of a case file: what it holds, and what it means");
-  command->add_option("section", request->section, "Of one section only: rig, say")->type_name("SECTION");
+  command->add_option("section", request->section, "Only this section, such as rig")->type_name("SECTION");
   add_output_options(*command, request->output);
   command->footer(
       "--set in the other commands changes any of them.\n\n"

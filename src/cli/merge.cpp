@@ -49,7 +49,8 @@ void run_merge(const MergeRequest& request) {
   const auto is_there = [](const std::string& folder) { return std::filesystem::exists(folder); };
   const bool is_gone = std::none_of(request.folders.begin(), request.folders.end(), is_there);
   if (is_gone && digest_of_sweep_file(path)) {
-    note(request.output, fmt::format("no {}, but {} is there, the file of a sweep", request.folders.front(), path));
+    note(request.output,
+         fmt::format("there is no {}, but there is {}, the file of a sweep", request.folders.front(), path));
     if (request.output.json) write_json("-", sweep_fields()({.status = "done", .file = path}, {}));
     return;
   }
@@ -83,7 +84,8 @@ void run_merge(const MergeRequest& request) {
 
 void add_merge_command(CLI::App& app) {
   const auto request = std::make_shared<MergeRequest>();
-  CLI::App* command = app.add_subcommand("merge", "The parts of a sweep in one file, once all shards are computed");
+  CLI::App* command =
+      app.add_subcommand("merge", "Join the parts of a sweep in one file, once all shards are computed");
   command->add_option("folders", request->folders, "Folder of parts, FILE.parts; several if shards were computed apart")
       ->type_name("FOLDER")
       ->required();
@@ -91,13 +93,13 @@ void add_merge_command(CLI::App& app) {
       ->type_name("FILE")
       ->default_str("the first folder without .parts");
   command->add_flag("--keep-parts", request->keep_parts, "Leave the parts where they are");
-  command->add_flag("--json", request->output.json, "Say in JSON what came of it");
+  command->add_flag("--json", request->output.json, "Report the outcome in JSON");
   command->add_flag("--quiet", request->output.quiet, "No remarks on standard error, only errors");
   command->footer(
-      "If parts are missing or damaged, no file is written: they are listed with their rows, and with the call that\n"
-      "computes only these; the exit code is 1. The parts are removed once the file is whole and safe on the disk, so\n"
-      "nothing is lost if the merge is stopped. Memory does not grow with the sweep, but for the list of what is "
-      "missing.\n\n"
+      "If parts are missing or damaged, no file is written and the exit code is 1. Those parts are listed with their\n"
+      "rows, and with the call that computes only them. The parts are removed once the file is whole and safe on the\n"
+      "disk, so nothing is lost if the merge is stopped. Memory does not grow with the sweep, except for the list of\n"
+      "missing parts.\n\n"
       "Examples:\n"
       "  flexslip merge map.h5.parts\n"
       "  flexslip merge here/map.h5.parts there/map.h5.parts --output map.h5");

@@ -83,17 +83,18 @@ void add_modulus_command(CLI::App& app) {
   add_case_options(*command, request->test);
   command
       ->add_option("--window", request->window,
-                   "Straight part, in shares of the greatest force at deflections below a tenth of the span; not "
-                   "given: the steepest quarter")
+                   "Straight part, in shares of the greatest force at deflections below a tenth of the span; without "
+                   "it, the steepest quarter")
       ->type_name("SHARE")
       ->expected(2);
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "Small deflections, no friction, no shear: the numbers to compare with other laboratories, also for specimens\n"
-      "too thick for fit. Without a span there is a stiffness only, without a section no modulus. A displacement\n"
-      "of the crosshead is corrected for the stiffness of the load train. Modulus and stress have three significant\n"
-      "digits, as ISO 178 wants; --json has all. The exit code is 1 if the record has no straight rising part.\n\n"
+      "Gives the numbers to compare with other laboratories, also for specimens too thick for fit. They assume small\n"
+      "deflections, no friction and no shear. Without a span there is only a stiffness, and without a section there\n"
+      "is no modulus. A displacement of the crosshead is corrected for the stiffness of the load train. Modulus and\n"
+      "stress have three significant digits, as ISO 178 wants; --json has all. The exit code is 1 if the record has\n"
+      "no straight rising part.\n\n"
       "Examples:\n"
       "  flexslip modulus examples/simulated/case.toml\n"
       "  flexslip modulus export.csv --displacement crosshead --stiffness \"2 kN/mm\" --span \"64 mm\" \\\n"

@@ -25,7 +25,7 @@ void add_output_options(CLI::App& command, Output& output) {
 
 void add_figure_option(CLI::App& command, std::string& path) {
   add_output_file(command, "--figure", path,
-                  "Draw the result: FILE.svg, FILE.pdf or FILE.png; gnuplot script and data beside it")
+                  "Draw the result: FILE.svg, FILE.pdf or FILE.png; its gnuplot script and data go beside it")
       ->each([](const std::string& file) {
         const std::filesystem::path picture(file);
         const std::string name = picture.stem().string();

@@ -150,7 +150,7 @@ void add_read_command(CLI::App& app) {
   command->add_option("file", request->file, "Export of a testing machine; - is standard input")
       ->type_name("FILE")
       ->required();
-  command->add_option("--specimen", request->specimen, "Which of several specimens, from 1")
+  command->add_option("--specimen", request->specimen, "Which of several specimens, counted from 1")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber);
   const auto text = [&](const char* name, std::string& value, const char* description, const char* type) {
@@ -165,18 +165,18 @@ void add_read_command(CLI::App& app) {
   text("--deflection", request->deflection, "The column with the deflection of the specimen", "COLUMN");
   text("--force", request->force, "The column with the force", "COLUMN");
   text("--displacement", request->displacement,
-       "What a displacement is whose name does not say: crosshead or deflection", "WHICH")
+       "What a displacement is if its name does not say: crosshead or deflection", "WHICH")
       ->check(CLI::IsMember({"crosshead", "deflection"}));
   text("--time-unit", request->time_unit, "The unit of the time", "UNIT");
   text("--displacement-unit", request->displacement_unit, "The unit of the displacements", "UNIT");
   auto* force_unit = text("--force-unit", request->force_unit, "The unit of the force", "UNIT");
-  text("--calibration", request->calibration, "Of a force given in volts, as in \"222 N/V\"", "VALUE")
+  text("--calibration", request->calibration, "Calibration of a force given in volts, such as \"222 N/V\"", "VALUE")
       ->excludes(force_unit);
   add_output_options(*command, request->output);
   command->footer(
       "Reads exports of Instron Bluehill, MTS, Zwick testXpert, Shimadzu Trapezium and others, and plain tables:\n"
-      "whatever the encoding, separator, decimal mark and preamble. Writes CSV with units in the names; what was\n"
-      "decided, and what the file leaves open, is said on standard error, or with --json in the result.\n\n"
+      "whatever the encoding, separator, decimal mark and preamble. Writes CSV with units in the names. What was\n"
+      "decided, and what the file leaves open, goes to standard error, or with --json into the result.\n\n"
       "Examples:\n"
       "  flexslip read examples/simulated/test.csv --output plain.csv\n"
       "  flexslip read examples/simulated/test.csv --json");

@@ -81,9 +81,7 @@ std::string reason_of_end(const Case& input, HistoryStatus status, const Simulat
     return fmt::format("{}: the specimen slips through the supports after the stage position {}: the path ends there",
                        input.source, last);
   return fmt::format(
-      "{}: the specimen is let out, in a snap, until no force is left on it, after the stage position {}: the path "
-      "ends "
-      "there",
+      "{}: a snap lets the specimen out until no force is left on it, after the stage position {}: the path ends there",
       input.source, last);
 }
 
@@ -126,7 +124,7 @@ std::vector<std::string> left_out_in_words(const Case& input, const Simulation& 
               : test.path.end();
   if (breaks != test.path.end())
     remarks.push_back(fmt::format(
-        "the specimen would break at the stage position {}, as stated: what follows is that of one that bears more",
+        "the specimen would break at the stage position {}, as stated: what follows is for a specimen that bears more",
         readable(breaks->stage, input.reduced ? kind::number : kind::length)));
   constexpr double worth_a_word = 0.01;
   if (specimen.section)
@@ -206,18 +204,15 @@ void run_rolling(const SimulateRequest& request, const Case& input, const Scales
   write_test(request, test, scales, input.reduced);
   for (const std::string& remark : left_out_in_words(input, test, scales)) note(request.output, remark);
   if (slides_from)
-    note(
-        request.output,
-        fmt::format("from the stage position {} on, rolling takes more friction than the case states, {:.3g} and more: "
-                    "the specimen slides on its rollers, as if these were fixed",
-                    shown(*slides_from), *friction_there));
+    note(request.output, fmt::format("from the stage position {} on, rolling takes more friction than the case states, "
+                                     "{:.3g} and more: the specimen slides on its rollers, as if these were fixed",
+                                     shown(*slides_from), *friction_there));
   if (!gets_there)
-    throw CalculationFailed(fmt::format(
-        "{}: loose rollers are computed up to the stage position {}: beyond, the specimen slips through, is bent by "
-        "more "
-        "than {:g} spans, or the rollers, with half of its thickness, take more than {:g} of the distance that is left "
-        "between them",
-        input.source, shown(test.path.back().stage), deepest_on_supports, widest_supports));
+    throw CalculationFailed(
+        fmt::format("{}: loose rollers are computed up to the stage position {}: beyond, the specimen slips through, "
+                    "is bent by more than {:g} spans, or the rollers, with half of its thickness, take more than {:g} "
+                    "of the distance that is left between them",
+                    input.source, shown(test.path.back().stage), deepest_on_supports, widest_supports));
 }
 
 void run_simulate(const SimulateRequest& request) {
@@ -250,11 +245,10 @@ void run_simulate(const SimulateRequest& request) {
   const LegOptions leg_options{programme.measured ? least_measured_travel : least_stated_travel};
   Simulation test = simulated(input, history, bending_test.rig.fibre, scales, leg_options);
   if (test.wraps_nose_from)
-    note(request.output,
-         fmt::format(
-             "from the stage position {} on the specimen is bent more sharply than the nose, and wraps it: what "
-             "follows is that of a sharp nose",
-             readable(scales.physical_length(*test.wraps_nose_from), input.reduced ? kind::number : kind::length)));
+    note(request.output, fmt::format("from the stage position {} on the specimen is bent more sharply than the nose, "
+                                     "and wraps it: what follows is for a sharp nose",
+                                     readable(scales.physical_length(*test.wraps_nose_from),
+                                              input.reduced ? kind::number : kind::length)));
   // A stage in steps stands where it was asked to, without the rounding of there and back.
   if (programme.in_steps)
     for (std::size_t i = 0; i < test.path.size(); ++i) test.path[i].stage = programme.positions[i];
@@ -289,32 +283,32 @@ void add_simulate_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--noise", request->noise, "Standard deviation of the force readings, such as \"10 uN\"")
       ->type_name("FORCE");
-  command->add_option("--seed", request->seed, "Of the noise: the same seed gives the same readings")
+  command->add_option("--seed", request->seed, "Seed of the noise: the same seed gives the same readings")
       ->type_name("N")
       ->capture_default_str();
-  command->add_flag("--energies", request->energies, "Also the energies up to each point of the path");
+  command->add_flag("--energies", request->energies, "Add the energies up to each point of the path");
   add_figure_option(*command, request->figure);
   command
       ->add_option("--equilibria-at", request->equilibria_at,
-                   "In the figure, all overall equilibria at this stage position; may be repeated")
+                   "Draw all overall equilibria at this stage position in the figure; may be repeated")
       ->type_name("LENGTH");
   add_output_options(*command, request->output);
   command->footer(
-      "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction\n"
-      "and how the specimen moved there (stick, slip_in, slip_out, snap, crack, apart, with the nose off it, or rolls, "
-      "on loose rollers); in "
-      "SI,\n"
-      "or reduced if the case is.\n"
-      "Of a specimen whose section is known also strain and stress, of bending, at its surface at midspan; on two\n"
-      "supports that are not alike also left and right, what is drawn in over the first and over the other; of a "
-      "thick\n"
-      "one, or on rollers, also drawn_in, what has slid past the first contacts, and imaged, what a camera sees.\n"
-      "--energies adds stage_work, bending, load_train, friction, snaps and cracks, from the start. With --json\n"
-      "also snaps and cracks, the energies of each loading and unloading, and the energy account. The output is a "
-      "record that\n"
-      "`flexslip fit` reads. If the specimen slips through the supports, the path ends there, and the exit\n"
-      "code is 1. Where the nose lifts off, w stays that of the specimen. The figure of a test that is unloaded\n"
-      "shows its loops and their direction.\n\n"
+      "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction and\n"
+      "how the specimen moved there, in SI, or reduced if the case is. motion is stick, slip_in, slip_out, snap,\n"
+      "crack, apart (the nose is off the specimen) or rolls (on loose rollers). The output is a record that\n"
+      "`flexslip fit` reads.\n"
+      "\n"
+      "Some tests have more columns:\n"
+      "  section known            strain and stress of bending, at the surface at midspan\n"
+      "  supports not alike       left and right, what is drawn in over the first and over the other\n"
+      "  thick, or on rollers     drawn_in, what has slid past the first contacts, and imaged, what a camera sees\n"
+      "  --energies               stage_work, bending, load_train, friction, snaps and cracks, from the start\n"
+      "With --json, the result also has snaps and cracks, the energies of each loading and unloading, and the\n"
+      "energy account. The figure of a test that is unloaded shows its loops and their direction.\n"
+      "\n"
+      "If the specimen slips through the supports, the path ends there, and the exit code is 1. Where the nose\n"
+      "lifts off, w stays that of the specimen.\n\n"
       "Examples:\n"
       "  flexslip simulate case.toml --output test.csv\n"
       "  flexslip simulate case.toml --noise \"10 uN\" --seed 7 --json");

@@ -183,22 +183,26 @@ void add_state_command(CLI::App& app) {
       ->type_name("NUMBER");
   command->add_option("--w", request->w, "Deflection at midspan, in spans, instead of --S on rollers")
       ->type_name("NUMBER");
-  command->add_option("--roller-radius", request->radius, "Of fixed rollers as supports, in spans")
+  command->add_option("--roller-radius", request->radius, "Radius of fixed rollers as supports, in spans")
       ->type_name("NUMBER");
-  command->add_option("--thickness", request->thickness, "Of the specimen, in spans: friction acts at its surface")
+  command
+      ->add_option("--thickness", request->thickness,
+                   "Thickness of the specimen, in spans; friction acts at its surface")
       ->type_name("NUMBER");
   command->add_flag("--loose", request->loose,
-                    "The rollers roll on a flat base: they say the friction, from --w alone");
-  command->add_flag("--slopes", request->slopes, "The partial derivatives with respect to S and q as well");
+                    "The rollers roll on a flat base and determine the friction: give --w alone");
+  command->add_flag("--slopes", request->slopes, "Also write the partial derivatives with respect to S and q");
   add_output_options(*command, request->output);
   command->footer(
       "Reads and writes reduced variables: lengths in spans L, forces in EI/L^2, energies in EI/L.\n"
       "Writes S,q,w,F,theta0,Pn,U,curvature: deflection, force, support slope, normal force at one support,\n"
-      "bending energy, curvature at midspan: half the depth of the specimen times it is the bending strain. A state "
-      "that does not exist is written as nan, and the exit code is 1.\n\n"
-      "With --roller-radius or --thickness the states are those of deflections w, and the columns w,q,F,theta0,\n"
-      "Pn,U,curvature,length,slid,imaged: three lengths that are one on edges, of the axis between the contacts,\n"
-      "slid past them along the surface, and of the axis between the verticals through the supports.\n\n"
+      "bending energy and curvature at midspan. The curvature times half the depth of the specimen is the bending\n"
+      "strain. A state that does not exist is written as nan, and the exit code is 1.\n"
+      "\n"
+      "With --roller-radius or --thickness, a state is given by its deflection w, and the columns are w,q,F,theta0,\n"
+      "Pn,U,curvature,length,slid,imaged. The last three are lengths, and equal on edges: length is that of the axis\n"
+      "between the contacts, slid is what has slid past the contacts along the surface, and imaged is that of the\n"
+      "axis between the verticals through the supports.\n\n"
       "Examples:\n"
       "  flexslip state --S 1.2 --q 0.3\n"
       "  flexslip state --w 0.1 --q 0 --roller-radius 0.078 --thickness 0.0625\n"

@@ -173,9 +173,9 @@ void add_sweep_command(CLI::App& app) {
           ->type_name("I/N");
   command->add_flag("--keep-parts", request->keep_parts, "Leave the parts where they are once they are joined");
   CLI::Option* slurm = add_output_file(*command, "--slurm", request->slurm,
-                                       "Write a script for an array of jobs of Slurm, and compute nothing yet");
+                                       "Write a script for a Slurm array of jobs, and compute nothing yet");
   slurm->excludes(shard);
-  command->add_option("--minutes", request->minutes, "With --slurm: how long a job is to take, about")
+  command->add_option("--minutes", request->minutes, "With --slurm: about how long a job is to take")
       ->type_name("NUMBER")
       ->check(CLI::Range(0.1, 1e5).description(""))
       ->capture_default_str()
@@ -184,7 +184,7 @@ void add_sweep_command(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::PositiveNumber.description(""))
       ->needs(slurm);
-  command->add_flag("--json", request->output.json, "Say in JSON what came of it");
+  command->add_flag("--json", request->output.json, "Report the outcome in JSON");
   command->add_flag("--quiet", request->output.quiet, "No remarks on standard error, only errors");
   command->footer(
       "The section [sweep] names the numbers of the case that vary:\n"
@@ -195,9 +195,8 @@ void add_sweep_command(CLI::App& app) {
       "  mu0 = [0.3, 0.4, 0.5]\n"
       "Axes: mu0, amplitude, wavelength, phase, span, diameter, height, width, modulus, stiffness, travel, step,\n"
       "reference.\n\n"
-      "What is computed lies in FILE.parts until all is joined in FILE: stopped at any moment, the same command goes "
-      "on\n"
-      "where it was. The file is the same, byte for byte, for any number of threads and shards.\n\n"
+      "Results lie in FILE.parts until all are joined in FILE. If a sweep is stopped, at any moment, the same command\n"
+      "goes on where it was. The file is the same, byte for byte, for any number of threads and shards.\n\n"
       "Examples:\n"
       "  flexslip sweep map.toml\n"
       "  flexslip sweep map.toml --slurm map.slurm && bash map.slurm\n"

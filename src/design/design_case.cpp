@@ -1,6 +1,7 @@
 #include "design/design_case.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "bending_test/rig.h"
+#include "case/case_keys.h"
 #include "case/problem.h"
 #include "fibre/elastica.h"
 
@@ -21,34 +23,34 @@ constexpr double most_readings = 1e9;   // what they can be counted for
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr std::array parameters{
-    DesignParameterName{DesignParameter::mu0, "mu0", kind::number, "mean friction coefficient", "{/:Italic μ}_0",
-                        Range::non_negative, largest_q},
-    DesignParameterName{DesignParameter::amplitude, "amplitude", kind::number, "relative amplitude of friction",
-                        "{/:Italic A}", Range::non_negative, 1},
-    DesignParameterName{DesignParameter::wavelength, "wavelength", kind::length, "wavelength of friction",
-                        "{/:Italic λ}", Range::positive, infinity},
-    DesignParameterName{DesignParameter::phase, "phase", kind::angle, "phase of friction", "{/:Italic φ}", Range::any,
-                        infinity},
-    DesignParameterName{DesignParameter::span, "span", kind::length, "support span", "{/:Italic L}", Range::positive,
-                        infinity},
-    DesignParameterName{DesignParameter::diameter, "diameter", kind::length, "diameter of the specimen", "{/:Italic D}",
-                        Range::positive, infinity},
-    DesignParameterName{DesignParameter::modulus, "modulus", kind::pressure, "flexural modulus", "{/:Italic E}",
-                        Range::positive, infinity},
-    DesignParameterName{DesignParameter::stiffness, "stiffness", kind::stiffness, "load-train stiffness",
-                        "{/:Italic k}", Range::positive_or_infinite, infinity},
-    DesignParameterName{DesignParameter::travel, "travel", kind::length, "stage travel", "{/:Italic w}_s",
-                        Range::positive, infinity},
-    DesignParameterName{DesignParameter::step, "step", kind::length, "step of the stage", "{/:Italic w}_s",
-                        Range::non_negative, infinity},
-    DesignParameterName{DesignParameter::height, "height", kind::length, "height of the specimen", "{/:Italic h}",
-                        Range::positive, infinity},
-    DesignParameterName{DesignParameter::width, "width", kind::length, "width of the specimen", "{/:Italic b}",
-                        Range::positive, infinity},
-    DesignParameterName{DesignParameter::reference, "reference", kind::length,
-                        "length at which the mean friction holds", "{/:Italic S}_0", Range::positive, infinity},
-};
+// A number of a case that has a key of its own: what it is, and its limits, are those of the key.
+DesignParameterName of_key(DesignParameter parameter, std::string_view section, std::string_view name,
+                           std::string_view description, std::string_view symbol) {
+  const CaseKey& key = *case_key(section, name);
+  return {parameter, key.name, *key.kind, description, symbol, key.range, key.most};
+}
+
+std::array<DesignParameterName, 13> parameters_of_designs() {
+  using enum DesignParameter;
+  std::array all{
+      of_key(mu0, "friction", "mu0", "mean friction coefficient", "{/:Italic μ}_0"),
+      of_key(amplitude, "friction", "amplitude", "relative amplitude of friction", "{/:Italic A}"),
+      of_key(wavelength, "friction", "wavelength", "wavelength of friction", "{/:Italic λ}"),
+      of_key(phase, "friction", "phase", "phase of friction", "{/:Italic φ}"),
+      of_key(span, "rig", "span", "support span", "{/:Italic L}"),
+      of_key(diameter, "specimen", "diameter", "diameter of the specimen", "{/:Italic D}"),
+      of_key(modulus, "specimen", "modulus", "flexural modulus", "{/:Italic E}"),
+      of_key(stiffness, "rig", "stiffness", "load-train stiffness", "{/:Italic k}"),
+      DesignParameterName{travel, "travel", kind::length, "stage travel", "{/:Italic w}_s", Range::positive, infinity},
+      of_key(step, "stage", "step", "step of the stage", "{/:Italic w}_s"),
+      of_key(height, "specimen", "height", "height of the specimen", "{/:Italic h}"),
+      of_key(width, "specimen", "width", "width of the specimen", "{/:Italic b}"),
+      of_key(reference, "friction", "reference", "length at which the mean friction holds", "{/:Italic S}_0"),
+  };
+  all[static_cast<std::size_t>(mu0)].most = largest_q;              // on the fibre that allows most
+  all[static_cast<std::size_t>(step)].range = Range::non_negative;  // 0: all of the curve
+  return all;
+}
 
 std::string words_of_range(const DesignParameterName& parameter) {
   const std::string upper = std::isfinite(parameter.most) ? fmt::format(" and at most {:g}", parameter.most) : "";
@@ -102,10 +104,13 @@ Loading loading_of(const Case& input) {
 
 }  // namespace
 
-std::span<const DesignParameterName> design_parameters() { return parameters; }
+std::span<const DesignParameterName> design_parameters() {
+  static const auto parameters = parameters_of_designs();
+  return parameters;
+}
 
 const DesignParameterName& described(DesignParameter parameter) {
-  return parameters[static_cast<std::size_t>(parameter)];
+  return design_parameters()[static_cast<std::size_t>(parameter)];
 }
 
 bool is_within(const DesignParameterName& parameter, double value) {

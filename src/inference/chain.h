@@ -1,75 +1,17 @@
-// A Gaussian process along the fibre, seen at many places through autocorrelated noise: its likelihood, with gradient, and what the
-// places say of it, in time proportional to their number.
-//
-// At place x_i the value y_i = h_i'β + g(x_i) + D_i e_i + ε_i is seen: h_i known, β ~ N(0, diag(prior)), g of a Matérn kernel, e an AR(1)
-// process over the rows of the record with variance σ², ε_i ~ N(0, variance_i).
+// A Gaussian process along the fibre as seen at many places (looks.h): what they say of it, in time proportional to their number.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <random>
 #include <span>
 #include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "inference/kernel.h"
+#include "inference/looks.h"
 
 namespace flexslip {
-
-inline constexpr int most_columns = 16;
-
-using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_columns, 1>;
-using CoefficientMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_columns, most_columns>;
-
-// One place where the process is seen.
-struct Look {
-  double place;       // [L] x
-  double rows;        // rows of the record since the last look; 0 where this one is no reading
-  double noise_gain;  // [L^2/EI] D; 0 where it is no reading
-  double variance;    // [1] of ε; infinite where nothing is seen
-
-  bool is_reading() const { return noise_gain != 0; }
-};
-
-struct Looks {
-  std::vector<Look> looks;            // places not falling
-  std::vector<double> values;         // [1] y
-  std::vector<Coefficients> columns;  // h
-  std::vector<double> prior;          // [1] variances of β
-};
-
-struct LikelihoodGradient {
-  double value;                           // ln p(y)
-  std::array<double, 4> hyperparameters;  // its derivatives to ln σ, ρ, ln σ_g and ln ℓ
-  std::array<double, 2>
-      log_wavelengths;  // and to ln λ of each wave: waves are the last pairs of columns, cos(2πx/λ) and sin(2πx/λ)
-};
-
-// Domain:     as Chain; wavelengths: at most two [L], > 0.
-// Method:     the filter on dual numbers; exact up to rounding.
-LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
-                                       std::span<const double> wavelengths);
-
-// Standard normal numbers, the same on every machine.
-class NormalSource {
- public:
-  explicit NormalSource(std::uint64_t seed) : generator_(seed) {}
-  double operator()();
-
- private:
-  std::mt19937_64 generator_;
-};
-
-// The process with all that the looks would see of it, drawn from what is expected beforehand.
-struct Drawn {
-  Coefficients beta;
-  std::vector<double> f;       // h'β + g at each look
-  std::vector<double> values;  // y
-};
-Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& at, NormalSource& normal);
 
 // What all looks together say of one.
 struct SmoothedLook {
@@ -97,8 +39,7 @@ struct Steps {
 
 class Chain {
  public:
-  // Domain:     noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, at most most_columns columns:
-  //             std::invalid_argument otherwise. Variances and priors > 0; the looks outlive this.
+  // Domain:     as require_domain. Variances and priors > 0; the looks outlive this.
   // Method:     a Kalman filter whose state is g, its derivatives and e; the columns pass it as further series.
   // Cost:       linear in the looks and in the columns.
   Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at);

@@ -9,8 +9,8 @@
 
 #include "data/names.h"
 #include "data/order.h"
-#include "inference/chain.h"
 #include "inference/chi_squared.h"
+#include "inference/prior_draw.h"
 #include "inference/process_posterior.h"
 
 namespace flexslip {

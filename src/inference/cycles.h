@@ -14,6 +14,7 @@
 #include "data/estimate.h"
 #include "data/legs.h"
 #include "data/record.h"
+#include "inference/bump_correlation.h"
 
 namespace flexslip {
 
@@ -41,20 +42,6 @@ struct LoopCorner {
   double S;           // [L]
   double q;           // [1]
 };
-
-// Pearson's correlation of friction in the two directions, each less its quadratic trend in S, places weighted by their noise.
-struct BumpCorrelation {
-  double value;             // [1] NaN for fewer than 10 places, or without any bumps
-  double low, high;         // [1] 95 % interval by Fisher's transform
-  double effective_points;  // [1] n/(1 + 2 Σ ρ_in ρ_out) of n places: neighbouring places are no independent evidence
-};
-
-// Units:      noise is the variance of in - out [1] at each place.
-// Domain:     columns of one length, S rising, noise >= 0; std::invalid_argument otherwise.
-// Tolerance:  where the directions have nothing in common, an interval without 0 comes in at most 10 % of cases instead of 5
-//             (tested for correlation lengths of 1/50 to 1/15 of the range; bumps wider than that are too few to tell).
-BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const double> in, std::span<const double> out,
-                                std::span<const double> noise);
 
 // One loading and the unloading after it. Directions are compared at places where both have points.
 struct FrictionLoop {

@@ -11,6 +11,7 @@
 
 #include "data/order.h"
 #include "fibre/elementary.h"
+#include "inference/likelihood_gradient.h"
 
 namespace flexslip {
 namespace {

@@ -12,6 +12,7 @@
 #include "bending_test/sliding_ladder.h"
 #include "fibre/elementary.h"
 #include "inference/matern.h"
+#include "inference/prior_draw.h"
 
 namespace flexslip {
 namespace {

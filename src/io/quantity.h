@@ -42,7 +42,7 @@ namespace shown_in {
 inline constexpr std::array<std::string_view, 4> length{"nm", "um", "mm", "m"};
 inline constexpr std::array<std::string_view, 3> inverse_length{"1/m", "1/mm", "1/um"};
 inline constexpr std::array<std::string_view, 5> force{"nN", "uN", "mN", "N", "kN"};
-inline constexpr std::array<std::string_view, 5> stiffness{"uN/m", "mN/m", "N/m", "kN/m", "MN/m"};
+inline constexpr std::array<std::string_view, 5> stiffness{"uN/m", "mN/m", "N/m", "N/mm", "kN/mm"};
 inline constexpr std::array<std::string_view, 4> compliance{"nm/N", "um/N", "mm/N", "m/N"};
 inline constexpr std::array<std::string_view, 4> pressure{"Pa", "kPa", "MPa", "GPa"};
 inline constexpr std::array<std::string_view, 6> bending_stiffness{"nN mm^2", "uN mm^2", "mN mm^2",

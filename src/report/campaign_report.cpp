@@ -52,15 +52,14 @@ std::vector<std::string> links_to_tests(const std::string& folder, const Campaig
 std::string caption_of(const Figure& figure) {
   if (figure.name == "distributions")
     return "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
-           "where the wave is only indicative. B: mean friction, with its 95 % interval. Red crosses: "
-           "suspect tests, which the means leave out. Green, where all tests state the same materials: what the "
-           "literature gives for them.";
+           "where the wave is only indicative. B: mean friction, with its 95 % interval. Red crosses: suspect tests, "
+           "which the means leave out. Green: what the literature gives for the materials, where all tests state the "
+           "same ones.";
   return figure.title +
-         ". Blue: measured force. Black: the mean of the fit run forward, in the corner its mean friction, and A and λ "
-         "where a wave is claimed. Brown: Euler–Bernoulli "
-         "(dashed) and the model without friction, with the bending stiffness of the fit. Grey: load lines at the "
-         "drops "
-         "of the force, as steep as the load train is stiff. Red crosses: suspect tests.";
+         ". Blue: measured force. Black: the mean of the fit run forward. In the corner: the mean friction of the fit, "
+         "and A and λ where a wave is claimed. Brown: Euler–Bernoulli (dashed) and the model without friction, with "
+         "the bending stiffness of the fit. Grey: load lines at the drops of the force, with the stiffness of the load "
+         "train as slope. Red crosses: suspect tests.";
 }
 
 std::string file_list() {

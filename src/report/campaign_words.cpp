@@ -11,6 +11,7 @@
 #include "answers/campaign_fields.h"
 #include "data/names.h"
 #include "io/text_table.h"
+#include "report/answer_words.h"
 #include "report/campaign_units.h"
 #include "report/digits.h"
 #include "report/fit_words.h"
@@ -87,7 +88,7 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
                                 : fmt::format("Friction at the supports is {:.2f} on average, from {:.2f} to {:.2f}",
                                               mu0.mean, mu0.min, mu0.max);
   const std::string left_out = leaves_out && suspects > 0
-                                   ? fmt::format(", the {} left out", suspects == 1 ? "suspect test" : "suspect tests")
+                                   ? fmt::format(", without the {}", suspects == 1 ? "suspect test" : "suspect tests")
                                    : "";
   const auto literature = literature_of(campaign);
   if (!literature) return fmt::format("{}{}.", value, left_out);
@@ -232,23 +233,21 @@ PrintedTable specimen_rows(const Campaign& campaign) {
 }
 
 std::string sharing_rule() {
-  return "Agreement is the probability that tests that do share the value would differ as much. Below 0.01 they hardly "
-         "do: the value is then a mean of different ones, and its error says nothing.";
+  return "Agreement is the probability that tests which share one value would differ as much as these. Below 0.01 the "
+         "tests hardly share it: the value is then a mean of different ones, and its error says nothing.";
 }
 
 std::string specimen_rule() {
-  return "Typical is the mean of μ₀ over specimens, and the middle specimen's σ and ℓ, with their 95 % intervals; "
-         "specimens differ by the "
-         "standard deviation of μ₀, and by a factor either way of σ and ℓ, what each record errs by taken off. "
-         "Suspects are left out.";
+  return "Typical is the mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with their 95 % intervals. "
+         "Specimens differ by the standard deviation of μ₀, and by a factor up or down in σ and ℓ; the error of each "
+         "record is taken off. Suspects are left out.";
 }
 
 std::string category_rule() {
   return "None: fewer than three drops of the force, or drops that add up to less than 3\u00a0% of the greatest force. "
-         "Clear: "
-         "15\u00a0% or more. Nominal: between. μ₀ is the mean friction over the fibre seen, σ and ℓ its roughness "
-         "and the correlation length of that. A and λ are those of the likeliest wave of friction, with their 95 % "
-         "intervals; in brackets where it is only indicative.";
+         "Clear: 15\u00a0% or more. Nominal: between. μ₀ is the mean friction over the fibre seen, σ the roughness of "
+         "friction and ℓ its correlation length. A and λ are those of the likeliest wave of friction, with their 95 % "
+         "intervals; brackets mark a wave that is only indicative.";
 }
 
 }  // namespace flexslip

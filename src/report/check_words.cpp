@@ -28,12 +28,13 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
         return "Not possible: no profiles were drawn whose drops could be counted.";
       const double record_fall = number("record_fall"), draws_fall = number("draws_fall");
       std::string words = fmt::format(
-          "{}: profiles drawn from the fit and run forward drop {:.0f} to {:.0f} times (median {:.0f}), the "
-          "record {:.0f} times",
+          "{}: profiles drawn from the fit and run forward give {:.0f} to {:.0f} drops (median {:.0f}), the record has "
+          "{:.0f}",
           outcome, number("draws_low"), number("draws_high"), number("draws_median"), number("record"));
       if (std::isfinite(record_fall) && std::isfinite(draws_fall))
-        words += fmt::format("; by {} on average, the record by {}", print.force(draws_fall), print.force(record_fall));
-      return words + fmt::format(" (drops of at least {}).", print.force(number("threshold")));
+        words += fmt::format("; their drops average {}, those of the record {}", print.force(draws_fall),
+                             print.force(record_fall));
+      return words + fmt::format(" (counting drops of at least {}).", print.force(number("threshold")));
     }
     case CheckKind::whiteness:
       if (check.outcome == CheckOutcome::not_possible)
@@ -47,23 +48,23 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
       if (check.outcome == CheckOutcome::not_possible)
         return "Not possible: the likeliest explanation contains no other.";
       return fmt::format(
-          "{}: {} (ln L differs by {:.1f} at most against it).", outcome,
+          "{}: {} (its ln L is at most {:.1f} lower).", outcome,
           check.outcome == CheckOutcome::passed
-              ? "the likeliest explanation fits no worse than those it contains"
-              : "the likeliest explanation fits worse than one that it contains: its best fit was not found",
+              ? "the likeliest explanation fits no worse than the simpler ones it contains"
+              : "the likeliest explanation fits worse than a simpler one it contains, so its best fit was not found",
           std::max(number("most_below"), 0.0));
     case CheckKind::friction:
       return check.outcome == CheckOutcome::passed
-                 ? "Passed: the record tells friction from none."
-                 : fmt::format("Failed: the record does not tell friction from none; it is at most {} (95 %).",
+                 ? "Passed: the record tells friction from zero."
+                 : fmt::format("Failed: the record does not tell friction from zero; friction is at most {} (95 %).",
                                significant(number("mu0_high"), 2));
     case CheckKind::stability:
       break;
   }
   if (check.numbers.empty()) return "Failed: with the force changed in its ninth digit there is no fit.";
   return fmt::format(
-      "{}: with the force changed in its ninth digit, μ₀ moves by {:.1g} of its standard error, and the "
-      "likeliest explanation {}.",
+      "{}: with the force changed in its ninth digit, μ₀ moves by {:.1g} of its standard error, and the likeliest "
+      "explanation {}.",
       outcome, number("mu0_moved"), number("same_explanation") > 0 ? "stays" : "changes");
 }
 
@@ -91,7 +92,7 @@ CheckInShort check_in_short(const Check& check) {
                              number("record")),
                  "see whether they can be cracks");
     case CheckKind::whiteness:
-      if (!possible) return say("noise of the readings: one friction for all predicts none from the one before", "");
+      if (!possible) return say("noise of the readings: one friction for all cannot predict the next reading", "");
       return say(fmt::format("what the fit leaves is {}noise (p {})", passed ? "" : "not ",
                              number("p_value") < 1e-4 ? "< 0.0001" : "= " + significant(number("p_value"), 2)),
                  "something is not in the model; a simulated record without noise fails here, too");
@@ -100,8 +101,8 @@ CheckInShort check_in_short(const Check& check) {
       return say(passed ? "no simpler explanation fits better" : "a simpler explanation fits better",
                  "its best fit was not found: compare fit --model constant and drift");
     case CheckKind::friction:
-      return say(passed ? "the record tells friction from none"
-                        : fmt::format("the record does not tell friction from none: at most {}",
+      return say(passed ? "the record tells friction from zero"
+                        : fmt::format("the record does not tell friction from zero: at most {}",
                                       significant(number("mu0_high"), 2)),
                  "bend farther, or state the bending stiffness more exactly");
     case CheckKind::stability:

@@ -49,8 +49,8 @@ bool is_beyond_friction(const CyclicFriction& friction) {
 std::string why_nothing(CyclesStatus status) {
   if (status == CyclesStatus::too_few_points)
     return "The loops say nothing of friction: fewer than 20 points slide at deflections where friction shows.";
-  return "The loops say nothing of friction: no bending stiffness and contact near those assumed makes them mirror "
-         "images.";
+  return "The loops say nothing of friction: no bending stiffness and contact near those assumed make the two "
+         "directions mirror images.";
 }
 
 std::string against_reference(const FittedTest& test) {
@@ -60,21 +60,20 @@ std::string against_reference(const FittedTest& test) {
                        test.stiffness == StiffnessSource::initial_slope ? "the initial slope" : "that stated");
   const double over_slope = ratio * test.analysis.stiffness_over_slope;
   return std::isfinite(over_slope) ? fmt::format("{:+.0f} % from the initial slope", 100 * (over_slope - 1))
-                                   : "the initial slope tells none";
+                                   : "the initial slope gives none to compare with";
 }
 
 std::string stiffness_in_words(const FittedTest& test) {
   const CyclicFriction& friction = test.cycles->friction;
   if (friction.status == CyclesStatus::no_mirror)
-    return "No part of the specimen slid both ways, so the loops tell neither its bending stiffness nor the contact: "
-           "both "
-           "are as assumed, and what is said of friction rests on them.";
+    return "No part of the specimen slid both ways, so the loops tell neither its bending stiffness nor the contact. "
+           "Both are as assumed, and what is said of friction rests on these assumptions.";
   const auto [logarithm, error, low, high] = friction.log_stiffness;
   const double value = test.analysis.scales.bending_stiffness() * std::exp(logarithm);
   return fmt::format(
-      "The specimen slides in along q = +μ and out along q = −μ past the same points, so that with the right bending "
-      "stiffness and contact the two directions mirror each other. That gives EI = {} ({}). The error is that of noise "
-      "and roughness; which points are compared moves EI by 1 to 2 % more in the authors' tests.",
+      "The specimen slides in at q = +μ and out at q = −μ, past the same points. With the right bending stiffness and "
+      "contact, the two directions therefore mirror each other. This gives EI = {} ({}). The error covers noise and "
+      "roughness; the choice of the points compared moves EI by another 1 to 2 % in the authors' tests.",
       readable(value, value * error, Print(test).as(kind::bending_stiffness)), against_reference(test));
 }
 
@@ -82,22 +81,22 @@ std::string asymmetry_in_words(const CyclicFriction& friction) {
   const auto [in, out, rms] = means_of(friction);
   const auto& [value, error, low, high] = friction.asymmetry;
   const std::string means = fmt::format(
-      "Friction is {:.3g} sliding in and {:.3g} sliding out, means of all loops; from place to place the directions "
-      "differ by {:.2g} rms. That the means agree is no evidence, for EI and contacts were chosen so that they do. "
-      "Left free beside these, their difference would be {}",
+      "Friction is {:.3g} sliding in and {:.3g} sliding out (means of all loops); at single places the two directions "
+      "differ by {:.2g} rms. The agreement of the means is no evidence: EI and contacts were chosen to make them "
+      "agree. If the difference of the means were left free as well, it would be {}",
       in, out, rms, readable(value, error, kind::number));
   if (is_beyond_friction(friction))
     return means +
-           ", more than friction itself. No friction does that: it is a sign of error in the model (a contact that "
-           "settles, supports or a load train that give way, a specimen that is not uniform), which EI and contacts "
-           "have absorbed. Trust neither the friction nor EI to more than their rough size.";
+           ", more than friction itself. No friction does that. It is a sign of error in the model (a contact that "
+           "settles, supports or a load train that give way, a specimen that is not uniform), and EI and contacts have "
+           "absorbed that error. Trust friction and EI only as rough sizes.";
   if (std::abs(value) > two_sided * error)
     return means +
            fmt::format(
-               ": less than friction itself, but {:.1f} standard errors from none. One test in twenty shows 2 by "
-               "chance; beyond that, friction or what the model leaves out differs with the direction.",
+               ": less than friction itself, but {:.1f} standard errors from zero. One test in twenty shows 2 by "
+               "chance. Beyond that, friction depends on the direction, or something that the model leaves out does.",
                std::abs(value) / error);
-  return means + ", not distinguishable from none.";
+  return means + ", not distinguishable from zero.";
 }
 
 std::string correlation_in_words(const BumpCorrelation& correlation) {
@@ -105,21 +104,20 @@ std::string correlation_in_words(const BumpCorrelation& correlation) {
     return "Too few places were passed both ways to tell whether the same points of the specimen resist in both "
            "directions.";
   const std::string words = fmt::format(
-      "Bumps of friction along the specimen, slow trends taken off, correlate between the directions with r = {:.2f} "
-      "(95 %: "
-      "{:.2f} to {:.2f}; the places are worth {:.0f} independent ones). ",
+      "The bumps of friction along the specimen, without slow trends, correlate between the two directions with r = "
+      "{:.2f} (95 %: {:.2f} to {:.2f}; the places are worth {:.0f} independent ones). ",
       correlation.value, correlation.low, correlation.high, correlation.effective_points);
   if (correlation.low > 0)
     return words +
-           "The same points resist both ways, so at least part of the bumps belongs to the specimen's surface. It "
-           "does not show what they are, nor that all of them do.";
+           "The same points resist both ways, so at least part of the bumps belongs to the specimen's surface. This "
+           "does not show what the bumps are, nor that all of them belong to the surface.";
   if (correlation.high < 0)
     return words +
-           "Where friction is high one way it is low the other: no surface does that, but an error of force or "
-           "deflection that depends on the deflection alone, which enters the directions with opposite sign.";
+           "Where friction is high one way, it is low the other way. No surface does that. An error of force or "
+           "deflection that depends on the deflection alone does: it enters the two directions with opposite signs.";
   return words +
-         "That is compatible with none: these loops do not show that the same points resist both ways. Nor do they "
-         "show the contrary, for an error that depends on the deflection alone lowers r.";
+         "That is compatible with no correlation: these loops do not show that the same points resist both ways. They "
+         "do not show the contrary either, because an error that depends on the deflection alone lowers r.";
 }
 
 std::string list_of(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
@@ -136,28 +134,29 @@ std::string energy_in_words(const FittedTest& test) {
     sum.lost += energy.lost;
     sum.friction += energy.friction;
   }
-  if (complete == 0) return "No loop is complete, so that what was given back cannot be told.";
+  if (complete == 0) return "No loop is complete, so the work given back cannot be told.";
   return fmt::format(
-      "Of the work put in, the specimen gave back or still stores all but {}: {} lost in {}. Friction where it slides "
-      "accounts for {} of the loss. It is read off the same force, so that this checks the account and not the cause. "
-      "Both are from the points past the deflection at which friction shows.",
+      "The specimen gave back or still stores all but {} of the work put in: {} was lost in {}. Friction during "
+      "sliding accounts for {} of the loss. Friction is read off the same force, so this checks the account and not "
+      "the cause. Loss and friction both come from the points past the deflection at which friction shows.",
       percent(sum.lost / sum.loading), Print(test).energy(sum.lost), counted(complete, "loop", "loops"),
       percent(sum.friction / sum.lost));
 }
 
 std::string build_up_in_words(const FittedTest& test) {
   const auto& build_up = test.cycles->build_up;
-  if (!build_up) return "No reversal is seen from its beginning, so that it cannot be told whether friction builds up.";
+  if (!build_up)
+    return "No reversal is seen from its beginning, so the record does not tell whether friction builds up.";
   const double unit = test.analysis.scales.span();
   const std::string from = counted(build_up->reversals, "reversal", "reversals");
   if (!build_up->is_told())
     return fmt::format(
-        "{} {} not tell a length of sliding over which friction builds up. The fit takes it to be there "
-        "at once.",
+        "{} {} not tell a length of sliding over which friction builds up. The fit assumes full friction from the "
+        "first sliding on.",
         from, build_up->reversals == 1 ? "does" : "do");
   return fmt::format(
-      "After {} friction builds up over a length of sliding of {} (Dahl's, both sides together; build_up_length under "
-      "[friction] computes with it). The fit takes friction to be there at once.",
+      "After {}, friction builds up over {} of sliding (Dahl's length, both supports together; build_up_length under "
+      "[friction] takes it into account). The fit assumes full friction from the first sliding on.",
       from,
       std::isfinite(build_up->standard_error)
           ? readable(unit * build_up->value, unit * build_up->standard_error, Print(test).as(kind::length))
@@ -170,11 +169,9 @@ std::string replay_in_words(const FittedTest& test) {
     errors.push_back(std::isfinite(rms) ? fmt::format("{:.1f} %", 100 * rms) : "not run");
   if (errors.empty()) return "No friction profile could be made to run forward.";
   return fmt::format(
-      "One friction profile for all loops and both ways, run forward over the stage positions, gives the force back to "
-      "{} "
-      "of the greatest force (rms{}). The profile was made from these loops: it shows what one profile can do, and "
-      "predicts "
-      "nothing.",
+      "One friction profile for all loops and both directions, run forward over the stage positions, reproduces the "
+      "force to {} of the greatest force (rms{}). The profile was made from these loops: it shows what one profile can "
+      "describe, and predicts nothing.",
       list_of(errors), errors.size() > 1 ? ", loop by loop" : "");
 }
 
@@ -189,8 +186,7 @@ std::string last_reload_in_words(const FittedTest& test) {
   const auto& loadings = test.cycles->stiffness;
   if (loadings.size() < 2 || !test.judgement) return "";
   if (loadings.back().status != LoadingStatus::ok)
-    return fmt::format(" The last reload tells nothing of its stiffness: {}.",
-                       why_not_compared(loadings.back().status));
+    return fmt::format(" The last reload does not tell the stiffness: {}.", why_not_compared(loadings.back().status));
   const auto& [loss, error] = std::pair(test.judgement->loss, test.judgement->loss_error);
   if (!std::isfinite(loss)) return "";
   const auto& doubts = test.judgement->doubts;
@@ -200,7 +196,7 @@ std::string last_reload_in_words(const FittedTest& test) {
   if (is_said) return "";
   constexpr double tells = 0.1;  // an error above which nothing that matters is bounded
   if (error > tells)
-    return fmt::format(" The last reload tells little of its stiffness: {:+.0f} ± {:.0f} %.", -100 * loss, 100 * error);
+    return fmt::format(" The last reload tells little of the stiffness: {:+.0f} ± {:.0f} %.", -100 * loss, 100 * error);
   return fmt::format(" The last reload is as stiff as the first loading, to {:.1f} %.",
                      100 * (std::abs(loss) + 2 * error));
 }
@@ -217,16 +213,16 @@ std::string rows_of(const FittedTest& test, const FrictionLoop& loop) {
 std::string cycles_in_short(const FittedTest& test) {
   const CyclicFriction& friction = test.cycles->friction;
   const std::string times =
-      fmt::format("All this is of the first of {}", counted(test.cycles->stiffness.size(), "loading", "loadings"));
+      fmt::format("All this is from the first of {}", counted(test.cycles->stiffness.size(), "loading", "loadings"));
   const std::string stiff = last_reload_in_words(test);
   if (friction.status != CyclesStatus::ok) return times + "; the loops say nothing more of friction." + stiff;
   const auto [in, out, rms] = means_of(friction);
   return times +
-         fmt::format("; all loops together say a friction of {:.2g} sliding in and {:.2g} sliding out{}.", in, out,
-                     is_beyond_friction(friction)
-                         ? ", but loading and unloading differ by more than friction can: the model leaves "
-                           "something out"
-                         : "") +
+         fmt::format(
+             "; all loops give a friction of {:.2g} sliding in and {:.2g} sliding out{}.", in, out,
+             is_beyond_friction(friction)
+                 ? ", but loading and unloading differ by more than friction can: the model leaves something out"
+                 : "") +
          stiff;
 }
 
@@ -255,9 +251,8 @@ std::string smoothing_in_words(const FittedTest& test) {
     return fmt::format("{:.0f} %", 100 * (1 / share_after_build_up(length, wavelength) - 1));
   };
   std::string words = fmt::format(
-      "Friction builds up over {} of sliding, as the reversals show, which smooths it: what repeats every {} or less "
-      "is "
-      "larger at the contact by {} or more",
+      "The reversals show that friction builds up over {} of sliding. This smooths the friction read: anything that "
+      "repeats every {} or less is larger at the contact by {} or more",
       shown(length), shown(std::numbers::pi * length), larger_by(std::numbers::pi * length));
   if (fit.model != ProfileModel::roughness || fit.wave_claimed)
     for (const auto& wave : fit.waves)
@@ -308,7 +303,7 @@ PrintedTable loop_energy_table(const FittedTest& test) {
   }
   PrintedTable table = printed({loading, unloading, lost, friction});
   table.head.insert(table.head.begin(), "Loop");
-  table.head.emplace_back("lost of the work put in");
+  table.head.emplace_back("lost, of the work put in");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     table.rows[i].insert(table.rows[i].begin(), fmt::format("{}", i + 1));
     table.rows[i].push_back(share[i]);
@@ -329,9 +324,9 @@ std::string reloading_in_words(const FittedTest& test) {
       return loading.status == LoadingStatus::ok && loading.verdict == verdict;
     });
   };
-  if (loadings.size() < 2) return "It was loaded once only: there is no reloading to compare.";
+  if (loadings.size() < 2) return "The specimen was loaded only once: there is no reloading to compare.";
   const std::string loss = fmt::format("a loss of stiffness of {:.0f} %", 100 * relevant_loss);
-  std::string words = "Damage lowers the initial stiffness of a reloading; friction leaves it alone.";
+  std::string words = "Damage lowers the initial stiffness of a reloading; friction does not.";
   const auto damaged = with(DamageVerdict::damaged);
   const auto sound = with(DamageVerdict::not_damaged);
   const auto open = with(DamageVerdict::undecided);
@@ -344,18 +339,16 @@ std::string reloading_in_words(const FittedTest& test) {
   say(sound, loss + " or more is rejected");
   say(open, loss + " is neither shown nor rejected");
   say(unknown, "cannot be compared");
-  return words +
-         fmt::format(
-             " Each verdict is at {:.0f} % confidence, from the slope between {:.0f} and {:.0f} % of the least of the "
-             "loadings' greatest forces. A contact that settles differently from one loading to the next is beyond "
-             "what "
-             "these errors know.",
-             100 * loading_confidence, 100 * loading_window_from, 100 * loading_window_up_to);
+  return words + fmt::format(
+                     " Each verdict is at {:.0f} % confidence, from the slope between {:.0f} and {:.0f} % of the "
+                     "smallest peak force among the loadings. These errors do not cover a contact that settles "
+                     "differently from one loading to the next.",
+                     100 * loading_confidence, 100 * loading_window_from, 100 * loading_window_up_to);
 }
 
 PrintedTable loading_table(const FittedTest& test) {
   const auto stiffness = Print(test).as(kind::stiffness);
-  PrintedTable table{{"Loading", "Rows", "Slope", "over the first", "scatter", "window", "Verdict"}, {}};
+  PrintedTable table{{"Loading", "Rows", "Slope", "ratio to the first", "scatter", "window", "Verdict"}, {}};
   for (const LoadingStiffness& loading : test.cycles->stiffness) {
     const std::string number = fmt::format("{}", table.rows.size() + 1);
     if (loading.status != LoadingStatus::ok) {

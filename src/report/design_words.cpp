@@ -55,13 +55,12 @@ std::string drops_in_words(const DesignAnswer& answer, const Shown& shown) {
   if (outcome.drops == 0)
     return fmt::format("In {} the force never falls; the greatest is {}.", record, shown.force(outcome.greatest_force));
   const std::string why =
-      outcome.snaps > outcome.drops ? " Some of the snaps come between the same two readings, and show as one fall."
-      : outcome.snaps == 0 && outcome.drops > 1
-          ? " These are no snaps: the force follows the friction, which varies along the specimen, and does so on "
-            "any load train."
-          : "";
+      outcome.snaps > outcome.drops ? " Some of the snaps lie between the same two readings and show as one fall."
+      : outcome.snaps == 0 && outcome.drops > 1 ? " These falls are not snaps: friction varies along the specimen, and "
+                                                  "the force follows it on any load train."
+                                                : "";
   return fmt::format(
-      "In {} the force falls {}: by {} at most, which is {} of the greatest force, {}{}.{}", record,
+      "In {} the force falls {}: by {} at most ({} of the greatest force, {}){}.{}", record,
       outcome.drops == 1 ? "once" : fmt::format("{} times", outcome.drops), shown.force(outcome.largest_drop),
       share(outcome.largest_drop, outcome.greatest_force), shown.force(outcome.greatest_force),
       outcome.drops == 1 ? "" : fmt::format(", and by {} on average", shown.force(outcome.mean_drop)), why);
@@ -71,10 +70,9 @@ std::string strain_text(double strain) { return fmt::format("{:.2g} %", 100 * st
 
 // How far the specimen is strained; nothing without a section.
 std::string strain_in_words(const DesignAnswer& answer) {
-  const std::string wraps = answer.wraps_nose
-                                ? " The specimen is bent more sharply than the nose, and wraps it: from there "
-                                  "on the nose is taken to be sharp."
-                                : "";
+  const std::string wraps = answer.wraps_nose ? " The specimen is bent more sharply than the nose, and wraps it: from "
+                                                "there on the nose is taken to be sharp."
+                                              : "";
   if (!answer.surface) return wraps;
   const double curvature = answer.outcome.greatest_curvature;
   return fmt::format(" Bending strains its surface by up to {}{}.{}", strain_text(answer.surface->strain(curvature)),
@@ -85,7 +83,7 @@ std::string strain_in_words(const DesignAnswer& answer) {
 std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
   const DesignOutcome& outcome = answer.outcome;
   if (!outcome.first_snap)
-    return fmt::format("Up to the stage position {}, a deflection of {}, the specimen does not snap.{}",
+    return fmt::format("Up to the stage position {} (a deflection of {}) the specimen does not snap.{}",
                        shown.length(outcome.stage_reached), shown.length(outcome.w_reached), strain_in_words(answer));
   const auto& first = *outcome.first_snap;
   const std::string before = shown.force(first.F_before), after = shown.force(first.F_after);
@@ -93,8 +91,8 @@ std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
                                ? fmt::format("by {} from {}", shown.force(first.F_before - first.F_after), before)
                                : fmt::format("from {} to {}", before, after);
   return fmt::format(
-      "The first snap comes at the stage position {}, at a deflection of {}: the force falls {}. Up to {}, "
-      "a deflection of {}, there {}.{}",
+      "The first snap comes at the stage position {} and a deflection of {}: the force falls {}. Up to the stage "
+      "position {} (a deflection of {}) there {}.{}",
       shown.length(first.stage), shown.length(first.w), fall, shown.length(outcome.stage_reached),
       shown.length(outcome.w_reached),
       outcome.snaps == 1 ? "is no other" : fmt::format("are {} snaps in all", outcome.snaps), strain_in_words(answer));
@@ -102,56 +100,59 @@ std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
 
 std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
   const std::string yours =
-      fmt::format("This one has {}.", shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness)));
+      fmt::format("This rig has {}.", shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness)));
   const std::string_view which =
       answer.input.support_compliance() > 0 ? "stiffness of load train and supports together" : "load-train stiffness";
   if (answer.critical == 0)
-    return fmt::format("In this test no load train, however soft, lets the specimen snap. {}", yours);
+    return fmt::format("No load train, however soft, lets the specimen snap in this test. {}", yours);
   if (!std::isfinite(answer.critical))
     return fmt::format(
-        "There is no critical {}: in this test the specimen snaps even where the deflection itself "
-        "is controlled. {}",
+        "There is no critical {}: in this test the specimen snaps even if the deflection itself is controlled. {}",
         which, yours);
   const double critical = rounded_up(answer.scales.physical_stiffness(answer.critical));
   const bool is_too_soft = answer.outcome.snaps == 0 && answer.design.rig.stiffness < answer.critical;
   const std::string why =
-      is_too_soft ? fmt::format(" It is softer, and yet there is no snap: it bends the specimen by no more than {}.",
-                                shown.length(answer.outcome.w_reached))
-                  : "";
+      is_too_soft
+          ? fmt::format(" That is softer, and yet there is no snap: this rig bends the specimen by no more than {}.",
+                        shown.length(answer.outcome.w_reached))
+          : "";
   const bool is_out_of_reach = critical * answer.input.support_compliance() >= 1;
-  return fmt::format("The critical {} of this test is {}: from that on it does not snap. {}{}{}", which,
-                     shown.stiffness(critical), yours, why,
-                     is_out_of_reach ? " No load train, however stiff, gets there on these supports." : "");
+  return fmt::format(
+      "The critical {} of this test is {}: at that stiffness or above, the specimen does not snap. {}{}{}", which,
+      shown.stiffness(critical), yours, why,
+      is_out_of_reach ? " On these supports no load train reaches that, however stiff it is." : "");
 }
 
 std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
   const DesignOutcome& outcome = answer.outcome;
   const std::string snaps =
-      outcome.snaps > 0 ? fmt::format(", {} set free by the snaps beyond it", share(outcome.released, outcome.work))
+      outcome.snaps > 0 ? fmt::format(", and the snaps set free {} beyond that", share(outcome.released, outcome.work))
                         : "";
-  return fmt::format("Of the work done on the specimen, {}, {} is friction at the supports{}; the rest bends it.",
-                     shown.energy(outcome.work), share(outcome.friction_heat, outcome.work), snaps);
+  return fmt::format(
+      "The work done on the specimen is {}. Friction at the supports takes {} of it{}; the rest bends the specimen.",
+      shown.energy(outcome.work), share(outcome.friction_heat, outcome.work), snaps);
 }
 
 std::string phases_in_words(const DesignAnswer& answer, const Shown& shown) {
   const PhaseStudy& study = *answer.phases;
   const std::string_view known =
-      "Where along the specimen the waves of friction stand, their phase, is seldom known before a test.";
+      "The phase (where the waves of friction stand along the specimen) is seldom known before a test.";
   const std::string least = shown.force(study.least_drop), most = shown.force(study.largest_drop);
   const std::string drops = !(study.largest_drop > 0) ? ""
                             : least == most           ? fmt::format(", and the largest drop is {}", most)
                                             : fmt::format(", and the largest drop is between {} and {}", least, most);
-  if (study.snapping == 0) return fmt::format("{} With none of {} phases does it snap{}.", known, study.phases, drops);
+  if (study.snapping == 0)
+    return fmt::format("{} The specimen snaps with none of {} phases{}.", known, study.phases, drops);
   const std::string count = study.snapping == study.phases
-                                ? fmt::format("With each of {} phases", study.phases)
-                                : fmt::format("With {} of {} phases", study.snapping, study.phases);
+                                ? fmt::format("with each of {} phases", study.phases)
+                                : fmt::format("with {} of {} phases", study.snapping, study.phases);
   const std::string remedy =
       std::isfinite(study.critical)
-          ? fmt::format("On a load train{} of at least {} it snaps with none of them",
+          ? fmt::format("On a load train{} of at least {} it never snaps, whichever of these phases holds",
                         answer.input.support_compliance() > 0 ? " and supports together" : "",
                         shown.stiffness(rounded_up(answer.scales.physical_stiffness(study.critical))))
-          : "With some of them it snaps however stiff the load train";
-  return fmt::format("{} {} it snaps{}. {}.", known, count, drops, remedy);
+          : "With some of these phases it snaps however stiff the load train is";
+  return fmt::format("{} The specimen snaps {}{}. {}.", known, count, drops, remedy);
 }
 
 std::string change_in_words(const DesignChange& change, const Shown& shown) {
@@ -200,7 +201,7 @@ std::string what_remains(const DesignAnswer& answer, const DesignChange& change)
   const DesignOutcome& then = change.outcome;
   if (answer.outcome.snaps == 0 || then.drops == 0) return "";
   const double part = then.largest_drop / then.greatest_force;
-  return fmt::format(" (smooth falls of {}{})", part < 0.001 ? "" : "up to ",
+  return fmt::format(" (smooth falls of {}{} remain)", part < 0.001 ? "" : "up to ",
                      share(then.largest_drop, then.greatest_force));
 }
 
@@ -213,7 +214,7 @@ std::string answer_in_short(const DesignAnswer& answer) {
                        shown.length(answer.design.step));
   constexpr double stands_out = 0.05;  // of the largest fall, which is then a smooth one
   if (outcome.snaps > 1 && outcome.largest_snap < stands_out * outcome.largest_drop)
-    return fmt::format("No sawtooth to be seen: the specimen will snap {} times, but by no more than {} each.",
+    return fmt::format("No visible sawtooth: the specimen will snap {} times, but by no more than {} each.",
                        outcome.snaps, shown.force(outcome.largest_snap));
   if (outcome.snaps > 0) {
     const std::string most = fmt::format("{}, {} of the greatest force", shown.force(outcome.largest_drop),
@@ -223,8 +224,7 @@ std::string answer_in_short(const DesignAnswer& answer) {
   }
   if (outcome.drops == 1) return "No sawtooth: the specimen slides without a snap, past a smooth peak of the force.";
   if (outcome.drops > 1)
-    return "No sawtooth, but a wavy force: the specimen slides without a snap, and where the force falls it falls "
-           "smoothly.";
+    return "No sawtooth, but a wavy force: the specimen slides without a snap, and the force falls only smoothly.";
   return "No sawtooth: the specimen slides without a snap, and the force never falls.";
 }
 
@@ -265,11 +265,12 @@ std::string design_text(const DesignAnswer& answer) {
   const bool snaps = answer.outcome.snaps > 0;
   const auto changes = changes_in_words(answer);
   if (changes.empty())
-    return text + fmt::format("\nNo single change was found that would {} it snap.\n", snaps ? "not let" : "make");
+    return text + fmt::format("\nNo single change was found that would {}.\n",
+                              snaps ? "keep it from snapping" : "make it snap");
   const std::string intention = snaps ? "keep it from snapping" : "make it snap";
   text += '\n';
-  text += wrapped(fmt::format("Any one of these would {}, all else as it is; where neither \"or more\" nor \"or less\" "
-                              "stands, it is so at just this value, and need not be beyond it:",
+  text += wrapped(fmt::format("Any one of these changes would {}, all else left as it is. A change without \"or more\" "
+                              "or \"or less\" does so at just this value, and need not do so beyond it:",
                               intention),
                   "");
   for (const std::string& change : changes) text += "  - " + wrapped(change, "    ");

@@ -8,9 +8,10 @@
 #include <fmt/format.h>
 
 #include "inference/profile.h"
+#include "report/answer_words.h"
 #include "report/check_words.h"
 #include "report/digits.h"
-#include "report/fit_words.h"
+#include "report/fit_print.h"
 #include "report/plain_text.h"
 #include "report/preparation_words.h"
 
@@ -40,7 +41,7 @@ std::string record_in_words(const FittedTest& test) {
       return Print(test).own(largest, kind::force);
     }());
   if (slips.count > 1)
-    words += fmt::format("; {} of the specimen apart, friction falls by {} in each (medians)",
+    words += fmt::format("; {} apart on the specimen; friction falls by {} in each (medians)",
                          roughly(analysis.scales.physical_length(slips.median_spacing), Print(test).as(kind::length)),
                          significant(slips.median_fall, 2));
   return words;
@@ -56,11 +57,11 @@ std::string friction_in_short(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   const auto& read = test.analysis.friction_read;
   if (test.judgement.value().standing == Standing::untrusted || !caution_of(test).empty())
-    return "not to be read off this record";
-  if (fit.mu0_is_bound) return mean_friction(fit) + ": the record does not tell it from none";
+    return "cannot be read off this record";
+  if (fit.mu0_is_bound) return mean_friction(fit) + ": the record does not tell it from zero";
   const std::string model = mean_friction(fit) + " on average, by the fit";
   if (!std::isfinite(read.median)) return model;
-  return fmt::format("{:.2f}, four fifths of it between {:.2f} and {:.2f}, as read off the curve; {}", read.median,
+  return fmt::format("{:.2f} read off the curve, four fifths of it between {:.2f} and {:.2f}; {}", read.median,
                      read.low80, read.high80, model);
 }
 
@@ -94,7 +95,7 @@ std::string strain_in_short(const FittedTest& test) {
   if (!test.reduced)
     words +=
         fmt::format(", {} at the modulus fitted", Print(test).own(test.surface->stress(curvature), kind::pressure));
-  if (curvature > test.nose_curvature) words += "; it wrapped the nose, which is taken for a sharp one";
+  if (curvature > test.nose_curvature) words += "; it wrapped the nose, which is taken as sharp";
   return words;
 }
 

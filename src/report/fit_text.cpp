@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "report/answer_words.h"
 #include "report/cycles_words.h"
+#include "report/fit_print.h"
 #include "report/fit_words.h"
 #include "report/plain_text.h"
 #include "report/preparation_words.h"

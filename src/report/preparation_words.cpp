@@ -30,7 +30,7 @@ std::vector<std::string> preparation_in_words(const Preparation& preparation) {
     const std::string rows = row.rows.empty() ? "" : "rows " + row.rows;
     if (!row.value.empty() || !rows.empty())
       sentence += fmt::format(" ({}{}{})", row.value, row.value.empty() || rows.empty() ? "" : "; ", rows);
-    if (!row.otherwise.empty()) sentence += fmt::format("; otherwise: {}", row.otherwise);
+    if (!row.otherwise.empty()) sentence += fmt::format("; to change this: {}", row.otherwise);
     sentences.push_back(std::move(sentence));
   }
   return sentences;

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "io/text_file.h"
+#include "report/answer_words.h"
 #include "report/cycles_figures.h"
 #include "report/cycles_words.h"
 #include "report/fit_figures.h"
+#include "report/fit_print.h"
 #include "report/fit_words.h"
 #include "report/page.h"
 #include "report/preparation_words.h"
@@ -41,10 +43,9 @@ std::string parameter_table(const FittedTest& test) {
 }
 
 std::string preparation_section(const FittedTest& test) {
-  std::string out =
-      section("From the file to the record") +
-      "<div class=\"scroll\"><table class=\"parameters\">\n<thead><tr><th>Step</th><th>What was done</th><th>Value</th>"
-      "<th>Rows</th><th>Otherwise</th></tr></thead>\n<tbody>\n";
+  std::string out = section("From the file to the record") +
+                    "<div class=\"scroll\"><table class=\"parameters\">\n<thead><tr><th>Step</th><th>What was "
+                    "done</th><th>Value</th><th>Rows</th><th>To change this</th></tr></thead>\n<tbody>\n";
   for (const auto& row : preparation_rows(test.measurement.preparation))
     out += fmt::format(
         "<tr><td>{}</td><td>{}</td><td class=\"value\">{}</td><td "
@@ -57,58 +58,55 @@ std::string preparation_section(const FittedTest& test) {
 std::vector<Plate> plates_of(const FittedTest& test) {
   const auto& analysis = test.analysis;
   std::vector<Plate> plates;
-  plates.push_back({force_figure(test),
-                    fmt::format("Measured force (blue) and the mean of the fit run forward (black; dashed where it "
-                                "snaps). Orange: Euler–Bernoulli (dashed) and the "
-                                "model without friction, both with the bending stiffness of the fit. Grey: load "
-                                "lines (slope: the stiffness of the load train) through the {} drops "
-                                "found. Below: measured less model; grey where the force tells too little of friction, "
-                                "and the mean is taken to go on as it begins.",
-                                analysis.drops.drops.size())});
+  plates.push_back(
+      {force_figure(test),
+       fmt::format(
+           "Measured force (blue) and the mean of the fit run forward (black; dashed where it snaps). Orange: "
+           "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. Grey: "
+           "load lines (slope: the stiffness of the load train) through the {} drops found. Below: measured minus "
+           "model, grey where the force tells too little of friction and the mean is continued as it begins.",
+           analysis.drops.drops.size())});
   plates.push_back(
       {profile_figure(test),
-       fmt::format("Friction read off the curve point by point, at the bending stiffness of the fit. Bars: "
-                   "what the noise of a point leaves open, 95 %. Red: the slips. Black: the mean of the fit; "
-                   "grey band: two standard deviations about it, stiffness and contact included.{}{}",
+       fmt::format("Friction read off the curve point by point, at the bending stiffness of the fit. Bars: 95 % "
+                   "intervals from the noise of each point. Red: the slips. Black: the mean of the fit; grey band: two "
+                   "standard deviations about the mean, with the errors of stiffness and contact.{}{}",
                    analysis.fit.wave_claimed ? " Orange: the wave claimed." : "",
                    literature_of(test) ? fmt::format(" Green: what the literature gives for {} on {}.",
                                                      literature_of(test)->specimen, literature_of(test)->support)
                                        : "")});
   if (!analysis.fit.scan.empty())
-    plates.push_back(
-        {wavelength_figure(test),
-         "What a wave of friction adds to the logarithm of the evidence, for every wavelength, roughness left as it is "
-         "without one; ln B is that of both fitted anew. Dotted: 3, beyond which a wave is claimed."});
+    plates.push_back({wavelength_figure(test),
+                      "How much a wave of friction adds to the logarithm of the evidence, against its wavelength. The "
+                      "roughness is kept as fitted without a wave; for ln B, wave and roughness are fitted anew. "
+                      "Dotted: 3, beyond which a wave is claimed."});
   return plates;
 }
 
 std::optional<Plate> teeth_plate(const FittedTest& test) {
   if (!test.analysis.teeth || test.analysis.teeth->teeth.empty()) return std::nullopt;
-  return Plate{
-      teeth_figure(test),
-      "Every rise between two drops, between sliding with friction constant (0) and sticking (1): below 1 the "
-      "specimen is drawn in, below 0 friction falls as it is. Thin bars: noise, 95 %; wide grey bars: stiffness "
-      "and contact, 95 %, common to all. Orange: as steep as if stuck, which sliding against "
-      "steeply rising friction is too. Crosses: a stuck specimen on supports that give way by the one compliance that "
-      "fits "
-      "best."};
+  return Plate{teeth_figure(test),
+               "Every rise between two drops, on a scale from sliding at constant friction (0) to sticking (1). Below "
+               "1 the specimen is drawn in; below 0 friction falls at the same time. Thin bars: noise, 95 %. Wide grey "
+               "bars: stiffness and contact, 95 %, common to all rises. Orange: cannot be told from sticking; sliding "
+               "against steeply rising friction looks the same. Crosses: a stuck specimen on supports that give way by "
+               "the one compliance that fits best."};
 }
 
 std::vector<Plate> cycles_plates(const FittedTest& test) {
   const auto& friction = test.cycles->friction;
   if (friction.status != CyclesStatus::ok && friction.status != CyclesStatus::no_mirror) return {};
   std::vector<Plate> plates;
-  plates.push_back(
-      {loops_figure(test),
-       "Force against deflection, loading (blue) and unloading (red); arrows show the direction. Black: one "
-       "friction profile for all loops and both directions, run forward over the stage positions."});
+  plates.push_back({loops_figure(test),
+                    "Force against deflection, loading (blue) and unloading (red); arrows show the direction. Black: "
+                    "one friction profile for all loops and both directions, run forward over the stage positions."});
   plates.push_back(
       {boxes_figure(test),
        fmt::format(
-           "Top: each loop is a box, sliding in along its upper side, sticking while the stage turns back, sliding "
-           "out along the lower one. Below{}: friction of both directions at the same points of the specimen. Bands: "
-           "95 %, noise, bending stiffness and contact; the latter two move a whole band. Points that noise throws "
-           "beyond the axis are not shown.",
+           "Top: each loop is a box. The specimen slides in along its upper side, sticks while the stage turns back, "
+           "and slides out along its lower side. Below{}: friction of both directions at the same points of the "
+           "specimen. Bands: 95 % intervals from noise, bending stiffness and contact; the last two move a whole band. "
+           "Points that noise throws beyond the axis are not shown.",
            friction.loops.size() > most_drawn_loops ? fmt::format(", the first {} loops", most_drawn_loops) : "")});
   return plates;
 }
@@ -159,7 +157,7 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
           paragraph(joined(joined(wave_in_words(test), sides_in_words(test)), smoothing_in_words(test)));
   if (figures.size() > 2) body += figures[2];
   if (analysis.fit.explanations.size() > 1)
-    body += paragraph("The answer is an average over these explanations, by their weight:") +
+    body += paragraph("The answer is an average over these explanations, weighted as listed:") +
             html_table(explanation_table(test));
   body += section("Checks") + "<ul>\n";
   for (const auto& words : checks_in_words(test)) body += fmt::format("<li>{}</li>\n", escaped(words));

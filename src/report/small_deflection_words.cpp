@@ -1,7 +1,6 @@
 #include "report/small_deflection_words.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -11,10 +10,6 @@ namespace flexslip {
 namespace {
 
 constexpr double shear_worth_a_word = 0.01;
-
-// In the units that the standards use.
-constexpr std::array<std::string_view, 4> stiffness_units{"mN/m", "N/m", "N/mm", "kN/mm"};
-constexpr Kind stiffness_kind{kind::stiffness.name, kind::stiffness.dimension, stiffness_units, "7.3 N/mm"};
 
 // To three significant digits, trailing zeros among them.
 std::string three_digits(double value, const Kind& kind) {
@@ -41,7 +36,7 @@ PrintedTable small_deflection_table(const StandardTest& test) {
   };
   const auto& [slope, error, low, high] = numbers.stiffness;
   const double relative = error / slope;
-  add("stiffness F/δ", readable(slope, error, as(stiffness_kind)));
+  add("stiffness F/δ", readable(slope, error, as(kind::stiffness)));
   if (numbers.bending_stiffness)
     add("bending stiffness E I = F L³/(48 δ)",
         readable(*numbers.bending_stiffness, relative * *numbers.bending_stiffness, as(kind::bending_stiffness)));
@@ -50,7 +45,7 @@ PrintedTable small_deflection_table(const StandardTest& test) {
         fmt::format("{} (± {})", three_digits(numbers.chord->modulus, as(kind::pressure)),
                     percent_to_two_digits(numbers.chord->stiffness.standard_error / numbers.chord->stiffness.value)));
   if (numbers.modulus)
-    add(numbers.chord ? "the same, of the straight part, F L³/(48 I δ)" : "flexural modulus E_f = F L³/(48 I δ)",
+    add(numbers.chord ? "the same, from the straight part, F L³/(48 I δ)" : "flexural modulus E_f = F L³/(48 I δ)",
         fmt::format("{} (± {})", three_digits(*numbers.modulus, as(kind::pressure)), percent_to_two_digits(relative)));
   add("greatest force", readable(numbers.greatest_force, as(kind::force)));
   add("deflection there", readable(numbers.deflection, as(kind::length)));
@@ -66,50 +61,47 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
   const auto& measurement = test.measurement;
   const auto as = [&](const Kind& kind) { return test.reduced ? kind::number : kind; };
   std::vector<std::string> list;
-  list.push_back(fmt::format(
-      "The straight part is rows {} to {}, from {:.0f} % to {:.0f} % of {}; it would meet zero force at a deflection "
-      "of "
-      "{}, from which deflection and strain count here.",
-      file_row(measurement, numbers.first), last_file_row(measurement, numbers.last - 1), 100 * numbers.window.from,
-      100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)),
-      readable(numbers.origin, as(kind::length))));
+  list.push_back(
+      fmt::format("The straight part is rows {} to {}, from {:.0f} % to {:.0f} % of {}; extended to zero force it "
+                  "meets a deflection of {}, and deflection and strain count from there.",
+                  file_row(measurement, numbers.first), last_file_row(measurement, numbers.last - 1),
+                  100 * numbers.window.from, 100 * numbers.window.up_to,
+                  readable(numbers.window_force, as(kind::force)), readable(numbers.origin, as(kind::length))));
   list.emplace_back(
-      "Small deflections, supports that do not hold the specimen back and no shear are assumed. The errors are "
-      "standard errors of the slope, not of the dimensions.");
+      "These numbers assume small deflections, no shear, and supports that do not hold the specimen back. The errors "
+      "are standard errors of the slope, not of the dimensions.");
   if (!test.geometry.span)
     list.emplace_back("No span is stated: state it for a bending stiffness.");
   else if (!test.geometry.section)
     list.emplace_back("No section is stated: state it for a modulus, a stress and a strain.");
   if (numbers.deflection_large)
-    list.push_back(fmt::format(
-        "The greatest force is reached at a deflection of {:.0f} % of the span: beyond 10 % the standards' stress and "
-        "strain do not hold.",
-        100 * numbers.deflection / *test.geometry.span));
+    list.push_back(
+        fmt::format("The greatest force is reached at a deflection of {:.0f} % of the span. Beyond 10 % the standards' "
+                    "stress and strain do not hold.",
+                    100 * numbers.deflection / *test.geometry.span));
   if (numbers.shear_share && *numbers.shear_share > shear_worth_a_word) {
     constexpr double asked_for = 16;
     const double slenderness = *test.geometry.span / depth(*test.geometry.section);
-    list.push_back(
-        fmt::format("The span is {:.3g} times the thickness{}: shear, which is left out, adds {} to a small deflection "
-                    "(Timoshenko's "
-                    "beam, Poisson's ratio 0.3; more of a material that is soft in shear), which makes the modulus "
-                    "appear too small.",
-                    slenderness, slenderness < asked_for ? ", less than the 16 that ISO 178 asks for" : "",
-                    percent_to_two_digits(*numbers.shear_share)));
+    list.push_back(fmt::format(
+        "The span is {:.3g} times the thickness{}. Shear is left out: it adds {} to a small deflection (Timoshenko's "
+        "beam, Poisson's ratio 0.3; more if the material is soft in shear), and the modulus appears too small.",
+        slenderness, slenderness < asked_for ? ", less than the 16 that ISO 178 asks for" : "",
+        percent_to_two_digits(*numbers.shear_share)));
   }
   if (test.geometry.section && is_thin_tube(*test.geometry.section))
     list.emplace_back(
-        "The wall of the tube is thin: it may become oval at the load, which makes the modulus appear too small.");
+        "The wall of the tube is thin: the tube may become oval at the load, and the modulus then appears too small.");
   return list;
 }
 
 std::string small_deflection_and_fit(const FittedTest& test) {
   const auto beside = small_deflection_beside_fit(test);
-  if (!beside) return "There is no bending stiffness of a fit to compare with.";
+  if (!beside) return "There is no fitted bending stiffness to compare with.";
   return fmt::format(
       "The bending stiffness of the straight part is {:.3f} times that of the fit{}", beside->ratio,
       beside->disagrees
-          ? ": their 95 % intervals do not meet. The straight part knows neither friction nor large deflection, as the "
-            "fit does; where these cannot explain it, one of the two is wrong."
+          ? ": their 95 % intervals do not meet. The fit takes friction and large deflection into account, the "
+            "straight part neither. If these cannot explain the difference, one of the two is wrong."
           : "; their 95 % intervals meet.");
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/quantity.h"
+#include "report/digits.h"
 
 namespace flexslip {
 namespace {
@@ -24,8 +25,8 @@ std::string build_up_in_words(const FittedTest& test, std::size_t sliding) {
   if (sliding == 0) return "";
   const auto& build_up = test.cycles ? test.cycles->build_up : std::nullopt;
   if (!build_up)
-    return " Friction that builds up over a length of sliding imitates it, too, on rises that draw in less than three "
-           "such lengths; a reversal tells: unload once.";
+    return " Friction that builds up over a length of sliding also imitates sliding, on rises that draw in less than "
+           "three such lengths. A reversal shows whether friction builds up: unload once.";
   if (!build_up->is_told()) return "";
   const auto& teeth = test.analysis.teeth->teeth;
   const double least = recovered * build_up->value;
@@ -33,8 +34,8 @@ std::string build_up_in_words(const FittedTest& test, std::size_t sliding) {
     return tooth.verdict == ToothVerdict::sliding && tooth.advance < least;
   });
   return fmt::format(
-      " Friction that builds up, as it does after the reversals of this record, imitates it, too: {} of those that "
-      "slide draw in less than {}, three of its lengths, and may only creep.",
+      " Friction builds up after the reversals of this record, and this also imitates sliding: {} of the rises that "
+      "slide draw in less than {}, three build-up lengths, and may only creep.",
       near, roughly(test.analysis.scales.physical_length(least), Print(test).as(kind::length)));
 }
 
@@ -42,26 +43,26 @@ std::string compliant_supports(const FittedTest& test, std::size_t sliding) {
   const Teeth& judged = *test.analysis.teeth;
   const auto& compliance = judged.compliance;
   if (compliance.status != ComplianceStatus::ok)
-    return " Supports that give way imitate sliding; these teeth do not tell how far.";
+    return " Supports that give way imitate sliding; these teeth do not tell how much the supports give way.";
   const auto rejected = static_cast<std::size_t>(std::count_if(
       judged.teeth.begin(), judged.teeth.end(), [](const Tooth& tooth) { return tooth.compliant_rejected; }));
   const std::string fitted = fmt::format(
-      " Supports that give way imitate sliding: one compliance of {} for both together, with the specimen "
-      "stuck, ",
+      " Supports that give way imitate sliding. A stuck specimen on supports with one compliance of {} (both "
+      "together) ",
       compliance_in_words(compliance, test));
   if (compliance.p_value >= 1 - tooth_confidence)
-    return fitted + fmt::format("describes all teeth (p = {:.2f}){}", compliance.p_value,
-                                sliding > 0
-                                    ? ", so that by the teeth alone sliding is not proved; compare it with that "
-                                      "of the rig."
-                                    : ".");
+    return fitted +
+           fmt::format("explains all teeth (p = {:.2f}){}", compliance.p_value,
+                       sliding > 0
+                           ? ", so the teeth alone do not prove sliding. Compare this compliance with that of the rig."
+                           : ".");
   const std::string beyond = compliance.p_value < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", compliance.p_value);
   if (rejected == 0)
-    return fitted +
-           fmt::format("does not describe the teeth together ({}), though it is rejected on no single one.", beyond);
+    return fitted + fmt::format("does not explain the teeth together ({}), though no single tooth rejects it.", beyond);
   return fitted +
-         fmt::format("does not describe the teeth ({}): it is rejected on {} of {}, each at {:.4g} % confidence.",
-                     beyond, rejected, judged.teeth.size(), 100 * tooth_confidence);
+         fmt::format(
+             "does not explain the teeth ({}): this explanation is rejected on {} of {}, each at {:.4g} % confidence.",
+             beyond, rejected, judged.teeth.size(), 100 * tooth_confidence);
 }
 
 }  // namespace
@@ -86,18 +87,19 @@ std::string teeth_in_words(const FittedTest& test) {
   const auto n = static_cast<double>(judged.teeth.size());
   const std::size_t open = count(ToothVerdict::undecided);
   std::string words = fmt::format(
-      "Of {} between drops, {} that the specimen is stuck; {} as steep as if it were stuck; {} "
-      "undecided, each at {:.4g} % confidence. Of as many stuck ones, chance would let up to {:.2g} pass for sliding.",
+      "Of {} between drops, {} sticking; {} cannot be told from sticking; {} undecided, each at {:.4g} % confidence. "
+      "If all were stuck, chance would let up to {:.2g} pass for sliding.",
       counted(judged.teeth.size(), "rise", "rises"), sliding == 1 ? "1 rejects" : fmt::format("{} reject", sliding),
-      sticking == 1 ? "1 is" : fmt::format("{} are", sticking), open == 1 ? "1 is" : fmt::format("{} are", open),
-      100 * tooth_confidence, (1 - tooth_confidence) * n);
+      sticking, open == 1 ? "1 is" : fmt::format("{} are", open), 100 * tooth_confidence, (1 - tooth_confidence) * n);
   words += left_out;
   words += fmt::format(
-      " As stuck counts a specimen of which less than {:.0f} % of the stage's motion is drawn in: an empirical limit, "
-      "for "
-      "even just after a reversal, where it must stick, the authors' tests show 8 to 35 %.",
+      " We call a specimen stuck when less than {:.0f} % of the stage's motion is drawn in. The limit is empirical: "
+      "even just after a reversal, where the specimen must stick, the authors' tests show 8 to 35 %.",
       100 * options.least_share);
-  if (sticking > 0) words += " As steep as if stuck does not mean stuck: so is sliding where friction rises steeply.";
+  if (sticking > 0)
+    words +=
+        " A rise that cannot be told from sticking need not be stuck: sliding is as steep where friction rises "
+        "steeply.";
   return words + compliant_supports(test, sliding) + build_up_in_words(test, sliding);
 }
 
@@ -105,7 +107,7 @@ PrintedTable tooth_table(const FittedTest& test) {
   const Print print(test);
   const auto stiffness = print.as(kind::stiffness);
   NumberColumn slope{"Slope", {}, stiffness}, stick{"if stuck", {}, stiffness}, slide{"if sliding", {}, stiffness},
-      advance{"Drawn in, both sides", {}, print.as(kind::length), 3};
+      advance{"Pulled in (both supports)", {}, print.as(kind::length), 3};
   if (!test.analysis.teeth) return {};
   const auto& teeth = test.analysis.teeth->teeth;
   const auto& scales = test.analysis.scales;
@@ -124,8 +126,8 @@ PrintedTable tooth_table(const FittedTest& test) {
     auto& row = table.rows[i];
     const Tooth& tooth = teeth[i];
     row.insert(row.begin(), fmt::format("{}–{}", file_row(test, tooth.first), file_row(test, tooth.last - 1)));
-    row.insert(row.end() - 1, fmt::format("{:.2f} ± {:.2f}", tooth.position, tooth.position_error));
-    row.insert(row.end() - 1, fmt::format("± {:.2f}", tooth.position_systematic));
+    row.insert(row.end() - 1, readable(tooth.position, tooth.position_error, kind::number));
+    row.insert(row.end() - 1, "± " + significant(tooth.position_systematic, 2));
     row.emplace_back(tooth.verdict == ToothVerdict::sliding       ? "slides"
                      : tooth.verdict == ToothVerdict::as_if_stuck ? "as if stuck"
                                                                   : "undecided");

@@ -218,7 +218,7 @@ TEST_CASE("measurement: a record steeper than its load train is refused with the
   const std::string refusal = complaint([&] { folder.measured(machine, "", "stiffness = '1e3 N/m'"); });
   CAPTURE(refusal);
   CHECK(refusal.find("case.toml:3: [rig] stiffness: expected a load train that gives way by less than the stage moves, "
-                     "found 1 kN/m, which 59.83 N bends by 59.83 mm, but the stage moved 3.59 mm; check it and the "
+                     "found 1 N/mm, which 59.83 N bends by 59.83 mm, but the stage moved 3.59 mm; check it and the "
                      "units of stage and force") != std::string::npos);
   CHECK(complaint([&] { folder.measured(machine, "", "stiffness = '16.6e3 N/m'"); }) != "");
   CHECK(complaint([&] { folder.measured(machine, "", "stiffness = '16.7e3 N/m'"); }) == "");

@@ -67,6 +67,23 @@ TEST_CASE("identity: the measured energies close, and agree with those of the mo
   CHECK(measured.friction + measured.snaps == doctest::Approx(exact.friction + exact.snaps).scale(0).epsilon(2e-2));
 }
 
+TEST_CASE("identity: the profile and the fit know the same errors, and the contact's moves the profile as they say") {
+  auto description = description_of(toothed());
+  description.contact_error = 0.577e-6;
+  const auto analysis = analyse(to_physical(simulated_record(toothed()), scales), description);
+  CHECK(analysis.errors.contact == scales.reduced_length(0.577e-6));
+  const auto again = measure_friction(analysis.reduced, analysis.rig, analysis.errors);
+  REQUIRE(again.points.size() == analysis.profile.points.size());
+  for (std::size_t i = 0; i < again.points.size(); ++i)
+    CHECK(again.points[i].from_contact == analysis.profile.points[i].from_contact);
+  auto moved = analysis.reduced;
+  for (double& w : moved.deflection) w += analysis.errors.contact;
+  for (double& stage : moved.stage) stage += analysis.errors.contact;
+  const auto shifted = measure_friction(moved, analysis.rig, analysis.errors);
+  const auto& point = analysis.profile.points.back();
+  CHECK(std::abs(shifted.points.back().mu - point.mu) == doctest::Approx(point.from_contact).epsilon(0.01));
+}
+
 TEST_CASE("identity: without a bending stiffness it comes from the initial slope, and its error covers the truth") {
   const auto truth = toothed();
   auto description = description_of(truth);

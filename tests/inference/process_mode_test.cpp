@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "fibre/elementary.h"
+#include "inference/prior_draw.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {

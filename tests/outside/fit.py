@@ -173,7 +173,7 @@ step = "2 um"
 
     def test_an_answer_claims_no_friction_of_a_specimen_that_cracks(self):
         text = self.succeeds("fit", SOURCE / "examples" / "cracked" / "case.toml")
-        self.assertIn("friction      not to be read off this record", text)
+        self.assertIn("friction      cannot be read off this record", text)
         self.assertNotIn("of the work on the specimen,", text)
         self.assertIn("warning", text)
 
@@ -224,7 +224,7 @@ class Words(InFolder):
     def test_a_wave_is_said_only_where_there_is_one(self):
         fit, text = self.answer('model = "sinusoid"\nmu0 = 0.5\namplitude = 0.2\nwavelength = "14 um"\n')
         self.assertTrue(fit["wave"]["claimed"])
-        self.assertIn("It repeats every 14 µm of the specimen", text)
+        self.assertIn("It repeats every 14 µm along the fibre", text)
         fit, text = self.answer('model = "constant"\nmu0 = 0.5\n')
         self.assertFalse(fit["wave"] and fit["wave"]["claimed"])
         self.assertFalse(WAVE & set(fit["parameters"]))

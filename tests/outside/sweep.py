@@ -158,7 +158,7 @@ class Sweep(InFolder):
         self.assertFalse(seven.exists())
         self.assertIn("1200 designs", self.succeeds("merge", f"{seven}.parts"))
         self.assertEqual(seven.read_bytes(), one)
-        self.assertIn("is there, the file of a sweep", run("merge", f"{seven}.parts").stderr)  # as a job that is run again would
+        self.assertIn(", the file of a sweep", run("merge", f"{seven}.parts").stderr)  # as a job that is run again would
         self.assertIn("complete already", run("sweep", case, "--output", seven).stderr)
         self.assertEqual(seven.read_bytes(), one)
 

@@ -37,7 +37,7 @@ TEST_CASE("table: the answer in a sentence, for every kind of test") {
   DesignCase waves = fine();  // too small to be seen, past the peak of the force
   waves.set(DesignParameter::amplitude, 0.0015);
   waves.set(DesignParameter::wavelength, 400e-9);
-  CHECK(design_in_short(answer_of(waves)).starts_with("No sawtooth to be seen: the specimen will snap "));
+  CHECK(design_in_short(answer_of(waves)).starts_with("No visible sawtooth: the specimen will snap "));
   DesignCase coarse = fine();
   coarse.set(DesignParameter::travel, 466e-6);
   coarse.set(DesignParameter::step, 233e-6);
@@ -53,17 +53,17 @@ TEST_CASE("identity: the words say the numbers of the answer") {
   CHECK(holds(all, "a deflection of " + readable(scales.physical_length(outcome.w_reached), kind::length)));
   CHECK(holds(all, readable(scales.physical_force(outcome.largest_drop), kind::force) + " at most"));
   CHECK(holds(all, std::to_string(outcome.snaps) + " snaps in all"));
-  CHECK(holds(all, "With each of 24 phases it snaps"));
+  CHECK(holds(all, "The specimen snaps with each of 24 phases"));
   CHECK(changes_in_words(answer).size() == answer.changes.size());
 }
 
 TEST_CASE("limit: what is infinite, or nothing, is told in words") {
   DesignCase input = fine();
   input.set(DesignParameter::stiffness, std::numeric_limits<double>::infinity());
-  CHECK(holds(all_words(answer_of(input)), "This one has no give at all."));
+  CHECK(holds(all_words(answer_of(input)), "This rig has no give at all."));
   input.set(DesignParameter::mu0, 0);
   const std::string slippery = all_words(answer_of(input));
-  CHECK(holds(slippery, "no load train, however soft, lets the specimen snap"));
+  CHECK(holds(slippery, "No load train, however soft, lets the specimen snap"));
   CHECK_FALSE(holds(slippery, "nan"));
   CHECK_FALSE(holds(slippery, "inf"));
 }

@@ -1,0 +1,305 @@
+#include "report/answer_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/quantity.h"
+#include "report/check_words.h"
+#include "report/cycles_words.h"
+#include "report/digits.h"
+#include "report/printed.h"
+
+namespace flexslip {
+namespace {
+
+// What the rises between the drops, and a reload, say of slips and cracks; a clause that follows the drops.
+std::string cause_in_words(const FittedTest& test) {
+  const SlipOrCrack& rises = test.analysis.slip_or_crack;
+  const std::string margin =
+      fmt::format("D* = {:.1f}; {} of {} rises grow stiffer", rises.margin, rises.stiffer_rises, rises.rises);
+  switch (test.judgement->drops) {
+    case CrackVerdict::not_by_cracks_alone:
+      return rises.verdict == CrackVerdict::not_by_cracks_alone
+                 ? fmt::format("and cracks alone cannot ({})", margin)
+                 : "and cracks alone cannot: the reload lost less stiffness than they would need";
+    case CrackVerdict::cracks:
+      return rises.judged && rises.verdict == CrackVerdict::cracks
+                 ? fmt::format("but the rises between them are those of a specimen that cracks (D* = {:.1f})",
+                               rises.margin)
+                 : "but the specimen lost stiffness";
+    case CrackVerdict::cannot_be_told:
+      break;
+  }
+  return rises.judged ? fmt::format("but cracks may do so too: this record cannot tell ({})", margin)
+                      : "but cracks may do so too: there are too few drops, or rises between them, to tell";
+}
+
+std::string drops_in_words(const FittedTest& test) {
+  const auto& summary = test.analysis.slip_summary;
+  constexpr std::size_t enough = 3;  // to speak of a spacing
+  const std::string spacing = summary.count < enough
+                                  ? ""
+                                  : fmt::format(", one drop for every {} drawn over each support",
+                                                roughly(test.analysis.scales.physical_length(summary.median_spacing),
+                                                        Print(test).as(kind::length)));
+  const std::size_t drops = test.analysis.drops.drops.size();
+  const std::size_t slips = summary.count;
+  if (drops == 0) return "the force never drops by more than its noise";
+  const std::string times = drops == 1 ? "once" : drops == 2 ? "twice" : fmt::format("{} times", drops);
+  if (slips == 0)
+    return fmt::format("the force drops {}, and no plausible slip over the supports explains {}", times,
+                       drops == 1 ? "it" : "any");
+  const std::string which = drops == 1 ? "it" : slips == drops ? "every drop" : fmt::format("{} of the drops", slips);
+  return fmt::format("the force drops {}{}; slips over the supports can explain {}, {}", times, spacing, which,
+                     cause_in_words(test));
+}
+
+// Does a reload, or the rises between the drops, show that the specimen lost stiffness on the way?
+bool lost_stiffness(const FittedTest& test) {
+  const Judgement& judgement = test.judgement.value();
+  return std::any_of(judgement.doubts.begin(), judgement.doubts.end(), [&](Doubt doubt) {
+    return doubt == Doubt::softer_reload || doubt == Doubt::cracks ||
+           (doubt == Doubt::changed_reload && judgement.loss > 0);
+  });
+}
+
+// The friction of the specimen as tested, and whether it repeats.
+std::string friction_in_short(const FittedTest& test) {
+  if (lost_stiffness(test)) return "No friction can be read off the record of a specimen that loses stiffness.";
+  const auto& fit = test.analysis.fit;
+  std::string words =
+      fit.mu0_is_bound
+          ? fmt::format("Friction at the supports is {} (95 %): the record does not tell it from zero.",
+                        mean_friction(fit))
+          : fmt::format("Friction at the supports is {} on average over the fibre seen.", mean_friction(fit));
+  if (fit.mu0_is_bound) return words;
+  if (fit.wave_claimed && fit.model == ProfileModel::roughness)
+    words += fmt::format(" It repeats every {} along the fibre.",
+                         roughly(test.analysis.scales.physical_length(fit.waves.front().wavelength.value),
+                                 Print(test).as(kind::length)));
+  else if (fit.model == ProfileModel::roughness)
+    words += std::isfinite(fit.log_evidence_of_wave)
+                 ? fmt::format(" It shows no periodicity beyond roughness (ln B = {:.1f}).", fit.log_evidence_of_wave)
+                 : " It shows no periodicity beyond roughness.";
+  return words;
+}
+
+constexpr double farthest_deflection = 0.8;  // [span]
+
+std::string_view sawtooth_in_words(const TestAnalysis& analysis) {
+  switch (analysis.category) {
+    case SawtoothCategory::clear:
+      return "A clear sawtooth";
+    case SawtoothCategory::nominal:
+      return "A faint sawtooth";
+    case SawtoothCategory::none:
+      break;
+  }
+  return analysis.drops.drops.empty() ? "No sawtooth" : "Hardly a sawtooth";
+}
+
+// A sentence of the answer; empty for a doubt that the words on the drops tell.
+std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& fit = analysis.fit;
+  switch (doubt) {
+    case Doubt::wrong_stiffness:
+      return fmt::format("the bending stiffness stated is {:.2g} times that of the record's initial slope.",
+                         analysis.stiffness_over_slope);
+    case Doubt::no_sliding:
+      return test.judgement->doubts.front() == Doubt::no_sliding
+                 ? "no sliding with a friction of 0 to 2 gives this record."
+                 : "No sliding with a friction of 0 to 2 gives this record, either.";
+    case Doubt::softer_reload:
+      return fmt::format("The specimen lost stiffness: loaded again it is {:.0f} ± {:.0f} % softer.",
+                         100 * test.judgement->loss, 100 * test.judgement->loss_error);
+    case Doubt::cracks:
+      return test.judgement->standing == Standing::untrusted
+                 ? "The drops are those of a specimen that cracks."
+                 : "The drops are those of a specimen that cracks; the friction given takes them for slips.";
+    case Doubt::impossible_drops: {
+      const auto impossible = std::count_if(analysis.slips.begin(), analysis.slips.end(),
+                                            [](const Slip& slip) { return is_no_slip(slip.verdict); });
+      return analysis.slips.size() == 1
+                 ? "The drop cannot be a slip."
+                 : fmt::format("{} of the {} drops cannot be slips.", impossible, analysis.slips.size());
+    }
+    case Doubt::implausible_friction:
+      if (!analysis.suspects.suspect)
+        return fmt::format("The record needs implausible friction: at least {:.2f} on average (95 %).",
+                           analysis.fit.mu0.low);
+      return fmt::format(
+          "The record needs implausible friction: above {:g} in {} of {} points past a tenth of the span.",
+          analysis.suspects.limit, analysis.suspects.points.size(), analysis.suspects.points_judged);
+    case Doubt::failed_check: {
+      std::string words;
+      for (const auto& check : analysis.checks) {
+        if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction) continue;
+        const std::string found = check_in_words(test, check);  // "Failed: …"
+        words += (words.empty() ? "A check failed" : " A check failed") + found.substr(found.find(':'));
+      }
+      return words;
+    }
+    case Doubt::falling_friction:
+      return "Friction falls away along the record. Lost stiffness would look the same, and so would supports whose "
+             "radius is not stated ([rig] roller_radius).";
+    case Doubt::changed_reload:
+      return fmt::format(
+          "Loaded again, the specimen is {:.0f} ± {:.0f} % {}.", 100 * std::abs(test.judgement->loss),
+          100 * test.judgement->loss_error,
+          test.judgement->loss > 0 ? "softer than at first" : "stiffer than at first: contact or rig have changed");
+    case Doubt::coarse_force:
+      return fmt::format("The force is coarse: a drop of less than {} could not be seen.",
+                         Print(test).own(analysis.drops.smallest_fall, kind::force));
+    case Doubt::undecided_drops:
+      return "";
+    case Doubt::few_rows:
+      return "Most rises between drops have fewer than five rows: drops and waves of friction may be missed.";
+    case Doubt::settling_contact:
+      return fmt::format(
+          "The curve bends where it begins: the contact may lie {} farther; contact = \"find\" takes that off.",
+          readable(analysis.contact.offset, analysis.contact.offset_error, Print(test).as(kind::length)));
+    case Doubt::unexpected_stiffness:
+      break;
+  }
+  return fmt::format("The fitted bending stiffness is {} from that {}, {:.1f} times its error.",
+                     signed_percent(fit.bending_stiffness.value - 1),
+                     analysis.stiffness_from_slope ? "of the initial slope" : "stated",
+                     std::abs(std::log(fit.bending_stiffness.value)) / analysis.bending_stiffness_error);
+}
+
+double greatest_deflection(const TestAnalysis& analysis) {
+  const auto& w = analysis.reduced.deflection;
+  return w.empty() ? 0 : *std::max_element(w.begin(), w.end());
+}
+
+// What a camera saw of the length pulled in; empty if there was none.
+std::string imaged_in_words(const FittedTest& test) {
+  if (!test.imaged || test.imaged->points.empty()) return "";
+  const ImagedLength& imaged = *test.imaged;
+  const double unit = test.analysis.scales.span();
+  return fmt::format("The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
+                     readable(std::abs(unit * imaged.offset), unit * imaged.error, Print(test).as(kind::length)),
+                     imaged.offset > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
+                     roughly(unit * imaged.scatter, Print(test).as(kind::length)));
+}
+
+std::string_view standing_in_words(Standing standing) {
+  switch (standing) {
+    case Standing::sound:
+      return "No check speaks against this.";
+    case Standing::doubtful:
+      return "This is open to doubt.";
+    case Standing::suspect:
+      return "The test is suspect.";
+    case Standing::untrusted:
+      break;
+  }
+  return "None of this is to be trusted.";
+}
+
+std::string next_step_in_words(const FittedTest& test) {
+  const Judgement& judgement = test.judgement.value();
+  switch (judgement.next) {
+    case NextStep::none:
+      return "";
+    case NextStep::check_case:
+      return "Next: check the modulus, the section, the span, the columns and their units, and whether the specimen "
+             "cracks.";
+    case NextStep::reload:
+      if (test.cycles && test.cycles->stiffness.size() > 1)
+        return "Next: unload to almost no force and load once more, as far as at first; the loadings of this record "
+               "cannot be compared.";
+      if (test.cycles) return "Next: load once more; a reload bounds any stiffness lost to cracks.";
+      return "Next: unload and load once more; a reload bounds any stiffness lost to cracks.";
+    case NextStep::finer_steps:
+      return "Next: record more rows; most rises between drops have fewer than five.";
+    case NextStep::stiffer_rig:
+      return fmt::format(
+          "Next: a stiffer rig; more than half of the fibre seen passes in jumps. At {} or more, mean friction like "
+          "this does not snap.",
+          Print(test).own(test.analysis.scales.physical_stiffness(judgement.stiffness_for_all), kind::stiffness));
+    case NextStep::image_length:
+      break;
+  }
+  return "Next: image the supports; the length drawn in shows whether the fibre slides.";
+}
+
+}  // namespace
+
+std::string mean_friction(const FrictionFit& fit) {
+  return fit.mu0_is_bound ? fmt::format("at most {}", significant(fit.mu0.high, 2))
+                          : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
+}
+
+std::string answer_of(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  if (analysis.status == AnalysisStatus::no_initial_slope)
+    return "No answer: the force does not rise where the record begins, so the bending stiffness cannot be told.";
+  if (analysis.status == AnalysisStatus::too_few_points)
+    return greatest_deflection(analysis) > farthest_deflection
+               ? fmt::format(
+                     "No answer: the deflection gets to {}, {:.2g} times the span of {}. No specimen bends so far over "
+                     "its supports. Check the units, and where the displacement counts from.",
+                     Print(test).length(greatest_deflection(analysis)), greatest_deflection(analysis),
+                     Print(test).length(1))
+               : fmt::format(
+                     "No answer: too few points lie beyond a deflection of {}, the larger of a twentieth of the span "
+                     "and twice the thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of "
+                     "the span of {}: if it should be more, check the units; if not, bend a thinner specimen, or "
+                     "farther.",
+                     Print(test).length(friction_told_from(analysis.rig.fibre)),
+                     Print(test).length(greatest_deflection(analysis)), 100 * greatest_deflection(analysis),
+                     Print(test).length(1));
+  if (analysis.status == AnalysisStatus::not_explained) {
+    std::string answer =
+        "No answer: no sliding with a friction of 0 to 2 gives this record. Check the columns, their units, the span "
+        "and the section.";
+    if (analysis.stiffness_implausible)
+      answer += fmt::format(" The bending stiffness stated is {:.2g} times that of the record's initial slope.",
+                            analysis.stiffness_over_slope);
+    return answer;
+  }
+  const Judgement& judgement = test.judgement.value();
+  const bool trusted = judgement.standing != Standing::untrusted;
+  std::string answer = trusted ? "" : "No answer to trust: ";
+  for (const Doubt doubt : judgement.doubts) {
+    // What follows from a wrong stiffness, or from no sliding, is no doubt of its own.
+    if (!trusted && doubt > Doubt::cracks) continue;
+    const std::string words = doubt_in_words(doubt, test);
+    if (!words.empty()) answer += words + " ";
+  }
+  if (!trusted)
+    return fmt::format("{}{}: {}. {}", answer, sawtooth_in_words(analysis), drops_in_words(test),
+                       next_step_in_words(test));
+  answer += fmt::format("{}: {}. {}", sawtooth_in_words(analysis), drops_in_words(test), friction_in_short(test));
+  const double share = analysis.energy.friction_share;
+  const bool is_told = !analysis.fit.mu0_is_bound && !lost_stiffness(test);
+  if (share > 0.005 && judgement.standing < Standing::suspect && is_told)
+    answer +=
+        analysis.drops.drops.empty() || judgement.drops == CrackVerdict::not_by_cracks_alone
+            ? fmt::format(" {} of the work on the specimen went into friction and should not be counted as toughness.",
+                          percent(share))
+            : fmt::format(
+                  " If the drops are slips, {} of the work on the specimen went into friction and should not be "
+                  "counted as toughness.",
+                  percent(share));
+  if (const std::string imaged = imaged_in_words(test); !imaged.empty()) answer += " " + imaged;
+  if (test.cycles) answer += " " + cycles_in_short(test);
+  answer += fmt::format(" {}", standing_in_words(judgement.standing));
+  if (const std::string next = next_step_in_words(test); !next.empty()) answer += " " + next;
+  return answer;
+}
+
+std::string caution_of(const FittedTest& test) {
+  return lost_stiffness(test)
+             ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
+             : "";
+}
+
+}  // namespace flexslip

@@ -1,0 +1,233 @@
+#include "report/fit_print.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/quantity.h"
+#include "report/answer_words.h"
+#include "report/digits.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+ParameterRow row_of(std::string name, std::string symbol, std::string meaning, const Estimate& estimate, double factor,
+                    const Kind& kind) {
+  const bool known = std::isfinite(estimate.standard_error);
+  const double low = estimate.low * factor;
+  const double high = estimate.high * factor;
+  ParameterRow row{std::move(name),
+                   std::move(symbol),
+                   std::move(meaning),
+                   readable(estimate.value * factor, estimate.standard_error * factor, kind),
+                   "",
+                   ""};
+  if (known) {
+    // Both ends in the unit of the larger one.
+    const std::string_view unit = best_unit(std::max(std::abs(low), std::abs(high)), kind);
+    const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
+    const double spread = from_si(estimate.standard_error * factor, scale);
+    const int decimals = spread > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(spread))), 0, 12) : 4;
+    row.interval = fmt::format("{:.{}f} to {:.{}f}{}{}", from_si(low, scale), decimals, from_si(high, scale), decimals,
+                               unit.empty() ? "" : " ", typeset(unit));
+  } else {
+    row.remark = "error not known: the curve hardly depends on it";
+  }
+  return row;
+}
+
+std::string_view in_words(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::exponential:
+      return "exponential";
+    case Kernel::matern_3_2:
+      return "Matérn 3/2";
+    case Kernel::matern_5_2:
+      return "Matérn 5/2";
+    case Kernel::none:
+      break;
+  }
+  return "none";
+}
+
+std::string_view in_words(SlipVerdict verdict) {
+  switch (verdict) {
+    case SlipVerdict::possible:
+      return "can be a slip";
+    case SlipVerdict::unexplained:
+      return "no slip: no friction explains it";
+    case SlipVerdict::implausible:
+      return "no slip: too much friction before";
+    case SlipVerdict::negative:
+      return "no slip: friction would be negative";
+    case SlipVerdict::moves_out:
+      return "no slip: length would be let out";
+    case SlipVerdict::too_short:
+      break;
+  }
+  return "too short to judge";
+}
+
+}  // namespace
+
+std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
+  const auto& scales = test.analysis.scales;
+  const auto& fit = test.analysis.fit;
+  const Print print(test);
+  std::vector<ParameterRow> rows;
+  rows.push_back(row_of("mu0", "μ₀", "mean friction over the fibre seen", fit.mu0, 1, kind::number));
+  if (fit.mu0_is_bound) {
+    rows.back().value = mean_friction(fit);
+    rows.back().remark = "the record does not tell it from zero";
+  }
+  if (fit.model != ProfileModel::constant) {
+    rows.push_back(row_of("drift", "dμ/dS", "of the mean along the length", fit.drift, 1 / scales.span(),
+                          print.as(kind::inverse_length)));
+    rows.push_back({"reference", "", "where mu0 and drift hold", print.length(fit.S_middle), "", ""});
+  }
+  if (fit.model == ProfileModel::roughness) {
+    rows.push_back(row_of("roughness", "σ", "standard deviation of μ about its mean", fit.roughness, 1, kind::number));
+    if (const double none = weight_without_roughness(fit); none > 0.5)
+      rows.back().remark = fmt::format("if there is any: the evidence favours none, by {}", percent(none));
+    rows.push_back(row_of("correlation_length", "ℓ", "of the roughness along the fibre", fit.length, scales.span(),
+                          print.as(kind::length)));
+  }
+  if (fit.wave_claimed)
+    for (std::size_t i = 0; i < fit.waves.size(); ++i) {
+      const auto& wave = fit.waves[i];
+      const std::string suffix = i == 0 ? "" : fmt::format("_{}", i + 1);
+      const std::string which = i == 0 ? "" : fmt::format(", wave {}", i + 1);
+      const auto symbol = [&](const char* letter) { return i == 0 ? std::string(letter) : ""; };
+      rows.push_back(row_of("amplitude" + suffix, symbol("A"), "of the wave, relative to μ₀" + which, wave.amplitude, 1,
+                            kind::number));
+      rows.push_back(row_of("wavelength" + suffix, symbol("λ"), "along the specimen" + which, wave.wavelength,
+                            scales.span(), print.as(kind::length)));
+      const auto add_phase = [&](const std::string& name, const std::string& letter, const std::string& meaning,
+                                 const Estimate& phase) {
+        const bool is_determined = phase.high - phase.low <= 2 * std::numbers::pi;  // else it turns with λ
+        if (is_determined)
+          rows.push_back(row_of(name + suffix, letter, meaning + which, phase, 1, print.as(kind::angle)));
+      };
+      add_phase("phase_at_middle", "", "in the middle of the fibre seen", wave.phase_at_middle);
+      add_phase("phase", symbol("φ"), "of the wave at the length 0, equation (4.25)", wave.phase);
+    }
+  rows.push_back(row_of("bending_stiffness", "EI", "of the specimen", fit.bending_stiffness, scales.bending_stiffness(),
+                        print.as(kind::bending_stiffness)));
+  rows.back().remark = fit.model == ProfileModel::constant
+                           ? "not fitted: with a constant friction, roughness would distort it"
+                           : fmt::format("{} from {}, ± {:.1f} %", signed_percent(fit.bending_stiffness.value - 1),
+                                         test.stiffness == StiffnessSource::initial_slope ? "the initial slope"
+                                         : test.stiffness == StiffnessSource::mirror      ? "that of the loops"
+                                                                                          : "that given",
+                                         100 * test.analysis.bending_stiffness_error);
+  if (test.section_moment && !test.reduced)
+    rows.push_back(row_of("modulus", "E", "flexural modulus, EI/I", fit.bending_stiffness,
+                          scales.bending_stiffness() / *test.section_moment, kind::pressure));
+  if (fit.model != ProfileModel::constant)
+    rows.push_back(row_of("force_noise", "", "standard deviation of a force reading", fit.noise,
+                          scales.physical_force(1), print.as(kind::force)));
+  return rows;
+}
+
+PrintedTable explanation_table(const FittedTest& test) {
+  PrintedTable table{{"Roughness", "Wave", "Weight", "ln evidence minus the best"}, {}};
+  const Print print(test);
+  const auto& explanations = test.analysis.fit.explanations;
+  constexpr std::size_t most = 8;
+  for (std::size_t i = 0; i < std::min(most, explanations.size()); ++i) {
+    const auto& each = explanations[i];
+    std::string waves;
+    for (const double wavelength : each.wavelengths) waves += (waves.empty() ? "" : ", ") + print.length(wavelength);
+    table.rows.push_back({std::string(in_words(each.kernel)), waves.empty() ? "none" : waves,
+                          each.weight < 0.0005 ? "< 0.1 %" : percent_of(each.weight, 1),
+                          fmt::format("{:.1f}", each.log_evidence - explanations.front().log_evidence)});
+  }
+  return table;
+}
+
+PrintedTable drop_table(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const Print print(test);
+  const auto length = print.as(kind::length);
+  const auto force = print.as(kind::force);
+  NumberColumn stage{"Stage", {}, length}, before{"Force before", {}, force}, fall{"Fall", {}, force, 3},
+      drawn_in{"Pulled in (both supports)", {}, length, 3}, mu_before{"μ before", {}, kind::number, 3},
+      mu_after{"μ after", {}, kind::number, 3};
+  std::vector<std::string> rows, significance, reading;
+  for (const auto& slip : analysis.slips) {
+    const Drop& drop = slip.drop;
+    rows.push_back(fmt::format("{}–{}", file_row(test, drop.before), file_row(test, drop.after)));
+    stage.values.push_back(analysis.record.stage[drop.before]);
+    before.values.push_back(analysis.record.force[drop.before]);
+    fall.values.push_back(drop.force_fall);
+    significance.push_back(fmt::format("{:.1f}", drop.significance));
+    drawn_in.values.push_back(analysis.scales.physical_length(slip.S_after - slip.S_before));
+    mu_before.values.push_back(slip.mu_before);
+    mu_after.values.push_back(slip.mu_after);
+    reading.emplace_back(in_words(slip.verdict));
+  }
+  PrintedTable table = printed({stage, before, fall, drawn_in, mu_before, mu_after});
+  table.head.insert(table.head.begin(), "Rows");
+  table.head.insert(table.head.begin() + 4, "in noise (σ)");
+  table.head.emplace_back("Reading");
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    auto& row = table.rows[i];
+    row.insert(row.begin(), rows[i]);
+    row.insert(row.begin() + 4, significance[i]);
+    row.push_back(reading[i]);
+  }
+  return table;
+}
+
+PrintedTable snap_table(const FittedTest& test) {
+  const auto& scales = test.analysis.scales;
+  const Print print(test);
+  const auto length = print.as(kind::length);
+  const auto force = print.as(kind::force);
+  NumberColumn stage{"Stage", {}, length}, w_before{"Deflection before", {}, length}, w_after{"after", {}, length},
+      F_before{"Force before", {}, force}, F_after{"after", {}, force}, S_before{"Length before", {}, length},
+      S_after{"after", {}, length};
+  for (const auto& snap : test.analysis.model.snaps) {
+    stage.values.push_back(scales.physical_length(snap.stage));
+    w_before.values.push_back(scales.physical_length(snap.before.w));
+    w_after.values.push_back(scales.physical_length(snap.after.w));
+    F_before.values.push_back(scales.physical_force(snap.before.F));
+    F_after.values.push_back(scales.physical_force(snap.after.F));
+    S_before.values.push_back(scales.physical_length(snap.before.S));
+    S_after.values.push_back(scales.physical_length(snap.after.S));
+  }
+  return printed({stage, w_before, w_after, F_before, F_after, S_before, S_after});
+}
+
+PrintedTable energy_table(const FittedTest& test) {
+  const auto& energy = test.analysis.energy;
+  const auto& account = energy.account;
+  const Print print(test);
+  const std::vector<std::pair<std::string, double>> entries{
+      {"Work of the stage", account.stage_work},
+      {"stored in bending when the record ends", account.bending},
+      {"stored in the load train", account.load_train},
+      {"friction while the specimen slides", account.friction},
+      {"lost in drops: friction, sound, vibration", account.snaps},
+      {"not accounted for: the coarseness of the points", account.imbalance},
+      {"Work on the specimen, ∫ F dw", energy.work_of_fracture},
+      {"of which friction and drops", account.friction + account.snaps}};
+  NumberColumn joules{"", {}, print.as(kind::energy)};
+  for (const auto& [name, value] : entries) joules.values.push_back(test.analysis.scales.physical_energy(value));
+  PrintedTable table = printed({joules});
+  table.head = {"Energy", table.head[0], "share of the stage's work"};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    table.rows[i].insert(table.rows[i].begin(), entries[i].first);
+    table.rows[i].push_back(percent_of(entries[i].second, account.stage_work));
+  }
+  table.rows.back().back() = percent_of(entries.back().second, energy.work_of_fracture) + " of that";
+  return table;
+}
+
+}  // namespace flexslip
