@@ -15,6 +15,7 @@
 #include "inference/fit.h"
 #include "inference/profile.h"
 #include "inference/slip_or_crack.h"
+#include "inference/slips.h"
 #include "inference/teeth.h"
 
 namespace flexslip {

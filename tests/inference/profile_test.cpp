@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "fibre/elastica.h"
+#include "inference/slips.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {
