@@ -62,7 +62,8 @@ std::vector<AnswerDescription> all_answers() {
   static const std::array<std::string, 1> draws{"draw_1, draw_2, …"};
   return {
       {"fit --json", "what a measured test shows", false, fit_fields().descriptions()},
-      {"fit --profile", "friction along the specimen", true, profile_fields().descriptions()},
+      {"fit --profile", "friction along the specimen, read at the bending stiffness of the fit", true,
+       profile_fields().descriptions()},
       {"fit --curves", "the record, and what was read and fitted", true, curve_fields().descriptions()},
       {"fit --draws", "profiles that explain the record", true, draw_fields(draws).descriptions()},
       {"campaign --json", "many tests", false, campaign_fields().descriptions()},
@@ -74,7 +75,8 @@ std::vector<AnswerDescription> all_answers() {
       {"invert --json", "friction point by point, of a case", false, read_test_fields().descriptions()},
       {"invert --json of w,F", "friction of single states", false,
        states_fields(no_friction, inverted_fields()).descriptions()},
-      {"invert", "friction point by point, of a case", true, profile_fields().descriptions()},
+      {"invert", "friction point by point, of a case, read at the bending stiffness stated", true,
+       profile_fields().descriptions()},
       {"invert of w,F", "friction of single states", true, inverted_fields().descriptions()},
       {"modulus --json", "the numbers of the bending standards", false, modulus_fields().descriptions()},
       {"read --json", "what an export holds", false, export_fields().descriptions()},

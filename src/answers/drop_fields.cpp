@@ -64,8 +64,8 @@ Fields<SupportCompliance> compliance_fields() {
       .only_where([](const SupportCompliance& compliance) { return compliance.status == ComplianceStatus::ok; })
       .number("value", kind::compliance, "of both supports together, if the specimen were stuck",
               &SupportCompliance::value)
-      .number("error", kind::compliance, "its standard error, from scatter", &SupportCompliance::error)
-      .number("systematic", kind::compliance, "its error from EI, contact and load train",
+      .number("standard_error", kind::compliance, "of value, from scatter", &SupportCompliance::error)
+      .number("systematic", kind::compliance, "error of value from EI, contact and load train",
               &SupportCompliance::systematic)
       .words("unit", "of these",
              [](const SupportCompliance&, const Frame& frame) { return unit_of(kind::compliance, frame.reduced); })

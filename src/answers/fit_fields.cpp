@@ -22,14 +22,6 @@ namespace {
 
 using T = const FittedTest&;
 
-bool is_fitted(T test) { return test.analysis.status == AnalysisStatus::ok; }
-
-// A part of the fit, where there is one.
-template <class Part>
-auto of_fit(Part FrictionFit::*part) {
-  return [part](T test) { return test.analysis.fit.*part; };
-}
-
 Fields<ImagedPoint> imaged_point_fields() {
   return Fields<ImagedPoint>()
       .row("row", "row of the file", &ImagedPoint::index)
@@ -204,7 +196,7 @@ Fields<FittedTest> all_fields() {
              analysis(&TestAnalysis::friction_read))
       .only_where(is_fitted)
       .number("residual_rms", kind::force, "by which the mean of the fit, run forward, misses the force",
-              of_fit(&FrictionFit::residual_rms))
+              [](T test) { return test.analysis.fit.residual_rms; })
       .anywhere()
       .list("checks", "what the fit is held against; numbers of a check are those that it has", check_fields(),
             analysis(&TestAnalysis::checks))
@@ -234,14 +226,17 @@ Fields<FittedTest> all_fields() {
               for (const Slip& slip : test.analysis.slips) drops.push_back({test.analysis.record, slip});
               return drops;
             })
-      .group("slips", "the drops that can be slips", slips_fields(), [](T test) { return &test.analysis; })
+      .group("slips", "the drops that can be slips, read at the bending stiffness stated", slips_fields(),
+             [](T test) { return &test.analysis; })
       .group("teeth", "whether the specimen sticks or slides between the drops; null where that is not asked",
              teeth_fields(), [](T test) { return is_fitted(test) && test.analysis.teeth ? &test : nullptr; })
-      .list("suspects", "points that need more friction than is plausible", suspect_fields(), suspects_of)
+      .list("suspects", "points that need more friction than is plausible, at the bending stiffness stated",
+            suspect_fields(), suspects_of)
       .group("suspect_criteria", "how these were found", suspect_criteria_fields(), analysis(&TestAnalysis::suspects))
       .only_where(is_fitted)
-      .group("energy", "where the work went, from contact to failure, by the measured points", measured_energy_fields(),
-             analysis(&TestAnalysis::energy))
+      .group("energy",
+             "where the work went, from contact to failure, by the measured points at the bending stiffness of the fit",
+             measured_energy_fields(), analysis(&TestAnalysis::energy))
       .group("replay", "the profile read off the curve, run forward", replay_fields())
       .anywhere()
       .group("cycles", "of a test that was unloaded; null otherwise", cycles_fields(),
@@ -284,8 +279,9 @@ Fields<FittedTest> all_fields() {
                    [](T test) { return test.analysis.drops.step_noise; })
               .own("smallest_drop", kind::force, "a fall in one step smaller than this counts as noise",
                    [](T test) { return test.analysis.drops.smallest_fall; }))
-      .list("profile", "friction along the specimen, read off the curve point by point", profile_fields(),
-            [](T test) { return points_of(test.analysis.record, test.analysis.profile); })
+      .list("profile",
+            "friction along the specimen, read off the curve point by point at the bending stiffness of the fit",
+            profile_fields(), [](T test) { return points_of(test.analysis.record, profile_of(test)); })
       .group("provenance", "what to give to the same version for the same answer", provenance_fields(),
              &FittedTest::provenance);
 }

@@ -31,8 +31,7 @@ Fields<CurvePoint> curve_fields() {
   const auto there = [](auto get) {
     return [get](P p) -> std::optional<double> {
       const std::vector<double>& values = get(p.test.analysis);
-      return p.test.analysis.status == AnalysisStatus::ok && p.i < values.size() ? std::optional(values[p.i])
-                                                                                 : std::nullopt;
+      return is_fitted(p.test) && p.i < values.size() ? std::optional(values[p.i]) : std::nullopt;
     };
   };
   const auto read = [](auto value) {
@@ -57,7 +56,7 @@ Fields<CurvePoint> curve_fields() {
 }
 
 void write_curves(const std::string& path, const FittedTest& test) {
-  const auto& read = test.analysis.profile.points;
+  const auto& read = profile_of(test).points;
   std::vector<CurvePoint> points;
   for (std::size_t i = 0; i < test.analysis.record.force.size(); ++i) points.push_back({test, i, nullptr});
   for (const ProfilePoint& point : read) points[point.index].read = &point;
@@ -65,12 +64,12 @@ void write_curves(const std::string& path, const FittedTest& test) {
 }
 
 void write_profile(const std::string& path, const FittedTest& test) {
-  write_csv(path, profile_fields(), points_of(test.analysis.record, test.analysis.profile), frame_of(test));
+  write_csv(path, profile_fields(), points_of(test.analysis.record, profile_of(test)), frame_of(test));
 }
 
 void write_draws(const std::string& path, const FittedTest& test) {
   const auto& fit = test.analysis.fit;
-  if (test.analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no draws");
+  if (!is_fitted(test)) throw std::invalid_argument("a test without a fit has no draws");
   // Over rising lengths between the contacts, as simulate reads a table: those on the side of the middle where rollers take some off at first.
   const auto rolls_back = [&](std::size_t i) { return fit.along.rolls_back_at(fit.along.at(fit.band.S[i])); };
   std::vector<BandPlace> places;

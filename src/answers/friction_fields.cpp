@@ -9,8 +9,6 @@ namespace {
 
 using T = const FittedTest&;
 
-bool is_fitted(T test) { return test.analysis.status == AnalysisStatus::ok; }
-
 // A part of the fit, where there is one.
 template <class Part>
 auto of_fit(Part FrictionFit::*part) {

@@ -169,6 +169,10 @@ std::size_t last_row(const FittedTest& test) {
   return last_file_row(test.measurement, test.measurement.record.force.size() - 1);
 }
 
+const FrictionProfile& profile_of(const FittedTest& test) {
+  return is_fitted(test) ? test.analysis.profile_at_fit : test.analysis.profile;
+}
+
 std::string_view status_of(const FittedTest& test) {
   return name_in_order<AnalysisStatus::not_explained>(test.analysis.status,
                                                       {"ok", "no_initial_slope", "too_few_points", "not_explained"});

@@ -68,6 +68,13 @@ std::size_t file_row(const FittedTest& test, std::size_t point);
 // That of the last reading that is evaluated.
 std::size_t last_row(const FittedTest& test);
 
+// Friction as it was read off the curve: at the bending stiffness of the fit, past the deflection at which friction shows; where there is no
+// fit, at that stated.
+const FrictionProfile& profile_of(const FittedTest& test);
+
+// Has the analysis an answer?
+inline bool is_fitted(const FittedTest& test) { return test.analysis.status == AnalysisStatus::ok; }
+
 // "ok", or why not: "too_few_points", "not_explained", "no_initial_slope".
 std::string_view status_of(const FittedTest& test);
 

@@ -110,6 +110,7 @@ void add_design_command(CLI::App& app) {
       ->default_str("the number of cores");
   add_figure_option(*command, request->figure);
   add_output_options(*command, request->output);
+  command->get_option("--json")->description("Write JSON instead of text, or of CSV with --over");
   command->footer(
       "Says whether a fibre on this rig will snap and where first, what the record will show of it, how stiff the\n"
       "load train would have to be, and which single changes would reverse the answer. The case is one for\n"

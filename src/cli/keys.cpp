@@ -47,6 +47,7 @@ void add_keys_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("keys", "Every key of a case file: what it holds, and what it means");
   command->add_option("section", request->section, "Only this section, such as rig")->type_name("SECTION");
   add_output_options(*command, request->output);
+  command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
       "--set in the other commands changes any of them.\n\n"
       "Examples:\n"

@@ -53,17 +53,38 @@ Replay replay_of(const TestAnalysis& analysis) {
   return replay;
 }
 
+// A record in the units of the bending stiffness that was fitted, and the friction read off it there.
+struct AtFit {
+  double stiffening;  // [1] of the fit over nominal
+  ReducedRecord record;
+  Rig rig;
+  MeasurementErrors errors;
+};
+
+AtFit at_fit(const TestAnalysis& analysis) {
+  const auto& stiffness = analysis.fit.bending_stiffness;
+  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
+  return {.stiffening = stiffness.value,
+          .record = to_reduced(analysis.record, scales),
+          .rig = {analysis.rig.stiffness / stiffness.value, analysis.rig.fibre},
+          .errors = {.force = analysis.errors.force / stiffness.value,
+                     .bending_stiffness = stiffness.standard_error / stiffness.value,
+                     .contact = analysis.errors.contact}};
+}
+
+// In units of the nominal bending stiffness.
 MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
   MeasuredEnergy energy{};
-  const auto& record = analysis.reduced;
+  const auto& [stiffening, record, rig, errors] = at_fit(analysis);
+  const FrictionProfile profile = measure_friction(record, rig, errors);
   for (std::size_t i = 1; i < record.force.size(); ++i) {
     const double mean_force = 0.5 * (record.force[i] + record.force[i - 1]);
     energy.account.stage_work += mean_force * (record.stage[i] - record.stage[i - 1]);
     energy.work_of_fracture += mean_force * (record.deflection[i] - record.deflection[i - 1]);
   }
   const double last_force = record.force.empty() ? 0 : record.force.back();
-  energy.account.load_train = 0.5 * last_force * last_force / analysis.rig.stiffness;
-  const auto& points = analysis.profile.points;
+  energy.account.load_train = 0.5 * last_force * last_force / rig.stiffness;
+  const auto& points = profile.points;
   const auto drop_ends_at = [&](std::size_t before, std::size_t after) {
     return std::any_of(analysis.drops.drops.begin(), analysis.drops.drops.end(), [&](const Drop& drop) {
       return drop.before < after && drop.after >= after && drop.before <= before;
@@ -71,7 +92,7 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
   };
   FibreState previous{};
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const FibreState state = analysis.rig.fibre.state(points[k].S, points[k].mu);
+    const FibreState state = rig.fibre.state(points[k].S, points[k].mu);
     if (state.status != FibreStatus::ok) continue;
     if (k == 0) {
       // Up to the first point μ is not measurable; the friction of the small slip there is that of the first value.
@@ -83,7 +104,7 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
         double work = 0;
         for (std::size_t row = i + 1; row <= j; ++row)
           work += 0.5 * (record.force[row] + record.force[row - 1]) * (record.stage[row] - record.stage[row - 1]);
-        const double train = (state.F * state.F - previous.F * previous.F) / (2 * analysis.rig.stiffness);
+        const double train = (state.F * state.F - previous.F * previous.F) / (2 * rig.stiffness);
         energy.account.snaps += work - (state.U - previous.U) - train;
       } else {
         energy.account.friction +=
@@ -96,6 +117,9 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
   auto& account = energy.account;
   account.imbalance = account.stage_work - (account.bending + account.load_train + account.friction + account.snaps);
   energy.friction_share = (account.friction + account.snaps) / energy.work_of_fracture;
+  for (double* part : {&account.stage_work, &account.bending, &account.load_train, &account.friction, &account.snaps,
+                       &account.imbalance, &energy.work_of_fracture})
+    *part *= stiffening;
   return energy;
 }
 
@@ -122,14 +146,8 @@ double quantile(const std::vector<double>& sorted, double probability) {
 }
 
 FrictionProfile profile_at_fit(const TestAnalysis& analysis) {
-  const auto& stiffness = analysis.fit.bending_stiffness;
-  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
-  const MeasurementErrors errors{.force = analysis.errors.force / stiffness.value,
-                                 .bending_stiffness = stiffness.standard_error / stiffness.value,
-                                 .contact = analysis.errors.contact};
-  return measure_friction(to_reduced(analysis.record, scales),
-                          Rig{analysis.rig.stiffness / stiffness.value, analysis.rig.fibre}, errors,
-                          friction_shows_from);
+  const AtFit at = at_fit(analysis);
+  return measure_friction(at.record, at.rig, at.errors, friction_shows_from);
 }
 
 FrictionRead friction_read_of(const FrictionProfile& profile) {

@@ -59,7 +59,7 @@ struct AnalysisOptions {
 // How the curve looks, by a fixed rule on its drops (theory.md, "Categories").
 enum class SawtoothCategory { clear, nominal, none };
 
-// A test in energies, from contact to failure [EI/L]. As EnergyAccount, from the measured points: friction = ∫ μ P_n dS while the
+// A test in energies, from contact to failure [EI/L]. As EnergyAccount, from the measured points, at the bending stiffness of the fit: friction = ∫ μ P_n dS while the
 // fibre slides, snaps all that is lost in drops, where a test cannot tell friction from noise and vibration; the imbalance holds
 // the coarseness of the points.
 struct MeasuredEnergy {

@@ -130,12 +130,16 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
                  : fmt::format("{} of the {} drops cannot be slips.", impossible, analysis.slips.size());
     }
     case Doubt::implausible_friction:
-      if (!analysis.suspects.suspect)
-        return fmt::format("The record needs implausible friction: at least {:.2f} on average (95 %).",
-                           analysis.fit.mu0.low);
-      return fmt::format(
-          "The record needs implausible friction: above {:g} in {} of {} points past a tenth of the span.",
-          analysis.suspects.limit, analysis.suspects.points.size(), analysis.suspects.points_judged);
+      return (analysis.suspects.suspect
+                  ? fmt::format("The record needs implausible friction: above {:g} in {} of {} points past a tenth of "
+                                "the span.",
+                                analysis.suspects.limit, analysis.suspects.points.size(),
+                                analysis.suspects.points_judged)
+                  : fmt::format("The record needs implausible friction: at least {:.2f} on average (95 %).",
+                                analysis.fit.mu0.low)) +
+             (analysis.rig.fibre.supports().radius > 0
+                  ? ""
+                  : " Rollers taken for edges would need it, too: state [rig] roller_radius.");
     case Doubt::failed_check: {
       std::string words;
       for (const auto& check : analysis.checks) {
@@ -209,8 +213,11 @@ std::string next_step_in_words(const FittedTest& test) {
     case NextStep::none:
       return "";
     case NextStep::check_case:
-      return "Next: check the modulus, the section, the span, the columns and their units, and whether the specimen "
-             "cracks.";
+      return test.analysis.stiffness_implausible
+                 ? "Next: check the modulus, the section, the span, the columns and their units, and whether the "
+                   "specimen cracks."
+                 : "Next: find out whether the specimen cracks: unload and load once more. If it does not, check the "
+                   "modulus, the section, the span, the columns and their units.";
     case NextStep::reload:
       if (test.cycles && test.cycles->stiffness.size() > 1)
         return "Next: unload to almost no force and load once more, as far as at first; the loadings of this record "

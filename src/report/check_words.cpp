@@ -54,6 +54,8 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
               : "the likeliest explanation fits worse than a simpler one it contains, so its best fit was not found",
           std::max(number("most_below"), 0.0));
     case CheckKind::friction:
+      if (test.judgement && test.judgement->standing == Standing::untrusted)
+        return "Not possible: no sliding explains this record, so that it tells no friction.";
       return check.outcome == CheckOutcome::passed
                  ? "Passed: the record tells friction from zero."
                  : fmt::format("Failed: the record does not tell friction from zero; friction is at most {} (95 %).",
@@ -68,7 +70,9 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
       outcome, number("mu0_moved"), number("same_explanation") > 0 ? "stays" : "changes");
 }
 
-CheckInShort check_in_short(const Check& check) {
+CheckInShort check_in_short(const FittedTest& test, const Check& check) {
+  if (check.kind == CheckKind::friction && test.judgement && test.judgement->standing == Standing::untrusted)
+    return {"not possible", "friction told from zero: no sliding explains this record", ""};
   const auto number = [&](std::string_view name) { return number_of(check, name); };
   const bool passed = check.outcome == CheckOutcome::passed;
   CheckInShort said{passed ? "ok" : check.outcome == CheckOutcome::failed ? "warning" : "not possible", "", ""};
@@ -94,7 +98,9 @@ CheckInShort check_in_short(const Check& check) {
     case CheckKind::whiteness:
       if (!possible) return say("noise of the readings: one friction for all cannot predict the next reading", "");
       return say(fmt::format("what the fit leaves is {}noise (p {})", passed ? "" : "not ",
-                             number("p_value") < 1e-4 ? "< 0.0001" : "= " + significant(number("p_value"), 2)),
+                             number("p_value") < 1e-4
+                                 ? "< 0.0001"
+                                 : fmt::format("= {}; the limit is 0.0001", significant(number("p_value"), 2))),
                  "something is not in the model; a simulated record without noise fails here, too");
     case CheckKind::nesting:
       if (!possible) return say("simpler explanations: the likeliest one contains no other", "");

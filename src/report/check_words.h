@@ -15,6 +15,6 @@ struct CheckInShort {
   std::string outcome;  // "ok", "warning", "not possible"
   std::string words, remedy;
 };
-CheckInShort check_in_short(const Check& check);
+CheckInShort check_in_short(const FittedTest& test, const Check& check);
 
 }  // namespace flexslip

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "inference/profile.h"
 #include "report/plain_text.h"
 #include "report/printed.h"
 
@@ -247,6 +248,11 @@ std::vector<std::string> design_in_words(const DesignAnswer& answer) {
   std::vector<std::string> paragraphs{snaps_in_words(answer, shown), drops_in_words(answer, shown),
                                       critical_in_words(answer, shown), work_in_words(answer, shown)};
   if (answer.phases) paragraphs.push_back(phases_in_words(answer, shown));
+  if (const double from = friction_told_from(answer.design.rig.fibre); from > 0.5 * answer.outcome.w_reached)
+    paragraphs.push_back(
+        fmt::format("Friction can be read off a curve beyond a deflection of {} only, the larger of a twentieth of the "
+                    "span and twice the thickness; this loading gets to {}.",
+                    shown.length(from), shown.length(answer.outcome.w_reached)));
   return paragraphs;
 }
 

@@ -128,7 +128,7 @@ std::string energy_in_short(const FittedTest& test) {
 std::string checks_in_short(const FittedTest& test) {
   std::string text;
   for (const Check& check : test.analysis.checks) {
-    const auto [outcome, words, remedy] = check_in_short(check);
+    const auto [outcome, words, remedy] = check_in_short(test, check);
     text += entry(outcome, words + (remedy.empty() ? "" : "; " + remedy));
   }
   return text;
