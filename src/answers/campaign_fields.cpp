@@ -39,7 +39,7 @@ Fields<CampaignTest> name_fields() {
   return Fields<CampaignTest>()
       .words("name", "of the test", &CampaignTest::name)
       .titled("test")
-      .words("status", "ok, or why not", &CampaignTest::status);
+      .words("status", "ok, or why not: as fit, or failed", &CampaignTest::status);
 }
 
 Fields<TestSummary> verdict_fields() {
@@ -291,7 +291,7 @@ Fields<CampaignTest> test_columns() {
 Fields<CategoryLine> category_columns() {
   return Fields<CategoryLine>()
       .words("category", "of the sawtooth", &CategoryLine::key)
-      .words("suspects", "left out, or counted in", &CategoryLine::suspects)
+      .words("suspects", "without or with them", &CategoryLine::suspects)
       .all_of(category_fields(), &CategoryLine::spread);
 }
 
@@ -299,7 +299,7 @@ Fields<SpecimenLine> specimen_columns() {
   return Fields<SpecimenLine>()
       .words("category", "of the sawtooth, suspects left out", &SpecimenLine::category)
       .words("parameter", "of friction", &SpecimenLine::parameter)
-      .words("unit", "of typical, low and high", &SpecimenLine::unit)
+      .words("unit", "of typical and its interval", &SpecimenLine::unit)
       .all_of(between_fields());
 }
 

@@ -37,7 +37,7 @@ Fields<Place> place_fields() {
   return Fields<Place>()
       .number("length", kind::length, "drawn in, and the span", &Place::S)
       .number("drawn_in", kind::length, "length drawn in over both supports", [](const Place& p) { return p.S - 1; })
-      .number("position", kind::length, "of the support along the specimen, from midspan",
+      .number("position", kind::length, "half of length: of the support along the specimen, from midspan, on edges",
               [](const Place& p) { return p.S / 2; })
       .number("mu", "friction there", &Place::mu);
 }
@@ -75,7 +75,7 @@ Fields<FrictionLoop> corners_fields() {
 Fields<LoopEnergy> loop_energy_fields() {
   return Fields<LoopEnergy>()
       .number("loading", kind::energy, "put in: the apparent work of fracture of this loading", &LoopEnergy::loading)
-      .number("unloading", kind::energy, "given back", &LoopEnergy::unloading)
+      .number("unloading", kind::energy, "given back; of a loop that was not unloaded 0", &LoopEnergy::unloading)
       .number("stored", kind::energy, "kept by bending, from where the loop begins to where it ends",
               &LoopEnergy::stored)
       .number("lost", kind::energy, "area of the loop less what is stored", &LoopEnergy::lost)
@@ -116,7 +116,7 @@ Fields<LoopOf> loop_fields() {
                 return loop.i < rms.size() ? std::optional(rms[loop.i]) : std::nullopt;
               })
       .list("profile", "friction along the specimen as both directions support it",
-            place_fields().number("standard_error", "of mu", &Place::error),
+            place_fields().number("mu_error", "its standard error", &Place::error),
             [](L loop) { return places_of(loop.loop().table, loop.loop().error); });
 }
 
@@ -150,7 +150,7 @@ Fields<CyclicPoint> point_fields() {
       .row("row", "row of the file", &CyclicPoint::index)
       .number("length", kind::length, "drawn in, and the span", &CyclicPoint::S)
       .number("q", "mobilised friction: μ sliding in, −μ sliding out, within these when stuck", &CyclicPoint::q)
-      .number("standard_error", "of q: noise, EI and contact", &CyclicPoint::standard_error)
+      .number("q_error", "its standard error: noise, EI and contact", &CyclicPoint::standard_error)
       .words("motion", "slip_in, slip_out or stick", [](const CyclicPoint& point) {
         return name_in_order<LegMotion::stuck>(point.motion, {"slip_in", "slip_out", "stick"});
       });

@@ -90,7 +90,7 @@ Fields<ToldDesign> design_fields() {
       .group("phases", "what the phase of the friction decides; null where it decides nothing", phase_fields(),
              [](T told) { return told.answer.phases; })
       .list("changes", "with which the answer is the other one", change_fields(), changes_of)
-      .group("parameters", "of the design, in their units", parameter_fields())
+      .group("parameters", "of the design, in their units; null where infinite", parameter_fields())
       .group("units", "of plain numbers", units_of_numbers<ToldDesign>());
 }
 

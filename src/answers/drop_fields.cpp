@@ -114,7 +114,8 @@ Fields<TestAnalysis> slips_fields() {
   };
   return Fields<TestAnalysis>()
       .count("count", "drops that slips can explain", summary(&SlipSummary::count))
-      .number("median_spacing", kind::length, "drawn in from the beginning of a slip to that of the next, median",
+      .number("median_spacing", kind::length,
+              "of the specimen that passes over a support from the beginning of a slip to that of the next, median",
               summary(&SlipSummary::median_spacing))
       .number("mean_spacing", kind::length, "likewise, mean", summary(&SlipSummary::mean_spacing))
       .number("median_fall_of_mu", "by which friction falls in a slip, median", summary(&SlipSummary::median_fall))

@@ -22,6 +22,8 @@ namespace {
 
 using T = const FittedTest&;
 
+bool is_not_explained(T test) { return test.analysis.status == AnalysisStatus::not_explained; }
+
 Fields<ImagedPoint> imaged_point_fields() {
   return Fields<ImagedPoint>()
       .row("row", "row of the file", &ImagedPoint::index)
@@ -179,21 +181,25 @@ Fields<FittedTest> all_fields() {
       .anywhere()
       .words("category", "of the sawtooth: clear, nominal or none",
              [](T test) { return name_of(test.analysis.category); })
-      .yes_no("suspect", "its standing is suspect or untrusted",
-              [](T test) { return test.judgement && test.judgement->standing >= Standing::suspect; })
+      .yes_no("suspect", "its standing is suspect or untrusted, or no sliding explains it",
+              [](T test) {
+                return is_not_explained(test) || (test.judgement && test.judgement->standing >= Standing::suspect);
+              })
       .number("stiffness_over_initial_slope", "bending stiffness used over that of the initial slope",
               analysis(&TestAnalysis::stiffness_over_slope))
       .yes_no("model_implausible", "no sliding with friction gives such a record",
-              analysis(&TestAnalysis::model_implausible))
+              [](T test) { return is_not_explained(test) || test.analysis.model_implausible; })
       .yes_no("stiffness_implausible", "the bending stiffness is not that of the initial slope, by more than 40 %",
               analysis(&TestAnalysis::stiffness_implausible))
       .group("parameters", "what was fitted; those of the model that the fit is of", parameter_fields())
-      .group("friction_read", "friction read off the curve point by point, before any model of it",
-             Fields<FrictionRead>()
-                 .number("median", "half of the points lie below it", &FrictionRead::median)
-                 .number("low80", "a tenth of the points lie below it", &FrictionRead::low80)
-                 .number("high80", "a tenth of the points lie above it", &FrictionRead::high80),
-             analysis(&TestAnalysis::friction_read))
+      .group(
+          "friction_read",
+          "friction read off the curve point by point, at the bending stiffness of the fit: quantiles of mu in profile",
+          Fields<FrictionRead>()
+              .number("median", "half of the points lie below it", &FrictionRead::median)
+              .number("low80", "a tenth of the points lie below it", &FrictionRead::low80)
+              .number("high80", "a tenth of the points lie above it", &FrictionRead::high80),
+          analysis(&TestAnalysis::friction_read))
       .only_where(is_fitted)
       .number("residual_rms", kind::force, "by which the mean of the fit, run forward, misses the force",
               [](T test) { return test.analysis.fit.residual_rms; })
@@ -271,14 +277,14 @@ Fields<FittedTest> all_fields() {
                           [](T test) { return test.analysis.fit.draw_stiffness; })
                  .words("unit", "of these",
                         [](T, const Frame& frame) { return unit_of(kind::bending_stiffness, frame.reduced); }))
-      .group(
-          "noise", "of the force",
-          Fields<FittedTest>()
-              .number("force", kind::force, "standard deviation of one reading", analysis(&TestAnalysis::force_noise))
-              .own("force_step", kind::force, "standard deviation of a step from row to row",
-                   [](T test) { return test.analysis.drops.step_noise; })
-              .own("smallest_drop", kind::force, "a fall in one step smaller than this counts as noise",
-                   [](T test) { return test.analysis.drops.smallest_fall; }))
+      .group("noise", "of the force",
+             Fields<FittedTest>()
+                 .number("force", kind::force, "standard deviation of one reading, by its quietest tenth",
+                         analysis(&TestAnalysis::force_noise))
+                 .own("force_step", kind::force, "standard deviation of a step from row to row",
+                      [](T test) { return test.analysis.drops.step_noise; })
+                 .own("smallest_drop", kind::force, "a fall in one step smaller than this counts as noise",
+                      [](T test) { return test.analysis.drops.smallest_fall; }))
       .list("profile",
             "friction along the specimen, read off the curve point by point at the bending stiffness of the fit",
             profile_fields(), [](T test) { return points_of(test.analysis.record, profile_of(test)); })

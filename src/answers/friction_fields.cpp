@@ -49,7 +49,8 @@ Fields<FittedTest> parameter_fields() {
       .all_of(second, wave(1))
       .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model != ProfileModel::constant; })
       .estimate("drift", kind::inverse_length, "slope of friction along the specimen", of_fit(&FrictionFit::drift))
-      .estimate("force_noise", kind::force, "standard deviation of a force reading", of_fit(&FrictionFit::noise))
+      .estimate("force_noise", kind::force, "standard deviation of a force reading, by the fit",
+                of_fit(&FrictionFit::noise))
       .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model == ProfileModel::roughness; })
       .estimate("roughness", kind::number, "standard deviation of friction about its mean",
                 of_fit(&FrictionFit::roughness))

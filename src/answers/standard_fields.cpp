@@ -70,7 +70,7 @@ std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
 Fields<StandardTest> standard_fields() {
   const auto ok = [](T t) { return t.numbers.status == SmallDeflectionStatus::ok; };
   return Fields<StandardTest>()
-      .words("status", "ok, or no_straight_part: nothing else is there then",
+      .words("status", "ok, or no_straight_part: no number is there then",
              [ok](T t) { return ok(t) ? "ok" : "no_straight_part"; })
       .only_where(ok)
       .own_estimate("stiffness", kind::stiffness, "force over deflection, slope of the straight part",
@@ -99,7 +99,9 @@ Fields<StandardTest> standard_fields() {
 Fields<PreparationStep> preparation_fields() {
   using S = const PreparationStep&;
   return Fields<PreparationStep>()
-      .words("step", "columns, metadata, sign, thinning, zero, compliance, end, turn, stage or contact",
+      .words("step",
+             "columns, metadata, first, repeated, held, interpolated, sign, thinning, zero, compliance, end, turn, "
+             "stage or contact",
              [](S step) { return step.name; })
       .yes_no("changed", "numbers are not as in the file, or rows are left out", [](S step) { return step.changed; })
       .words("done", "what was done, in words", [](S step) { return step.done; })

@@ -61,6 +61,21 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
        .key = "[record] contact = \"0 um\""});
 }
 
+// A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with
+// it. What is only doubtful is fitted, and said to be (Doubt::wrong_stiffness).
+void require_same_world(const Case& input, const Record& record, double bending_stiffness) {
+  constexpr double farthest = 1e6;
+  const StiffnessFromSlope slope = stiffness_from_slope(record, span_of(input));
+  if (!slope.found) return;
+  const double ratio = bending_stiffness / slope.value;
+  if (ratio < farthest && ratio > 1 / farthest) return;
+  const bool has_modulus = std::holds_alternative<Modulus>(input.specimen->rigidity);
+  throw wrong_value(input, has_modulus ? "specimen.modulus" : "specimen.bending_stiffness",
+                    fmt::format("a bending stiffness within a million times that of the record's initial slope, {}",
+                                readable(slope.value, kind_in(input, kind::bending_stiffness))),
+                    fmt::format("{:.1e} times as much", ratio), "check its unit, the section, and those of the record");
+}
+
 std::optional<Materials> materials_of(const Case& input) {
   if (!input.specimen || !input.specimen->material || !input.rig || !input.rig->support_material) return std::nullopt;
   return Materials{*input.specimen->material, *input.rig->support_material};
@@ -93,6 +108,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   if (states_stiffness(input)) {
     const auto stiffness = bending_stiffness_of(input);
     static_cast<void>(scales_of(input, stiffness));  // refuses what is no slender beam
+    require_same_world(input, measurement.record, stiffness.value);
     source = stiffness.source;
     description.bending_stiffness = stiffness.value;
     description.bending_stiffness_error = stiffness.relative_error;

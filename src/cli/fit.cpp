@@ -70,7 +70,10 @@ void run_fit(const FitRequest& request) {
 
   if (!request.profile.empty()) write_profile(request.profile, test);
   if (!request.curves.empty()) write_curves(request.curves, test);
-  if (!request.draws.empty() && test.analysis.status == AnalysisStatus::ok) write_draws(request.draws, test);
+  if (!request.draws.empty() && is_fitted(test)) write_draws(request.draws, test);
+  if (!request.draws.empty() && !is_fitted(test))
+    note(request.output,
+         fmt::format("no profiles are written to {}: there is no fit to draw them from", request.draws));
   if (!request.report.empty() && write_report(request.report, test) == DrawStatus::no_gnuplot)
     note(request.output,
          "gnuplot is not installed: the report has the scripts and data of the pictures, but no pictures");

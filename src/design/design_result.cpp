@@ -28,13 +28,13 @@ Fields<DesignResult> fields_of_outcomes() {
       .own("deflection_reached", kind::length, "deflection at that stage position",
            told([](O o, U u) { return u.scales.physical_length(o.w_reached); }))
       .count("snaps", "snaps of the specimen, however small", told([](O o, U) { return o.snaps; }))
-      .own("first_snap_stage", kind::length, "stage position of the first snap; NaN if there is none",
+      .own("first_snap_stage", kind::length, "stage position of the first snap; none without a snap",
            told([](O o, U u) { return u.scales.physical_length(o.first_snap.value_or(no_snap).stage); }))
-      .own("first_snap_deflection", kind::length, "deflection before the first snap; NaN if there is none",
+      .own("first_snap_deflection", kind::length, "deflection before the first snap; none without a snap",
            told([](O o, U u) { return u.scales.physical_length(o.first_snap.value_or(no_snap).w); }))
-      .own("first_snap_force_before", kind::force, "force before the first snap; NaN if there is none",
+      .own("first_snap_force_before", kind::force, "force before the first snap; none without a snap",
            told([](O o, U u) { return u.scales.physical_force(o.first_snap.value_or(no_snap).F_before); }))
-      .own("first_snap_force_after", kind::force, "force after the first snap; NaN if there is none",
+      .own("first_snap_force_after", kind::force, "force after the first snap; none without a snap",
            told([](O o, U u) { return u.scales.physical_force(o.first_snap.value_or(no_snap).F_after); }))
       .count("drops",
              "falls of the force between readings, a run of them counting once: the teeth that the record shows",
@@ -45,7 +45,7 @@ Fields<DesignResult> fields_of_outcomes() {
            told([](O o, U u) { return u.scales.physical_force(o.mean_drop); }))
       .own("greatest_force", kind::force, "greatest force",
            told([](O o, U u) { return u.scales.physical_force(o.greatest_force); }))
-      .number("greatest_strain", "greatest bending strain, at the surface at midspan; NaN without a section",
+      .number("greatest_strain", "greatest bending strain, at the surface at midspan; none without a section",
               told([](O o, U u) { return u.surface ? u.surface->strain(o.greatest_curvature) : nothing; }))
       .own("greatest_stress", kind::pressure, "greatest bending stress, likewise",
            told([](O o, U u) { return u.surface ? u.surface->stress(o.greatest_curvature) : nothing; }))

@@ -137,7 +137,11 @@ class Fibre::Tables {
   static CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
 
   SupportedState state(double w, double q) const {
-    if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q) return state_led_on(w, q, supports);
+    if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q) {
+      const SupportedState led = state_led_on(w, q, supports);
+      // Leading on may lose a state that is there, of a fibre much bent.
+      return led.status == FibreStatus::ok ? led : state_on_supports(w, q, supports);
+    }
     SupportedState none{};
     none.status = FibreStatus::beyond_branch;
     return none;

@@ -136,7 +136,7 @@ Least least_of(const Function& f, const Starts& starts, const std::vector<double
     nlopt_set_maxeval(optimiser, 220);
     nlopt_optimize(optimiser, x.data(), &value);
     nlopt_destroy(optimiser);
-    if (value < best.value) best = {x, value};
+    if (best.at.empty() || value < best.value) best = {x, value};  // also where none is a number
   }
   return best;
 }

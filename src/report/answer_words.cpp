@@ -193,10 +193,10 @@ std::string imaged_in_words(const FittedTest& test) {
                      roughly(unit * imaged.scatter, Print(test).as(kind::length)));
 }
 
-std::string_view standing_in_words(Standing standing) {
+std::string_view standing_in_words(Standing standing, bool tells_friction) {
   switch (standing) {
     case Standing::sound:
-      return "No check speaks against this.";
+      return tells_friction ? "No check speaks against this." : "Nothing else speaks against this.";
     case Standing::doubtful:
       return "This is open to doubt.";
     case Standing::suspect:
@@ -298,7 +298,7 @@ std::string answer_of(const FittedTest& test) {
                   percent(share));
   if (const std::string imaged = imaged_in_words(test); !imaged.empty()) answer += " " + imaged;
   if (test.cycles) answer += " " + cycles_in_short(test);
-  answer += fmt::format(" {}", standing_in_words(judgement.standing));
+  answer += fmt::format(" {}", standing_in_words(judgement.standing, !analysis.fit.mu0_is_bound));
   if (const std::string next = next_step_in_words(test); !next.empty()) answer += " " + next;
   return answer;
 }

@@ -36,9 +36,9 @@ Fields<EnergyAccount> energy_fields() {
       .number("stage_work", kind::energy, "work of the stage", &EnergyAccount::stage_work)
       .number("bending", kind::energy, "stored in the bent specimen", &EnergyAccount::bending)
       .number("load_train", kind::energy, "stored in the load train", &EnergyAccount::load_train)
-      .number("friction", kind::energy, "heat of friction at the supports, that of snaps not among it",
-              &EnergyAccount::friction)
-      .number("snaps", kind::energy, "lost in snaps", &EnergyAccount::snaps)
+      .number("friction", kind::energy, "heat of friction at the supports", &EnergyAccount::friction)
+      .number("snaps", kind::energy, "set free by snaps beyond friction; of a measured test all that is lost in drops",
+              &EnergyAccount::snaps)
       .number("imbalance", kind::energy, "what the account does not close by", &EnergyAccount::imbalance);
 }
 

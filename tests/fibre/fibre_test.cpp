@@ -70,6 +70,23 @@ TEST_CASE("fibre, oracle: the tables give the states of supported_state.h, by le
   }));
 }
 
+TEST_CASE(
+    "fibre, oracle: a state that supported_state.h finds is found by its length, however much the fibre is bent") {
+  const Supports supports{0, 0.5 * 34.8 / 1278};
+  const Fibre fibre(supports);
+  for (double w = 0.5; w < 1.1; w += 0.05)
+    for (double q = 0.25; q < 4; q += 0.25) {
+      CAPTURE(w);
+      CAPTURE(q);
+      const SupportedState exact = state_on_supports(w, q, supports);
+      if (exact.status != FibreStatus::ok) continue;
+      const FibreState found = fibre.state(1 + exact.slid, q);
+      REQUIRE(found.status == FibreStatus::ok);
+      CHECK(found.w == doctest::Approx(w).epsilon(1e-9));
+      CHECK(found.F == doctest::Approx(exact.F).epsilon(1e-7));
+    }
+}
+
 TEST_CASE("fibre, identity: many states by their lengths are those of one, which goes by its deflection") {
   CHECK(rc::check([] {
     const Fibre& fibre = some_fibre();

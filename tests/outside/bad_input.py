@@ -268,6 +268,10 @@ class WrongCall(InFolder):
         self.refused("equilibrium", truth, "--longest", "1500", says=["--longest", "a length with its unit"])
         self.refused("equilibrium", truth, "--longest", "100 um", says=["--longest", "greater than the span"])
 
+    def test_a_modulus_of_another_world(self):
+        for modulus in "1e200 Pa", "1e-300 Pa", "1e60 Pa":
+            self.refused("fit", SOURCE / "examples" / "simulated" / "case.toml", "--set", f"specimen.modulus={modulus}", says=["specimen.modulus", "initial slope"])
+
     def test_output_that_cannot_be_written(self):
         self.refused("state", "--S", "1.2", "--q", "0.3", "-o", self.folder / "none" / "x.csv", says=["x.csv", "No such file"])
         self.refused("state", "--S", "1.2", "--q", "0.3", "--json", "-o", self.folder, says=["Is a directory"])

@@ -57,6 +57,11 @@ class Design(InFolder):
         self.assertIn("softer load train", words)
         self.assertIn("softer load train", self.succeeds("design", self.file("inf.toml", CASE.replace("90.65 N/m", "inf"))))
 
+    def test_oracle_simulate_where_the_specimen_is_bent_by_more_than_the_span(self):
+        far = self.file("far.toml", CASE.replace("700 um", "1500 um").replace('step = "2 um"', ""))
+        answer, simulated = self.json("design", far), self.json("simulate", far, "--points", "4")
+        self.assertEqual((answer["status"], answer["snaps"]), (simulated["status"], len(simulated["snaps"])))
+
     def test_limit_hidden_between_readings(self):
         fine = CASE.replace("40 um", "10.9 um").replace("700 um", "466 um")
         self.assertIn("Yes: the specimen will snap, once", self.succeeds("design", self.file("fine.toml", fine)))
