@@ -64,14 +64,14 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
 // A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with
 // it. What is only doubtful is fitted, and said to be (Doubt::wrong_stiffness).
 void require_same_world(const Case& input, const Record& record, double bending_stiffness) {
-  constexpr double farthest = 1e6;
+  constexpr double farthest = 1e15;  // a span in another unit makes it 1e9
   const StiffnessFromSlope slope = stiffness_from_slope(record, span_of(input));
   if (!slope.found) return;
   const double ratio = bending_stiffness / slope.value;
   if (ratio < farthest && ratio > 1 / farthest) return;
   const bool has_modulus = std::holds_alternative<Modulus>(input.specimen->rigidity);
   throw wrong_value(input, has_modulus ? "specimen.modulus" : "specimen.bending_stiffness",
-                    fmt::format("a bending stiffness within a million times that of the record's initial slope, {}",
+                    fmt::format("a bending stiffness within a factor of 1e15 of that of the record's initial slope, {}",
                                 readable(slope.value, kind_in(input, kind::bending_stiffness))),
                     fmt::format("{:.1e} times as much", ratio), "check its unit, the section, and those of the record");
 }

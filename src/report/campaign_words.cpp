@@ -158,10 +158,11 @@ PrintedTable category_rows(const Campaign& campaign) {
 
 PrintedTable test_rows(const Campaign& campaign) {
   const CampaignUnits units = units_of(campaign);
-  PrintedTable table{{"Test", "Sawtooth", "Suspect", "μ₀", "σ", titled("ℓ", units.wavelength), "A",
-                      titled("λ", units.wavelength), titled("EI", units.bending_stiffness),
-                      titled("Residual", units.residual), "Drops", titled("Work", units.work), "Friction", "Remarks"},
-                     {}};
+  PrintedTable table{
+      {"Test", "Sawtooth", "Suspect", "μ₀", "σ", titled("ℓ", units.wavelength), "A", titled("λ", units.wavelength),
+       titled("EI", units.bending_stiffness), titled("Residual", units.residual), "Drops", titled("Work", units.work),
+       "Friction share", "Remarks"},
+      {}};
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
@@ -214,7 +215,7 @@ PrintedTable shared_rows(const Campaign& campaign) {
 }
 
 PrintedTable specimen_rows(const Campaign& campaign) {
-  PrintedTable table{{"Sawtooth", "Friction", "Tests", "Typical", "Specimens differ by"}, {}};
+  PrintedTable table{{"Sawtooth", "Parameter", "Tests", "Typical", "Specimens differ by"}, {}};
   for (const auto& line : specimen_lines(campaign)) {
     const auto [unit, factor] = print_unit(line.typical.value, line.unit);
     const std::string sign = line.by_factors ? "a factor " : "± ";

@@ -125,7 +125,7 @@ Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::
       R"(  set multiplot
   set tmargin at screen 0.88; set bmargin at screen 0.16
   set key at screen 0.28,0.985 center top vertical Left reverse maxrows 1 width 1 samplen 2
-  set lmargin at screen 0.08; set rmargin at screen 0.48
+  set lmargin at screen 0.095; set rmargin at screen 0.48
   set xlabel '{0}' offset 0,0.3
 {1}  set yrange [0:{2:.6g}]
   set ylabel 'Share (%)' offset 1

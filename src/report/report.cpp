@@ -68,13 +68,14 @@ std::vector<Plate> plates_of(const FittedTest& test) {
            analysis.drops.drops.size())});
   plates.push_back(
       {profile_figure(test),
-       fmt::format("Friction read off the curve point by point, at the bending stiffness of the fit. Bars: 95 % "
-                   "intervals from the noise of each point. Red: the slips. Black: the mean of the fit; grey band: two "
-                   "standard deviations about the mean, with the errors of stiffness and contact.{}{}",
-                   analysis.fit.wave_claimed ? " Orange: the wave claimed." : "",
-                   literature_of(test) ? fmt::format(" Green: what the literature gives for {} on {}.",
-                                                     literature_of(test)->specimen, literature_of(test)->support)
-                                       : "")});
+       fmt::format(
+           "Friction read off the curve point by point, at the bending stiffness of the fit. Bars: 95 % "
+           "intervals from the noise of each point. Red-orange: the slips. Black: the mean of the fit; grey band: two "
+           "standard deviations about the mean, with the errors of stiffness and contact.{}{}",
+           analysis.fit.wave_claimed ? " Orange: the wave claimed." : "",
+           literature_of(test) ? fmt::format(" Green: what the literature gives for {} on {}.",
+                                             literature_of(test)->specimen, literature_of(test)->support)
+                               : "")});
   if (!analysis.fit.scan.empty())
     plates.push_back({wavelength_figure(test),
                       "How much a wave of friction adds to the logarithm of the evidence, against its wavelength. The "
