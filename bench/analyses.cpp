@@ -23,12 +23,10 @@ struct Optimum {
 
 // From hyperparameters drawn from what is expected beforehand.
 Optimum optimum_from(const FrictionProcess& process, const Linearisation& rises, NormalSource& normal) {
-  Theta theta = process.usual();
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto prior = process.prior_of(i);
-    theta.values[i] = prior.mean + prior.deviation * normal();
-  }
-  process.bound(theta);
+  const ThetaPrior& prior = process.prior_of_theta();
+  Theta theta = prior.usual();
+  for (std::size_t i = 0; i < 4; ++i) theta.values[i] = prior.mean[i] + prior.deviation[i] * normal();
+  prior.bound(theta);
   Mode mode = process.start(Kernel::matern_3_2, theta, rises);
   process.polish(mode, 20, 10, 0.3);
   const Looks looks = process.looks_of(mode);

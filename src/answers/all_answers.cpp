@@ -14,6 +14,7 @@
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "answers/state_fields.h"
+#include "answers/surface_fields.h"
 #include "answers/sweep_fields.h"
 #include "data/names.h"
 #include "instruments/export_fields.h"
@@ -80,6 +81,9 @@ std::vector<AnswerDescription> all_answers() {
       {"invert of w,F", "friction of single states", true, inverted_fields().descriptions()},
       {"modulus --json", "the numbers of the bending standards", false, modulus_fields().descriptions()},
       {"read --json", "what an export holds", false, export_fields().descriptions()},
+      {"surface --json", "what a height profile says of its surface", false, surface_fields().descriptions()},
+      {"surface --profile", "its heights, and what an edge sees of them", true, trace_fields().descriptions()},
+      {"surface --spectrum", "its power spectral density", true, spectrum_fields().descriptions()},
       {"simulate --json", "what a test would measure", false, simulation_fields(all_columns).descriptions()},
       {"simulate", "its path; some columns only of some tests", true, path_fields(all_columns).descriptions()},
       {"equilibrium --json", "the curve of loading", false, equilibria_fields({false, true}).descriptions()},

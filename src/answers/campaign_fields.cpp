@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "answers/friction_fields.h"
 #include "fibre/elementary.h"
 #include "result/mechanics.h"
 
@@ -12,26 +13,25 @@ namespace {
 using T = const CampaignTest&;
 using S = const TestSummary&;
 
-Fields<TestSummary> parameter_fields() {
+Fields<TestSummary> summary_parameter_fields() {
   const auto of_roughness = [](Estimate TestSummary::*estimate) {
     return [estimate](S test) {
       return test.model == ProfileModel::roughness ? std::optional(test.*estimate) : std::nullopt;
     };
   };
   return Fields<TestSummary>()
-      .own_estimate("mu0", kind::number, "mean friction over the fibre seen", &TestSummary::mu0,
-                    Fields<TestSummary>().yes_no(
-                        "bound", "the record does not tell it from 0: the upper end of its interval is a limit",
-                        &TestSummary::mu0_is_bound))
-      .own_estimate("roughness", kind::number, "standard deviation of friction about its mean",
-                    of_roughness(&TestSummary::roughness))
-      .own_estimate("correlation_length", kind::length, "of the roughness along the specimen",
-                    of_roughness(&TestSummary::correlation_length))
-      .own_estimate("amplitude", kind::number, "of the likeliest wave of friction, relative to mu0",
-                    &TestSummary::amplitude)
-      .own_estimate("wavelength", kind::length, "of that wave, along the specimen", &TestSummary::wavelength)
-      .own_estimate("phase", kind::angle, "of that wave, at the length 0", &TestSummary::phase)
-      .own_estimate("bending_stiffness", kind::bending_stiffness, "EI of the fit", &TestSummary::bending_stiffness);
+      .own_estimate(parameter::mu0, &TestSummary::mu0,
+                    Fields<TestSummary>().yes_no("bound", parameter::bound, &TestSummary::mu0_is_bound))
+      .own_estimate(parameter::roughness, of_roughness(&TestSummary::roughness))
+      .own_estimate(parameter::correlation_length, of_roughness(&TestSummary::correlation_length))
+      .own_estimate(parameter::amplitude, &TestSummary::amplitude)
+      .own_estimate(parameter::wavelength, &TestSummary::wavelength)
+      .own_estimate("surface_height", kind::length, "amplitude of the wave of the surface that would show that wave",
+                    &TestSummary::surface_height)
+      .own_estimate("surface_slope", kind::number, "rms of the slopes that would show the friction",
+                    &TestSummary::surface_slope)
+      .own_estimate(parameter::phase, &TestSummary::phase)
+      .own_estimate(parameter::bending_stiffness, &TestSummary::bending_stiffness);
 }
 
 // Of what a test is called, and what it comes to.
@@ -59,7 +59,8 @@ Fields<TestSummary> number_fields() {
            &TestSummary::residual_rms)
       .count("drops", "of the force, beyond its noise", &TestSummary::drops)
       .own("work_of_fracture", kind::energy, "work on the specimen", &TestSummary::work_of_fracture)
-      .number("friction_share", "of it that went into friction and snaps", &TestSummary::friction_share);
+      .number("friction_share", "of it that went into friction and snaps; null of a test that is not trusted",
+              &TestSummary::friction_share);
 }
 
 Fields<CampaignTest> remark_fields() {
@@ -73,7 +74,8 @@ Fields<CampaignTest> remark_fields() {
 Fields<CampaignTest> test_fields() {
   return name_fields()
       .all_of(verdict_fields(), &CampaignTest::summary)
-      .group("parameters", "what was fitted; null what the fit has not", parameter_fields(), &CampaignTest::summary)
+      .group("parameters", "what was fitted; null what the fit has not", summary_parameter_fields(),
+             &CampaignTest::summary)
       .group(
           "wave", "whether the likeliest one is claimed",
           Fields<TestSummary>()
@@ -88,7 +90,8 @@ Fields<CampaignTest> test_fields() {
               .number("low80", "a tenth of the points lie below it", [](S test) { return test.friction_read.low80; })
               .number("high80", "a tenth of the points lie above it", [](S test) { return test.friction_read.high80; }),
           &CampaignTest::summary)
-      .all_of(Fields<TestSummary>().words("failed_checks", "residuals, drops, whiteness, nesting, friction, stability",
+      .all_of(Fields<TestSummary>().words("failed_checks",
+                                          "residuals, drops, whiteness, nesting, friction, stability, stiffness",
                                           [](S test) {
                                             std::vector<std::string_view> names;
                                             for (const auto kind : test.failed_checks) names.push_back(name_of(kind));
@@ -116,8 +119,11 @@ Fields<CategorySpread> category_fields() {
       .group("mu0", "mean friction", spread_fields(kind::number), &CategorySpread::mu0)
       .group("amplitude", "of one wave of friction, relative to mu0", spread_fields(kind::number),
              &CategorySpread::amplitude)
-      .group("wavelength", "of that wave, along the specimen", spread_fields(kind::length),
-             &CategorySpread::wavelength);
+      .group("wavelength", "of that wave, along the specimen", spread_fields(kind::length), &CategorySpread::wavelength)
+      .group("surface_height", "amplitude of the wave of the surface that would show it", spread_fields(kind::length),
+             &CategorySpread::surface_height)
+      .group("surface_slope", "rms of the slopes that would show the friction", spread_fields(kind::number),
+             &CategorySpread::surface_slope);
 }
 
 // A specimen in the light of the others.
@@ -277,7 +283,7 @@ Json campaign_json(const Campaign& campaign) { return campaign_fields()(campaign
 Fields<CampaignTest> test_columns() {
   return name_fields()
       .all_of(verdict_fields(), &CampaignTest::summary)
-      .all_of(parameter_fields(), &CampaignTest::summary)
+      .all_of(summary_parameter_fields(), &CampaignTest::summary)
       .all_of(Fields<TestSummary>()
                   .yes_no("mu0_is_bound", "the record does not tell mu0 from 0: mu0_high is its upper limit",
                           &TestSummary::mu0_is_bound)

@@ -75,10 +75,13 @@ Fields<FrictionLoop> corners_fields() {
 Fields<LoopEnergy> loop_energy_fields() {
   return Fields<LoopEnergy>()
       .number("loading", kind::energy, "put in: the apparent work of fracture of this loading", &LoopEnergy::loading)
-      .number("unloading", kind::energy, "given back; of a loop that was not unloaded 0", &LoopEnergy::unloading)
+      .number("unloading", kind::energy, "given back; null of a loop that was not unloaded", &LoopEnergy::unloading)
       .number("stored", kind::energy, "kept by bending, from where the loop begins to where it ends",
               &LoopEnergy::stored)
-      .number("lost", kind::energy, "area of the loop less what is stored", &LoopEnergy::lost)
+      .number("lost", kind::energy,
+              "area of the loop less what is stored; null of one that is not closed, or was not loaded",
+              &LoopEnergy::lost)
+      .number("lost_share", "lost over loading", [](const LoopEnergy& energy) { return energy.lost / energy.loading; })
       .number("friction", kind::energy, "heat of friction where it slides", &LoopEnergy::friction);
 }
 
@@ -90,7 +93,14 @@ Fields<LoopOf> loop_fields() {
     };
   };
   const auto part = [](auto member) { return [member](L loop) { return loop.loop().*member; }; };
+  const auto row_of = [](const LoopOf& of, bool last) {
+    const auto& [loading, unloading] = std::pair(of.loop().loading, of.loop().unloading);
+    const auto& legs = of.test.cycles->friction.legs;
+    return last ? legs[unloading ? *unloading : *loading].last - 1 : legs[loading ? *loading : *unloading].first;
+  };
   return Fields<LoopOf>()
+      .row("first_row", "first row of the file", [row_of](L loop) { return row_of(loop, false); })
+      .row("last_row", "last row of the file", [row_of](L loop) { return row_of(loop, true); })
       .group("loading", "rows of the loading; null without one", leg_fields(), leg_of(&FrictionLoop::loading))
       .group("unloading", "rows of the unloading; null without one", leg_fields(), leg_of(&FrictionLoop::unloading))
       .estimate("contact", kind::length, "stage position of the contact", part(&FrictionLoop::contact))
@@ -122,24 +132,27 @@ Fields<LoopOf> loop_fields() {
 
 Fields<LoadingStiffness> loading_fields() {
   using S = const LoadingStiffness&;
+  const auto is_reference = [](S loading) {
+    return loading.status == LoadingStatus::ok && loading.ratio.standard_error == 0;
+  };
   return Fields<LoadingStiffness>()
       .words("status",
-             "ok, or why it is not compared: loaded_too_little, window_not_covered, too_few_points, not_rising, "
-             "still_drawn_in, no_reference",
-             [](S loading) {
-               return name_in_order<LoadingStatus::no_reference>(
-                   loading.status, {"ok", "loaded_too_little", "window_not_covered", "too_few_points", "not_rising",
-                                    "still_drawn_in", "no_reference"});
+             "ok, reference (the first), or why it is not compared: loaded_too_little, window_not_covered, "
+             "too_few_points, not_rising, still_drawn_in, no_reference",
+             [is_reference](S loading) {
+               if (is_reference(loading)) return std::string_view("reference");
+               return name_of(loading.status);
              })
       .only_where([](S loading) { return loading.status == LoadingStatus::ok; })
       .own_numbers("rows", kind::number, "first and last row of the file in the window",
                    [](S loading, const Frame& frame) {
                      return std::vector{frame.row(loading.first), frame.row(loading.last - 1)};
                    })
-      .own("slope", kind::stiffness, "force over deflection in the window", &LoadingStiffness::slope)
-      .own("slope_error", kind::stiffness, "its standard error, from scatter", &LoadingStiffness::slope_error)
-      .number("ratio", "to the slope of the first loading", &LoadingStiffness::ratio)
-      .number("ratio_error", "its standard error, from scatter", &LoadingStiffness::ratio_error)
+      .own_estimate("slope", kind::stiffness, "force over deflection in the window, its error from scatter",
+                    &LoadingStiffness::slope)
+      .only_where([is_reference](S loading) { return loading.status == LoadingStatus::ok && !is_reference(loading); })
+      .own_estimate("ratio", kind::number, "to the slope of the first loading, its error from scatter",
+                    &LoadingStiffness::ratio)
       .number("ratio_systematic", "half the difference of the ratios in the lower and in the upper half of the window",
               &LoadingStiffness::ratio_systematic)
       .words("verdict", "damaged, not_damaged or undecided", [](S loading) { return name_of(loading.verdict); });
@@ -192,6 +205,12 @@ std::string_view name_of(CyclesStatus status) {
   return name_in_order<CyclesStatus::not_converged>(status, {"ok", "no_mirror", "too_few_points", "not_converged"});
 }
 
+std::string_view name_of(LoadingStatus status) {
+  return name_in_order<LoadingStatus::no_reference>(
+      status, {"ok", "loaded_too_little", "window_not_covered", "too_few_points", "not_rising", "still_drawn_in",
+               "no_reference"});
+}
+
 std::string_view name_of(DamageVerdict verdict) {
   return name_in_order<DamageVerdict::undecided>(verdict, {"damaged", "not_damaged", "undecided"});
 }
@@ -217,6 +236,13 @@ Fields<FittedTest> cycles_fields() {
                 [](T test) { return friction_of(test).asymmetry; })
       .group("correlation", "of the bumps of friction in the two directions, of all loops together",
              correlation_fields(), [](T test) { return friction_of(test).correlation; })
+      .number("mu_in", "friction sliding in, mean over the places of all loops",
+              [](T test) { return direction_means(friction_of(test)).in; })
+      .number("mu_out", "friction sliding out, likewise", [](T test) { return direction_means(friction_of(test)).out; })
+      .number("rms_difference", "of the two from place to place",
+              [](T test) { return direction_means(friction_of(test)).rms_difference; })
+      .yes_no("beyond_friction", "asymmetry is larger than friction itself, and told from none: an error of the model",
+              [](T test) { return is_beyond_friction(friction_of(test)); })
       .anywhere()
       .group("build_up_length", "over which friction builds up after a reversal (Dahl); null where no reversal is seen",
              build_up_fields(), [](T test) { return test.cycles->build_up; })

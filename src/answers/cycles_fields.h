@@ -14,6 +14,7 @@ std::size_t cyclic_row(const FittedTest& test, std::size_t point);
 
 std::string_view name_of(CyclesStatus status);
 std::string_view name_of(DamageVerdict verdict);
+std::string_view name_of(LoadingStatus status);
 
 // Contacts count from the zero that the stage has in it. Where the loops say nothing, what depends on them is null or empty, and "status"
 // says why.

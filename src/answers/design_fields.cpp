@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "design/outcome_fields.h"
 #include "result/mechanics.h"
 
 namespace flexslip {

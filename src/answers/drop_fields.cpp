@@ -37,16 +37,15 @@ Fields<Tooth> tooth_fields() {
       .number("length_after", kind::length, "drawn in where it ends, and the span", &Tooth::S_end)
       .number("q_before", "mobilised friction where it begins", &Tooth::q_begin)
       .number("q_after", "mobilised friction where it ends", &Tooth::q_end)
-      .number("slope", kind::stiffness, "force over stage position, mean of the rise", &Tooth::slope)
-      .number("slope_error", kind::stiffness, "its standard error", &Tooth::slope_error)
+      .estimate("slope", kind::stiffness, "force over stage position, mean of the rise", &Tooth::slope)
       .number("stick_slope", kind::stiffness, "likewise, of a specimen that is stuck", &Tooth::stick_slope)
       .number("slide_slope", kind::stiffness, "likewise, of one that slides at constant friction", &Tooth::slide_slope)
-      .number("position", "p: 1 where the slope is that of sticking, 0 where it is that of sliding", &Tooth::position)
-      .number("position_error", "its standard error, from scatter", &Tooth::position_error)
+      .estimate("position", kind::number,
+                "p: 1 where the slope is that of sticking, 0 where it is that of sliding; its error from scatter",
+                &Tooth::position)
       .number("position_systematic", "its error from EI, contact and load train, common to all rises",
               &Tooth::position_systematic)
-      .number("advance", kind::length, "length drawn in over the rise", &Tooth::advance)
-      .number("advance_error", kind::length, "its standard error", &Tooth::advance_error)
+      .estimate("advance", kind::length, "length drawn in over the rise", &Tooth::advance)
       .words("verdict", "sliding, as_if_stuck or undecided", [](const Tooth& tooth) { return name_of(tooth.verdict); })
       .number("compliant_position", "p of a stuck specimen on supports that give way as fitted",
               &Tooth::compliant_position)
@@ -103,9 +102,10 @@ Fields<DropOf> drop_fields() {
              "implausible "
              "friction before, negative friction after, moves_out",
              [](D drop) { return name_of(drop.slip.verdict); })
-      .number("pulled_in", kind::length, "length that it draws in over both supports, if it is a slip",
-              [](D drop) { return drop.slip.S_after - drop.slip.S_before; })
-      .number("pulled_in_error", kind::length, "its standard error", [](D drop) { return drop.slip.advance_error; });
+      .estimate("pulled_in", kind::length, "length that it draws in over both supports, if it is a slip",
+                [](D drop) { return normal_estimate(drop.slip.S_after - drop.slip.S_before, drop.slip.advance_error); })
+      .number("mu_before", "friction before it, if it is a slip", [](D drop) { return drop.slip.mu_before; })
+      .number("mu_after", "friction after it, likewise", [](D drop) { return drop.slip.mu_after; });
 }
 
 Fields<TestAnalysis> slips_fields() {

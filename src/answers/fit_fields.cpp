@@ -11,6 +11,7 @@
 #include "answers/cycles_fields.h"
 #include "answers/drop_fields.h"
 #include "answers/friction_fields.h"
+#include "answers/implied_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "case/analysis_fields.h"
@@ -125,11 +126,10 @@ Fields<FittedTest> contact_fields() {
       .own("taken_off", kind::length, "from stage and deflection",
            [](T test) { return test.measurement.contact_offset; })
       .only_where([](T test) { return test.analysis.contact.status == ContactStatus::found; })
-      .own("line_offset", kind::length, "where a line through the first part of the curve meets zero force, from there",
-           found(&Contact::offset))
-      .own("line_offset_error", kind::length, "its standard error", found(&Contact::offset_error))
-      .own("initial_slope", kind::stiffness, "of that line", found(&Contact::slope))
-      .own("initial_slope_error", kind::stiffness, "its standard error", found(&Contact::slope_error));
+      .own_estimate("line_offset", kind::length,
+                    "where a line through the first part of the curve meets zero force, from there",
+                    found(&Contact::offset))
+      .own_estimate("initial_slope", kind::stiffness, "of that line", found(&Contact::slope));
 }
 
 Fields<FittedTest> nominal_stiffness_fields() {
@@ -220,6 +220,8 @@ Fields<FittedTest> all_fields() {
             [](T test) { return is_fitted(test) ? test.analysis.model.snaps : std::vector<Snap>(); })
       .group("judgement", "what the test comes to when all is weighed", judgement_fields(),
              [](T test) { return test.judgement ? &test : nullptr; })
+      .group("surface", "that would explain how friction varies; null where it does not", implied_fields(),
+             [](T test) { return test.implied ? &test : nullptr; })
       .group("bending", "how far the specimen was strained", bending_fields())
       .group("imaged_length", "lengths that were imaged, against those read off the force; null without any",
              imaged_fields(), [](T test) { return test.imaged; })

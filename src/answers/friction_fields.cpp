@@ -17,9 +17,9 @@ auto of_fit(Part FrictionFit::*part) {
 
 Fields<WaveEstimate> wave_fields() {
   return Fields<WaveEstimate>()
-      .estimate("amplitude", kind::number, "of the wave of friction, relative to mu0", &WaveEstimate::amplitude)
-      .estimate("wavelength", kind::length, "of that wave, along the specimen", &WaveEstimate::wavelength)
-      .estimate("phase", kind::angle, "of that wave, at the length 0", &WaveEstimate::phase)
+      .estimate(parameter::amplitude, &WaveEstimate::amplitude)
+      .estimate(parameter::wavelength, &WaveEstimate::wavelength)
+      .estimate(parameter::phase, &WaveEstimate::phase)
       .estimate("phase_at_middle", kind::angle, "of that wave, at the reference", &WaveEstimate::phase_at_middle);
 }
 
@@ -41,10 +41,8 @@ Fields<FittedTest> parameter_fields() {
   return Fields<FittedTest>()
       .left_out_where_missing()
       .only_where(is_fitted)
-      .estimate("mu0", kind::number, "mean friction over the fibre seen", of_fit(&FrictionFit::mu0),
-                Fields<FittedTest>().yes_no(
-                    "bound", "the record does not tell it from 0: the upper end of its interval is a limit",
-                    of_fit(&FrictionFit::mu0_is_bound)))
+      .estimate(parameter::mu0.name, parameter::mu0.kind, parameter::mu0.meaning, of_fit(&FrictionFit::mu0),
+                Fields<FittedTest>().yes_no("bound", parameter::bound, of_fit(&FrictionFit::mu0_is_bound)))
       .all_of(wave_fields(), wave(0))
       .all_of(second, wave(1))
       .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model != ProfileModel::constant; })
@@ -52,11 +50,10 @@ Fields<FittedTest> parameter_fields() {
       .estimate("force_noise", kind::force, "standard deviation of a force reading, by the fit",
                 of_fit(&FrictionFit::noise))
       .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model == ProfileModel::roughness; })
-      .estimate("roughness", kind::number, "standard deviation of friction about its mean",
-                of_fit(&FrictionFit::roughness))
-      .estimate("correlation_length", kind::length, "of the roughness along the specimen", of_fit(&FrictionFit::length))
+      .estimate(parameter::roughness, of_fit(&FrictionFit::roughness))
+      .estimate(parameter::correlation_length, of_fit(&FrictionFit::length))
       .only_where(is_fitted)
-      .estimate("bending_stiffness", kind::bending_stiffness, "EI of the fit", of_fit(&FrictionFit::bending_stiffness))
+      .estimate(parameter::bending_stiffness, of_fit(&FrictionFit::bending_stiffness))
       .estimate("reference", kind::length,
                 "length between the contacts where phase_at_middle, and mu0 with drift and wave, hold",
                 [](T test) { return normal_estimate(test.analysis.fit.S_middle, 0); })
@@ -106,10 +103,31 @@ Fields<FittedTest> band_fields() {
                    [](T test) { return test.analysis.fit.band.deviation; });
 }
 
+std::string_view remedy_of(const Check& check) {
+  if (check.outcome != CheckOutcome::failed) return "";
+  switch (check.kind) {
+    case CheckKind::residuals:
+      return "check modulus, section, span and units";
+    case CheckKind::drops:
+      return "see whether they can be cracks";
+    case CheckKind::whiteness:
+      return "something is not in the model; a simulated record without noise fails here, too";
+    case CheckKind::nesting:
+      return "its best fit was not found: compare fit --model constant and drift";
+    case CheckKind::friction:
+      return "bend farther, or state the bending stiffness more exactly";
+    case CheckKind::stiffness:
+      return "check modulus, section, span, units and the radius of the supports";
+    case CheckKind::stability:
+      break;
+  }
+  return check.numbers.empty() ? "check the record" : "do not trust its last digits";
+}
+
 Fields<Check> check_fields() {
   Fields<Check> fields;
   fields
-      .words("name", "residuals, drops, whiteness, nesting, friction or stability",
+      .words("name", "residuals, drops, whiteness, nesting, friction, stability or stiffness",
              [](const Check& check) { return name_of(check.kind); })
       .yes_no("passed", "null where it is not possible",
               [](const Check& check) {
@@ -117,7 +135,11 @@ Fields<Check> check_fields() {
                            ? std::nullopt
                            : std::optional(check.outcome == CheckOutcome::passed);
               })
-      .left_out_where_missing();
+      .left_out_where_missing()
+      .words("remedy", "what to do where it failed", [](const Check& check) {
+        const std::string_view remedy = remedy_of(check);
+        return remedy.empty() ? std::nullopt : std::optional(remedy);
+      });
   struct Number {
     std::string_view name;
     const Kind& kind;
@@ -139,7 +161,9 @@ Fields<Check> check_fields() {
         Number{"most_below", kind::number, "greatest ln L by which the explanation lies below one that it contains"},
         Number{"mu0_high", kind::number, "upper end of the 95 % interval of mu0"},
         Number{"mu0_moved", kind::number, "standard errors that mu0 moves by as the force changes in its ninth digit"},
-        Number{"same_explanation", kind::number, "1 if the likeliest explanation stays then, else 0"}})
+        Number{"same_explanation", kind::number, "1 if the likeliest explanation stays then, else 0"},
+        Number{"fitted_over_nominal", kind::number, "bending stiffness of the fit over the nominal one"},
+        Number{"errors", kind::number, "of the nominal one, by which they differ"}})
     fields.number(name, kind, meaning, [name = name](const Check& check) {
       const auto found = std::find_if(check.numbers.begin(), check.numbers.end(),
                                       [&](const CheckNumber& number) { return number.name == name; });

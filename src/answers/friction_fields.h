@@ -1,6 +1,8 @@
 // The friction of a fitted test, described once: its parameters, its waves, its explanations, and what the fit is held against.
 #pragma once
 
+#include <string_view>
+
 #include "case/fitted.h"
 #include "result/fields.h"
 
@@ -12,11 +14,29 @@ Fields<FittedTest> parameter_fields();
 // The likeliest wave, claimed or not. Domain: the fit has one.
 Fields<FittedTest> likeliest_wave_fields();
 
+// The parameters that a campaign tells of each of its tests, too.
+namespace parameter {
+
+inline constexpr Named mu0{"mu0", kind::number, "mean friction over the fibre seen"};
+inline constexpr Named roughness{"roughness", kind::number, "standard deviation of friction about its mean"};
+inline constexpr Named correlation_length{"correlation_length", kind::length, "of the roughness along the specimen"};
+inline constexpr Named amplitude{"amplitude", kind::number, "of the likeliest wave of friction, relative to mu0"};
+inline constexpr Named wavelength{"wavelength", kind::length, "of that wave, along the specimen"};
+inline constexpr Named phase{"phase", kind::angle, "of that wave, at the length 0"};
+inline constexpr Named bending_stiffness{"bending_stiffness", kind::bending_stiffness, "EI of the fit"};
+inline constexpr std::string_view bound =
+    "the record does not tell it from 0: the upper end of its interval is a limit";
+
+}  // namespace parameter
+
 Fields<Explanation> explanation_fields();
 
 // Friction at each of many lengths.
 Fields<FittedTest> band_fields();
 
 Fields<Check> check_fields();
+
+// What to do about a check that failed, in a clause; "" of others.
+std::string_view remedy_of(const Check& check);
 
 }  // namespace flexslip

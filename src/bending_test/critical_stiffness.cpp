@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bending_test/reach.h"
 #include "bending_test/rig.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Stretch {
   double from, to;  // [L] of S

@@ -2,14 +2,12 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "fibre/batch.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The straight fibre, where derivatives in S are infinite, but not those in x.
 CurveSample straight(double direction, double compliance, double q) {

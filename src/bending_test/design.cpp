@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,6 +14,7 @@
 #include "bending_test/sliding_piece.h"
 #include "bending_test/snap.h"
 #include "contact/over_rollers.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -301,7 +301,7 @@ double breaking_deflection(const Design& design, const Rig& rig) {
       (breaks(state_at(middle)) ? high : low) = middle;
     return state_at(high).w;
   }
-  return std::numeric_limits<double>::infinity();
+  return infinity;
 }
 
 void require_loading(const Design& design) {
@@ -345,7 +345,7 @@ double critical_stiffness(const Design& design) {
   constexpr double above = 1e-7;
   constexpr double settled = 1e-9;
   constexpr double least = 1e-6;  // [L] of a deflection: what a curve can be traced for
-  double stiffness = std::numeric_limits<double>::infinity();
+  double stiffness = infinity;
   const double breaks = breaking_deflection(design, {stiffness, design.rig.fibre});
   double deflection = std::min(design.travel, breaks);
   while (true) {
@@ -376,7 +376,7 @@ double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
 std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fibre& fibre) {
   constexpr double per_period = 96;
   constexpr double per_knot = 8;
-  const double S_max = longest_in_loading(along, {std::numeric_limits<double>::infinity(), fibre}, w_max);
+  const double S_max = longest_in_loading(along, {infinity, fibre}, w_max);
   const Friction friction = met(along, fibre, 1, S_max);
   const double for_waves = per_period * (S_max - 1) / (4 * friction.smooth_scale());
   const double for_knots = per_knot * static_cast<double>(friction.knots().size());

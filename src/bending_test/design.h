@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "bending_test/critical_stiffness.h"
 #include "bending_test/rig.h"
 #include "contact/friction.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 
@@ -17,9 +17,9 @@ namespace flexslip {
 struct Design {
   Friction friction;
   Rig rig;
-  double travel;  // [L] stage position at which the loading ends
-  double step;    // [L] of the stage between two readings; 0: the curve is recorded continuously
-  double breaking_curvature = std::numeric_limits<double>::infinity();  // [1/L] at midspan, at which the fibre breaks
+  double travel;                         // [L] stage position at which the loading ends
+  double step;                           // [L] of the stage between two readings; 0: the curve is recorded continuously
+  double breaking_curvature = infinity;  // [1/L] at midspan, at which the fibre breaks
 };
 
 enum class DesignStatus {

@@ -14,6 +14,7 @@
 
 #include "bending_test/curve_samples.h"
 #include "bending_test/interpolant.h"
+#include "bending_test/polynomial.h"
 
 namespace flexslip {
 namespace {

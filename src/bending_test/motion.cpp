@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -13,11 +12,10 @@
 #include "bending_test/reach.h"
 #include "contact/over_rollers.h"
 #include "contact/two_supports.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Motion slip(Sliding sliding) { return sliding == Sliding::in ? Motion::slip_in : Motion::slip_out; }
 

@@ -9,41 +9,15 @@
 #include <optional>
 #include <vector>
 
+#include "bending_test/bending_test.h"
 #include "bending_test/path_point.h"
 #include "bending_test/rig.h"
 #include "bending_test/shallow.h"
 #include "bending_test/sliding_table.h"
 #include "bending_test/snap.h"
-#include "contact/friction_law.h"
+#include "bending_test/stretch.h"
 
 namespace flexslip {
-
-// Where a snap comes to rest.
-enum class SnapRest {
-  nearest_stable,  // at the next stable state, q = μ_k: whatever is set free is lost at once (the paper's postulate, (4.32))
-  overshoot,  // the energy set free carries the fibre on, until friction has consumed it: it rests with |q| below the
-              // static friction, after swinging back if need be. What does not end in 1,000 swings, or swings so
-              // far back that only a friction beyond 20 would hold the fibre, rests as above.
-};
-
-struct BendingTest {
-  FrictionLaw
-      friction;  // on two supports that are not alike without a static excess, and at rest at the nearest stable state
-  Rig rig;
-  SnapRest rest = SnapRest::nearest_stable;
-};
-
-// Part of the way between two events, or to the stage position asked for.
-struct Stretch {
-  PathPoint from, to;  // to.motion is that of the stretch: in stick S is constant, in a snap the stage
-  StretchWork work;
-};
-
-enum class HistoryStatus {
-  ok,
-  slipped_through,  // a stage position exceeds every equilibrium: the fibre slips through the supports
-  contact_lost,     // a snap let the fibre out until no force was left
-};
 
 // A slip shorter than this [L] runs on into the next: a nanometre for a span of a millimetre. Without it, static friction on a
 // straight fibre would mean infinitely many slips, for their length goes as w^3.

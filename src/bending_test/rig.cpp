@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -10,11 +9,10 @@
 #include "bending_test/curve_samples.h"
 #include "bending_test/fold_search.h"
 #include "contact/over_rollers.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Periods of the roughness in one trace, beyond which it would take seconds.
 constexpr double most_periods = 1e6;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bending_test/interpolant.h"
+#include "bending_test/polynomial.h"
 
 namespace flexslip {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "bending_test/curve_samples.h"
 #include "bending_test/interpolant.h"
+#include "bending_test/polynomial.h"
 #include "contact/over_rollers.h"
 
 namespace flexslip {

@@ -38,7 +38,9 @@ std::string reason_of(const std::string& status) {
 std::string failed_checks_in_words(const TestAnalysis& analysis) {
   std::string words;
   for (const auto& check : analysis.checks) {
-    if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction) continue;
+    if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction ||
+        check.kind == CheckKind::stiffness)
+      continue;
     if (!words.empty()) words += "; ";
     switch (check.kind) {
       case CheckKind::residuals:
@@ -55,6 +57,7 @@ std::string failed_checks_in_words(const TestAnalysis& analysis) {
         words += "the likeliest explanation fits worse than one that it contains";
         break;
       case CheckKind::friction:
+      case CheckKind::stiffness:
         break;
       case CheckKind::stability:
         words += "the answer moves when the force changes in its ninth digit";

@@ -175,8 +175,8 @@ InputError in_row(const InputError& error, const TextTable& table, const TextRow
   fault.file = table.source;
   fault.line = row.line;
   for (const auto& key : keys)
-    if (fault.field == fmt::format("[{}] {}", key.section, key.key)) fault.field = "column " + in_quotes(key.title);
-  if (fault.expected == "it in the file") fault.expected = "it in the table, or in a case file passed as --common";
+    if (fault.key == fmt::format("{}.{}", key.section, key.key)) fault.field = "column " + in_quotes(key.title);
+  if (fault.kind == FaultKind::missing) fault.expected = "it in the table, or in a case file passed as --common";
   return InputError(fault);
 }
 
@@ -211,7 +211,8 @@ std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::tabl
     } catch (const InputError& error) {
       throw located(error, table.source, table.header_line, "column " + in_quotes(table.titles[i]));
     }
-    if (!case_key(keys.back().section, keys.back().key)) throw unknown_column(keys.back(), table);
+    if (keys.back().section.starts_with("sweep") || !case_key(keys.back().section, keys.back().key))
+      throw unknown_column(keys.back(), table);
   }
   if (table.rows.empty())
     throw InputError({.file = table.source, .expected = "a row for each test", .found = "a header only"});

@@ -2,10 +2,10 @@
 
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <system_error>
 #include <utility>
 
+#include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "result/json.h"
@@ -15,11 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout = 4;  // of the kept text: another one is computed anew
+constexpr int layout = 5;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // JSON knows no NaN: null.
 double number(const Json& json) { return json.is_null() ? not_a_number : json.get<double>(); }
@@ -105,7 +102,9 @@ Json json_of(const TestSummary& summary) {
           {"friction_share", summary.friction_share},
           {"work_of_fracture", summary.work_of_fracture},
           {"failed_checks", summary.failed_checks},
-          {"known", json_of(summary.known)}};
+          {"known", json_of(summary.known)},
+          {"surface_height", json_of(summary.surface_height)},
+          {"surface_slope", json_of(summary.surface_slope)}};
 }
 
 TestSummary summary_from(const std::string& name, const Json& json) {
@@ -131,7 +130,9 @@ TestSummary summary_from(const std::string& name, const Json& json) {
           .friction_share = number(json.at("friction_share")),
           .work_of_fracture = number(json.at("work_of_fracture")),
           .failed_checks = json.at("failed_checks").get<std::vector<CheckKind>>(),
-          .known = marginals_from(json.at("known"))};
+          .known = marginals_from(json.at("known")),
+          .surface_height = optional_estimate_of(json.at("surface_height")),
+          .surface_slope = optional_estimate_of(json.at("surface_slope"))};
 }
 
 Json json_of(const CampaignCurves& curves) {

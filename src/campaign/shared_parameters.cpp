@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
 #include "data/names.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/shared_parameter.h"
 
 namespace flexslip {
@@ -62,7 +62,7 @@ SharedParameter shared_by(std::span<const CampaignTest> tests, Shareable paramet
     if (const auto marginal = marginal_of(test, parameter); marginal && tells(*marginal))
       marginals.push_back(*marginal);
   if (marginals.size() < 2) {
-    constexpr double untold = std::numeric_limits<double>::quiet_NaN();
+    constexpr double untold = not_a_number;
     return {name_of(parameter), unit_of(parameter), {untold, untold, untold, untold}, marginals.size(), untold, untold};
   }
   const SharedValue shared = share(marginals, prior_told_to(marginals));

@@ -427,32 +427,40 @@ InputError wrong_value(const Case& input, std::string_view key, std::string expe
   const bool is_changed = std::any_of(input.changed.begin(), input.changed.end(), [&](const std::string& each) {
     return key == each || (key.starts_with(each) && (key[each.size()] == '[' || key[each.size()] == '.'));
   });
-  if (is_changed)
-    return InputError({"--set", 0, std::string(key), std::move(expected), std::move(found), std::move(remedy)});
-  return InputError(
-      {input.source, line_of(input, key), field_name(key), std::move(expected), std::move(found), std::move(remedy)});
+  return InputError({.file = is_changed ? "--set" : input.source,
+                     .line = is_changed ? 0 : line_of(input, key),
+                     .field = is_changed ? std::string(key) : field_name(key),
+                     .expected = std::move(expected),
+                     .found = std::move(found),
+                     .remedy = std::move(remedy),
+                     .key = std::string(key)});
 }
 
 Kind kind_in(const Case& input, const Kind& kind) { return input.reduced ? kind::number : kind; }
+
+std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
 
 std::string depth_key(const Section& section) {
   return std::holds_alternative<RectangularSection>(section) ? "specimen.height" : "specimen.diameter";
 }
 
 InputError missing(const Case& input, std::string_view key) {
+  const auto fault = [&](std::string remedy) {
+    InputError error = wrong_value(input, key, "it in the file", "nothing", std::move(remedy));
+    error.fault.kind = FaultKind::missing;
+    return error;
+  };
   for (const Example& example : examples) {
     const std::string_view text = input.reduced ? example.reduced : example.physical;
-    if (example.key == key && !text.empty())
-      return wrong_value(input, key, "it in the file", "nothing", fmt::format("add {}", text));
+    if (example.key == key && !text.empty()) return fault(fmt::format("add {}", text));
   }
   const std::size_t dot = key.rfind('.');
   if (dot != std::string_view::npos)
     if (const CaseKey* described = case_key(key.substr(0, dot), key.substr(dot + 1))) {
       const std::string_view text = input.reduced ? described->reduced : described->example;
-      if (!text.empty())
-        return wrong_value(input, key, "it in the file", "nothing", fmt::format("add {} = {}", described->name, text));
+      if (!text.empty()) return fault(fmt::format("add {} = {}", described->name, text));
     }
-  return wrong_value(input, key, "it in the file", "nothing");
+  return fault("");
 }
 
 }  // namespace flexslip

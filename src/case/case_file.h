@@ -59,6 +59,8 @@ std::string depth_key(const Section& section);
 
 // In a reduced case every quantity is a plain number.
 Kind kind_in(const Case& input, const Kind& kind);
+// [m] "1278 µm".
+std::string readable_length(const Case& input, double length);
 
 // The error to throw when a command needs what a case does not have: a section, "friction", or a key, "rig.stiffness".
 // The message shows an example of it.

@@ -44,6 +44,8 @@ constexpr CaseKey at_most(double most, std::string_view why, CaseKey key) {
 }
 
 constexpr std::array keys{
+    plain("", "reduced", Holds::yes_no, "true", "",
+          "whether all its numbers are in reduced variables, without units; false, unless it is given"),
     // specimen
     quantity("specimen", "diameter", kind::length, Range::positive, R"("34.8 um")", "0.027", "--diameter",
              "of a solid round section, or the outer one of a tube"),
@@ -105,7 +107,7 @@ constexpr std::array keys{
     plain("rig", "support_material", Holds::text, R"("steel")", "", "what the supports are made of",
           "; nothing is said of the literature unless both materials are stated"),
     // friction
-    word("friction", "model", "constant|drift|sinusoid|sinusoids|table|rough|roughness", R"("sinusoid")", "",
+    word("friction", "model", "constant|drift|sinusoid|sinusoids|table|rough|surface|roughness", R"("sinusoid")", "",
          "the model of friction, to compute with or to fit"),
     quantity("friction", "mu0", kind::number, Range::non_negative, "0.5", "0.5", "", "mean coefficient of friction"),
     quantity("friction", "drift", kind::inverse_length, Range::any, R"("0.2 1/mm")", "0.3", "",
@@ -132,6 +134,26 @@ constexpr std::array keys{
     quantity("friction", "correlation_length", kind::length, Range::positive, R"("5 um")", "0.004", "",
              "of roughness, along the specimen"),
     plain("friction", "seed", Holds::whole_number, "1", "", "of its random numbers"),
+    plain("friction", "trace", Holds::file, R"("trace.csv")", "",
+          "a height profile of the surface that the support climbs, of the model surface",
+          ", read as [`surface`](surface.md) reads it; `mu0` is the friction of the flat surface then"),
+    plain("friction", "position", Holds::text, R"("x [um]")", "",
+          "column of its positions, by name or number; found, unless it is given"),
+    plain("friction", "height", Holds::text, R"("z [nm]")", "", "column of its heights, likewise"),
+    quantity("friction", "trace_step", kind::length, Range::positive, R"("0.1 um")", "8e-5", "",
+             "distance of its heights, of a file without positions"),
+    quantity("friction", "trace_begin", kind::length, Range::non_negative, R"("639 um")", "0.5", "",
+             "where on the specimen it begins, from midspan; half the span, unless it is given",
+             ". Before it and beyond its end friction is mu0"),
+    word("friction", "direction", "outwards|inwards", R"("inwards")", "",
+         "which way it runs, seen from midspan; outwards, unless it is given"),
+    plain("friction", "level", Holds::whole_number, "2", "",
+          "degree of the polynomial that is taken off its heights; 1, a tilt, unless it is given"),
+    quantity("friction", "cutoff", kind::length, Range::positive, R"("1 um")", "0.001", "",
+             "of the Gaussian filter that takes shorter waves out of it; none, unless it is given"),
+    quantity("friction", "edge_radius", kind::length, Range::non_negative, R"("1 um")", "0.001", "",
+             "of the edge that climbs it; that of the rollers, or sharp, unless it is given",
+             ": it reaches into no valley narrower than itself"),
     quantity("friction", "static_excess", kind::number, Range::non_negative, "0.1", "0.1", "",
              "by how much static friction is greater than kinetic friction; 0, unless it is given",
              ". For simulate alone"),
@@ -196,6 +218,15 @@ constexpr std::array keys{
           "where the record begins: a row, counted from 1, or a position of the stage"),
     plain("record", "until", Holds::place, "250", "--until",
           "where it ends, before failure, likewise; found, unless it is given"),
+    // sweep
+    word("sweep", "method", "grid|latin hypercube", R"("grid")", "", "how designs are taken",
+         ": `\"grid\"`, every value of an axis with every value of the others, or `\"latin hypercube\"`, a sample that "
+         "meets each of as many strata of each axis once"),
+    plain("sweep", "samples", Holds::whole_number, "1000", "", "how many designs, of a Latin hypercube", "", 1),
+    plain("sweep", "seed", Holds::whole_number, "1", "",
+          "which sample, of a Latin hypercube; the same one on every machine"),
+    plain("sweep", "axes", Holds::axes, "", "", "the numbers of the case that vary, by name",
+          ", in a section `[sweep.axes]`; all others are as the case has them"),
 };
 
 }  // namespace
@@ -204,6 +235,7 @@ std::span<const CaseKey> case_keys() { return keys; }
 
 const CaseKey* case_key(std::string_view section, std::string_view name) {
   if (section.starts_with("friction.")) section = "friction";
+  if (section == "sweep.axes") return case_key("sweep", "axes");
   if (const std::size_t index = section.find('['); index != std::string_view::npos) section = section.substr(0, index);
   const auto* at = std::find_if(keys.begin(), keys.end(),
                                 [&](const CaseKey& key) { return key.section == section && key.name == name; });
@@ -234,6 +266,9 @@ std::string what_holds(const CaseKey& key) {
     case Holds::whole_number:
       parts.push_back(fmt::format("a whole number from {}", key.least));
       break;
+    case Holds::yes_no:
+      parts.emplace_back("true or false");
+      break;
     case Holds::word:
       break;
     case Holds::text:
@@ -250,6 +285,9 @@ std::string what_holds(const CaseKey& key) {
       break;
     case Holds::lengths:
       parts.emplace_back("an array of lengths");
+      break;
+    case Holds::axes:
+      parts.emplace_back("a section of ranges or lists");
       break;
     case Holds::section:
       parts.emplace_back("a section");

@@ -2,12 +2,12 @@
 // tables of docs/case-files.md are made of this.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fibre/limits.h"
 #include "io/quantity.h"
 
 namespace flexslip {
@@ -16,6 +16,7 @@ enum class Holds {
   quantity,      // of `kind`, within `range`
   share,         // a positive number, or text in percent
   whole_number,  // from `least` on
+  yes_no,        // true or false
   estimate,      // a quantity, { value, uncertainty }, or "fit"
   word,          // one of `words`
   text,
@@ -24,29 +25,30 @@ enum class Holds {
   place,    // in a record: a row, a stage position, or { deflection = … }
   lengths,  // an array of them
   section,
+  axes,    // of a sweep: a section whose keys are numbers of the case that vary
   tables,  // an array of tables, whose keys are in a section of their own: "specimen.cracks"
 };
 
 struct CaseKey {
-  std::string_view section, name;
+  std::string_view section, name;  // no section: a key of the case itself
   Holds holds;
   const Kind* kind;  // none where that has no meaning
   Range range;
-  int least;                 // of a whole number
-  std::string_view words;    // "find|keep|reverse"; beside a quantity, what may stand in its place
-  std::string_view example;  // as it is written in a file: "\"34.8 um\""
-  std::string_view reduced;  // likewise, with reduced = true; "": not there
-  std::string_view flag;     // for a data file without a case, "--diameter"; "": none
-  std::string_view meaning;  // a phrase
-  std::string_view more;     // what docs/case-files.md adds (Markdown)
-  double most = std::numeric_limits<double>::infinity();  // the greatest value within the range
-  std::string_view why_most = "";                         // a remedy for one that is greater
+  int least;                       // of a whole number
+  std::string_view words;          // "find|keep|reverse"; beside a quantity, what may stand in its place
+  std::string_view example;        // as it is written in a file: "\"34.8 um\""
+  std::string_view reduced;        // likewise, with reduced = true; "": not there
+  std::string_view flag;           // for a data file without a case, "--diameter"; "": none
+  std::string_view meaning;        // a phrase
+  std::string_view more;           // what docs/case-files.md adds (Markdown)
+  double most = infinity;          // the greatest value within the range
+  std::string_view why_most = "";  // a remedy for one that is greater
 };
 
 std::span<const CaseKey> case_keys();
 
 // The key of a section or of a table in it: "friction.other" has those of "friction", "friction.waves[2]" likewise, "specimen.cracks[1]" those of
-// "specimen.cracks". Null if there is none.
+// "specimen.cracks", and each of "sweep.axes" is one of its axes. Null if there is none.
 const CaseKey* case_key(std::string_view section, std::string_view name);
 
 std::vector<std::string_view> words_of(const CaseKey& key);

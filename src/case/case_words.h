@@ -8,15 +8,19 @@
 
 namespace flexslip {
 
-inline constexpr Words<FrictionModel, 7> model_names{{
+inline constexpr Words<FrictionModel, 8> model_names{{
     {"constant", FrictionModel::constant},
     {"drift", FrictionModel::drift},
     {"sinusoid", FrictionModel::sinusoid},
     {"sinusoids", FrictionModel::sinusoids},
     {"table", FrictionModel::table},
     {"rough", FrictionModel::rough},
+    {"surface", FrictionModel::surface},
     {"roughness", FrictionModel::roughness},
 }};
+
+inline constexpr Words<TraceDirection, 2> direction_names{
+    {{"outwards", TraceDirection::outwards}, {"inwards", TraceDirection::inwards}}};
 
 inline constexpr Words<SnapRest, 2> snap_names{
     {{"nearest", SnapRest::nearest_stable}, {"overshoot", SnapRest::overshoot}}};

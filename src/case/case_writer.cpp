@@ -151,6 +151,19 @@ void write(Writer& out, const RoughFriction& rough, FrictionModel) {
   out.line("seed", std::to_string(rough.seed));
 }
 
+void write(Writer& out, const SurfaceFriction& surface, FrictionModel) {
+  out.line("mu0", plain(surface.mu0));
+  out.line("trace", basic_string(surface.trace));
+  if (!surface.position.empty()) out.line("position", basic_string(surface.position));
+  if (!surface.height.empty()) out.line("height", basic_string(surface.height));
+  if (surface.trace_step) out.quantity("trace_step", *surface.trace_step);
+  if (surface.trace_begin) out.quantity("trace_begin", *surface.trace_begin);
+  if (surface.direction == TraceDirection::inwards) out.line("direction", "\"inwards\"");
+  if (surface.level != 1) out.line("level", std::to_string(surface.level));
+  if (surface.cutoff) out.quantity("cutoff", *surface.cutoff);
+  if (surface.edge_radius) out.quantity("edge_radius", *surface.edge_radius);
+}
+
 void write_model(Writer& out, FrictionModel written) {
   for (const auto& [name, model] : model_names)
     if (written == model) out.line("model", fmt::format("\"{}\"", name));

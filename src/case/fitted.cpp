@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -12,13 +11,12 @@
 #include <fmt/format.h>
 
 #include "data/names.h"
+#include "fibre/limits.h"
 #include "io/sha256.h"
 #include "io/table.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t least_points = 30;  // fewer do not tell the noise, and so no drops
 
 InputFile input_file(const std::string& name) {
@@ -161,6 +159,8 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
   if (!input.source.empty()) provenance.inputs.push_back(input_file(input.source));
   provenance.inputs.push_back(input_file(data));
+  std::optional<ImpliedSurface> implied;
+  if (analysis.status == AnalysisStatus::ok) implied = implied_surface(analysis.fit);
   return {.name = name_of_test(file),
           .reduced = input.reduced,
           .measurement = std::move(measurement),
@@ -176,7 +176,22 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
           .surface = surface,
           .strain_at_break = strain_at_break,
           .nose_curvature = nose_curvature,
+          .implied = std::move(implied),
+          .held = {},
           .provenance = std::move(provenance)};
+}
+
+void hold_against(FittedTest& test, const std::string& trace, const TraceOptions& options) {
+  const TraceFile file = read_trace(trace, options, test.reduced ? kind::number : kind::length);
+  if (!test.implied)
+    throw InputError(
+        {.file = file.source,
+         .expected = "a fit whose friction varies, to hold a surface against",
+         .found = is_fitted(test) ? fmt::format("the model {}", name_of(test.analysis.fit.model)) : "no fit",
+         .remedy = "leave --surface out, or fit with --model roughness"});
+  const auto& waves = test.analysis.fit.waves;
+  test.held = held_against(*test.implied, waves.empty() ? nullptr : &waves.front(), test.analysis.scales.span(), file);
+  test.provenance.inputs.push_back(input_file(trace));
 }
 
 std::size_t file_row(const FittedTest& test, std::size_t point) { return file_row(test.measurement, point); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/case_file.h"
+#include "case/held_surface.h"
 #include "case/problem.h"
 #include "data/literature_friction.h"
 #include "data/small_deflection.h"
@@ -14,6 +15,7 @@
 #include "inference/analysis.h"
 #include "inference/cyclic_answer.h"
 #include "inference/imaged_length.h"
+#include "inference/implied_surface.h"
 #include "inference/judgement.h"
 
 namespace flexslip {
@@ -49,8 +51,14 @@ struct FittedTest {
       surface;  // of a specimen as stiff as fitted; if the analysis has an answer, and the case a section
   std::optional<double> strain_at_break;  // [1] as the case states it, or its strength
   double nose_curvature;                  // [1/L] from which it wraps the nose; infinite for a sharp one
+  std::optional<ImpliedSurface> implied;  // the surface that would explain its friction; if the fit varies it
+  std::optional<HeldSurface> held;        // a trace that it was held against
   Provenance provenance;
 };
+
+// Holds the surface that would explain the friction of a test against a trace, and keeps that in its answers.
+// Fails:      InputError as read_trace and held_against; where there is no such surface.
+void hold_against(FittedTest& test, const std::string& trace, const TraceOptions& options);
 
 // The name of the test that a file describes: its own, without folder and ending; that of its folder, which says more, for case.toml.
 std::string name_of_test(const std::string& file);

@@ -1,6 +1,7 @@
 // What a case says of friction, [friction]. Units: those of a physical case (case_file.h).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -42,9 +43,25 @@ struct RoughFriction {
   bool operator==(const RoughFriction&) const = default;
 };
 
-using FrictionProfileInput = std::variant<WavyFriction, TabulatedFriction, RoughFriction>;
+enum class TraceDirection { outwards, inwards };  // along the specimen, seen from midspan
 
-enum class FrictionModel { constant, drift, sinusoid, sinusoids, table, rough, roughness };
+// μ from the slopes of a surface that the support climbs: a height trace at a friction of the flat surface.
+struct SurfaceFriction {
+  double mu0;                           // [1] of the flat surface, > 0
+  std::string trace;                    // a file, relative to the working directory
+  std::string position{}, height{};     // its columns, as read_trace takes them; empty: found
+  std::optional<double> trace_step{};   // [m] between heights, of a file without positions
+  std::optional<double> trace_begin{};  // [m] from midspan, where the trace begins; none: half of the span
+  TraceDirection direction = TraceDirection::outwards;
+  std::size_t level = 1;                // degree of the polynomial that is taken off
+  std::optional<double> cutoff{};       // [m] of a filter that takes shorter waves out
+  std::optional<double> edge_radius{};  // [m] of the support; none: that of its rollers, or a sharp edge
+  bool operator==(const SurfaceFriction&) const = default;
+};
+
+using FrictionProfileInput = std::variant<WavyFriction, TabulatedFriction, RoughFriction, SurfaceFriction>;
+
+enum class FrictionModel { constant, drift, sinusoid, sinusoids, table, rough, surface, roughness };
 
 // The friction of the other support, where it is not that of the first.
 struct OtherSupport {

@@ -10,6 +10,7 @@
 
 #include "case/case_words.h"
 #include "io/input_error.h"
+#include "surface/height_trace.h"
 
 namespace flexslip {
 namespace {
@@ -50,10 +51,29 @@ std::optional<double> read_reference(const Keys& keys) {
   return keys.optional_quantity("reference");
 }
 
+SurfaceFriction read_surface(const Keys& keys, double mu0) {
+  if (!(mu0 > 0)) keys.refuse("mu0", "friction above 0, of the flat surface", fmt::format("{:g}", mu0));
+  SurfaceFriction surface{mu0, keys.path("trace")};
+  if (keys.has("position")) surface.position = keys.text("position");
+  if (keys.has("height")) surface.height = keys.text("height");
+  if (keys.has("position") && keys.has("trace_step"))
+    keys.refuse("trace_step", "none beside position", "one", "delete it, or position");
+  surface.trace_step = keys.optional_quantity("trace_step");
+  surface.trace_begin = keys.optional_quantity("trace_begin");
+  if (const auto direction = keys.optional_choice("direction", direction_names)) surface.direction = *direction;
+  if (keys.has("level")) surface.level = keys.whole_number("level");
+  if (surface.level > most_degree)
+    keys.refuse("level", fmt::format("a degree of at most {}", most_degree), fmt::format("{}", surface.level));
+  surface.cutoff = keys.optional_quantity("cutoff");
+  surface.edge_radius = keys.optional_quantity("edge_radius");
+  return surface;
+}
+
 FrictionProfileInput read_profile(FrictionModel model, const Keys& keys) {
   if (model == FrictionModel::table)
     return TabulatedFriction{keys.path("file"), keys.column("length"), keys.has("mu") ? keys.column("mu") : "mu"};
   const double mu0 = keys.quantity("mu0");
+  if (model == FrictionModel::surface) return read_surface(keys, mu0);
   if (model == FrictionModel::rough)
     return RoughFriction{mu0, keys.quantity("rms"), keys.quantity("correlation_length"), keys.whole_number("seed")};
   WavyFriction wavy{mu0, keys.optional_quantity("drift").value_or(0), {}};
@@ -77,6 +97,9 @@ std::vector<std::string> keys_of(FrictionModel model) {
       return {"model", "file", "length", "mu"};
     case FrictionModel::rough:
       return {"model", "mu0", "rms", "correlation_length", "seed"};
+    case FrictionModel::surface:
+      return {"model",       "mu0",       "trace", "position", "height",     "trace_step",
+              "trace_begin", "direction", "level", "cutoff",   "edge_radius"};
     case FrictionModel::roughness:
       return {"model"};
   }

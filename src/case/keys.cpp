@@ -33,8 +33,16 @@ void Keys::only(const std::vector<std::string>& known) const {
   for (auto&& [name, value] : table_) {
     if (std::find(known.begin(), known.end(), name.str()) != known.end()) continue;
     const std::string meant = nearest(name.str(), known);
-    refuse(name.str(), (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known),
-           "an unknown key", meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
+    const CaseKey* described = case_key(path_, name.str());
+    const bool is_elsewhere = described && described->name == name.str();  // of another model, in this section
+    InputError error = wrong_value(input_, key(name.str()),
+                                   (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known),
+                                   is_elsewhere ? "a key that has no meaning here" : "an unknown key",
+                                   is_elsewhere    ? "leave it out"
+                                   : meant.empty() ? ""
+                                                   : "did you mean " + in_quotes(meant) + "?");
+    error.fault.kind = FaultKind::unknown;
+    throw error;
   }
 }
 
@@ -67,9 +75,12 @@ double Keys::quantity(std::string_view name) const {
 
 double Keys::at_most(double value, std::string_view name) const {
   const CaseKey* key = case_key(path_, name);
-  if (key && value > key->most)
-    refuse(name, fmt::format("at most {:g}", key->most), fmt::format("{}", value), std::string(key->why_most));
-  return value;
+  if (!key || !(value > key->most)) return value;
+  InputError error = wrong_value(input_, this->key(name), fmt::format("at most {:g}", key->most),
+                                 fmt::format("{}", value), std::string(key->why_most));
+  error.fault.kind = FaultKind::too_much;
+  error.fault.limit = key->most;
+  throw error;
 }
 
 std::optional<double> Keys::optional_quantity(std::string_view name) const {
@@ -167,7 +178,10 @@ void Keys::refuse(std::string_view name, std::string expected, std::string found
 }
 
 InputError Keys::placed(const InputError& error, const std::string& key) const {
-  return wrong_value(input_, key, error.fault.expected, error.fault.found, error.fault.remedy);
+  InputError placed = wrong_value(input_, key, error.fault.expected, error.fault.found, error.fault.remedy);
+  placed.fault.kind = error.fault.kind;
+  placed.fault.limit = error.fault.limit;
+  return placed;
 }
 
 std::vector<Keys> Keys::tables(std::string_view name, const std::vector<std::string>& known) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -10,11 +9,14 @@
 
 #include <fmt/format.h>
 
-#include "case/problem.h"
+#include "case/preparation_steps.h"
+#include "case/reading_columns.h"
 #include "case/readings.h"
+#include "case/stiffness_used.h"
+#include "data/contact.h"
 #include "data/force_zero.h"
 #include "data/legs.h"
-#include "data/signs.h"
+#include "fibre/limits.h"
 #include "io/quantity.h"
 #include "io/table.h"
 
@@ -28,71 +30,6 @@ constexpr double least_free_rows = 5;
 constexpr double most_stage_noise = 0.005;  // [travel]
 constexpr std::size_t least_noise_points = 11;
 
-std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
-
-// The steps of one preparation, and what they are said of.
-class Steps {
- public:
-  Steps(Preparation& preparation, const Case& input) : steps_(preparation.steps), input_(input) {}
-
-  void add(std::string_view name, bool changed, std::string done, std::string key,
-           std::optional<PreparedValue> value = {}, std::optional<RowRange> rows = {}) {
-    steps_.push_back({std::string(name), changed, std::move(done), value, rows, std::move(key)});
-  }
-
-  PreparedValue value(double value, std::optional<double> error, const Kind& kind) const {
-    return {value, error, kind_in(input_, kind)};
-  }
-
- private:
-  std::vector<PreparationStep>& steps_;
-  const Case& input_;
-};
-
-// The readings as three columns, each still as its machine counts.
-class Columns {
- public:
-  explicit Columns(const Readings& readings) : is_(readings.columns) {
-    for (const Column& column : readings.table.columns) values_.push_back(column.values);
-  }
-
-  bool has(Reading reading) const { return std::find(is_.begin(), is_.end(), reading) != is_.end(); }
-
-  const std::vector<double>& of(Reading reading) const {
-    return values_[static_cast<std::size_t>(std::find(is_.begin(), is_.end(), reading) - is_.begin())];
-  }
-
-  // Of the displacement, the one that comes first.
-  const std::vector<double>& displacement() const { return values_.front(); }
-
-  // In any unit, the column or what is proportional to it.
-  std::vector<double> force_or_difference() const {
-    if (has(Reading::force)) return of(Reading::force);
-    std::vector<double> difference = of(Reading::stage);
-    const std::vector<double>& deflection = of(Reading::deflection);
-    for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= deflection[i];
-    return difference;
-  }
-
-  void apply(const Signs& signs) {
-    for (std::size_t i = 0; i < is_.size(); ++i)
-      if (is_[i] != Reading::length && (is_[i] == Reading::force ? signs.force : signs.displacement) < 0)
-        for (double& value : values_[i]) value = -value;
-  }
-
-  Record record(double stiffness) const {
-    if (!has(Reading::force))
-      return record_from_stage_and_deflection(of(Reading::stage), of(Reading::deflection), stiffness);
-    return has(Reading::stage)
-               ? record_from_stage_and_force(of(Reading::stage), of(Reading::force), stiffness)
-               : record_from_deflection_and_force(of(Reading::deflection), of(Reading::force), stiffness);
-  }
-
- private:
-  std::vector<Reading> is_;
-  std::vector<std::vector<double>> values_;
-};
-
 void require_finite(const Record& record, const Table& table) {
   const RecordCheck check = check_record(record);
   if (check.fault != RecordFault::not_finite) return;
@@ -103,10 +40,10 @@ void require_finite(const Record& record, const Table& table) {
                     .remedy = "check the units"});
 }
 
-double stiffness_for(const Case& input, const Columns& columns) {
+double stiffness_for(const Case& input, const ReadingColumns& columns) {
   if (input.rig && input.rig->stiffness) return rig_stiffness_of(input);
   // A deflection with its force needs no stiffness: what the stage did is not asked then.
-  if (!columns.has(Reading::stage)) return std::numeric_limits<double>::infinity();
+  if (!columns.has(Reading::stage)) return infinity;
   if (!columns.has(Reading::deflection))
     throw wrong_value(input, "rig.stiffness",
                       "the stiffness of the load train, as the displacement is that of the stage", "none",
@@ -116,7 +53,7 @@ double stiffness_for(const Case& input, const Columns& columns) {
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }
 
-void find_sign(SignRule rule, Columns& columns, Steps& steps) {
+void find_sign(SignRule rule, ReadingColumns& columns, PreparationSteps& steps) {
   Signs signs{1, 1};
   if (rule == SignRule::reverse) signs = {-1, -1};
   if (rule == SignRule::find) {
@@ -149,7 +86,7 @@ std::size_t rows_of_points(const Sampling& sampling, std::size_t rows, std::size
   return points < sampling.rows.size() ? sampling.rows[points] : rows;
 }
 
-void note_sampling(const Sampling& sampling, std::size_t rows, Steps& steps) {
+void note_sampling(const Sampling& sampling, std::size_t rows, PreparationSteps& steps) {
   if (sampling.repeated > 0)
     steps.add("repeated", true,
               fmt::format("{} of the {} rows repeat the row before and count once", sampling.repeated, rows), "");
@@ -184,7 +121,7 @@ Record with_force_zero(const Record& record, double offset, bool stage_is_read, 
 }
 
 Record zeroed(const Case& input, const Record& record, bool stage_is_read, double stiffness, const Sampling& sampling,
-              std::size_t rows, Steps& steps) {
+              std::size_t rows, PreparationSteps& steps) {
   const ForceZeroRule& rule = input.record->zero;
   if (std::holds_alternative<ToKeep>(rule)) {
     steps.add("zero", false, "the force counts from the zero of the file, as stated", "[record] zero = \"find\"");
@@ -210,18 +147,21 @@ Record zeroed(const Case& input, const Record& record, bool stage_is_read, doubl
   return changed ? with_force_zero(record, zero.offset, stage_is_read, stiffness) : record;
 }
 
-void note_compliance(const Columns& columns, double stiffness, bool is_stated, Steps& steps) {
+void note_compliance(const Case& input, const ReadingColumns& columns, double stiffness, PreparationSteps& steps) {
   const bool is_stiff = std::isinf(stiffness);
+  const bool is_stated = input.rig && input.rig->stiffness;
+  const std::string_view of =
+      support_compliance_of(input) > 0 ? "the stiffness of load train and supports" : "load-train stiffness";
   std::string words;
   if (!columns.has(Reading::force))
-    words = "the force is load-train stiffness times the lead of the stage over the deflection";
+    words = fmt::format("the force is {} times the lead of the stage over the deflection", of);
   else if (columns.has(Reading::stage))
     words = is_stiff ? "the deflection is the displacement of the stage, as the load train is stated to be stiff"
-                     : "the deflection is the displacement of the stage less force over load-train stiffness";
+                     : fmt::format("the deflection is the displacement of the stage less force over {}", of);
   else
     words = !is_stated ? "the stage is taken to move by the deflection, as no load-train stiffness is stated"
             : is_stiff ? "the stage moves by the deflection, as the load train is stated to be stiff"
-                       : "the displacement of the stage is the deflection plus force over load-train stiffness";
+                       : fmt::format("the displacement of the stage is the deflection plus force over {}", of);
   std::optional<PreparedValue> value;
   if (!is_stiff) value = steps.value(stiffness, {}, kind::stiffness);
   steps.add("compliance", !is_stiff, std::move(words),
@@ -246,11 +186,11 @@ void require_stiff_enough(const Case& input, const Record& record, double stiffn
 // Holds the stage where it runs back by no more than its noise.
 // Fails: InputError where it runs back farther.
 void hold_stage(const Case& input, const Table& table, Record& record, const Sampling& sampling, bool turns,
-                Steps& steps) {
+                PreparationSteps& steps) {
   std::vector<double>& stage = record.stage;
   double farthest = stage.front();
   const auto [least, most] = std::minmax_element(stage.begin(), stage.end());
-  const double allowed = turns ? std::numeric_limits<double>::infinity() : most_stage_noise * (*most - *least);
+  const double allowed = turns ? infinity : most_stage_noise * (*most - *least);
   std::size_t held = 0;
   double largest = 0;
   for (std::size_t i = 1; i < stage.size(); ++i) {
@@ -347,7 +287,7 @@ std::size_t rows_up_to(const PlaceInRecord& place, std::string_view key, const C
 
 // Ends the record before the failure, or where it is stated to end. What is left, in points.
 std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>& legs,
-                   const std::optional<std::size_t>& until, Measurement& result, Steps& steps) {
+                   const std::optional<std::size_t>& until, Measurement& result, PreparationSteps& steps) {
   const std::size_t rows = result.rows;
   std::size_t points = all.force.size();
   if (until) {
@@ -378,7 +318,7 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
 }
 
 // What the contact is taken off at, and how certainly.
-void find_zero_displacement(const Case& input, const Record& whole, Measurement& result, Steps& steps) {
+void find_zero_displacement(const Case& input, const Record& whole, Measurement& result, PreparationSteps& steps) {
   const ContactRule& rule = input.record->contact;
   const Contact contact = find_contact(whole);
   // The contact lies somewhere within a step.
@@ -388,18 +328,19 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
   const bool is_asked = std::holds_alternative<ToFind>(rule);
   // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
   constexpr double far = 10, near = 0.25;
-  const bool begins_elsewhere = contact.status == ContactStatus::found &&
-                                std::abs(contact.offset) > far * contact.offset_error &&
-                                std::abs(contact.offset - whole.stage.front()) < near * std::abs(contact.offset);
+  const bool begins_elsewhere =
+      contact.status == ContactStatus::found && std::abs(contact.offset.value) > far * contact.offset.standard_error &&
+      std::abs(contact.offset.value - whole.stage.front()) < near * std::abs(contact.offset.value);
   if (is_asked && contact.status != ContactStatus::found)
     throw wrong_value(input, "record.contact", "a force that rises from the contact in at least 5 rows, to find it",
                       "none", "state the contact, or leave it out");
   if (is_asked || (std::holds_alternative<WhereFree>(rule) && (begins_free || begins_elsewhere))) {
     result.contact = ContactSource::found;
-    result.contact_offset = contact.offset;
-    result.contact_error = contact.offset_error;
+    result.contact_offset = contact.offset.value;
+    result.contact_error = contact.offset.standard_error;
     steps.add("contact", true, "displacements count from where the straight beginning of the curve meets zero force",
-              "[record] contact = \"first row\"", steps.value(contact.offset, contact.offset_error, kind::length),
+              "[record] contact = \"first row\"",
+              steps.value(contact.offset.value, contact.offset.standard_error, kind::length),
               contact.points_before > 0
                   ? std::optional(RowRange{1, rows_of_points(result.sampling, result.rows, contact.points_before)})
                   : std::nullopt);
@@ -407,7 +348,8 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
   }
   if (std::holds_alternative<WhereFree>(rule)) {
     std::optional<PreparedValue> toe;
-    if (contact.status == ContactStatus::found) toe = steps.value(contact.offset, contact.offset_error, kind::length);
+    if (contact.status == ContactStatus::found)
+      toe = steps.value(contact.offset.value, contact.offset.standard_error, kind::length);
     steps.add("contact", false,
               toe ? "displacements count from the zero of the file; the value is where the straight beginning of the "
                     "curve would meet zero force"
@@ -447,9 +389,9 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
                      .contact_error = 0,
                      .force_noise = 0};
   const Case& input = result.test;
-  Steps steps(result.preparation, input);
+  PreparationSteps steps(result.preparation, input);
 
-  Columns columns(readings);
+  ReadingColumns columns(readings);
   const double stiffness = stiffness_for(input, columns);
   find_sign(input.record->sign, columns, steps);
   Record every = columns.record(stiffness);
@@ -469,7 +411,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   note_sampling(result.sampling, result.rows - first, steps);
   every = picked(every, result.sampling.rows);
   const Record all = zeroed(input, every, columns.has(Reading::stage), stiffness, result.sampling, result.rows, steps);
-  note_compliance(columns, stiffness, input.rig && input.rig->stiffness, steps);
+  note_compliance(input, columns, stiffness, steps);
 
   const std::vector<Leg> legs = find_legs(all.stage);
   std::size_t points = end_of(input, all, legs, until, result, steps);

@@ -29,10 +29,13 @@ ProfileModel fitted_model(const Case& input, FrictionModel model) {
       return ProfileModel::roughness;
     case FrictionModel::table:
     case FrictionModel::rough:
+    case FrictionModel::surface:
       break;
   }
   throw wrong_value(input, "friction.model", "a model to fit: roughness, constant, drift, sinusoid or sinusoids",
-                    model == FrictionModel::table ? "'table'" : "'rough'");
+                    model == FrictionModel::table     ? "'table'"
+                    : model == FrictionModel::surface ? "'surface'"
+                                                      : "'rough'");
 }
 
 }  // namespace

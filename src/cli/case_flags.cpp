@@ -116,11 +116,11 @@ Case case_of(const CaseRequest& request) {
 InputError in_words_of_call(const CaseRequest& request, const InputError& error) {
   if (names_case_file(request)) return error;
   InputFault fault = error.fault;
-  if (fault.field == "[rig]") fault.field = "[rig] span";
+  if (fault.key == "rig") fault.key = "rig.span";
   for (const auto& [key, value] : request.flags) {
-    if (fault.field != fmt::format("[{}] {}", key->section, key->name)) continue;
+    if (fault.key != fmt::format("{}.{}", key->section, key->name)) continue;
     fault.field = key->flag;
-    if (fault.expected == "it in the file") {
+    if (fault.kind == FaultKind::missing) {
       fault.expected = "this flag, as the file is no case";
       fault.remedy = fmt::format("add {} {}, or describe the test in a case file (.toml)", key->flag, type_of(*key));
     }

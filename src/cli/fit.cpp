@@ -28,7 +28,7 @@ namespace {
 struct FitRequest {
   CaseRequest test;
   AnalysisFlags analysis;
-  std::string profile, curves, draws, report;
+  std::string profile, curves, draws, report, surface;
   bool full = false;
   Output output;
 };
@@ -68,6 +68,7 @@ void run_fit(const FitRequest& request) {
     }
   }();
 
+  if (!request.surface.empty()) hold_against(test, request.surface, {});
   if (!request.profile.empty()) write_profile(request.profile, test);
   if (!request.curves.empty()) write_curves(request.curves, test);
   if (!request.draws.empty() && is_fitted(test)) write_draws(request.draws, test);
@@ -102,6 +103,10 @@ void add_fit_command(CLI::App& app) {
   command->add_option("--report", request->report, "Write report.html and figures/ into this folder")
       ->type_name("FOLDER")
       ->each(announce_fit_report);
+  command
+      ->add_option("--surface", request->surface,
+                   "Hold the surface that would explain the friction against this height profile, read as surface does")
+      ->type_name("TRACE");
   command->add_flag("--full", request->full, "Print every table and remark, not only what fits one screen");
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
@@ -109,7 +114,8 @@ void add_fit_command(CLI::App& app) {
       "Writes the answer on one screen. With --full it writes the parameters with their intervals, every slip, the\n"
       "energy account and all that was assumed. Rows are those of the file, counted from 1 without its header.\n"
       "Without gnuplot the report has the scripts and data of the pictures, but no pictures, and the exit code is\n"
-      "0. The exit code is 1 if the record tells no friction.\n\n"
+      "0. The exit code is 1 if there is no answer. One that is not to be trusted is an answer: judgement.standing of\n"
+      "--json says so.\n\n"
       "Examples:\n"
       "  flexslip fit examples/simulated/case.toml --report report\n"
       "  flexslip fit test.csv --span \"1278 um\" --stiffness \"90.6 N/m\" --diameter \"34.8 um\" \\\n"

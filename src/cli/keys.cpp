@@ -23,7 +23,9 @@ void run_keys(const KeysRequest& request) {
   Json all = Json::array();
   std::string text, section;
   for (const CaseKey& key : case_keys()) {
-    if (!request.section.empty() && key.section != request.section) continue;
+    const std::string full = fmt::format("{}.{}", key.section, key.name);
+    const bool is_asked = key.section == request.section || key.name == request.section || full == request.section;
+    if (!request.section.empty() && !is_asked) continue;
     all.push_back(key_fields()(key, {}));
     if (key.section != section) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.section);
     section = key.section;
@@ -31,9 +33,10 @@ void run_keys(const KeysRequest& request) {
                         key.example.empty() ? "" : fmt::format("; {} = {}", key.name, key.example));
   }
   if (all.empty())
-    throw InputError({.field = "SECTION",
-                      .expected = "specimen, specimen.cracks, rig, friction, stage or record",
-                      .found = in_quotes(request.section)});
+    throw InputError(
+        {.field = "WHAT",
+         .expected = "a section (specimen, specimen.cracks, rig, friction, stage, record or sweep), or a key",
+         .found = in_quotes(request.section)});
   if (request.output.json)
     write_json(request.output.path, all);
   else
@@ -45,7 +48,8 @@ void run_keys(const KeysRequest& request) {
 void add_keys_command(CLI::App& app) {
   const auto request = std::make_shared<KeysRequest>();
   CLI::App* command = app.add_subcommand("keys", "Every key of a case file: what it holds, and what it means");
-  command->add_option("section", request->section, "Only this section, such as rig")->type_name("SECTION");
+  command->add_option("section", request->section, "Only this section or key, such as rig or rig.stiffness")
+      ->type_name("WHAT");
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(

@@ -103,6 +103,7 @@ int run(int argc, char** argv) {
   add_read_command(app);
   add_modulus_command(app);
   add_invert_command(app);
+  add_surface_command(app);
   add_design_command(app);
   add_simulate_command(app);
   add_equilibrium_command(app);

@@ -49,7 +49,7 @@ std::string text_of(const StandardTest& test) {
   text += '\n';
   for (const auto& words : small_deflection_in_words(test)) text += wrapped(words, "");
   text += "\nFrom the file to the record:\n";
-  for (const auto& words : preparation_in_words(test.measurement.preparation)) text += " - " + wrapped(words, "   ");
+  for (const auto& words : preparation_in_words(test.measurement.preparation)) text += wrapped(words, "   ", " - ");
   return text;
 }
 

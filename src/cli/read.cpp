@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/trace_flags.h"
 #include "instruments/canonical.h"
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
@@ -24,30 +25,6 @@ struct ReadRequest {
   std::string time_unit, displacement_unit, force_unit, calibration;
   Output output;
 };
-
-// "," or "comma", "none": a mark as the user wrote it.
-char mark_named(const std::string& text, std::string_view flag) {
-  if (text.size() == 1) return text.front();
-  if (text == "tab" || text == "\\t") return '\t';
-  if (text == "space") return ' ';
-  if (text == "comma") return ',';
-  if (text == "semicolon") return ';';
-  if (text == "point") return '.';
-  if (text == "apostrophe") return '\'';
-  if (text == "none") return '\0';
-  throw InputError({.field = std::string(flag),
-                    .expected = "one character, or comma, semicolon, point, tab, space, apostrophe or none",
-                    .found = in_quotes(text)});
-}
-
-char mark_of(const std::string& text, std::string_view flag, std::string_view allowed) {
-  const char mark = mark_named(text, flag);
-  if (allowed.find(mark) == std::string_view::npos)
-    throw InputError({.field = std::string(flag),
-                      .expected = fmt::format("one of {}", allowed == ".," ? ". and ," : allowed),
-                      .found = in_quotes(text)});
-  return mark;
-}
 
 ExportOptions options_of(const ReadRequest& request) {
   using namespace std::string_view_literals;

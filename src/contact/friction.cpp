@@ -26,7 +26,6 @@ HWY_AFTER_NAMESPACE();
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -34,6 +33,7 @@ HWY_AFTER_NAMESPACE();
 #include <utility>
 
 #include "contact/two_supports.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -42,8 +42,6 @@ using HWY_NAMESPACE::held;
 using HWY_NAMESPACE::wave_sum;
 
 HWY_EXPORT(sum_waves);
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 [[noreturn]] void refuse(const std::string& what, double value) {
   throw std::invalid_argument(what + ", not " + std::to_string(value));

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -100,7 +101,7 @@ void OverRollers::add_knots(double S_most) {
 }
 
 double steepest_followed(const Fibre& fibre, double most, double S_most) {
-  if (fibre.on_edges()) return std::numeric_limits<double>::infinity();
+  if (fibre.on_edges()) return infinity;
   constexpr int samples = 48;
   const double rolled = 2 * fibre.supports().radius;
   const double first = fibre.way(1), last = fibre.way(std::max(S_most, 1.0)), shallow = 3 * fibre.supports().half_depth;

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
 
 // Crests are of one height, as those of one wave are, if they differ by less: rounding decides on no side.
 constexpr double alike = 1e-12;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Friction at a point of the fibre, and its slope along it.
 FrictionPoint at_point(const Friction& side, double x) {

@@ -9,10 +9,11 @@ struct Estimate {
   double low = 0, high = 0;   // 95 % interval
 };
 
-// One whose errors are normal.
+// One whose errors are normal; and one whose standard error is itself told by `freedom` degrees of freedom only (Student).
 inline Estimate normal_estimate(double value, double standard_error) {
   constexpr double two_sided = 1.96;  // standard errors to the ends of a 95 % interval
   return {value, standard_error, value - two_sided * standard_error, value + two_sided * standard_error};
 }
+Estimate student_estimate(double value, double standard_error, double freedom);
 
 }  // namespace flexslip

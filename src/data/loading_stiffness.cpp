@@ -13,7 +13,6 @@
 namespace flexslip {
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double far_enough = 1.0 / 3;   // [greatest force of the first loading] where a reload must get
 constexpr double farthest_bent = 2;      // [first loading] where a reload may be at the same force
 constexpr std::size_t least_points = 6;  // twice what a line with a scatter needs, for the two halves
@@ -42,7 +41,8 @@ Slope slope_of(const Record& record, std::size_t first, std::size_t last) {
   const auto rows = [&](const std::vector<double>& values) { return std::span(values).subspan(first, last - first); };
   const Line force = line_through(rows(record.stage), rows(record.force));
   const Line deflection = line_through(rows(record.stage), rows(record.deflection));
-  if (!(deflection.slope > 0 && force.slope > 0)) return {not_a_number, not_a_number};
+  if (!(deflection.slope > 0 && force.slope > 0))
+    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   const double slope = force.slope / deflection.slope;
   std::vector<double> residuals(last - first);
   for (std::size_t i = first; i < last; ++i)
@@ -65,9 +65,14 @@ struct MeasuredLoading {
 
 // The rows of a rising force between two levels: from the last one below `from` before it first exceeds up_to.
 MeasuredLoading measure(const Record& record, const LoadingRange& loading, const Window& window) {
-  const Slope none{not_a_number, not_a_number};
-  MeasuredLoading result{
-      LoadingStatus::window_not_covered, loading.first, loading.first, not_a_number, none, none, none};
+  const Slope none{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  MeasuredLoading result{LoadingStatus::window_not_covered,
+                         loading.first,
+                         loading.first,
+                         std::numeric_limits<double>::quiet_NaN(),
+                         none,
+                         none,
+                         none};
   std::size_t last = loading.first;
   while (last < loading.last && record.force[last] <= window.up_to) ++last;
   std::size_t first = last;
@@ -90,6 +95,11 @@ MeasuredLoading measure(const Record& record, const LoadingRange& loading, const
   const bool rising = result.whole.value > 0 && result.lower.value > 0 && result.upper.value > 0;
   result.status = rising ? LoadingStatus::ok : LoadingStatus::not_rising;
   return result;
+}
+
+// Of the line through the window.
+double freedom_of(const MeasuredLoading& loading) {
+  return std::max(static_cast<double>(loading.last - loading.first) - 2, 1.0);
 }
 
 }  // namespace
@@ -116,35 +126,38 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
     MeasuredLoading measured = measure(record, loading, window);
     if (greatest_force(loading) < far_enough * most) measured.status = LoadingStatus::loaded_too_little;
     const bool is_reference = result.empty();
-    LoadingStiffness stiffness{.status = measured.status,
-                               .first = measured.first,
-                               .last = measured.last,
-                               .slope = measured.whole.value,
-                               .slope_error = measured.whole.error,
-                               .ratio = 1,
-                               .ratio_error = 0,
-                               .ratio_systematic = 0,
-                               .verdict = DamageVerdict::not_damaged};
+    LoadingStiffness stiffness{
+        .status = measured.status,
+        .first = measured.first,
+        .last = measured.last,
+        .slope = student_estimate(measured.whole.value, measured.whole.error, freedom_of(measured)),
+        .ratio = normal_estimate(1, 0),
+        .ratio_systematic = 0,
+        .verdict = DamageVerdict::not_damaged};
     const bool comparable = stiffness.status == LoadingStatus::ok && reference.status == LoadingStatus::ok;
     const bool steeper =
         measured.whole.value > reference.whole.value;  // what has lost stiffness is bent farther, too, and less steep
     if (comparable && steeper && measured.deflection > farthest_bent * reference.deflection)
       stiffness.status = LoadingStatus::still_drawn_in;
     if (!is_reference && stiffness.status == LoadingStatus::ok) {
-      stiffness.ratio = measured.whole.value / reference.whole.value;
-      stiffness.ratio_error = stiffness.ratio * std::hypot(measured.whole.error / measured.whole.value,
-                                                           reference.whole.error / reference.whole.value);
+      const double ratio = measured.whole.value / reference.whole.value;
+      stiffness.ratio = student_estimate(ratio,
+                                         ratio * std::hypot(measured.whole.error / measured.whole.value,
+                                                            reference.whole.error / reference.whole.value),
+                                         std::min(freedom_of(measured), freedom_of(reference)));
       stiffness.ratio_systematic =
           0.5 * std::abs(measured.upper.value / reference.upper.value - measured.lower.value / reference.lower.value);
-      const double bound = quantile * std::hypot(stiffness.ratio_error, stiffness.ratio_systematic);
-      const double loss = 1 - stiffness.ratio;
+      const double bound = quantile * std::hypot(stiffness.ratio.standard_error, stiffness.ratio_systematic);
+      const double loss = 1 - ratio;
       stiffness.verdict = loss - bound > relevant_loss   ? DamageVerdict::damaged
                           : loss + bound < relevant_loss ? DamageVerdict::not_damaged
                                                          : DamageVerdict::undecided;
       if (reference.status != LoadingStatus::ok) stiffness.status = LoadingStatus::no_reference;
     }
     if (stiffness.status != LoadingStatus::ok) {
-      stiffness.ratio = stiffness.ratio_error = stiffness.ratio_systematic = not_a_number;
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+      stiffness.ratio = {unknown, unknown, unknown, unknown};
+      stiffness.ratio_systematic = unknown;
       stiffness.verdict = DamageVerdict::undecided;
     }
     result.push_back(stiffness);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "data/estimate.h"
 #include "data/record.h"
 
 namespace flexslip {
@@ -41,18 +42,18 @@ enum class LoadingStatus {
 };
 
 struct LoadingStiffness {
-  LoadingStatus status;       // nothing else is valid unless ok
-  std::size_t first, last;    // rows [first, last) in the window
-  double slope, slope_error;  // [N/m] dF/dw0 and its standard error from scatter
-  double ratio;               // [1] to the slope of the first loading; for that itself 1, with errors 0 and not_damaged
-  double ratio_error;         // [1] standard error from scatter
-  double ratio_systematic;    // [1] half the difference of the ratios in the lower and in the upper half of the window
+  LoadingStatus status;     // nothing else is valid unless ok
+  std::size_t first, last;  // rows [first, last) in the window
+  Estimate slope;           // [N/m] dF/dw0, its error from scatter
+  // [1] To the slope of the first loading, its error from scatter; for that itself 1, with errors 0 and not_damaged.
+  Estimate ratio;
+  double ratio_systematic;  // [1] half the difference of the ratios in the lower and in the upper half of the window
   DamageVerdict verdict;
 };
 
 // Domain:  a record whose columns are finite and of one length; ranges within it, in time order, not overlapping; std::invalid_argument
 //          otherwise.
-// Max error: wrong verdicts are no more frequent than 1 - loading_confidence, and ratio +- 1.96 ratio_error covers 95 %, less 3 %, for noise of the
+// Max error: wrong verdicts are no more frequent than 1 - loading_confidence, and ratio +- 1.96 standard errors covers 95 %, less 3 %, for noise of the
 //          force that is white or AR(1) up to 0.5, and 30 rows or more in the window (tests/data/loading_stiffness_test.cpp).
 // Method:  the window is one of force, not of deflection: the force tells where on its curve a specimen is, whatever the offset of the
 //          contact, and a bend of the curve cancels in the ratio. Force and deflection are regressed on the stage, which is imposed and

@@ -111,55 +111,6 @@ double resolution_of(std::vector<double> force) {
 // What the quietest tenth of the windows shows of the true scale, for Gaussian noise: fitted to simulations of 30 to 3000 points.
 double shown_by_quietest(std::size_t windows) { return 0.70 + 0.30 * std::exp(-0.1 * static_cast<double>(windows)); }
 
-// A line through the points between two shares of the greatest force, before that is first passed.
-Contact line_between(const Record& record, double from, double up_to) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto failed = [=](ContactStatus status) { return Contact{status, nan, nan, nan, nan, 0, 0, 0, false}; };
-  if (record.force.size() < 5) return failed(ContactStatus::too_few_points);
-
-  const double most = *std::max_element(record.force.begin(), record.force.end());
-  if (!(most > 0)) return failed(ContactStatus::not_rising);
-  std::size_t last = 0;
-  while (last < record.force.size() && record.force[last] <= up_to * most) ++last;
-  std::size_t first = last;
-  while (first > 0 && record.force[first - 1] >= from * most) --first;
-  const std::size_t n = last - first;
-  if (n < 5) return failed(ContactStatus::too_few_points);
-
-  const auto stage = std::span(record.stage).subspan(first, n);
-  const auto deflection = std::span(record.deflection).subspan(first, n);
-  const auto force = std::span(record.force).subspan(first, n);
-  const Line force_line = line_through(stage, force);
-  const Line deflection_line = line_through(stage, deflection);
-  if (!(force_line.slope > 0 && deflection_line.slope > 0)) return failed(ContactStatus::not_rising);
-
-  constexpr double most_correlation = 0.95;  // beyond it the stretch is too short to tell
-  // Residuals of force = a (stage - offset) set the error of the offset, those of force = slope (deflection - offset) that of
-  // the slope.
-  const double slope = force_line.slope / deflection_line.slope;
-  std::vector<double> off_stage(n), off_deflection(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    off_stage[i] = force[i] - force_line.mean_y - force_line.slope * (stage[i] - force_line.mean_x);
-    off_deflection[i] = force[i] - force_line.mean_y - slope * (deflection[i] - deflection_line.mean_y);
-  }
-  const double lever = force_line.mean_y / force_line.slope;  // [m] from the contact to the middle of the points
-  const double offset = force_line.mean_x - lever;
-  const auto points_before =
-      std::count_if(record.stage.begin(), record.stage.begin() + static_cast<std::ptrdiff_t>(last),
-                    [=](double ws) { return ws < offset; });
-  return {.status = ContactStatus::found,
-          .offset = offset,
-          .offset_error = effective_deviation(off_stage, 2, 0, most_correlation) / force_line.slope *
-                          std::sqrt(1 / static_cast<double>(n) + lever * lever / force_line.sum_xx),
-          .slope = slope,
-          .slope_error = effective_deviation(off_deflection, 2, 0, most_correlation) /
-                         (deflection_line.slope * std::sqrt(force_line.sum_xx)),
-          .points_before = static_cast<std::size_t>(points_before),
-          .first = first,
-          .last = last,
-          .settles = false};
-}
-
 }  // namespace
 
 ReducedRecord to_reduced(const Record& record, const Scales& scales) {
@@ -256,26 +207,6 @@ Failure find_failure(const Record& record) {
   while (last > 0 && force[last - 1] - force[last] >= 0.01 * most)
     --last;  // a break seldom begins with its largest step
   return {FailureStatus::found, last + 1};
-}
-
-Contact find_contact(const Record& record) {
-  constexpr double from = 0.02, up_to = 0.15;  // [maximum force]
-  const Contact contact = line_between(record, from, up_to);
-  if (contact.status != ContactStatus::found) return contact;
-  // A contact that settles hardens: the upper half of the line meets zero force later than the lower one.
-  const double middle = 0.5 * (from + up_to);
-  const Contact lower = line_between(record, from, middle), upper = line_between(record, middle, up_to);
-  if (lower.status != ContactStatus::found || upper.status != ContactStatus::found) return contact;
-  constexpr double surely = 4;  // standard errors
-  if (upper.offset - lower.offset < surely * std::hypot(lower.offset_error, upper.offset_error)) return contact;
-  const double above = 2 * up_to - from;
-  Contact settled = line_between(record, middle, above);
-  const Contact farther = line_between(record, up_to, above);
-  if (settled.status != ContactStatus::found || farther.status != ContactStatus::found) return contact;
-  settled.offset_error = std::hypot(settled.offset_error, std::max(std::abs(farther.offset - settled.offset),
-                                                                   std::abs(settled.offset - contact.offset)));
-  settled.settles = true;
-  return settled;
 }
 
 std::vector<double> smooth_steps(const Record& record) {

@@ -75,31 +75,6 @@ struct Failure {
 // Method: the three figures are empirical: chosen on 26 tests of spicules, of which docs/validation.md shows the outcome.
 Failure find_failure(const Record& record);
 
-enum class ContactStatus {
-  found,
-  too_few_points,  // fewer than 5 in the range of force looked at: nothing else is valid
-  not_rising,      // the force does not rise there: nothing else is valid
-};
-
-struct Contact {
-  ContactStatus status;
-  double offset;              // [m] stage position, and so deflection, at which the contact begins
-  double offset_error;        // [m] standard error
-  double slope;               // [N/m] initial dF/dw0, the stiffness of the specimen
-  double slope_error;         // [N/m] standard error
-  std::size_t points_before;  // points whose stage lies before the contact
-  std::size_t first, last;    // points [first, last) the line was drawn through
-  bool settles;               // the curve bends where it begins: the line is drawn through what comes above
-};
-
-// The straight beginning of a loading curve, force = slope (deflection - offset), between 0.02 and 0.15 of the maximum force: below, the
-// contact may still be settling; above, curves of large deflection are no longer straight.
-// Method: force and deflection are both regressed on the stage, which is imposed and so free of their noise; the slope is the
-//         ratio. Standard errors allow for residuals correlated from point to point (AR(1)). Where the upper half of the range meets
-//         zero force later than the lower one, by four standard errors, the contact settles: the line is then that of the upper
-//         half and of as much above the range, and how far the result moves by that is part of its error.
-Contact find_contact(const Record& record);
-
 // The force step [N] from each point to the next that a smooth curve would make: size - 1 values. The slope at a step is the
 // median over the 21 steps around it, weighted by their travel and straightened by the bend of that median over 10 steps either
 // side: immune to up to 10 drops in a window. At the ends the outermost window is continued linearly.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "case/problem.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -127,7 +127,7 @@ std::optional<PhaseStudy> phases_of(DesignCase input) {
   if (!input.has(DesignParameter::phase) || input.value(DesignParameter::amplitude) == 0) return std::nullopt;
   if (input.planned().units.scales.reduced_length(input.value(DesignParameter::wavelength)) < finest)
     return std::nullopt;
-  PhaseStudy study{0, 0, std::numeric_limits<double>::infinity(), 0, 0};
+  PhaseStudy study{0, 0, infinity, 0, 0};
   const double first = input.value(DesignParameter::phase);
   for (int i = 0; i < phases; ++i) {
     input.set(DesignParameter::phase, first + 2 * std::numbers::pi * i / phases);

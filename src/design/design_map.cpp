@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/parallel.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -83,8 +84,8 @@ std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<Desi
     point.values = grid_inputs(axes, i);
     for (std::size_t k = 0; k < axes.size(); ++k) there.set(axes[k].parameter.parameter, point.values[k]);
     point.result = result_of(there);
-    point.margin = point.result.outcome ? stiffness_margin(there.planned().design, *point.result.outcome)
-                                        : std::numeric_limits<double>::quiet_NaN();
+    point.margin =
+        point.result.outcome ? stiffness_margin(there.planned().design, *point.result.outcome) : not_a_number;
   });
   return points;
 }

@@ -1,4 +1,4 @@
-// What came of a design of a case, each number described once.
+// What came of a design of a case.
 #pragma once
 
 #include <array>
@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "design/design_case.h"
-#include "result/fields.h"
 
 namespace flexslip {
 
@@ -30,8 +29,5 @@ struct DesignResult {
 
 // What a number is too extreme for is not computable, whatever part of the computation finds out.
 DesignResult result_of(const DesignCase& input);
-
-// The numbers of an outcome: the same names in CSV, JSON and HDF5. None where there is no outcome.
-const Fields<DesignResult>& outcome_fields();
 
 }  // namespace flexslip

@@ -18,9 +18,12 @@ std::string content_digest(const std::string& file) { return digest_of(*open_to_
 
 std::string text_of_case(Case input) {
   input.record.reset();
-  if (input.friction && input.friction->profile)
-    if (auto* table = std::get_if<TabulatedFriction>(&*input.friction->profile))
-      table->file = content_digest(table->file);
+  const auto by_content = [](FrictionProfileInput& profile) {
+    if (auto* table = std::get_if<TabulatedFriction>(&profile)) table->file = content_digest(table->file);
+    if (auto* surface = std::get_if<SurfaceFriction>(&profile)) surface->trace = content_digest(surface->trace);
+  };
+  if (input.friction && input.friction->profile) by_content(*input.friction->profile);
+  if (input.friction && input.friction->other) by_content(input.friction->other->profile);
   if (input.stage)
     if (auto* measured = std::get_if<MeasuredProgramme>(&input.stage->programme))
       measured->file = content_digest(measured->file);

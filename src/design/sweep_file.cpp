@@ -53,6 +53,7 @@ void describe(Hdf5File& file, const SweepParts& parts, const std::vector<SweepCo
   file.describe("/", "program", "FlexSlip " FLEXSLIP_VERSION);
   file.describe("/", digest_name, parts.digest());
   file.describe("/", "case", plan.text);
+  if (!plan.changes.empty()) file.describe("/", "changes", plan.changes);
   file.describe("/", "variables", plan.input.reduced ? "reduced: lengths in spans L, forces in EI/L^2" : "SI");
   file.describe("/", "rows", plan.rows);
   describe_method(file, plan);

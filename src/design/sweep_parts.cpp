@@ -42,6 +42,7 @@ constexpr std::size_t checksum_size = 64;  // [bytes]
 // What the folder says it is for; none if it says nothing.
 struct Label {
   std::string version, digest, source, text;
+  std::vector<std::string> changes;
 };
 
 std::optional<Label> read_label(const fs::path& folder) {
@@ -52,15 +53,17 @@ std::optional<Label> read_label(const fs::path& folder) {
     if (json.at("layout") != layout)
       refuse(folder, "those of another version of FlexSlip", "go on with that version, or remove the folder");
     return Label{json.at("version").get<std::string>(), json.at("digest").get<std::string>(),
-                 json.at("source").get<std::string>(), json.at("text").get<std::string>()};
+                 json.at("source").get<std::string>(), json.at("text").get<std::string>(),
+                 json.value("changes", std::vector<std::string>())};
   } catch (const Json::exception&) {
     refuse(folder, fmt::format("a damaged {}", plan_name), "remove the folder: the sweep is computed anew");
   }
 }
 
 void write_label(const fs::path& folder, const SweepPlan& plan, const std::string& digest) {
-  const Json json{{"layout", layout}, {"program", "FlexSlip"},       {"version", FLEXSLIP_VERSION},
-                  {"digest", digest}, {"source", plan.input.source}, {"text", plan.text}};
+  const Json json{{"layout", layout},       {"program", "FlexSlip"},       {"version", FLEXSLIP_VERSION},
+                  {"digest", digest},       {"source", plan.input.source}, {"text", plan.text},
+                  {"changes", plan.changes}};
   write_text((folder / plan_name).string(), json.dump(1) + "\n");
 }
 
@@ -76,7 +79,7 @@ Label label_of(const fs::path& folder) {
   return *std::move(label);
 }
 
-SweepPlan plan_of(const Label& label) { return read_sweep(label.text, label.source); }
+SweepPlan plan_of(const Label& label) { return read_sweep(label.text, label.source, label.changes); }
 
 // "part-000001", also while it is being written.
 bool is_part(const fs::path& file) {

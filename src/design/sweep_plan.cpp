@@ -4,8 +4,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -82,7 +82,7 @@ DesignAxis read_axis(const Keys& axes, const toml::node& node, Method method, co
   return {parameter, read_values(axes, *values, parameter)};
 }
 
-std::vector<DesignAxis> read_axes(const Keys& axes, Method method, const Case& input) {
+std::vector<DesignAxis> read_axes(const Keys& axes, Method method, const Case& input, const toml::table& unchanged) {
   std::vector<std::string> known;
   known.reserve(design_parameters().size());
   for (const auto& parameter : design_parameters()) known.emplace_back(parameter.name);
@@ -91,9 +91,13 @@ std::vector<DesignAxis> read_axes(const Keys& axes, Method method, const Case& i
     throw wrong_value(input, "sweep.axes", "at least one axis", "none", fmt::format("add {}", example_axis));
   std::vector<std::pair<toml::source_position, DesignAxis>> placed;
   for (const auto& parameter : design_parameters())
-    if (const toml::node* node = axes.find(parameter.name))
-      placed.emplace_back(node->source().begin, read_axis(axes, *node, method, parameter, input));
-  std::sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    if (const toml::node* node = axes.find(parameter.name)) {
+      constexpr auto last = std::numeric_limits<toml::source_index>::max();
+      const auto before = unchanged["sweep"]["axes"][parameter.name];
+      placed.emplace_back(before ? before.node()->source().begin : toml::source_position{last, last},
+                          read_axis(axes, *node, method, parameter, input));
+    }
+  std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<DesignAxis> in_order;
   in_order.reserve(placed.size());
   for (auto& [position, axis] : placed) in_order.push_back(std::move(axis));
@@ -186,17 +190,18 @@ void check(const SweepPlan& plan) {
 
 }  // namespace
 
-SweepPlan read_sweep(std::string_view text, const std::string& source) {
-  SweepPlan plan{read_case(text, source), std::string(text), {}, {}, 0};
-  const toml::table file = parse_toml(text, source);
+SweepPlan read_sweep(std::string_view text, const std::string& source, const std::vector<std::string>& changes) {
+  SweepPlan plan{read_case(text, source, changes), std::string(text), changes, {}, {}, 0};
+  const toml::table unchanged = parse_toml(text, source);
+  const toml::table file = with_changes(unchanged, changes);
   const toml::node& section = Keys(file, "", plan.input).need("sweep");
   if (!section.is_table()) throw wrong_value(plan.input, "sweep", "a section [sweep]", kind_of_node(section));
   const Keys sweep(*section.as_table(), "sweep", plan.input);
-  sweep.only({"method", "samples", "seed", "axes"});
+  sweep.only_described();
   sweep.need("method");
   const Method method = sweep.optional_choice("method", method_names).value();
   if (method == Method::latin_hypercube) {
-    plan.method = LatinHypercube{sweep.whole_number("samples", 1), sweep.whole_number("seed", 0)};
+    plan.method = LatinHypercube{sweep.whole_number("samples"), sweep.whole_number("seed")};
   } else {
     for (const std::string_view other : {"samples", "seed"})
       if (sweep.has(other))
@@ -204,20 +209,13 @@ SweepPlan read_sweep(std::string_view text, const std::string& source) {
   }
   const toml::node& axes = sweep.need("axes");
   if (!axes.is_table()) sweep.refuse("axes", "a section [sweep.axes]", kind_of_node(axes));
-  plan.axes = read_axes({*axes.as_table(), sweep.key("axes"), plan.input}, method, plan.input);
+  plan.axes = read_axes({*axes.as_table(), sweep.key("axes"), plan.input}, method, plan.input, unchanged);
   plan.rows = rows_of(sweep, plan.axes, plan.method);
   return plan;
 }
 
 SweepPlan read_sweep(const std::string& path, const std::vector<std::string>& changes) {
-  const std::string source = path == "-" ? "standard input" : path;
-  std::string text = case_text(path);
-  if (!changes.empty()) {
-    std::ostringstream changed;
-    changed << toml::toml_formatter(with_changes(parse_toml(text, source), changes));
-    text = changed.str();
-  }
-  SweepPlan plan = read_sweep(text, source);
+  SweepPlan plan = read_sweep(case_text(path), path == "-" ? "standard input" : path, changes);
   check(plan);
   return plan;
 }

@@ -28,17 +28,18 @@ struct LatinHypercube {
 
 struct SweepPlan {
   Case input;
-  std::string text;              // the whole file
-  std::vector<DesignAxis> axes;  // at least one, as the file orders them
+  std::string text;                  // the whole file
+  std::vector<std::string> changes;  // of it, from the command line (case_changes.h)
+  std::vector<DesignAxis> axes;      // at least one, as the file orders them; those that only the changes have, last
   std::variant<Grid, LatinHypercube> method;
   std::uint64_t rows;  // at least 1
 };
 
 // Reads a case with a section [sweep].
 // Fails:      InputError with file, line and key.
-SweepPlan read_sweep(std::string_view text, const std::string& source);
+SweepPlan read_sweep(std::string_view text, const std::string& source, const std::vector<std::string>& changes = {});
 
-// The same from a file; "-" is standard input; with changes from the command line (case_changes.h). All that the axes hold is checked to be a number that the case may have.
+// The same from a file; "-" is standard input. All that the axes hold is checked to be a number that the case may have.
 SweepPlan read_sweep(const std::string& path, const std::vector<std::string>& changes = {});
 
 // [1] points of each axis of a grid; empty for a Latin hypercube.

@@ -1,10 +1,9 @@
 #include "design/sweep_row.h"
 
-#include <limits>
-
 #include <fmt/format.h>
 
-#include "design/design_result.h"
+#include "design/outcome_fields.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -13,7 +12,7 @@ StoredAs stored_as(Shape shape) { return shape == Shape::count ? StoredAs::uint3
 
 double number_in(const Json& value, Shape shape) {
   if (!value.is_null()) return value.get<double>();
-  return shape == Shape::count ? 0 : std::numeric_limits<double>::quiet_NaN();
+  return shape == Shape::count ? 0 : not_a_number;
 }
 
 }  // namespace
@@ -45,7 +44,7 @@ std::vector<double> RowComputer::operator()(std::span<const double> inputs) {
   std::vector<double> values{static_cast<double>(result.status)};
   const Frame frame;  // outcomes are in the units of their own design
   for (const auto& outcome : outcome_fields())
-    values.push_back(number_in(outcome.of(result, frame), outcome.what.shape));
+    values.push_back(number_in(outcome_fields().of(outcome, result, frame), outcome.what.shape));
   return values;
 }
 

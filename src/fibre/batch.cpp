@@ -41,19 +41,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "fibre/elastica.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
 
 HWY_EXPORT(common_states);
 HWY_EXPORT(common_states_slopes);
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

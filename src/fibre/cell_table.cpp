@@ -247,9 +247,10 @@ HWY_AFTER_NAMESPACE();
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
+
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -258,8 +259,6 @@ HWY_EXPORT(at_lengths);
 HWY_EXPORT(at_coordinates);
 HWY_EXPORT(slopes_at_lengths);
 HWY_EXPORT(slopes_at_coordinates);
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t terms = CellLayout::terms;
 using Matrix = std::array<std::array<double, terms>, terms>;
 

@@ -8,12 +8,10 @@
 
 #include "fibre/elastica-inl.h"
 #include "fibre/elliptic.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 using HWY_NAMESPACE::arc_by_doubling;
 using HWY_NAMESPACE::Bend;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <mutex>
 #include <numbers>
 #include <numeric>
@@ -14,12 +13,11 @@
 
 #include "fibre/cell_table.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "fibre/state_table.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 FibreState nothing_at(double S, double q) {
   constexpr double n = not_a_number;

@@ -10,6 +10,7 @@
 
 #include "fibre/elementary.h"
 #include "fibre/elliptic.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -132,9 +133,7 @@ SupportedState state_of(const Half& half, double u, double a, const ForceAngle& 
   const double X = u - half.gap, versine = versine_of(half.theta0);
   const double beyond = (half.gap - 2 * R * u * sine) / X;  // S - 1
   const bool leans = half.theta0 < 0.5 * std::numbers::pi;
-  const double imaged = R == 0  ? 1 + beyond
-                        : leans ? 1 + beyond + 2 * R * sine / cosine
-                                : std::numeric_limits<double>::quiet_NaN();
+  const double imaged = R == 0 ? 1 + beyond : leans ? 1 + beyond + 2 * R * sine / cosine : not_a_number;
   return {.status = FibreStatus::ok,
           .length = 1 + beyond,
           .slid = beyond + 2 * supports.radius * half.theta0,
@@ -191,8 +190,7 @@ SupportedState state_at_phase(double u, double q, const Supports& supports) {
   std::optional<Half> half;
   const auto next = [&](double a) {
     half = half_of(u, a, angle, supports);
-    return half ? (u - half->gap) / (1 - 2 * R * elementary::sine_and_cosine(half->theta0).sine)
-                : std::numeric_limits<double>::quiet_NaN();
+    return half ? (u - half->gap) / (1 - 2 * R * elementary::sine_and_cosine(half->theta0).sine) : not_a_number;
   };
   double a = u, image = next(a);
   double before = a, miss_before = image - a;
@@ -226,7 +224,7 @@ SupportedState solved_state(double w, double q, const Supports& supports, bool l
   if (found.status == FibreStatus::ok) return found.F >= 0 ? found : none(q);
   // The deflection rises with the phase, hardly bent as its square.
   const double s0 = force_angle(q).sine;
-  double low = 0, high = std::numeric_limits<double>::infinity();
+  double low = 0, high = infinity;
   double u = std::sqrt(3 * w / s0), before = 0, w_before = 0;
   SupportedState state = none(q);
   for (int i = 0; i < 200; ++i) {

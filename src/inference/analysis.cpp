@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "data/order.h"
 #include "fibre/elastica.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 Record with_contact_at(Record record, double contact) {
   for (auto& value : record.stage) value -= contact;
@@ -158,29 +156,15 @@ FrictionRead friction_read_of(const FrictionProfile& profile) {
 }
 
 std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, const AnalysisOptions& options) {
-  std::vector<Check> checks{check_residuals(problem, fit), check_drops(problem, fit, options.drops),
-                            check_whiteness(fit), check_nesting(problem, fit), check_friction(fit)};
+  std::vector<Check> checks{
+      check_residuals(problem, fit), check_drops(problem, fit, options.drops),
+      check_whiteness(fit),          check_nesting(problem, fit),
+      check_friction(fit),           check_bending_stiffness(fit, problem.errors.bending_stiffness)};
   if (options.check_stability) checks.push_back(check_stability(problem, fit, options.fit));
   return checks;
 }
 
 }  // namespace
-
-StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
-  const Contact contact = find_contact(record);
-  if (contact.status != ContactStatus::found || !(contact.slope > 0)) return {};
-  double work = 0;
-  double square = 0;
-  for (std::size_t i = contact.first; i < contact.last; ++i) {
-    work += record.force[i] * record.deflection[i];
-    square += record.deflection[i] * record.deflection[i];
-  }
-  constexpr double bend =
-      0.03;  // of the curve over these points, by friction and large deflection: the order of 2.4 q w at w = 0.03
-  return {.found = work > 0,
-          .value = work / square * span * span * span / 48,
-          .relative_error = std::hypot(usual_stiffness_error, contact.slope_error / contact.slope, bend)};
-}
 
 TestAnalysis analyse(const Record& all, const TestDescription& description, const AnalysisOptions& options) {
   if (const auto check = check_record(all);
@@ -204,7 +188,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
       1.4;  // contact, friction and large deflection bend the slopes of sound tests by up to 25 %
   // A contact that settles lowers the slope through it, and raises that of the line beside it: the nearer one is the fair one.
   const double through_contact = EI / slope.value;
-  const double beside = EI / (contact.slope * L * L * L / 48);
+  const double beside = EI / (contact.slope.value * L * L * L / 48);
   const bool contact_is_nearer = std::abs(std::log(through_contact)) < std::abs(std::log(beside));
   const double ratio = !slope.found ? not_a_number : contact_is_nearer ? through_contact : beside;
   const Scales scales(L, EI);
@@ -232,7 +216,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   analysis.force_noise = scales.reduced_force(force_noise(record));
   analysis.drops = find_drops(record, options.drops);
   const double contact_error =
-      description.contact_error.value_or(contact.status == ContactStatus::found ? contact.offset_error : 0.0);
+      description.contact_error.value_or(contact.status == ContactStatus::found ? contact.offset.standard_error : 0.0);
   const MeasurementErrors errors{.force = analysis.force_noise,
                                  .bending_stiffness = analysis.bending_stiffness_error,
                                  .contact = scales.reduced_length(contact_error)};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bending_test/history.h"
+#include "data/contact.h"
 #include "data/drops.h"
 #include "data/record.h"
 #include "data/scales.h"
@@ -16,24 +17,10 @@
 #include "inference/profile.h"
 #include "inference/slip_or_crack.h"
 #include "inference/slips.h"
+#include "inference/stiffness_from_slope.h"
 #include "inference/teeth.h"
 
 namespace flexslip {
-
-// Bending stiffness from the initial slope, F = 48 EI w/L^3.
-struct StiffnessFromSlope {
-  bool found = false;  // the record has a straight rising beginning; nothing else is valid without
-  double value = 0;    // [N m^2] EI
-  // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %
-  double relative_error = 0;
-};
-
-// Domain:     stage and deflection counted from the contact; span [m] > 0.
-// Method:     force over deflection by least squares, through the contact, over the points that find_contact looks at.
-StiffnessFromSlope stiffness_from_slope(const Record& record, double span);
-
-// The uncertainty of a bending stiffness that is stated without one [1]: a data sheet and a diameter to 0.5 % give no better.
-inline constexpr double usual_stiffness_error = 0.03;
 
 // What is known of a test besides its record.
 struct TestDescription {
@@ -85,7 +72,7 @@ enum class AnalysisStatus {
   ok,
   no_initial_slope,  // EI was to be found, but the record has no straight rising beginning: nothing else is valid
   too_few_points,    // fewer than 30 points, or 20 with a deflection above 0.05 spans: nothing from drops on is valid
-  not_explained,  // there are such points, but fewer than 20 that sliding with any friction gives: nothing from the fit on is valid
+  not_explained,  // there are such points, but fewer than 20, or than two in three, that sliding with any friction gives: nothing from the fit on is valid
 };
 
 struct TestAnalysis {

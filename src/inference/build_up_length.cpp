@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -25,7 +25,7 @@ std::vector<Reversal> reversals_of(std::span<const Leg> legs, std::span<const Cy
         std::find_if(points.begin(), points.end(), [&](const CyclicPoint& point) { return point.leg == leg; });
     if (turned == points.end() || turned->index != legs[leg].first) continue;
     Reversal reversal;
-    double S = std::numeric_limits<double>::quiet_NaN();
+    double S = not_a_number;
     for (auto point = turned + 1; point != points.end() && point->leg == leg; ++point) {
       if (reversal.q.empty()) S = point->S;
       reversal.way.push_back(direction * (point->S - S));
@@ -81,7 +81,7 @@ struct Found {
 Found best_length(std::span<const Reversal> reversals, double most) {
   constexpr double narrowest = 1.0 / 6, wide = 4;
   for (double window = narrowest * most;; window *= 2) {
-    double found = 0, least = std::numeric_limits<double>::infinity();
+    double found = 0, least = infinity;
     for (double sigma = shortest * most; sigma <= window; sigma *= grid) {
       double squares = 0;
       for (const Reversal& reversal : reversals) squares += misfit(reversal, sigma, window);
@@ -104,8 +104,7 @@ std::optional<BuildUpLength> measure_build_up(std::span<const Leg> legs, std::sp
     most = std::max(most, *std::max_element(reversal.way.begin(), reversal.way.end()));
   if (!(most > 0)) return std::nullopt;
   const Found found = best_length(reversals, most);
-  BuildUpLength result{found.length, std::numeric_limits<double>::quiet_NaN(), resolution(reversals, found.window),
-                       reversals.size()};
+  BuildUpLength result{found.length, not_a_number, resolution(reversals, found.window), reversals.size()};
   if (reversals.size() < 2) return result;
   // Jackknife.
   double sum = 0, squares = 0;

@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/loop_points.h"
 
 namespace flexslip {
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double lost_degrees = 6;  // of freedom: three for the trend, three of Fisher's transform
 constexpr double normal_95 = 1.959964;
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 void require(bool holds, const char* what, double value) {
   if (!holds) throw std::invalid_argument(std::string(what) + ": " + std::to_string(value));

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
+#include "inference/implied_surface.h"
 
 namespace flexslip {
 namespace {
@@ -34,16 +36,18 @@ class Gathered {
 template <class Predicate>
 CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs) {
   std::size_t count = 0;
-  Gathered mu0, amplitude, wavelength;
+  Gathered mu0, amplitude, wavelength, height, slope;
   for (const auto& test : tests) {
     if (!belongs(test)) continue;
     ++count;
     mu0.add(test.mu0.value);
+    if (test.surface_slope) slope.add(test.surface_slope->value);
     if (test.category == SawtoothCategory::none || !test.wavelength) continue;
     amplitude.add(test.amplitude.value().value);
     wavelength.add(test.wavelength->value);
+    if (test.surface_height) height.add(test.surface_height->value);
   }
-  return {count, mu0.spread(), amplitude.spread(), wavelength.spread()};
+  return {count, mu0.spread(), amplitude.spread(), wavelength.spread(), height.spread(), slope.spread()};
 }
 
 // With nearly equal parts made one, and moved to another unit.
@@ -87,31 +91,34 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no summary");
   const Scales& scales = analysis.scales;
   const FrictionFit& fit = analysis.fit;
-  TestSummary summary{.name = name,
-                      .category = analysis.category,
-                      .suspect = judgement.standing >= Standing::suspect,
-                      .standing = judgement.standing,
-                      .drops_verdict = judgement.drops,
-                      .model = fit.model,
-                      .mu0 = fit.mu0,
-                      .mu0_is_bound = fit.mu0_is_bound,
-                      .friction_read = analysis.friction_read,
-                      .roughness = fit.roughness,
-                      .correlation_length = scaled(fit.length, scales.span()),
-                      .wave_claimed = fit.wave_claimed,
-                      .log_evidence_of_wave = fit.log_evidence_of_wave,
-                      .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
-                      .residual_rms = scales.physical_force(fit.residual_rms),
-                      .drops = analysis.drops.drops.size(),
-                      .friction_share = analysis.energy.friction_share,
-                      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
-                      .known = marginals_of(fit, scales)};
+  TestSummary summary{
+      .name = name,
+      .category = analysis.category,
+      .suspect = judgement.standing >= Standing::suspect,
+      .standing = judgement.standing,
+      .drops_verdict = judgement.drops,
+      .model = fit.model,
+      .mu0 = fit.mu0,
+      .mu0_is_bound = fit.mu0_is_bound,
+      .friction_read = analysis.friction_read,
+      .roughness = fit.roughness,
+      .correlation_length = scaled(fit.length, scales.span()),
+      .wave_claimed = fit.wave_claimed,
+      .log_evidence_of_wave = fit.log_evidence_of_wave,
+      .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
+      .residual_rms = scales.physical_force(fit.residual_rms),
+      .drops = analysis.drops.drops.size(),
+      .friction_share = judgement.standing < Standing::untrusted ? analysis.energy.friction_share : not_a_number,
+      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
+      .known = marginals_of(fit, scales)};
   if (!fit.waves.empty()) {
     const WaveEstimate& wave = fit.waves.front();
     summary.amplitude = wave.amplitude;
     summary.wavelength = scaled(wave.wavelength, scales.span());
     summary.phase = wave.phase;
+    summary.surface_height = scaled(wave.height, scales.span());
   }
+  if (const auto implied = implied_surface(fit)) summary.surface_slope = implied->rms_slope;
   for (const auto& check : analysis.checks)
     if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);
   return summary;

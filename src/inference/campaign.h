@@ -41,10 +41,13 @@ struct TestSummary {
   Estimate bending_stiffness;   // [N m^2] EI
   double residual_rms;          // [N] of the fit's mean run forward
   std::size_t drops;
-  double friction_share;    // [1] of the measured work of fracture: friction and snaps
+  double friction_share;  // [1] of the measured work of fracture: friction and snaps; NaN of a test that is not trusted
   double work_of_fracture;  // [J]
   std::vector<CheckKind> failed_checks{};
   TestMarginals known;
+  // Of the surface that would show its friction: the amplitude of its wave, if there is a likeliest one, and all of its slopes.
+  std::optional<Estimate> surface_height{};  // [m]
+  std::optional<Estimate> surface_slope{};   // [1] rms
 };
 
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
@@ -58,9 +61,11 @@ struct Spread {
 
 struct CategorySpread {
   std::size_t tests;
-  Spread mu0;         // [1]
-  Spread amplitude;   // [1] over the tests of categories with a sawtooth that have a wave, claimed or indicative
-  Spread wavelength;  // [m] likewise
+  Spread mu0;               // [1]
+  Spread amplitude;         // [1] over the tests of categories with a sawtooth that have a wave, claimed or indicative
+  Spread wavelength;        // [m] likewise
+  Spread surface_height{};  // [m] likewise, of the wave of the surface that would show it
+  Spread surface_slope{};   // [1] rms, of the slopes that would show the friction, over the tests where it varies
 };
 
 // A parameter between the specimens of some tests: what they have in common, and how they differ.

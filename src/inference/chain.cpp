@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <Eigen/Cholesky>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/state_filter-inl.h"
 
 namespace flexslip {
@@ -39,7 +39,7 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
       std::copy(states.all().begin(), states.all().end(),
                 predicted_.begin() + static_cast<std::ptrdiff_t>(k * M * series));
       if (!is_seen(look)) {
-        step.innovation = std::numeric_limits<double>::infinity();
+        step.innovation = infinity;
         step.gain = {};
         continue;
       }
@@ -169,7 +169,7 @@ std::vector<SmoothedLook> Chain::smoothed() const {
           result[k].e = mean_of(G);
           result[k].f = h.dot(beta_) + (G > 0 ? mean_of(0) : 0);
           if constexpr (G > 1) result[k].slope = steps.rate * mean_of(1);
-          result[k].variance = std::numeric_limits<double>::quiet_NaN();
+          result[k].variance = not_a_number;
           if (!look.is_reading()) {
             double own = 0;  // variance at given β
             for (std::size_t c = 1; c < series; ++c) left[c] = h[static_cast<Index>(c - 1)];

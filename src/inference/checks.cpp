@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
 #include "data/names.h"
 #include "data/order.h"
+#include "fibre/limits.h"
 #include "inference/chi_squared.h"
 #include "inference/prior_draw.h"
 #include "inference/process_posterior.h"
@@ -35,8 +35,8 @@ CheckOutcome passed_if(bool passed) { return passed ? CheckOutcome::passed : Che
 }  // namespace
 
 std::string_view name_of(CheckKind kind) {
-  return name_in_order<CheckKind::stability>(kind,
-                                             {"residuals", "drops", "whiteness", "nesting", "friction", "stability"});
+  return name_in_order<CheckKind::stiffness>(
+      kind, {"residuals", "drops", "whiteness", "nesting", "friction", "stability", "stiffness"});
 }
 
 double number_of(const Check& check, std::string_view name) {
@@ -125,7 +125,7 @@ Check check_nesting(const FitProblem& problem, const FrictionFit& fit) {
   std::vector<Explanation> others = fit.explanations;
   if (fit.model == ProfileModel::sinusoids) others = fit_friction(problem, {ProfileModel::sinusoid}).explanations;
   if (fit.model == ProfileModel::sinusoid) others = fit_friction(problem, {ProfileModel::drift}).explanations;
-  double most_below = -std::numeric_limits<double>::infinity();
+  double most_below = -infinity;
   if (!fit.explanations.empty()) {
     const Explanation& likeliest = fit.explanations.front();
     for (const auto& other : others) {
@@ -142,6 +142,15 @@ Check check_nesting(const FitProblem& problem, const FrictionFit& fit) {
 
 Check check_friction(const FrictionFit& fit) {
   return {CheckKind::friction, passed_if(!fit.mu0_is_bound), {{"mu0_high", fit.mu0.high, false}}};
+}
+
+Check check_bending_stiffness(const FrictionFit& fit, double error) {
+  if (fit.model == ProfileModel::constant) return {CheckKind::stiffness, CheckOutcome::not_possible, {}};  // not fitted
+  constexpr double most = 2;
+  const double errors = std::abs(std::log(fit.bending_stiffness.value)) / error;
+  return {CheckKind::stiffness,
+          passed_if(errors <= most),
+          {{"fitted_over_nominal", fit.bending_stiffness.value, false}, {"errors", errors, false}}};
 }
 
 Check check_stability(const FitProblem& problem, const FrictionFit& fit, const FitOptions& options) {

@@ -16,6 +16,7 @@ enum class CheckKind {
   nesting,    // the likeliest explanation fits no worse than one that it contains
   friction,   // the record tells friction from none
   stability,  // the answer stays when the force changes in its ninth digit
+  stiffness,  // the bending stiffness of the fit is that told beforehand
 };
 
 std::string_view name_of(CheckKind kind);
@@ -65,6 +66,11 @@ Check check_nesting(const FitProblem& problem, const FrictionFit& fit);
 
 // Fails if the interval of mu0 has no lower end above 0. Numbers: mu0_high.
 Check check_friction(const FrictionFit& fit);
+
+// Fails if the bending stiffness of the fit differs from the nominal one by more than twice the relative error of that.
+// Domain:     error > 0.
+// Numbers:    fitted_over_nominal, errors (by how many it differs).
+Check check_bending_stiffness(const FrictionFit& fit, double error);
 
 // Fits once more, every force changed by a relative 1e-9 at random. Passes if mu0 moves by less than a hundredth of its standard
 // error, and neither the kernel of the likeliest explanation nor the claim of a wave changes.

@@ -16,12 +16,12 @@ using Eigen::VectorXd;
 
 constexpr double greatest_friction = 3;
 
-struct Estimate {
+struct ConstantFriction {
   double mu;
   double from_residuals;  // standard error
 };
 
-Estimate estimate_at(const ReducedRecord& record, double stiffening, const SlidingLadder& ladder) {
+ConstantFriction estimate_at(const ReducedRecord& record, double stiffening, const SlidingLadder& ladder) {
   std::vector<std::size_t> order(record.deflection.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

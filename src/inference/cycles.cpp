@@ -14,14 +14,13 @@
 #include "data/order.h"
 #include "fibre/elastica.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/mirror.h"
 
 namespace flexslip {
 namespace {
 
 using namespace loops;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t least_points = 20;
 constexpr std::size_t settling = 5;  // iterations after which it is fixed which points slide
 constexpr std::size_t most_iterations = 40;
@@ -296,6 +295,26 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
 }
 
 }  // namespace
+
+DirectionMeans direction_means(const CyclicFriction& friction) {
+  double places = 0, in = 0, out = 0, square = 0;
+  for (const FrictionLoop& loop : friction.loops) {
+    if (loop.places == 0) continue;
+    const auto weight = static_cast<double>(loop.places);
+    places += weight;
+    in += weight * loop.mu_in.value;
+    out += weight * loop.mu_out.value;
+    square += weight * loop.rms_difference.value * loop.rms_difference.value;
+  }
+  return {in / places, out / places, std::sqrt(square / places)};
+}
+
+bool is_beyond_friction(const CyclicFriction& friction) {
+  constexpr double two_sided = 1.96;  // standard errors to the ends of a 95 % interval
+  const auto [in, out, rms] = direction_means(friction);
+  const auto& [value, error, low, high] = friction.asymmetry;
+  return std::abs(value) > 0.5 * (in + out) && std::abs(value) > two_sided * error;
+}
 
 CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options) {
   const std::size_t n = record.force.size();

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bending_test/history.h"
 #include "fibre/elastica.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 LoadingRange rows_of(const FrictionLoop& loop, const CyclicFriction& friction) {
   const Leg& from = friction.legs[loop.loading ? *loop.loading : *loop.unloading];
@@ -85,7 +83,7 @@ std::vector<LoopEnergy> energies_of(const ReducedRecord& record, const Fibre& fi
   for (const FrictionLoop& loop : friction.loops) {
     LoopEnergy energy{};
     const auto work = [&](std::optional<std::size_t> leg) {
-      if (!leg) return 0.0;
+      if (!leg) return not_a_number;
       const Leg& rows = friction.legs[*leg];
       // The turning point belongs to both.
       const std::size_t first = rows.first > 0 ? rows.first - 1 : 0;

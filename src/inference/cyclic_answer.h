@@ -22,6 +22,7 @@ struct LoopReplay {
 };
 
 // Work at the supports' side, ∫ F dw0, from the measured points of one loop past CyclesOptions::least_deflection [EI/L] nominal.
+// NaN: of a leg that the loop does not have, and what hangs on it.
 struct LoopEnergy {
   double loading;    // put in: the apparent work of fracture of this loading
   double unloading;  // given back

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "data/order.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "fibre/state_table.h"
 #include "inference/profile.h"
 
@@ -77,7 +77,7 @@ Passages passages_of(const FitProblem& problem) {
   p.contact_error = problem.errors.contact;
   std::vector<std::size_t> rows;
   std::vector<double> w, F;
-  double stage = -std::numeric_limits<double>::infinity();
+  double stage = -infinity;
   for (std::size_t i = 0; i < record.force.size(); ++i) {
     constexpr double least_step = 1e-6;  // [L] a stage that stands or trembles passes no new place
     if (!(record.deflection[i] > from && record.deflection[i] < greatest_w && record.force[i] > 0) || within[i] ||
@@ -220,7 +220,7 @@ Linearisation rises_of(const Passages& passages) {
   std::vector<double> best(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
   for (std::size_t j = 1; j <= n; ++j) {
-    best[j] = std::numeric_limits<double>::infinity();
+    best[j] = infinity;
     for (std::size_t i = j > longest ? j - longest : 0; i < j; ++i)
       if (const double cost = best[i] + piece(i, j).cost + penalty; cost < best[j]) {
         best[j] = cost;

@@ -12,9 +12,8 @@
 #include "contact/friction.h"
 #include "data/estimate.h"
 #include "fibre/contact_travel.h"
+#include "inference/explanation.h"
 #include "inference/fit_problem.h"
-#include "inference/kernel.h"
-#include "inference/normal_mixture.h"
 
 namespace flexslip {
 
@@ -32,44 +31,10 @@ struct FitOptions {
   ProfileModel model = ProfileModel::roughness;
 };
 
-// A wave of friction, (4.25).
-struct WaveEstimate {
-  Estimate amplitude;        // [1] A, relative to mu0
-  Estimate wavelength;       // [L] λ
-  Estimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
-  Estimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not
-};
-
-// What a record says of a parameter beside what was known beforehand: their quotient is the record's own.
-struct Marginal {
-  NormalMixture posterior;
-  double prior_mean, prior_deviation;  // of a normal distribution
-};
-
-// One explanation among those that the answer averages over.
-struct Explanation {
-  Kernel kernel;
-  std::vector<double> wavelengths;  // [L] of its waves
-  double log_evidence;
-  double log_likelihood;  // where its posterior is greatest
-  double weight;          // [1] of all; they add up to 1
-};
-
-struct ScannedWave {
-  double wavelength;  // [L]
-  double gain;        // of the logarithm of the evidence, by a wave added to what explains the record without one
-};
-
-// Friction along the fibre seen: at each of many lengths what is known of it.
-struct ProfileBand {
-  std::vector<double> S;                // [L] drawn in, rising
-  std::vector<double> mean, deviation;  // [1]
-};
-
 enum class FrictionFitStatus {
   ok,
   too_few_points,  // fewer than 20 readings are deep enough to tell of friction: nothing else is valid
-  not_explained,  // fewer than 20 of them are such as friction between 0 and 2 gives, or the fibre passes nothing: nothing else is valid
+  not_explained,  // fewer than 20 of them, or than two in three, are such as friction between 0 and 2 gives, or the fibre passes nothing: nothing else is valid
 };
 
 // A record tells how much of the fibre lies between the supports, and lengths along it as if it slid over both at once. Where it slides over one

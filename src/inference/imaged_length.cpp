@@ -1,14 +1,14 @@
 #include "inference/imaged_length.h"
 
 #include <cmath>
-#include <limits>
 
 #include "data/order.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 
 ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const double> pulled_in) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double none = not_a_number;
   ImagedLength compared{{}, none, none, none};
   std::vector<double> differences;
   for (const auto& point : profile.points) {

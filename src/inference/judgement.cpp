@@ -58,7 +58,8 @@ CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* re
   if (reload->verdict == DamageVerdict::damaged) return CrackVerdict::cracks;
   if (!rises.judged) return rises.verdict;
   constexpr double one_sided = 1.645;
-  const double at_most = 1 - reload->ratio + one_sided * std::hypot(reload->ratio_error, reload->ratio_systematic);
+  const double at_most =
+      1 - reload->ratio.value + one_sided * std::hypot(reload->ratio.standard_error, reload->ratio_systematic);
   const double needed = 1 - std::max({rises.cracks.left, rises.cracks_constant.left, rises.cracks_running.left});
   if (needed > at_most) return CrackVerdict::not_by_cracks_alone;
   return rises.verdict;
@@ -99,8 +100,8 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   const FrictionFit& fit = analysis.fit;
   Judgement judgement{.drops = verdict_on(analysis, reload)};
   if (reload) {
-    judgement.loss = 1 - reload->ratio;
-    judgement.loss_error = std::hypot(reload->ratio_error, reload->ratio_systematic);
+    judgement.loss = 1 - reload->ratio.value;
+    judgement.loss_error = std::hypot(reload->ratio.standard_error, reload->ratio_systematic);
   }
   const auto doubt_if = [&](bool doubtful, Doubt doubt) {
     if (doubtful) judgement.doubts.push_back(doubt);
@@ -114,7 +115,8 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   doubt_if(analysis.suspects.suspect || fit.mu0.low > analysis.suspects.limit, Doubt::implausible_friction);
   doubt_if(std::any_of(analysis.checks.begin(), analysis.checks.end(),
                        [](const Check& check) {
-                         return check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction;
+                         return check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction &&
+                                check.kind != CheckKind::stiffness;
                        }),
            Doubt::failed_check);
   doubt_if(friction_falls(fit), Doubt::falling_friction);
@@ -127,9 +129,12 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   doubt_if(drops > 0 && judgement.drops == CrackVerdict::cannot_be_told, Doubt::undecided_drops);
   doubt_if(has_few_rows(analysis), Doubt::few_rows);
   doubt_if(analysis.contact.status == ContactStatus::found && analysis.contact.settles &&
-               analysis.contact.offset > two_sided * analysis.contact.offset_error,
+               analysis.contact.offset.value > two_sided * analysis.contact.offset.standard_error,
            Doubt::settling_contact);
-  doubt_if(std::abs(std::log(fit.bending_stiffness.value)) > two_sided * analysis.bending_stiffness_error,
+  doubt_if(std::any_of(analysis.checks.begin(), analysis.checks.end(),
+                       [](const Check& check) {
+                         return check.outcome == CheckOutcome::failed && check.kind == CheckKind::stiffness;
+                       }),
            Doubt::unexpected_stiffness);
   judgement.standing = standing_of(judgement.doubts, 2 * impossible >= drops);
 

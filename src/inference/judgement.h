@@ -18,7 +18,7 @@ enum class Doubt {
   cracks,                // the rises between the drops are those of a specimen that cracks
   impossible_drops,      // drops that no slip explains
   implausible_friction,  // more friction than is plausible
-  failed_check,          // the fit fails a check (of friction told from none the answer itself tells)
+  failed_check,          // the fit fails a check, other than those of friction and stiffness
   falling_friction,      // friction falls away along the record, as the force of a specimen that cracks would
   changed_reload,    // a reload is softer or stiffer than the first loading by more than its error, and by a twentieth
   coarse_force,      // a drop of less than a twentieth of the greatest force could not be seen

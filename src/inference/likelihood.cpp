@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -59,7 +59,7 @@ Likelihood blurred(const Likelihood& likelihood, double spread) {
 
 double log_of(const Likelihood& likelihood, double x) {
   if (likelihood.size() == 1) return log_at(likelihood.front(), x);
-  double greatest = -std::numeric_limits<double>::infinity();
+  double greatest = -infinity;
   for (const auto& bell : likelihood) greatest = std::max(greatest, log_at(bell, x));
   double sum = 0;
   for (const auto& bell : likelihood)

@@ -4,11 +4,11 @@
 // process over the rows of the record with variance σ², ε_i ~ N(0, variance_i).
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include <Eigen/Dense>
 
+#include "fibre/limits.h"
 #include "inference/kernel.h"
 
 namespace flexslip {
@@ -35,7 +35,7 @@ struct Looks {
   std::vector<double> prior;          // [1] variances of β
 };
 
-inline bool is_seen(const Look& look) { return look.variance < std::numeric_limits<double>::infinity(); }
+inline bool is_seen(const Look& look) { return look.variance < infinity; }
 
 // Domain of all that looks at them: noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, at most
 // most_columns columns, all of one length: std::invalid_argument otherwise.

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "data/order.h"
 #include "fibre/elastica.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 
 namespace flexslip::loops {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // Slope of q on the stage over points [first, last); NaN where the stage stands still.
 double slope_of_q(std::span<const Point> points, std::size_t first, std::size_t last) {

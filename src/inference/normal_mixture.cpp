@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 
@@ -43,7 +43,7 @@ double probability_below(const NormalMixture& mixture, double x) {
 
 double quantile_of(const NormalMixture& mixture, double probability) {
   constexpr double reach = 12;  // deviations, beyond which nothing is
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = infinity, high = -low;
   for (const auto& part : mixture) {
     low = std::min(low, part.mean - reach * part.deviation);
     high = std::max(high, part.mean + reach * part.deviation);

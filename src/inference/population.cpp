@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/likelihood.h"
 #include "inference/line_density.h"
 
@@ -51,7 +51,7 @@ class Specimens {
     std::vector<Slice> slices;
     const SpreadAxis axis = axis_of_spread();
     for (std::size_t i = 0; i < spreads; ++i) slices.push_back(slice(axis.spread(axis.v(i)), 0.25));
-    double greatest = -std::numeric_limits<double>::infinity();
+    double greatest = -infinity;
     for (const auto& at : slices) greatest = std::max(greatest, at.log_density);
     std::vector<double> weights;
     for (std::size_t i = 0; i < spreads; ++i)
@@ -114,7 +114,7 @@ class Specimens {
   static Estimate mean_of(const std::vector<Slice>& slices, const std::vector<double>& weights) {
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
     double mean = 0, squares = 0;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    double low = infinity, high = -low;
     for (std::size_t j = 0; j < slices.size(); ++j) {
       const auto& line = slices[j].mean;
       mean += weights[j] * line.mean() / total;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "fibre/state_table.h"
 
 namespace flexslip {
@@ -176,7 +177,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
     return f;
   };
   Guess best = start;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (const double larger : {1.0, 1.5, 2.2})
     for (const double turned : {0.0, 0.9, -0.9}) {
       Guess f = start;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "data/order.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/likelihood_gradient.h"
 
 namespace flexslip {
@@ -18,18 +18,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double most_correlation = 0.95;
-constexpr double nugget = 0.0007;   // [1] of μ, what no kernel follows
-constexpr double softness = 0.003;  // [1] of μ, of a bound in a gap
+constexpr double nugget = 0.0007;  // [1] of μ, what no kernel follows
 
 }  // namespace
-
-Hyperparameters hyperparameters_of(const Theta& theta) {
-  return {.noise = elementary::exp(theta.values[0]),
-          .correlation = most_correlation / (1 + elementary::exp(-theta.values[1])),
-          .roughness = elementary::exp(theta.values[2]),
-          .length = elementary::exp(theta.values[3])};
-}
 
 FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passages)) {
   if (passages_.size() < 20) throw std::invalid_argument("fewer than 20 readings tell of friction");
@@ -49,26 +40,7 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   for (std::size_t i = 1; i < passages_.size(); ++i)
     advance.push_back(passages_.advance[i] * passages_.along.slope(passages_.S[i]));
   least_wavelength_ = 2 * median_of(std::move(advance));
-  theta_mean_ = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)};
-  theta_deviation_ = {1, 1.5, 1, 1.2};
-  // Roughness that explained what is noise would leave none: second differences say how much there is, to a factor.
-  constexpr double least_of_seen = 0.2;
-  const double least_noise = std::max(0.0005, least_of_seen * passages_.noise);
-  theta_least_ = {elementary::log(least_noise), -6, elementary::log(0.001), elementary::log(range) - 6};
-  theta_greatest_ = {std::max(elementary::log(0.5), elementary::log(least_noise) + 1), 6, elementary::log(0.6),
-                     elementary::log(range) + 1};
-}
-
-void FrictionProcess::bound(Theta& theta) const {
-  for (std::size_t i = 0; i < 4; ++i)
-    theta.values[i] = std::clamp(theta.values[i], theta_least_[i], theta_greatest_[i]);
-}
-
-Theta FrictionProcess::usual(std::span<const double> log_wavelengths) const {
-  Theta theta{};
-  std::copy(theta_mean_.begin(), theta_mean_.end(), theta.values.begin());
-  for (const double value : log_wavelengths) theta.values[4 + theta.waves++] = value;
-  return theta;
+  prior_of_theta_ = ThetaPrior::of(range, passages_.noise);
 }
 
 double FrictionProcess::expected_stiffness(const Mode& mode) const {
@@ -89,29 +61,6 @@ void FrictionProcess::set_waves(const Theta& theta, double place, Coefficients& 
     const auto [sine, cosine] = elementary::sine_and_cosine(rate * place);
     h[columns_.waves + 2 * static_cast<Index>(wave)] = cosine;
     h[columns_.waves + 2 * static_cast<Index>(wave) + 1] = sine;
-  }
-}
-
-// Where the fibre advanced by far more than friction that stays would let it, it jumped.
-void FrictionProcess::lay_sites(Mode& mode) const {
-  const auto& S = mode.at.S;
-  const double noise = elementary::exp(mode.theta.values[0]);
-  const auto old = std::move(mode.sites);
-  mode.sites.clear();
-  auto kept = old.begin();
-  for (std::size_t i = 1; i < S.size(); ++i) {
-    const double jump = S[i] - S[i - 1];
-    const double blur = std::abs(mode.at.S_force[i]) * noise;
-    if (!(jump > 2.5 * passages_.advance[i] + 3 * blur)) continue;
-    const double spacing = passages_.range / 40;  // [L] in S: a few nodes tell what a jump passed over
-    const auto count = static_cast<std::size_t>(std::clamp(std::ceil(jump / spacing), 3.0, 8.0));
-    for (std::size_t node = 1; node <= count; ++node) {
-      if (jump * static_cast<double>(count + 1 - node) < 1.5 * blur * static_cast<double>(count + 1)) break;
-      GapSite site{.reading = i, .node = node, .nodes = count};
-      while (kept != old.end() && (kept->reading < i || (kept->reading == i && kept->node < node))) ++kept;
-      if (kept != old.end() && kept->reading == i && kept->node == node && kept->nodes == count) site = *kept;
-      mode.sites.push_back(site);
-    }
   }
 }
 
@@ -185,8 +134,7 @@ Profile FrictionProcess::profile_of(const Mode& mode, std::span<const double> pl
   const auto unseen_to = [&](double end) {
     for (; next < places.size() && places[next] < end; ++next) {
       profile.at.push_back(looks.looks.size());
-      looks.looks.push_back(
-          {.place = places[next], .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
+      looks.looks.push_back({.place = places[next], .rows = 0, .noise_gain = 0, .variance = infinity});
       looks.values.push_back(0);
       looks.columns.push_back(columns_at(places[next], mode));
     }
@@ -197,7 +145,7 @@ Profile FrictionProcess::profile_of(const Mode& mode, std::span<const double> pl
     looks.values.push_back(seen.values[k]);
     looks.columns.push_back(seen.columns[k]);
   }
-  unseen_to(std::numeric_limits<double>::infinity());
+  unseen_to(infinity);
   return profile;
 }
 
@@ -209,25 +157,9 @@ void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes
     const GapSite& site = mode.sites[j];
     const double bound = bound_at(nodes[j++], mode);
     const bool seen = site.precision > 0;
-    looks.looks[k].variance = seen ? 1 / site.precision : std::numeric_limits<double>::infinity();
+    looks.looks[k].variance = seen ? 1 / site.precision : infinity;
     looks.values[k] = seen ? bound - site.precision_mean / site.precision : bound;
   }
-}
-
-double FrictionProcess::log_prior(const Mode& mode, const Theta& theta) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < (mode.kernel == Kernel::none ? 2 : 4); ++i) {
-    const double z = (theta.values[i] - theta_mean_[i]) / theta_deviation_[i];
-    sum -= 0.5 * z * z;
-  }
-  return sum;
-}
-
-double FrictionProcess::log_prior_scale(Kernel kernel) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < (kernel == Kernel::none ? 2 : 4); ++i)
-    sum -= elementary::log(theta_deviation_[i]) + 0.5 * elementary::log(2 * std::numbers::pi);
-  return sum;
 }
 
 FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Looks& looks, const Theta& theta) const {
@@ -238,12 +170,12 @@ FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Looks& l
     wavelengths[wave] = elementary::exp(theta.log_wavelength(wave));
   const auto p = hyperparameters_of(theta);
   const auto likelihood = likelihood_gradient(looks, mode.kernel, p, std::span(wavelengths).first(theta.waves));
-  Objective result{.value = likelihood.value + mode.at.log_jacobian + log_prior(mode, theta), .gradient = {}};
+  Objective result{.value = likelihood.value + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, theta),
+                   .gradient = {}};
   for (std::size_t i = 0; i < 4; ++i) {
     if (mode.kernel == Kernel::none && i >= 2) continue;
     const double of_value = i == 1 ? p.correlation * (1 - p.correlation / most_correlation) : 1;
-    result.gradient[i] = likelihood.hyperparameters[i] * of_value -
-                         (theta.values[i] - theta_mean_[i]) / (theta_deviation_[i] * theta_deviation_[i]);
+    result.gradient[i] = likelihood.hyperparameters[i] * of_value + prior_of_theta_.slope(theta, i);
   }
   for (std::size_t wave = 0; wave < theta.waves; ++wave) result.gradient[4 + wave] = likelihood.log_wavelengths[wave];
   return result;
@@ -261,7 +193,7 @@ void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, c
     if (!(precision > 1e-10)) continue;
     const double variance = 1 / precision;
     const double cavity = (mean / std::max(smoothed[k].variance, 1e-12) - site.precision_mean) * variance;
-    const double blurred = variance + softness * softness;
+    const double blurred = variance + bound_softness * bound_softness;
     const double z = cavity / std::sqrt(blurred);
     const double hazard = elementary::gaussian_below(z).hazard;
     const double tilted_mean = cavity + variance * hazard / std::sqrt(blurred);
@@ -274,26 +206,6 @@ void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, c
   }
 }
 
-namespace {
-
-// What a site adds to the evidence beyond the Gaussian that stands for it.
-double log_weight(const GapSite& site, double mean, double variance) {
-  const double precision = 1 / std::max(variance, 1e-12) - site.precision;
-  if (!(precision > 1e-10)) return 0;
-  const double cavity_variance = 1 / precision;
-  const double cavity = (mean / std::max(variance, 1e-12) - site.precision_mean) * cavity_variance;
-  const double z = cavity / std::sqrt(cavity_variance + softness * softness);
-  double weight = elementary::gaussian_below(z).log_probability;
-  if (site.precision > 0) {
-    const double spread = cavity_variance + 1 / site.precision;
-    const double away = site.precision_mean / site.precision - cavity;
-    weight += 0.5 * (elementary::log(2 * std::numbers::pi * spread) + away * away / spread);
-  }
-  return weight;
-}
-
-}  // namespace
-
 // What the evidence would gain by an EI away from that of the linearisation: no gain, since there it does not hold.
 double FrictionProcess::by_moving_stiffness(const Mode& mode, const Chain& chain) const {
   const Index at = columns_.stiffness;
@@ -303,7 +215,7 @@ double FrictionProcess::by_moving_stiffness(const Mode& mode, const Chain& chain
 }
 
 void FrictionProcess::settle(Mode& mode) const {
-  lay_sites(mode);
+  mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[0]), mode.sites);
   const auto nodes = nodes_of(mode);
   Looks looks = looks_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
@@ -323,13 +235,13 @@ void FrictionProcess::settle(Mode& mode) const {
       constexpr double negligible = 0.002;  // of the evidence
       if (!(round > 0 && std::abs(evidence - before) < negligible)) {
         before = evidence;
-        mode.merit = evidence + mode.at.log_jacobian + log_prior(mode, mode.theta);
+        mode.merit = evidence + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, mode.theta);
         update_sites(mode, nodes, looks, smoothed);
         say_sites(mode, nodes, looks);
         continue;
       }
     }
-    mode.merit = evidence + mode.at.log_jacobian + log_prior(mode, mode.theta);
+    mode.merit = evidence + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, mode.theta);
     break;
   }
 }
@@ -356,7 +268,7 @@ std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Looks& lo
 
 // One Gauss-Newton step; returns how far the fitted lengths had to go, the greatest of them [L].
 double FrictionProcess::pass(Mode& mode, double fraction) const {
-  lay_sites(mode);
+  mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[0]), mode.sites);
   const auto nodes = nodes_of(mode);
   const Looks looks = looks_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
@@ -393,7 +305,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
 }
 
 Mode FrictionProcess::start(Kernel kernel, const Theta& theta, const Linearisation& at) {
-  return {.kernel = kernel, .theta = theta, .at = at, .sites = {}, .merit = -std::numeric_limits<double>::infinity()};
+  return {.kernel = kernel, .theta = theta, .at = at, .sites = {}, .merit = -infinity};
 }
 
 void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
@@ -497,8 +409,8 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
   const double log_range = elementary::log(passages_.range);
   Vector low(n), high(n);
   for (Index i = 0; i < 4; ++i) {
-    low[i] = theta_least_[static_cast<std::size_t>(i)];
-    high[i] = theta_greatest_[static_cast<std::size_t>(i)];
+    low[i] = prior_of_theta_.least[static_cast<std::size_t>(i)];
+    high[i] = prior_of_theta_.greatest[static_cast<std::size_t>(i)];
   }
   for (Index i = 4; i < n; ++i) {
     const double start = mode.theta.values[static_cast<std::size_t>(i)];

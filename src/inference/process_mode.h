@@ -12,30 +12,10 @@
 
 #include "inference/chain.h"
 #include "inference/first_passages.h"
+#include "inference/gap_sites.h"
+#include "inference/theta.h"
 
 namespace flexslip {
-
-inline constexpr std::size_t most_waves = 2;
-
-// ln σ, logit ρ/0.95, ln σ_g, ln ℓ, then ln λ of each wave.
-struct Theta {
-  std::array<double, 4 + most_waves> values;
-  std::size_t waves = 0;
-
-  std::size_t size() const { return 4 + waves; }
-  double log_wavelength(std::size_t wave) const { return values[4 + wave]; }
-};
-
-Hyperparameters hyperparameters_of(const Theta& theta);
-
-// What a place in a gap, where friction must have been below a bound, is taken for: a Gaussian of the slack between the two.
-struct GapSite {
-  std::size_t reading;        // the first beyond the gap
-  std::size_t node, nodes;    // which of how many
-  double precision = 0;       // [1]
-  double precision_mean = 0;  // [1]
-  double slope = 0;           // [1/L] dμ/dS of the friction fitted
-};
 
 struct Mode {
   Kernel kernel;
@@ -63,11 +43,10 @@ class FrictionProcess {
 
   const Passages& passages() const { return passages_; }
   const ColumnPlaces& columns() const { return columns_; }
+  const ThetaPrior& prior_of_theta() const { return prior_of_theta_; }
   double least_wavelength() const { return least_wavelength_; }         // [L] four advances of a reading
   double greatest_wavelength() const { return passages_.range / 2.2; }  // [L]
 
-  // Usual hyperparameters, for a start.
-  Theta usual(std::span<const double> log_wavelengths = {}) const;
   static Mode start(Kernel kernel, const Theta& theta, const Linearisation& at);
 
   // Gauss-Newton steps by a fraction of their length, the sites along; the merit is that of the end.
@@ -92,24 +71,16 @@ class FrictionProcess {
   };
   Objective objective(const Mode& mode, Looks& looks, const Theta& theta) const;
 
-  // Into the bounds within which hyperparameters are sought.
-  void bound(Theta& theta) const;
-
   // Sites that agree with the looks; the merit.
   void settle(Mode& mode) const;
 
   static constexpr double mean_friction = 0.55;   // expected beforehand, 0.5 its standard deviation
   static constexpr double wave_deviation = 0.08;  // [1] of a wave's cosine and sine beforehand
   // ln p(readings, gaps | θ) of a mode whose sites are settled, without the volume of the readings.
-  double evidence(const Mode& mode) const { return mode.merit - mode.at.log_jacobian - log_prior(mode, mode.theta); }
-  double expected_stiffness(const Mode& mode) const;  // of ln EI/nominal beforehand
-  struct NormalPrior {
-    double mean, deviation;
-  };
-  NormalPrior prior_of(std::size_t hyperparameter) const {
-    return {theta_mean_[hyperparameter], theta_deviation_[hyperparameter]};
+  double evidence(const Mode& mode) const {
+    return mode.merit - mode.at.log_jacobian - prior_of_theta_.log_density(mode.kernel, mode.theta);
   }
-  double log_prior_scale(Kernel kernel) const;  // what makes exp of the prior of θ in a merit a density
+  double expected_stiffness(const Mode& mode) const;  // of ln EI/nominal beforehand
 
  private:
   struct Node {
@@ -122,7 +93,6 @@ class FrictionProcess {
   Looks looks_of(const Mode& mode, const std::vector<Node>& nodes) const;
   void say_sites(const Mode& mode, const std::vector<Node>& nodes, Looks& looks) const;
   void set_waves(const Theta& theta, double place, Coefficients& h) const;
-  void lay_sites(Mode& mode) const;
   double by_moving_stiffness(const Mode& mode, const Chain& chain) const;
   double pass(Mode& mode, double fraction) const;
   void update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
@@ -134,13 +104,12 @@ class FrictionProcess {
   void update_jacobian(Mode& mode) const;
   Looks near_its_stiffness(Looks looks, const Mode& mode) const;
   void maximise(Mode& mode, int iterations) const;
-  double log_prior(const Mode& mode, const Theta& theta) const;
 
   Passages passages_;
   ColumnPlaces columns_;
   std::vector<double> prior_;  // of the columns but waves
   double least_wavelength_;
-  std::array<double, 4> theta_mean_, theta_deviation_, theta_least_, theta_greatest_;
+  ThetaPrior prior_of_theta_{};
 };
 
 }  // namespace flexslip

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -11,6 +10,7 @@
 
 #include "bending_test/sliding_ladder.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/matern.h"
 #include "inference/prior_draw.h"
 
@@ -106,7 +106,7 @@ std::vector<Point> points_of(const FrictionProcess& process, const Component& co
       point.mode.theta.values[static_cast<std::size_t>(j)] += step[j];
       squares += z[j] * z[j];
     }
-    process.bound(point.mode.theta);
+    process.prior_of_theta().bound(point.mode.theta);
     process.settle(point.mode);
     point.log_weight = point.mode.merit - component.mode.merit + 0.5 * squares;
     // No point is much likelier than the mode: where gaps or EI ran away from it, nothing is known of that point. Nor does one far below tell.
@@ -119,7 +119,7 @@ std::vector<Point> points_of(const FrictionProcess& process, const Component& co
 
 // ln of the weights, none more than four times the mean: the tails of few points are not to be trusted with more.
 void temper(std::vector<Point>& points) {
-  double greatest = -std::numeric_limits<double>::infinity(), mean = 0;
+  double greatest = -infinity, mean = 0;
   for (const auto& point : points) greatest = std::max(greatest, point.log_weight);
   for (const auto& point : points)
     mean += elementary::exp(point.log_weight - greatest) / static_cast<double>(points.size());

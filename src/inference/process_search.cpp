@@ -124,7 +124,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H);
   constexpr double least_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least_curvature);
-  double log_evidence = mode.merit + process.log_prior_scale(mode.kernel);
+  double log_evidence = mode.merit + process.prior_of_theta().log_scale(mode.kernel);
   for (Index i = 0; i < n; ++i) log_evidence -= 0.5 * elementary::log(values[i]);
   const auto dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
   log_evidence += 0.5 * dimensions * elementary::log(2 * std::numbers::pi);
@@ -235,7 +235,7 @@ class Search {
   }
 
   Mode without_wave(Kernel kernel) const {
-    Mode mode = settled(process_.start(kernel, process_.usual(), rises_), 8);
+    Mode mode = settled(process_.start(kernel, process_.prior_of_theta().usual(), rises_), 8);
     process_.polish(mode, 3, 4, 0.3);
     process_.burst(mode, 4, 0.3);
     return mode;
@@ -276,7 +276,7 @@ class Search {
 
   std::vector<Mode> with_one_more_wave(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
     const double range = process_.passages().range;
-    const Theta usual = process_.usual(std::span(plain.theta.values).subspan(4, plain.theta.waves));
+    const Theta usual = process_.prior_of_theta().usual(std::span(plain.theta.values).subspan(4, plain.theta.waves));
     const Mode raw = process_.start(plain.kernel, usual, rises_);
     const std::size_t last = plain.theta.waves;  // the wave that is sought
     std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from

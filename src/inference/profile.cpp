@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "data/names.h"
 #include "data/order.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double judged_from = 0.1;  // [L] deflection past which μ is measurable to a few hundredths
 
 // Friction at length S that puts the point on the load line of a stage position, w + F/k = stage; clamped to [0, 20].
@@ -99,7 +97,7 @@ double friction_told_from(const Fibre& fibre, double least_deflection) {
 }
 
 double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre) {
-  double greatest = std::numeric_limits<double>::quiet_NaN();
+  double greatest = not_a_number;
   for (const auto& point : profile.points)
     greatest = std::fmax(greatest, fibre.curvature_at_midspan(fibre.state(point.S, point.mu)));
   return greatest;

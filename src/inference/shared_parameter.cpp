@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/chi_squared.h"
 #include "inference/likelihood.h"
 #include "inference/line_density.h"
@@ -91,7 +91,7 @@ Marginal of_logarithm(const Estimate& estimate) {
                                 std::to_string(estimate.low) + " to " + std::to_string(estimate.high));
   constexpr double width = 2 * 1.959964;  // standard deviations of a 95 % interval
   const double deviation = (elementary::log(estimate.high) - elementary::log(estimate.low)) / width;
-  return {{{1, elementary::log(estimate.value), deviation}}, 0, std::numeric_limits<double>::infinity()};
+  return {{{1, elementary::log(estimate.value), deviation}}, 0, infinity};
 }
 
 }  // namespace flexslip

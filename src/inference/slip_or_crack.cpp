@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "data/names.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "fibre/state_table.h"
 #include "inference/chebyshev_series.h"
 
@@ -20,8 +20,6 @@ namespace flexslip {
 namespace {
 
 using namespace chebyshev;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double impossible = 1e9;  // of minus ln L
 constexpr double stiffness_error = 0.05;
 constexpr double least_w = 0.06, greatest_w = 0.43;
@@ -431,8 +429,9 @@ SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span
   const double slips = std::min(out.slip.bic, out.slip_and_cracks.bic);
   out.margin_arrested = std::min(out.cracks.bic, out.cracks_constant.bic) - slips;
   out.margin = std::min(out.margin_arrested, out.cracks_running.bic - slips);
-  constexpr double beyond_doubt = 12, for_cracks = -6;
-  if (out.margin > beyond_doubt && 2 * out.stiffer_rises > out.rises) out.verdict = CrackVerdict::not_by_cracks_alone;
+  constexpr double for_cracks = -6;
+  if (out.margin > cracks_ruled_out && 2 * out.stiffer_rises > out.rises)
+    out.verdict = CrackVerdict::not_by_cracks_alone;
   if (out.margin < for_cracks) out.verdict = CrackVerdict::cracks;
   return out;
 }

@@ -34,6 +34,8 @@ struct RiseExplanation {
   double left;      // [1] of the bending stiffness after the last drop, over that before the first
 };
 
+inline constexpr double cracks_ruled_out = 12;  // of D*, where most rises grow stiffer
+
 struct SlipOrCrack {
   bool judged;  // three drops and three rises of three rows or more: nothing below is valid otherwise
   CrackVerdict verdict;

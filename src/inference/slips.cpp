@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "data/names.h"
 #include "data/order.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
-namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 std::string_view name_of(SlipVerdict verdict) {
   return name_in_order<SlipVerdict::too_short>(

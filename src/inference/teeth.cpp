@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -14,12 +13,11 @@
 #include "data/names.h"
 #include "fibre/elastica.h"
 #include "fibre/elementary.h"
+#include "fibre/limits.h"
 #include "inference/chi_squared.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double stiffness_error = 0.003;  // [1] relative, of the load-train stiffness
 constexpr std::size_t least_rows = 4;      // of a rise that is judged
 
@@ -147,7 +145,7 @@ double systematic_error(std::span<const Shift> shifts, double value, Function at
 double chi_squared_of(std::span<const Middle> middles, double C) {
   double sum = 0;
   for (const Middle& m : middles) {
-    if (!(1 - C * m.T_S > 0)) return std::numeric_limits<double>::infinity();
+    if (!(1 - C * m.T_S > 0)) return infinity;
     const double deviation = (m.slope - m.compliant_slope(C)) / m.slope_error;
     sum += deviation * deviation;
   }
@@ -161,7 +159,7 @@ double compliance_slope(const Middle& m, double C) {
 
 // The compliance of least chi squared; NaN if no tooth has one. Starts at the best of the teeth's own, so that the least is the global one.
 double common_compliance(std::span<const Middle> middles) {
-  double best = not_a_number, least = std::numeric_limits<double>::infinity();
+  double best = not_a_number, least = infinity;
   for (const Middle& m : middles) {
     const double C = m.compliance();
     if (!std::isfinite(C)) continue;
@@ -272,39 +270,41 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
     const FibreState begin = state_at(record, rig.fibre, rise.first), end = state_at(record, rig.fibre, rise.last - 1);
     const auto advance = [&](const Middle& m) { return (1 - m.position()) / m.G_S * rise.travel; };
     const double width = middle.stick() - middle.slide();
+    const double nu = static_cast<double>(rise.last - rise.first) - 2;
     Tooth tooth{.first = rise.first,
                 .last = rise.last,
                 .S_begin = begin.S,
                 .q_begin = begin.q,
                 .S_end = end.S,
                 .q_end = end.q,
-                .slope = rise.slope,
-                .slope_error = rise.slope_error,
+                .slope = student_estimate(rise.slope, rise.slope_error, nu),
                 .stick_slope = middle.stick(),
                 .slide_slope = middle.slide(),
-                .position = middle.position(),
-                .position_error = rise.slope_error / width,
+                .position = student_estimate(middle.position(), rise.slope_error / width, nu),
                 .position_systematic = systematic_error(
                     shifts, middle.position(),
                     [&](const Shift& shift) { return with(shift, [](const Middle& m) { return m.position(); }); }),
-                .advance = advance(middle)};
-    tooth.advance_error =
-        std::hypot(tooth.position_error / middle.G_S * rise.travel,
-                   systematic_error(shifts, tooth.advance, [&](const Shift& shift) { return with(shift, advance); }));
+                .advance = {}};
+    const double advanced = advance(middle);
+    tooth.advance = student_estimate(
+        advanced,
+        std::hypot(tooth.position.standard_error / middle.G_S * rise.travel,
+                   systematic_error(shifts, advanced, [&](const Shift& shift) { return with(shift, advance); })),
+        nu);
 
-    const double nu = static_cast<double>(rise.last - rise.first) - 2;
-    const double bound =
-        std::hypot(student_quantile(one_sided, nu) * tooth.position_error, one_sided * tooth.position_systematic);
-    const double share = 1 - tooth.position;
+    const double bound = std::hypot(student_quantile(one_sided, nu) * tooth.position.standard_error,
+                                    one_sided * tooth.position_systematic);
+    const double share = 1 - tooth.position.value;
     if (share - bound > options.least_share) tooth.verdict = ToothVerdict::sliding;
     if (share + bound < options.least_share) tooth.verdict = ToothVerdict::as_if_stuck;
 
     if (result.compliance.status == ComplianceStatus::ok) {
       tooth.compliant_position = middle.compliant_position(result.compliance.value);
-      const double off = tooth.position - tooth.compliant_position;
-      tooth.compliant_deviation = off / std::hypot(tooth.position_error, tooth.position_systematic);
-      tooth.compliant_rejected = std::abs(off) > std::hypot(student_quantile(two_sided, nu) * tooth.position_error,
-                                                            two_sided * tooth.position_systematic);
+      const double off = tooth.position.value - tooth.compliant_position;
+      tooth.compliant_deviation = off / std::hypot(tooth.position.standard_error, tooth.position_systematic);
+      tooth.compliant_rejected =
+          std::abs(off) > std::hypot(student_quantile(two_sided, nu) * tooth.position.standard_error,
+                                     two_sided * tooth.position_systematic);
     }
     result.teeth.push_back(tooth);
   }

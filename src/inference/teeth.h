@@ -17,6 +17,7 @@
 
 #include "bending_test/rig.h"
 #include "data/drops.h"
+#include "data/estimate.h"
 #include "data/record.h"
 #include "inference/profile.h"
 
@@ -43,12 +44,11 @@ struct Tooth {
   std::size_t first, last;          // rows [first, last) of the record: from the end of a drop to the begin of the next
   double S_begin, q_begin;          // [L], [1] at row first; NaN where no friction explains the row
   double S_end, q_end;              // [L], [1] at row last - 1; likewise
-  double slope, slope_error;        // [EI/L^3] dF/d(stage), mean of the rise, and its standard error
+  Estimate slope;                   // [EI/L^3] dF/d(stage), mean of the rise
   double stick_slope, slide_slope;  // [EI/L^3] the limits, at the middle of the rise
-  double position;                  // [1] p
-  double position_error;            // [1] standard error from scatter
+  Estimate position;                // [1] p, its error from scatter
   double position_systematic;       // [1] from EI, contact and load train together: common to all teeth of a test
-  double advance, advance_error = 0;  // [L] of S over the rise, its standard error with all parts
+  Estimate advance;                 // [L] of S over the rise, its error with all parts
   ToothVerdict verdict = ToothVerdict::undecided;
   double compliant_position = NAN;  // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
   // [standard errors] of the position from that; the error of the compliance is left out

@@ -13,6 +13,7 @@
 #include "instruments/column_unit.h"
 #include "instruments/voltage.h"
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {

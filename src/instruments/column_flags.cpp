@@ -32,10 +32,19 @@ std::string_view usual_unit(ColumnRole role) {
 }
 
 std::optional<Dimension> dimension_of(ColumnRole role) {
-  if (role == ColumnRole::other) return std::nullopt;
-  return role == ColumnRole::force  ? kind::force.dimension
-         : role == ColumnRole::time ? kind::time.dimension
-                                    : kind::length.dimension;
+  switch (role) {
+    case ColumnRole::time:
+      return kind::time.dimension;
+    case ColumnRole::displacement:
+    case ColumnRole::crosshead:
+    case ColumnRole::deflection:
+      return kind::length.dimension;
+    case ColumnRole::force:
+      return kind::force.dimension;
+    case ColumnRole::other:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace flexslip

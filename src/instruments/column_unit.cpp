@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -60,12 +61,6 @@ bool is_voltage(std::string_view text) {
 double volts_in(std::string_view text) {
   const std::string_view body = trimmed(text);
   return body == "mV" ? 1e-3 : body == "uV" || body == "\u00b5V" ? 1e-6 : 1;
-}
-
-std::string_view without_brackets(std::string_view text) {
-  const bool bracketed =
-      text.size() > 1 && ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']'));
-  return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
 bool names_a_unit(std::string_view text) {

@@ -18,9 +18,6 @@ bool is_voltage(std::string_view text);
 // [V] in one of that unit. Domain: is_voltage(text).
 double volts_in(std::string_view text);
 
-// The inside of brackets around all of the text, or the text.
-std::string_view without_brackets(std::string_view text);
-
 // A unit or a voltage, "-" or "1": what may stand in a row of units.
 bool names_a_unit(std::string_view text);
 

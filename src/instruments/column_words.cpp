@@ -5,8 +5,10 @@
 #include <cctype>
 #include <optional>
 
+#include "instruments/column_flags.h"
 #include "instruments/column_unit.h"
 #include "io/quantity.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -102,22 +104,6 @@ constexpr std::array symbols{
     Symbol{"t", ColumnRole::time},        Symbol{"f", ColumnRole::force},          Symbol{"p", ColumnRole::force},
     Symbol{"w_s", ColumnRole::crosshead}, Symbol{"ws", ColumnRole::crosshead},     Symbol{"w0", ColumnRole::deflection},
     Symbol{"w", ColumnRole::deflection},  Symbol{"delta", ColumnRole::deflection}, Symbol{"δ", ColumnRole::deflection}};
-
-std::optional<Dimension> dimension_of(ColumnRole role) {
-  switch (role) {
-    case ColumnRole::time:
-      return kind::time.dimension;
-    case ColumnRole::displacement:
-    case ColumnRole::crosshead:
-    case ColumnRole::deflection:
-      return kind::length.dimension;
-    case ColumnRole::force:
-      return kind::force.dimension;
-    case ColumnRole::other:
-      break;
-  }
-  return std::nullopt;
-}
 
 // A unit behind a name, if it is of the kind that the name means, or a length, force or pressure behind an underscore.
 std::optional<TitleParts> suffixed(std::string_view title, std::string_view mark) {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <istream>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "fibre/limits.h"
 #include "instruments/column_decisions.h"
 #include "instruments/column_flags.h"
 #include "instruments/column_unit.h"
@@ -26,7 +26,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = not_a_number;
 constexpr std::size_t shown_lines = 3;       // of a kind of fault; more would hide what is said
 constexpr std::size_t longest_summary = 50;  // rows of a table of results; what is longer was measured
 

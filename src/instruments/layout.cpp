@@ -11,6 +11,7 @@
 #include "instruments/column_words.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {

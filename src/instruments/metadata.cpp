@@ -8,6 +8,7 @@
 #include "instruments/column_unit.h"
 #include "instruments/column_words.h"
 #include "io/quantity.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {

@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include <fast_float/fast_float.h>
 
+#include "fibre/limits.h"
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double none = not_a_number;
 constexpr std::size_t damaged_share = 100;  // one cell in so many may be damaged; empirical, far above what disks do
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The part of a cell that marks can stand in: without sign and exponent.
 std::string_view mantissa_of(std::string_view cell) {

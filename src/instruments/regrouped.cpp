@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
+#include "fibre/limits.h"
 #include "instruments/number_format.h"
 
 namespace flexslip {
@@ -95,7 +95,7 @@ Regrouped restored(std::span<const std::string_view> cells) {
     if (rows[row].count == 0) continue;
     std::array<double, most_decimals> next{};
     for (std::size_t i = 0; last < cells.size() && i < rows[row].count; ++i) {
-      next[i] = std::numeric_limits<double>::infinity();
+      next[i] = infinity;
       for (std::size_t j = 0; j < rows[last].count; ++j) {
         const double sum = cost[j] + std::abs(rows[row].values[i] - rows[last].values[j]);
         if (sum < next[i]) from[row][i] = j;
@@ -122,8 +122,7 @@ Regrouped restored(std::span<const std::string_view> cells) {
   std::size_t before = cells.size();
   for (std::size_t row = 0; row < cells.size(); ++row) {
     const Readings& readings = rows[row];
-    result.values.push_back(readings.count == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                                : readings.values[chosen[row]]);
+    result.values.push_back(readings.count == 0 ? not_a_number : readings.values[chosen[row]]);
     if (readings.count == 0) continue;
     const double value = result.values[row];
     if (readings.count > 1 && readings.values[0] != value) ++result.moved;

@@ -8,6 +8,7 @@
 #include "instruments/column_words.h"
 #include "io/cells.h"
 #include "io/quantity.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -27,8 +28,6 @@ std::string_view take_line(std::string_view& text) {
   }
   return line;
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The bytes of a space within a number, no-break and narrow ones as well; 0 if there is none.
 std::size_t space_at(std::string_view text) {

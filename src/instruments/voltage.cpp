@@ -1,7 +1,8 @@
 #include "instruments/voltage.h"
 
 #include <cmath>
-#include <limits>
+
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -28,7 +29,7 @@ double correlation(std::span<const double> x, std::span<const double> y) {
 // Von Neumann's ratio: mean square of the steps over the variance.
 double step_ratio(std::span<const double> values) {
   double n = 0, mean = 0, sum = 0, steps = 0;
-  double last = std::numeric_limits<double>::quiet_NaN();
+  double last = not_a_number;
   for (const double value : values) {
     if (std::isnan(value)) continue;
     ++n;
@@ -49,7 +50,7 @@ std::optional<VoltageFinding> voltage_for_force(std::span<const MeasuredColumn> 
     if (columns[i].is_force && !columns[i].is_voltage) force = i;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!columns[i].is_voltage) continue;
-    if (!force) return VoltageFinding{i, std::numeric_limits<double>::quiet_NaN(), false};
+    if (!force) return VoltageFinding{i, not_a_number, false};
     const double r = correlation(columns[*force].values, columns[i].values);
     const bool is_noise = step_ratio(columns[*force].values) > noise && step_ratio(columns[i].values) < noise;
     if (std::abs(r) >= follows || is_noise) return VoltageFinding{i, r, is_noise};

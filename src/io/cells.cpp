@@ -6,6 +6,7 @@
 
 #include "io/input_error.h"
 #include "io/quantity.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {

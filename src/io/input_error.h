@@ -2,12 +2,21 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace flexslip {
+
+// What a program may want to know; a person reads the words.
+enum class FaultKind {
+  wrong,     // it is there, and not as it should be
+  missing,   // it is not there
+  unknown,   // it is there, and nothing has this name
+  too_much,  // a number beyond `limit`
+};
 
 // The parts of the message; those that do not apply stay empty.
 struct InputFault {
@@ -17,6 +26,10 @@ struct InputFault {
   std::string expected{};  // "a number"
   std::string found{};     // "'12,5'"
   std::string remedy{};    // "write decimal points, or pass --decimal ,"
+
+  FaultKind kind = FaultKind::wrong;
+  std::string key{};              // of a case file: "rig.stiffness"
+  std::optional<double> limit{};  // SI, or reduced
 };
 
 // The one exception type for bad input. what() is one line made of the fault, without control characters:

@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
+#include "io/text.h"
+
 namespace flexslip {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The digits that a text begins with, without leading zeros; the text goes on after them.
 std::string_view number_at_front(std::string_view& text) {

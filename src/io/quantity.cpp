@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -324,12 +325,6 @@ std::string with_typeset_unit(const std::string& number, std::string_view unit) 
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 double within(Range range, double value, std::string_view text, const Kind& kind) {
   const auto refuse = [&](std::string_view adjective, std::string_view remedy) {

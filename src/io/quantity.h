@@ -68,9 +68,6 @@ inline constexpr Kind time{"a time", {.second = 1}, shown_in::time, "0.5 s"};
 inline constexpr Kind number{"a plain number", {}, {}, "0.5"};
 }  // namespace kind
 
-// Text without the spaces and tabs around it.
-std::string_view trimmed(std::string_view text);
-
 // Which values make sense. Infinity is written "inf" and nothing else; NaN never makes sense.
 enum class Range { any, non_negative, positive, positive_or_infinite };
 

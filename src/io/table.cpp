@@ -19,6 +19,7 @@
 #include "io/cells.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -47,12 +48,6 @@ bool names_unit(std::string_view text) {
   } catch (const InputError&) {
     return false;
   }
-}
-
-std::string_view without_brackets(std::string_view text) {
-  const bool bracketed =
-      text.size() > 1 && ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']'));
-  return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
 // The title of a column as a file has it: a unit at the end in either kind of brackets, or else all of it is a name.

@@ -1,6 +1,7 @@
 #include "report/answer_words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -16,6 +17,24 @@
 
 namespace flexslip {
 namespace {
+
+// What would make a bending stiffness so many times too large or too small.
+std::string likely_slip_of_units(double times) {
+  struct Slip {
+    double times;
+    std::string_view words;
+  };
+  constexpr std::array slips{Slip{1.0 / 16, ", about 1/16: a radius for the diameter?"},
+                             Slip{16, ", about 16: a diameter for the radius?"},
+                             Slip{1e-3, ", about 1/1000: a unit of force or modulus, N for mN or MPa for GPa?"},
+                             Slip{1e3, ", about 1000: a unit of force or modulus, mN for N or GPa for MPa?"},
+                             Slip{1e-6, ", about a millionth: a unit of force or modulus?"},
+                             Slip{1e6, ", about a million: a unit of force or modulus?"}};
+  constexpr double near = 1.5;  // friction and a guess of the modulus move the ratio by less
+  for (const auto& slip : slips)
+    if (times < near * slip.times && times > slip.times / near) return std::string(slip.words);
+  return "";
+}
 
 // What the rises between the drops, and a reload, say of slips and cracks; a clause that follows the drops.
 std::string cause_in_words(const FittedTest& test) {
@@ -35,7 +54,8 @@ std::string cause_in_words(const FittedTest& test) {
     case CrackVerdict::cannot_be_told:
       break;
   }
-  return rises.judged ? fmt::format("but cracks may do so too: this record cannot tell ({})", margin)
+  return rises.judged ? fmt::format("but cracks may do so too: this record cannot tell ({}; D* above {:g} would)",
+                                    margin, cracks_ruled_out)
                       : "but cracks may do so too: there are too few drops, or rises between them, to tell";
 }
 
@@ -109,8 +129,8 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
   const auto& fit = analysis.fit;
   switch (doubt) {
     case Doubt::wrong_stiffness:
-      return fmt::format("the bending stiffness stated is {:.2g} times that of the record's initial slope.",
-                         analysis.stiffness_over_slope);
+      return fmt::format("the bending stiffness stated is {:.2g} times that of the record's initial slope{}.",
+                         analysis.stiffness_over_slope, likely_slip_of_units(analysis.stiffness_over_slope));
     case Doubt::no_sliding:
       return test.judgement->doubts.front() == Doubt::no_sliding
                  ? "no sliding with a friction of 0 to 2 gives this record."
@@ -131,8 +151,9 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     }
     case Doubt::implausible_friction:
       return (analysis.suspects.suspect
-                  ? fmt::format("The record needs implausible friction: above {:g} in {} of {} points past a tenth of "
-                                "the span.",
+                  ? fmt::format("The record needs implausible friction: at the bending stiffness {}, above {:g} in {} "
+                                "of {} points past a tenth of the span.",
+                                analysis.stiffness_from_slope ? "of the initial slope" : "stated",
                                 analysis.suspects.limit, analysis.suspects.points.size(),
                                 analysis.suspects.points_judged)
                   : fmt::format("The record needs implausible friction: at least {:.2f} on average (95 %).",
@@ -143,7 +164,9 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     case Doubt::failed_check: {
       std::string words;
       for (const auto& check : analysis.checks) {
-        if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction) continue;
+        if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction ||
+            check.kind == CheckKind::stiffness)
+          continue;
         const std::string found = check_in_words(test, check);  // "Failed: …"
         words += (words.empty() ? "A check failed" : " A check failed") + found.substr(found.find(':'));
       }
@@ -167,7 +190,8 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     case Doubt::settling_contact:
       return fmt::format(
           "The curve bends where it begins: the contact may lie {} farther; contact = \"find\" takes that off.",
-          readable(analysis.contact.offset, analysis.contact.offset_error, Print(test).as(kind::length)));
+          readable(analysis.contact.offset.value, analysis.contact.offset.standard_error,
+                   Print(test).as(kind::length)));
     case Doubt::unexpected_stiffness:
       break;
   }
@@ -268,9 +292,10 @@ std::string answer_of(const FittedTest& test) {
         "No answer: no sliding with a friction of 0 to 2 gives this record. Check the columns, their units, the span "
         "and the section.";
     if (analysis.stiffness_implausible)
-      answer += fmt::format(" The bending stiffness stated is {:.2g} times that of the record's initial slope.",
-                            analysis.stiffness_over_slope);
-    return answer;
+      answer += fmt::format(" The bending stiffness stated is {:.2g} times that of the record's initial slope{}.",
+                            analysis.stiffness_over_slope, likely_slip_of_units(analysis.stiffness_over_slope));
+    return answer +
+           " Next: see what flexslip read makes of the file; docs/reading-your-report.md has symptoms and remedies.";
   }
   const Judgement& judgement = test.judgement.value();
   const bool trusted = judgement.standing != Standing::untrusted;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -17,14 +16,14 @@
 #include <fmt/format.h>
 
 #include "bending_test/equilibrium.h"
+#include "fibre/limits.h"
+#include "io/text.h"
 #include "io/text_table.h"
 #include "report/campaign_words.h"
 #include "result/table.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 struct CategoryLook {
   SawtoothCategory category;
@@ -37,7 +36,6 @@ constexpr std::array<CategoryLook, 3> looks{{{SawtoothCategory::clear, "clear sa
 
 // The last number in a name: 14 of "SS14 b".
 std::optional<double> number_in(std::string_view name) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto last = std::find_if(name.rbegin(), name.rend(), is_digit);
   const auto first = std::find_if_not(last, name.rend(), is_digit);
   if (last == name.rend() || last.base() - first.base() > 6) return std::nullopt;
@@ -366,21 +364,22 @@ Figure distribution_figure(const Campaign& campaign) {
                 .description = {},
                 .width = two_columns,
                 .height = 84,
-                .data = {std::move(tests)},
-                .script = {}};
+                .data = {std::move(tests)}};
   constexpr double top = 19, bottom = 72.5;                // [mm] of the axes
   constexpr double first = 12.5, panel = 26, gap = 2.5;    // [mm]
   constexpr double second = first + 2 * panel + gap + 17;  // [mm] where (B) begins
+  const double step = std::max(1.0, tick_within((along.high - along.low) / 2.2));
   figure.script = fmt::format(
       R"(  set multiplot
   set xrange [{low:.6g}:{high:.6g}]
-  set xtics {step:.6g}; set format x '{{/*0.9 %g}}'
+  set xtics {first_tick:.6g},{step:.6g},{last_tick:.6g}; set format x '{{/*0.9 %g}}'
   set label 2 '{{/:Bold A}}' at screen 0.008,0.845 left
   set label 3 '{{/:Bold B}}' at screen {b_at:.5f},0.845 left
   set label 4 '{tests}' at screen 0.5,0.035 center
 )",
       fmt::arg("low", along.low), fmt::arg("high", along.high), fmt::arg("b_at", (second - 11) / figure.width),
-      fmt::arg("step", std::max(1.0, tick_within((along.high - along.low) / 2.2))),
+      fmt::arg("step", step), fmt::arg("first_tick", step * std::ceil(along.low / step)),
+      fmt::arg("last_tick", along.high - 0.2 * step),  // or its number meets the first one of the next panel
       fmt::arg("tests", numbers.of_names ? "Test number" : "Test, counted in the order of the table"));
   const double all = mean_of(summary_of(campaign, std::nullopt), &CategorySpread::mu0);
   constexpr double row1 = 3.5, row2 = 8, column1 = first, column2 = first + 43, column3 = first + 102;  // [mm]
@@ -388,7 +387,7 @@ Figure distribution_figure(const Campaign& campaign) {
   std::vector<LegendEntry> entries{
       {column1, row1, "pt 2 ps 0.8 lw 1.6 lc rgb vermillion", true, "Suspect"},
       {column1, row2, "pt 5 ps 0.6 lc rgb grey", true, "Wave only indicative"},
-      {column2, row1, "dt solid lw 1 lc rgb 'black'", false, "Mean, suspects left out"},
+      {column2, row1, "dt solid lw 1.4 lc rgb 'black'", false, "Mean, suspects left out"},
       {column2, row2, "dt solid lw 1 lc rgb grey", false,
        fmt::format("Mean of all, likewise{}", std::isfinite(all) ? fmt::format(": {:.3f}", all) : "")},
       {column3, row2, "dt solid lw 0.7 lc rgb 'black'", false, "95 % intervals"}};
@@ -402,12 +401,13 @@ Figure distribution_figure(const Campaign& campaign) {
                                 std::string_view body) {
     figure.script += margins(figure, left, left + panel, top, bottom);
     figure.script += fmt::format(
-        "  set label 1 '{}' at graph 0.5,1.11 center\n  set label 5 '{{/*0.9 {}}}' at graph 0.5,1.045 center\n",
+        "  set label 1 '{{/*0.9 {}}}' at graph 0.5,1.11 center\n  set label 5 '{{/*0.9 {}}}' at graph 0.5,1.045 "
+        "center\n",
         look.title, words);
-    figure.script += mean_line(mean, along, "lw 1 lc rgb 'black'");
+    figure.script += mean_line(mean, along, "lw 1.4 lc rgb 'black'");
     figure.script += body;
     figure.script += std::exchange(after_first_panel, "");
-    figure.script += "  unset arrow 1; unset label 2; unset label 3; unset label 4; set format y ''; unset ylabel\n";
+    figure.script += "  unset arrow 1; unset label; set format y ''; unset ylabel\n";
   };
   const auto index_of = [](const CategoryLook& look) { return static_cast<int>(look.category); };
 
@@ -415,8 +415,9 @@ Figure distribution_figure(const Campaign& campaign) {
   figure.script += logarithmic
                        ? fmt::format("  set logscale y; set ytics ({})\n", logarithmic_tics(waves.low, waves.high))
                        : std::string();
-  figure.script += fmt::format("  set yrange [{:.6g}:{:.6g}]\n  set ylabel '{}' offset 0.2\n", waves.low, waves.high,
-                               axis_label("Wavelength", "{/:Italic λ}", {length, unit.factor}));
+  figure.script +=
+      fmt::format("  set yrange [{:.6g}:{:.6g}]\n  set label 6 '{}' at screen 0.012,0.46 center rotate by 90\n",
+                  waves.low, waves.high, axis_label("Wavelength", "{/:Italic λ}", {length, unit.factor}));
   for (const auto& look : {looks[0], looks[1]}) {
     const double mean = unit.factor * mean_of(summary_of(campaign, look.category), &CategorySpread::wavelength);
     const int k = index_of(look);
@@ -459,9 +460,7 @@ Figure distribution_figure(const Campaign& campaign) {
   figure.script += "  unset multiplot; unset object 1; unset arrow 2; unset label 1; set format; set xtics auto\n";
   figure.description = fmt::format(
       "A: wavelength of the friction along the specimen, by test, for tests with a clear and with a nominal sawtooth. "
-      "B: "
-      "mean friction by test, for tests with a clear, a nominal and almost no sawtooth, with its mean without suspects "
-      "({}){}.",
+      "B: mean friction by test, with its mean without suspects ({}){}.",
       mean_in_words(all, 1, 3),
       literature ? fmt::format(" and the literature's range for {} on {}, {:g} to {:g}", literature->specimen,
                                literature->support, literature->low, literature->high)

@@ -15,6 +15,7 @@
 #include "io/text_file.h"
 #include "report/campaign_figures.h"
 #include "report/campaign_latex.h"
+#include "report/campaign_surface_words.h"
 #include "report/campaign_words.h"
 #include "report/campaign_xlsx.h"
 #include "report/page.h"
@@ -141,9 +142,12 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   if (answered) {
     body += pictures.front() + section("By category") + html_table(category_rows(campaign));
     body += paragraph("Mean (smallest to largest). " + category_rule());
+    if (const std::string surfaces = surfaces_in_words(campaign); !surfaces.empty()) body += paragraph(surfaces);
     if (const auto specimens = specimen_rows(campaign); !specimens.rows.empty())
       body += section("Between specimens") + html_table(specimens) + paragraph(specimen_rule());
-    body += section("Test by test") + html_word_table(test_rows(campaign), links_to_tests(folder, campaign));
+    body += section("Test by test") +
+            html_word_table(test_rows(campaign, with_interval), links_to_tests(folder, campaign)) +
+            paragraph("In parentheses: 95 % intervals. An untrusted test has no share of friction.");
   }
   if (const auto failures = failure_rows(campaign); !failures.rows.empty())
     body += section("Not evaluated") + html_word_table(failures);

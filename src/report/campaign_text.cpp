@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "io/text_table.h"
+#include "report/campaign_surface_words.h"
 #include "report/campaign_words.h"
 #include "report/plain_text.h"
 
@@ -21,17 +22,29 @@ std::string failures(const Campaign& campaign) {
   return text.empty() ? "" : "\n[[No answer]]\n" + text;
 }
 
+// What fits on a line; all of it is on the page and in its files.
+std::string tests(const Campaign& campaign) {
+  const PrintedTable all = test_rows(campaign, with_error);
+  std::string remarks;
+  for (const auto& row : all.rows)
+    if (!row.back().empty()) remarks += wrapped(row.front() + ": " + row.back(), "  ");
+  return titled("Tests", picked(all, {"Test", "Sawtooth", "Standing", "μ₀", "σ", "λ", "Friction"})) +
+         (remarks.empty() ? "" : "\n[[Remarks]]\n" + remarks);
+}
+
 }  // namespace
 
 std::string campaign_text(const Campaign& campaign) {
   std::string text = wrapped(answer_of(campaign), "");
-  text += titled("Tests", test_rows(campaign));
-  text += titled("Categories: mean (min to max)", category_rows(campaign));
+  text += tests(campaign);
+  text += titled("Categories: mean (min to max)",
+                 picked(category_rows(campaign), {"Sawtooth", "Suspects", "Tests", "μ₀", "A", "λ"}));
   text += titled("Between specimens", specimen_rows(campaign));
   text += titled("Shared by the tests", shared_rows(campaign));
   if (!campaign.shared.empty()) text += "\n" + wrapped(sharing_rule(), "");
   text += failures(campaign);
-  text += "\n" + wrapped(category_rule(), "");
+  text += "\n" + wrapped(category_rule() + " ± are standard errors. An untrusted test has no share of friction.", "");
+  if (const std::string surfaces = surfaces_in_words(campaign); !surfaces.empty()) text += "\n" + wrapped(surfaces, "");
   if (!specimen_rows(campaign).rows.empty()) text += "\n" + wrapped(specimen_rule(), "");
   if (const std::string suspects = suspects_in_words(campaign); !suspects.empty()) text += "\n" + wrapped(suspects, "");
   return text;

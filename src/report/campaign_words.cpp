@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -25,15 +26,9 @@ std::string titled(std::string_view symbol, const TableUnit& unit) {
   return fmt::format("{} ({})", symbol, typeset(unit.name));
 }
 
-std::string with_interval(const std::optional<Estimate>& estimate, double factor) {
-  if (!estimate) return "";
-  const MatchedDigits digits = matched_digits(*estimate, factor);
-  return digits.low.empty() ? digits.value : fmt::format("{} ({} to {})", digits.value, digits.low, digits.high);
-}
-
-std::string with_error(const Estimate& estimate, double factor) {
-  const MatchedDigits digits = matched_digits(estimate, factor);
-  return digits.error.empty() ? digits.value : fmt::format("{} ± {}", digits.value, digits.error);
+// Nothing of a test that is not trusted.
+std::string share_in_words(double share) {
+  return std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share);
 }
 
 std::string of_spread(const Spread& spread, double factor, int decimals) {
@@ -71,7 +66,7 @@ std::string sawtooth_in_words(const Campaign& campaign) {
   for (const auto& category : campaign.categories) {
     if (!category.category) continue;
     const auto sawtooth = name_in_order<SawtoothCategory::none>(
-        *category.category, {"a clear sawtooth", "a faint one", "hardly any or none"});
+        *category.category, {"a clear sawtooth", "a nominal (faint) one", "none or hardly any"});
     out += fmt::format("{}{} with {}", out.empty() ? "" : ", ", category.with_suspects.tests, sawtooth);
   }
   return out;
@@ -113,7 +108,8 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
 std::string suspects_in_words(const Campaign& campaign) {
   const auto names = names_of(campaign, is_suspect);
   if (names.empty()) return "";
-  return fmt::format("{} {} suspect; the remarks say why.", enumerated(names), names.size() == 1 ? "is" : "are");
+  return fmt::format("{} {} suspect or untrusted; the remarks say why.", enumerated(names),
+                     names.size() == 1 ? "is" : "are");
 }
 
 std::optional<LiteratureFriction> literature_of(const Campaign& campaign) {
@@ -140,53 +136,86 @@ std::string answer_of(const Campaign& campaign) {
     answer += fmt::format(" {}", friction_in_words(campaign, *all));
   const std::string suspects = suspects_in_words(campaign);
   answer += fmt::format(" {}", suspects.empty() ? "No test is suspect." : suspects);
+  const auto doubtful =
+      static_cast<std::size_t>(std::count_if(campaign.tests.begin(), campaign.tests.end(), [](const auto& test) {
+        return test.summary && test.summary->standing == Standing::doubtful;
+      }));
+  if (doubtful > 0)
+    answer += suspects.empty() ? fmt::format(" {} open to doubt; the remarks say why.", counted(doubtful, "is", "are"))
+                               : fmt::format(" {} open to doubt.", counted(doubtful, "other is", "others are"));
   if (!failures.empty()) answer += fmt::format(" {} could not be evaluated.", enumerated(failures));
   return answer;
 }
 
 PrintedTable category_rows(const Campaign& campaign) {
   const TableUnit length = units_of(campaign).wavelength;
-  PrintedTable table{{"Sawtooth", "Suspects", "Tests", "μ₀", "A", titled("λ", length)}, {}};
+  PrintedTable table{
+      {"Sawtooth", "Suspects", "Tests", "μ₀", "A", titled("λ", length), titled("Height", length), "Slope"}, {}};
   for (const auto& category : campaign.categories)
     for (const auto* spreads : {&category.without_suspects, &category.with_suspects})
-      table.rows.push_back({std::string(key_of(category)),
-                            spreads == &category.without_suspects ? "left out" : "counted in",
-                            fmt::format("{}", spreads->tests), of_spread(spreads->mu0, 1, 3),
-                            of_spread(spreads->amplitude, 1, 3), of_spread(spreads->wavelength, length.factor, 1)});
+      table.rows.push_back(
+          {std::string(key_of(category)), spreads == &category.without_suspects ? "left out" : "counted in",
+           fmt::format("{}", spreads->tests), of_spread(spreads->mu0, 1, 3), of_spread(spreads->amplitude, 1, 3),
+           of_spread(spreads->wavelength, length.factor, 1), of_spread(spreads->surface_height, length.factor, 3),
+           of_spread(spreads->surface_slope, 1, 3)});
   return table;
 }
 
-PrintedTable test_rows(const Campaign& campaign) {
+std::string with_interval(const Estimate& estimate, double factor) {
+  const MatchedDigits digits = matched_digits(estimate, factor);
+  return digits.low.empty() ? digits.value : fmt::format("{} ({} to {})", digits.value, digits.low, digits.high);
+}
+
+std::string with_error(const Estimate& estimate, double factor) {
+  const MatchedDigits digits = matched_digits(estimate, factor);
+  return digits.error.empty() ? digits.value : fmt::format("{} ± {}", digits.value, digits.error);
+}
+
+PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
   PrintedTable table{
-      {"Test", "Sawtooth", "Suspect", "μ₀", "σ", titled("ℓ", units.wavelength), "A", titled("λ", units.wavelength),
-       titled("EI", units.bending_stiffness), titled("Residual", units.residual), "Drops", titled("Work", units.work),
-       "Friction share", "Remarks"},
+      {"Test", "Sawtooth", "Standing", "μ₀", "σ", titled("ℓ", units.wavelength), "A", titled("λ", units.wavelength),
+       titled("Height", units.wavelength), "Slope", titled("EI", units.bending_stiffness),
+       titled("Residual", units.residual), "Drops", titled("Work", units.work), "Friction (%)", "Remarks"},
       {}};
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
     const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
-      const std::string text = with_interval(estimate, factor);
-      return text.empty() || summary.wave_claimed ? text : fmt::format("[{}]", text);
+      if (!estimate) return std::string();
+      const std::string wave = written(*estimate, factor);
+      return summary.wave_claimed ? wave : fmt::format("[{}]", wave);
     };
     const bool is_rough = summary.model == ProfileModel::roughness;
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
-    table.rows.push_back({printable(test.name), std::string(name_of(summary.category)), summary.suspect ? "yes" : "",
-                          summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
-                                               : with_interval(summary.mu0, 1),
-                          is_rough ? with_error(summary.roughness, 1) : "",
-                          is_rough ? with_error(summary.correlation_length, units.wavelength.factor) : "",
-                          of_wave(summary.amplitude, 1), of_wave(summary.wavelength, units.wavelength.factor),
-                          with_error(summary.bending_stiffness, units.bending_stiffness.factor),
-                          significant(units.residual.factor * summary.residual_rms, 3),
-                          fmt::format("{}", summary.drops),
-                          significant(units.work.factor * summary.work_of_fracture, 3),
-                          percent(std::abs(summary.friction_share) < 0.005 ? 0 : summary.friction_share),
-                          printable(fmt::format("{}", fmt::join(remarks, "; ")))});
+    table.rows.push_back(
+        {printable(test.name), std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
+         summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2)) : written(summary.mu0, 1),
+         is_rough ? written(summary.roughness, 1) : "",
+         is_rough ? written(summary.correlation_length, units.wavelength.factor) : "", of_wave(summary.amplitude, 1),
+         of_wave(summary.wavelength, units.wavelength.factor), of_wave(summary.surface_height, units.wavelength.factor),
+         summary.surface_slope ? written(*summary.surface_slope, 1) : "",
+         written(summary.bending_stiffness, units.bending_stiffness.factor),
+         significant(units.residual.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
+         significant(units.work.factor * summary.work_of_fracture, 3), share_in_words(summary.friction_share),
+         printable(fmt::format("{}", fmt::join(remarks, "; ")))});
   }
   return table;
+}
+
+PrintedTable picked(const PrintedTable& table, const std::vector<std::string_view>& columns) {
+  PrintedTable some;
+  some.rows.resize(table.rows.size());
+  for (const std::string_view column : columns) {
+    const auto found = std::find_if(table.head.begin(), table.head.end(),
+                                    [&](const std::string& heading) { return heading.starts_with(column); });
+    if (found == table.head.end()) throw std::invalid_argument(fmt::format("no column '{}'", column));
+    some.head.push_back(*found);
+    const auto index = static_cast<std::size_t>(found - table.head.begin());
+    for (std::size_t i = 0; i < table.rows.size(); ++i) some.rows[i].push_back(table.rows[i][index]);
+  }
+  return some;
 }
 
 PrintedTable failure_rows(const Campaign& campaign) {
@@ -247,8 +276,10 @@ std::string specimen_rule() {
 std::string category_rule() {
   return "None: fewer than three drops of the force, or drops that add up to less than 3\u00a0% of the greatest force. "
          "Clear: 15\u00a0% or more. Nominal: between. μ₀ is the mean friction over the fibre seen, σ the roughness of "
-         "friction and ℓ its correlation length. A and λ are those of the likeliest wave of friction, with their 95 % "
-         "intervals; brackets mark a wave that is only indicative.";
+         "friction and ℓ its correlation length. A and λ are those of the likeliest wave of friction; brackets mark a "
+         "wave that is only indicative. Height is half of crest to trough of the wave of the surface that would show "
+         "it, "
+         "Slope the rms of the slopes that would show how friction varies.";
 }
 
 }  // namespace flexslip

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "answers/friction_fields.h"
 #include "report/digits.h"
 #include "report/printed.h"
 
@@ -60,6 +61,12 @@ std::string check_in_words(const FittedTest& test, const Check& check) {
                  ? "Passed: the record tells friction from zero."
                  : fmt::format("Failed: the record does not tell friction from zero; friction is at most {} (95 %).",
                                significant(number("mu0_high"), 2));
+    case CheckKind::stiffness:
+      if (check.outcome == CheckOutcome::not_possible)
+        return "Not possible: with a constant friction the bending stiffness is not fitted.";
+      return fmt::format("{}: the bending stiffness of the fit is {} from that {}, {:.1f} times its error.", outcome,
+                         signed_percent(number("fitted_over_nominal") - 1),
+                         test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number("errors"));
     case CheckKind::stability:
       break;
   }
@@ -76,49 +83,47 @@ CheckInShort check_in_short(const FittedTest& test, const Check& check) {
   const auto number = [&](std::string_view name) { return number_of(check, name); };
   const bool passed = check.outcome == CheckOutcome::passed;
   CheckInShort said{passed ? "ok" : check.outcome == CheckOutcome::failed ? "warning" : "not possible", "", ""};
-  const auto say = [&](std::string words, std::string_view remedy) {
+  const auto say = [&](std::string words) {
     said.words = std::move(words);
-    if (check.outcome == CheckOutcome::failed) said.remedy = remedy;
+    said.remedy = remedy_of(check);
     return said;
   };
   const bool possible = check.outcome != CheckOutcome::not_possible;
   switch (check.kind) {
     case CheckKind::residuals:
-      return say(fmt::format("the fit, run forward, misses the force by {}",
-                             percent_of(number("residual_rms"), number("greatest_force"))),
-                 "check modulus, section, span and units");
+      return say(fmt::format("the fit, run forward, misses the force by {}; the limit is 10 %",
+                             percent_of(number("residual_rms"), number("greatest_force"))));
     case CheckKind::drops:
-      if (!possible) return say("drops of the fit: it has no profiles whose drops could be counted", "");
+      if (!possible) return say("drops of the fit: it has no profiles whose drops could be counted");
       return say(fmt::format("the fit drops {} times, the record {:.0f}",
                              number("draws_low") < number("draws_high")
                                  ? fmt::format("{:.0f} to {:.0f}", number("draws_low"), number("draws_high"))
                                  : fmt::format("{:.0f}", number("draws_low")),
-                             number("record")),
-                 "see whether they can be cracks");
+                             number("record")));
     case CheckKind::whiteness:
-      if (!possible) return say("noise of the readings: one friction for all cannot predict the next reading", "");
+      if (!possible) return say("noise of the readings: one friction for all cannot predict the next reading");
       return say(fmt::format("what the fit leaves is {}noise (p {})", passed ? "" : "not ",
                              number("p_value") < 1e-4
                                  ? "< 0.0001"
-                                 : fmt::format("= {}; the limit is 0.0001", significant(number("p_value"), 2))),
-                 "something is not in the model; a simulated record without noise fails here, too");
+                                 : fmt::format("= {}; the limit is 0.0001", significant(number("p_value"), 2))));
     case CheckKind::nesting:
-      if (!possible) return say("simpler explanations: the likeliest one contains no other", "");
-      return say(passed ? "no simpler explanation fits better" : "a simpler explanation fits better",
-                 "its best fit was not found: compare fit --model constant and drift");
+      if (!possible) return say("simpler explanations: the likeliest one contains no other");
+      return say(passed ? "no simpler explanation fits better" : "a simpler explanation fits better");
     case CheckKind::friction:
       return say(passed ? "the record tells friction from zero"
                         : fmt::format("the record does not tell friction from zero: at most {}",
-                                      significant(number("mu0_high"), 2)),
-                 "bend farther, or state the bending stiffness more exactly");
+                                      significant(number("mu0_high"), 2)));
+    case CheckKind::stiffness:
+      if (!possible) return say("the bending stiffness is not fitted with a constant friction");
+      return say(fmt::format("the bending stiffness of the fit is {} from that {}, {:.1f} times its error",
+                             signed_percent(number("fitted_over_nominal") - 1),
+                             test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number("errors")));
     case CheckKind::stability:
       break;
   }
-  if (check.numbers.empty())
-    return say("with the force changed in its ninth digit there is no fit", "check the record");
+  if (check.numbers.empty()) return say("with the force changed in its ninth digit there is no fit");
   return say(fmt::format("with the force changed in its ninth digit, the friction moves by {:.1g} of its error",
-                         number("mu0_moved")),
-             "do not trust its last digits");
+                         number("mu0_moved")));
 }
 
 }  // namespace flexslip

@@ -4,14 +4,19 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "answers/cycles_fields.h"
+#include "answers/fit_fields.h"
 #include "contact/build_up.h"
 #include "data/names.h"
+#include "fibre/limits.h"
 #include "io/quantity.h"
+#include "report/field_table.h"
 
 namespace flexslip {
 namespace {
@@ -20,30 +25,6 @@ constexpr double two_sided = 1.96;  // standard errors to the ends of a 95 % int
 
 bool is_measurable(const CyclicFriction& friction) {
   return friction.status == CyclesStatus::ok || friction.status == CyclesStatus::no_mirror;
-}
-
-struct DirectionMeans {
-  double in, out, rms_difference;  // [1] of all loops, by the places compared; NaN without any
-};
-
-DirectionMeans means_of(const CyclicFriction& friction) {
-  double places = 0, in = 0, out = 0, square = 0;
-  for (const FrictionLoop& loop : friction.loops) {
-    if (loop.places == 0) continue;
-    const auto weight = static_cast<double>(loop.places);
-    places += weight;
-    in += weight * loop.mu_in.value;
-    out += weight * loop.mu_out.value;
-    square += weight * loop.rms_difference.value * loop.rms_difference.value;
-  }
-  return {in / places, out / places, std::sqrt(square / places)};
-}
-
-// The model leaves out something of the size of friction.
-bool is_beyond_friction(const CyclicFriction& friction) {
-  const auto [in, out, rms] = means_of(friction);
-  const auto& [value, error, low, high] = friction.asymmetry;
-  return std::abs(value) > 0.5 * (in + out) && std::abs(value) > two_sided * error;
 }
 
 std::string why_nothing(CyclesStatus status) {
@@ -78,7 +59,7 @@ std::string stiffness_in_words(const FittedTest& test) {
 }
 
 std::string asymmetry_in_words(const CyclicFriction& friction) {
-  const auto [in, out, rms] = means_of(friction);
+  const auto [in, out, rms] = direction_means(friction);
   const auto& [value, error, low, high] = friction.asymmetry;
   const std::string means = fmt::format(
       "Friction is {:.3g} sliding in and {:.3g} sliding out (means of all loops); at single places the two directions "
@@ -175,10 +156,22 @@ std::string replay_in_words(const FittedTest& test) {
       list_of(errors), errors.size() > 1 ? ", loop by loop" : "");
 }
 
+// Under the names of the answer.
+const std::vector<std::pair<std::string_view, std::string_view>> remarks_on_loadings{
+    {"ok", ""},
+    {"reference", "the reference"},
+    {"loaded_too_little", "not loaded far enough"},
+    {"window_not_covered", "not unloaded far enough"},
+    {"too_few_points", "too few rows"},
+    {"not_rising", "the force does not rise"},
+    {"still_drawn_in", "friction still holds it drawn in"},
+    {"no_reference", "the first loading has no slope"}};
+
 std::string_view why_not_compared(LoadingStatus status) {
-  return name_in_order<LoadingStatus::no_reference>(
-      status, {"", "not loaded far enough", "not unloaded far enough", "too few rows", "the force does not rise",
-               "friction still holds it drawn in", "the first loading has no slope"});
+  const std::string_view name = name_of(status);
+  return std::find_if(remarks_on_loadings.begin(), remarks_on_loadings.end(),
+                      [&](const auto& each) { return each.first == name; })
+      ->second;
 }
 
 // What the last reload says of the stiffness of the specimen.
@@ -201,13 +194,6 @@ std::string last_reload_in_words(const FittedTest& test) {
                      100 * (std::abs(loss) + 2 * error));
 }
 
-std::string rows_of(const FittedTest& test, const FrictionLoop& loop) {
-  const auto& legs = test.cycles->friction.legs;
-  const Leg& from = legs[loop.loading ? *loop.loading : *loop.unloading];
-  const Leg& to = legs[loop.unloading ? *loop.unloading : *loop.loading];
-  return fmt::format("{}–{}", cyclic_row(test, from.first), cyclic_row(test, to.last - 1));
-}
-
 }  // namespace
 
 std::string cycles_in_short(const FittedTest& test) {
@@ -216,7 +202,7 @@ std::string cycles_in_short(const FittedTest& test) {
       fmt::format("All this is from the first of {}", counted(test.cycles->stiffness.size(), "loading", "loadings"));
   const std::string stiff = last_reload_in_words(test);
   if (friction.status != CyclesStatus::ok) return times + "; the loops say nothing more of friction." + stiff;
-  const auto [in, out, rms] = means_of(friction);
+  const auto [in, out, rms] = direction_means(friction);
   return times +
          fmt::format(
              "; all loops give a friction of {:.2g} sliding in and {:.2g} sliding out{}.", in, out,
@@ -261,54 +247,26 @@ std::string smoothing_in_words(const FittedTest& test) {
 }
 
 PrintedTable loop_table(const FittedTest& test) {
-  const CyclicFriction& friction = test.cycles->friction;
-  if (!is_measurable(friction)) return {};
-  const Print print(test);
-  PrintedTable table{
-      {"Loop", "Rows", "Contact", "μ sliding in", "μ sliding out", "difference, rms", "correlation", "95 %"}, {}};
-  for (const FrictionLoop& loop : friction.loops) {
-    std::vector<std::string> row{
-        fmt::format("{}", table.rows.size() + 1), rows_of(test, loop),
-        readable(test.analysis.scales.physical_length(loop.contact.value),
-                 test.analysis.scales.physical_length(loop.contact.standard_error), print.as(kind::length))};
-    row.resize(table.head.size());
-    if (loop.places > 0) {
-      row[3] = readable(loop.mu_in.value, loop.mu_in.standard_error, kind::number);
-      row[4] = readable(loop.mu_out.value, loop.mu_out.standard_error, kind::number);
-      row[5] = fmt::format("{:.3f}", loop.rms_difference.value);
-      if (std::isfinite(loop.correlation.value)) {
-        row[6] = fmt::format("{:.2f}", loop.correlation.value);
-        row[7] = fmt::format("{:.2f} to {:.2f}", loop.correlation.low, loop.correlation.high);
-      }
-    }
-    table.rows.push_back(row);
-  }
-  return table;
+  return shown(fit_fields(), test, frame_of(test), "cycles.loops",
+               {{"Loop", ""},
+                {.heading = "Rows", .field = "first_row", .last = "last_row"},
+                {"Contact", "contact"},
+                {"μ sliding in", "mu_in"},
+                {"μ sliding out", "mu_out"},
+                {"difference, rms", "rms_difference"},
+                {"correlation", "correlation.value", 2},
+                {"95 % from", "correlation.low", 2},
+                {"to", "correlation.high", 2}});
 }
 
 PrintedTable loop_energy_table(const FittedTest& test) {
-  const auto& scales = test.analysis.scales;
-  const auto energy_kind = Print(test).as(kind::energy);
-  NumberColumn loading{"Put in", {}, energy_kind}, unloading{"Given back", {}, energy_kind},
-      lost{"Lost", {}, energy_kind}, friction{"by friction", {}, energy_kind};
-  std::vector<std::string> share;
-  for (const LoopEnergy& energy : test.cycles->energy) {
-    const bool closed = energy.unloading > 0;
-    const double nothing = std::numeric_limits<double>::quiet_NaN();
-    loading.values.push_back(scales.physical_energy(energy.loading));
-    unloading.values.push_back(closed ? scales.physical_energy(energy.unloading) : nothing);
-    lost.values.push_back(closed ? scales.physical_energy(energy.lost) : nothing);
-    friction.values.push_back(scales.physical_energy(energy.friction));
-    share.push_back(closed && energy.loading > 0 ? fmt::format("{:.1f} %", 100 * energy.lost / energy.loading) : "");
-  }
-  PrintedTable table = printed({loading, unloading, lost, friction});
-  table.head.insert(table.head.begin(), "Loop");
-  table.head.emplace_back("lost, of the work put in");
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    table.rows[i].insert(table.rows[i].begin(), fmt::format("{}", i + 1));
-    table.rows[i].push_back(share[i]);
-  }
-  return table;
+  return shown(fit_fields(), test, frame_of(test), "cycles.loops",
+               {{"Loop", ""},
+                {"Put in", "energy.loading"},
+                {"Given back", "energy.unloading"},
+                {"Lost", "energy.lost"},
+                {.heading = "Lost, of the work put in (%)", .field = "energy.lost_share", .digits = 3, .factor = 100},
+                {"by friction", "energy.friction"}});
 }
 
 std::string reloading_in_words(const FittedTest& test) {
@@ -347,30 +305,14 @@ std::string reloading_in_words(const FittedTest& test) {
 }
 
 PrintedTable loading_table(const FittedTest& test) {
-  const auto stiffness = Print(test).as(kind::stiffness);
-  PrintedTable table{{"Loading", "Rows", "Slope", "ratio to the first", "scatter", "window", "Verdict"}, {}};
-  for (const LoadingStiffness& loading : test.cycles->stiffness) {
-    const std::string number = fmt::format("{}", table.rows.size() + 1);
-    if (loading.status != LoadingStatus::ok) {
-      table.rows.push_back({number, "", "", "", "", "", std::string(why_not_compared(loading.status))});
-      continue;
-    }
-    std::vector<std::string> row{
-        number, fmt::format("{}–{}", cyclic_row(test, loading.first), cyclic_row(test, loading.last - 1)),
-        readable(loading.slope, loading.slope_error, stiffness)};
-    if (table.rows.empty()) {
-      row.insert(row.end(), {"1", "", "", "reference"});
-    } else {
-      row.push_back(fmt::format("{:.3f}", loading.ratio));
-      row.push_back(fmt::format("± {:.3f}", loading.ratio_error));
-      row.push_back(fmt::format("± {:.3f}", loading.ratio_systematic));
-      row.emplace_back(loading.verdict == DamageVerdict::damaged       ? "damaged"
-                       : loading.verdict == DamageVerdict::not_damaged ? "not damaged"
-                                                                       : "undecided");
-    }
-    table.rows.push_back(row);
-  }
-  return table;
+  return shown(fit_fields(), test, frame_of(test), "cycles.loading_stiffness",
+               {{"Loading", ""},
+                {"Rows", "rows"},
+                {"Slope", "slope"},
+                {"ratio to the first", "ratio"},
+                {"error from the window", "ratio_systematic", 2},
+                {.heading = "Verdict", .field = "verdict", .in_words = {{"not_damaged", "not damaged"}}},
+                {.heading = "Remark", .field = "status", .in_words = remarks_on_loadings}});
 }
 
 }  // namespace flexslip

@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -13,12 +12,14 @@
 #include <fmt/format.h>
 
 #include "bending_test/readings.h"
+#include "fibre/limits.h"
 #include "io/quantity.h"
+#include "result/frame.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = not_a_number;
 
 FigureData line_of(std::string name, const std::vector<RecordedForce>& readings, double x, double y,
                    bool falling_only) {
@@ -186,16 +187,28 @@ FigureData border_of(const std::vector<MapPoint>& points, std::size_t rows, std:
   return border;
 }
 
-// The command for a label where the points of a side are farthest from others and from the frame; none if there is no room.
+// The cell of a map where the test itself lies, or that is nearest to it.
+std::size_t cell_of(const std::vector<double>& own, const std::vector<MapPoint>& points, const Drawn& x,
+                    const Drawn& y) {
+  const auto away = [&](const MapPoint& point) {
+    return std::abs(std::log(x(point.values[0]) / own[0])) + std::abs(y(point.values[1]) - own[1]) / std::abs(own[1]);
+  };
+  const auto nearest = std::min_element(points.begin(), points.end(),
+                                        [&](const MapPoint& a, const MapPoint& b) { return away(a) < away(b); });
+  return static_cast<std::size_t>(nearest - points.begin());
+}
+
+// The command for a label where the points of a side are farthest from others, from the test itself and from the frame; none if there is
+// no room.
 template <class Belongs>
 std::string side_label(int tag, std::string_view words, const std::vector<MapPoint>& points, std::size_t columns,
-                       const Drawn& x, const Drawn& y, Belongs belongs) {
+                       const Drawn& x, const Drawn& y, std::size_t taken, Belongs belongs) {
   constexpr int room = 3;  // [cells]
   const std::size_t rows = points.size() / columns;
   std::vector<int> depth(points.size(), 0);  // [cells] to the nearest that does not belong
   const auto at = [&](std::size_t i, std::size_t j) { return i < rows && j < columns ? depth[i * columns + j] : 0; };
   for (std::size_t n = 0; n < points.size(); ++n)  // indices below 0 are large
-    if (belongs(points[n].margin))
+    if (n != taken && belongs(points[n].margin))
       depth[n] = 1 + std::min(at(n / columns - 1, n % columns), at(n / columns, n % columns - 1));
   for (std::size_t n = points.size(); n-- > 0;)
     depth[n] = std::min(depth[n], 1 + std::min(at(n / columns + 1, n % columns), at(n / columns, n % columns + 1)));
@@ -213,13 +226,14 @@ Figure plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes
   for (const MapPoint& point : points)
     data.rows.push_back(
         {x(point.values[0]), y(point.values[1]), point.result.outcome ? drop_share(*point.result.outcome) : nan});
-  const std::string sides =
-      side_label(2, "snaps", points, points_of(axes[1]), x, y, [](double margin) { return margin < 0; }) +
-      side_label(3, "no snap", points, points_of(axes[1]), x, y, [](double margin) { return margin > 0; });
-  FigureData border = border_of(points, points_of(axes[0]), points_of(axes[1]), x, y);
-  const bool has_border = border.rows.size() > 1;
   FigureData own{
       "own", {"x", "y"}, {{x(input.value(axes[0].parameter.parameter)), y(input.value(axes[1].parameter.parameter))}}};
+  const std::size_t taken = cell_of(own.rows.front(), points, x, y), columns = points_of(axes[1]);
+  const std::string sides =
+      side_label(2, "snaps", points, columns, x, y, taken, [](double margin) { return margin < 0; }) +
+      side_label(3, "no snap", points, columns, x, y, taken, [](double margin) { return margin > 0; });
+  FigureData border = border_of(points, points_of(axes[0]), columns, x, y);
+  const bool has_border = border.rows.size() > 1;
   const std::string script = fmt::format(
       R"(  set lmargin at screen 0.13; set rmargin at screen 0.80; set tmargin at screen 0.89; set bmargin at screen 0.145
   set key at screen 0.465,0.985 center top vertical Left reverse maxrows 1 samplen 2.2

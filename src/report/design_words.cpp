@@ -279,7 +279,7 @@ std::string design_text(const DesignAnswer& answer) {
                               "or \"or less\" does so at just this value, and need not do so beyond it:",
                               intention),
                   "");
-  for (const std::string& change : changes) text += "  - " + wrapped(change, "    ");
+  for (const std::string& change : changes) text += wrapped(change, "    ", "  - ");
   return text;
 }
 

@@ -22,7 +22,7 @@ struct Figure {
   std::string description;  // the same for those who cannot see it
   double width, height;     // [mm]
   std::vector<FigureData> data;
-  std::string script;  // gnuplot commands; reads data with `using`, in the file variable that is its name
+  std::string script{};  // gnuplot commands; reads data with `using`, in the file variable that is its name
 };
 
 inline constexpr double one_column = 85;    // [mm]

@@ -140,11 +140,12 @@ Figure force_figure(const FittedTest& test) {
   set ytics {r_step:.6g}; set mytics 2
   set format x '%g'
   set xlabel '{length}' offset 0,0.4
-  set ylabel 'Residual ({force_unit})' offset 0.8
+  unset ylabel  # which would stand the farther left the longer the numbers are
+  set label 1 'Residual ({force_unit})' at screen 0.015,0.2085 center rotate by 90
   set xzeroaxis lw 0.75 lt 1 lc rgb 'black'
   plot measured using ($4==1?$1:NaN):3 with points pt 7 ps 0.25 lc rgb blue, \
        measured using ($4==0?$1:NaN):3 with points pt 7 ps 0.25 lc rgb grey
-  unset multiplot; unset xzeroaxis; set ytics auto
+  unset multiplot; unset xzeroaxis; unset label 1; set ytics auto
 )",
       fmt::arg("x_max", x * w_max * 1.03), fmt::arg("y_max", y * F_max * 1.12),
       fmt::arg("force", axis_label("Force", "{/:Italic F}", units.force)),

@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "answers/fit_fields.h"
 #include "io/quantity.h"
 #include "report/answer_words.h"
 #include "report/digits.h"
+#include "report/field_table.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 ParameterRow row_of(std::string name, std::string symbol, std::string meaning, const Estimate& estimate, double factor,
                     const Kind& kind) {
@@ -54,24 +53,6 @@ std::string_view in_words(Kernel kernel) {
       break;
   }
   return "none";
-}
-
-std::string_view in_words(SlipVerdict verdict) {
-  switch (verdict) {
-    case SlipVerdict::possible:
-      return "can be a slip";
-    case SlipVerdict::unexplained:
-      return "no slip: no friction explains it";
-    case SlipVerdict::implausible:
-      return "no slip: too much friction before";
-    case SlipVerdict::negative:
-      return "no slip: friction would be negative";
-    case SlipVerdict::moves_out:
-      return "no slip: length would be let out";
-    case SlipVerdict::too_short:
-      break;
-  }
-  return "too short to judge";
 }
 
 }  // namespace
@@ -152,57 +133,34 @@ PrintedTable explanation_table(const FittedTest& test) {
 }
 
 PrintedTable drop_table(const FittedTest& test) {
-  const auto& analysis = test.analysis;
-  const Print print(test);
-  const auto length = print.as(kind::length);
-  const auto force = print.as(kind::force);
-  NumberColumn stage{"Stage", {}, length}, before{"Force before", {}, force}, fall{"Fall", {}, force, 3},
-      drawn_in{"Pulled in (both supports)", {}, length, 3}, mu_before{"μ before", {}, kind::number, 3},
-      mu_after{"μ after", {}, kind::number, 3};
-  std::vector<std::string> rows, significance, reading;
-  for (const auto& slip : analysis.slips) {
-    const Drop& drop = slip.drop;
-    rows.push_back(fmt::format("{}–{}", file_row(test, drop.before), file_row(test, drop.after)));
-    stage.values.push_back(analysis.record.stage[drop.before]);
-    before.values.push_back(analysis.record.force[drop.before]);
-    fall.values.push_back(drop.force_fall);
-    significance.push_back(fmt::format("{:.1f}", drop.significance));
-    drawn_in.values.push_back(analysis.scales.physical_length(slip.S_after - slip.S_before));
-    mu_before.values.push_back(slip.mu_before);
-    mu_after.values.push_back(slip.mu_after);
-    reading.emplace_back(in_words(slip.verdict));
-  }
-  PrintedTable table = printed({stage, before, fall, drawn_in, mu_before, mu_after});
-  table.head.insert(table.head.begin(), "Rows");
-  table.head.insert(table.head.begin() + 4, "in noise (σ)");
-  table.head.emplace_back("Reading");
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    auto& row = table.rows[i];
-    row.insert(row.begin(), rows[i]);
-    row.insert(row.begin() + 4, significance[i]);
-    row.push_back(reading[i]);
-  }
-  return table;
+  return shown(fit_fields(), test, frame_of(test), "drops",
+               {{.heading = "Rows", .field = "row_before", .last = "row_after"},
+                {"Stage", "stage"},
+                {"Force before", "force_before"},
+                {"Fall", "force_fall", 3},
+                {"in noise (σ)", "significance", 3},
+                {"Pulled in (both supports)", "pulled_in", 3},
+                {"μ before", "mu_before", 3},
+                {"μ after", "mu_after", 3},
+                {.heading = "Reading",
+                 .field = "slip",
+                 .in_words = {{"possible", "can be a slip"},
+                              {"unexplained", "no slip: no friction explains it"},
+                              {"implausible", "no slip: too much friction before"},
+                              {"negative", "no slip: friction would be negative"},
+                              {"moves_out", "no slip: length would be let out"},
+                              {"too_short", "too short to judge"}}}});
 }
 
 PrintedTable snap_table(const FittedTest& test) {
-  const auto& scales = test.analysis.scales;
-  const Print print(test);
-  const auto length = print.as(kind::length);
-  const auto force = print.as(kind::force);
-  NumberColumn stage{"Stage", {}, length}, w_before{"Deflection before", {}, length}, w_after{"after", {}, length},
-      F_before{"Force before", {}, force}, F_after{"after", {}, force}, S_before{"Length before", {}, length},
-      S_after{"after", {}, length};
-  for (const auto& snap : test.analysis.model.snaps) {
-    stage.values.push_back(scales.physical_length(snap.stage));
-    w_before.values.push_back(scales.physical_length(snap.before.w));
-    w_after.values.push_back(scales.physical_length(snap.after.w));
-    F_before.values.push_back(scales.physical_force(snap.before.F));
-    F_after.values.push_back(scales.physical_force(snap.after.F));
-    S_before.values.push_back(scales.physical_length(snap.before.S));
-    S_after.values.push_back(scales.physical_length(snap.after.S));
-  }
-  return printed({stage, w_before, w_after, F_before, F_after, S_before, S_after});
+  return shown(fit_fields(), test, frame_of(test), "snaps",
+               {{"Stage", "stage"},
+                {"Deflection before", "deflection_before"},
+                {"after", "deflection_after"},
+                {"Force before", "force_before"},
+                {"after", "force_after"},
+                {"Length before", "length_before"},
+                {"after", "length_after"}});
 }
 
 PrintedTable energy_table(const FittedTest& test) {

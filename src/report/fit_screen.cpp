@@ -79,9 +79,11 @@ std::string assumed_in_short(const FittedTest& test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Print print(test);
   return fmt::format(
-      "{}; friction at the {} of the specimen; the contact {}; a slender, straight, elastic beam",
+      "{}; friction at the {}; the contact {}; a slender, straight, elastic beam",
       supports.radius > 0 ? fmt::format("rollers of a radius of {}", print.length(supports.radius)) : "sharp edges",
-      supports.half_depth > 0 ? "surface" : "axis",
+      supports.half_depth > 0 ? "surface of the specimen"
+      : test.surface          ? "axis of the specimen"
+                              : "axis of the specimen, as its section is not stated",
       measurement.contact == ContactSource::first_point
           ? "at the zero of the file"
           : fmt::format("at {}, as {}", print.own(measurement.contact_offset, kind::length),
@@ -141,7 +143,7 @@ std::string fit_screen(const FittedTest& test) {
   if (test.analysis.status != AnalysisStatus::ok) {
     text += "\n";
     for (const auto& sentence : preparation_in_words(test.measurement.preparation))
-      text += " - " + wrapped(sentence, "   ");
+      text += wrapped(sentence, "   ", " - ");
     return text;
   }
   text += "\n" + entry("record", record_in_words(test)) + entry("friction", friction_in_short(test));
@@ -151,7 +153,7 @@ std::string fit_screen(const FittedTest& test) {
   }
   text += entry("stiffness", stiffness_in_words(test));
   if (const std::string strain = strain_in_short(test); !strain.empty()) text += entry("strain", strain);
-  text += "Checks\n" + checks_in_short(test);
+  text += "Checks of the fit\n" + checks_in_short(test);
   text += entry("assumed", assumed_in_short(test));
   text += entry("more", "--full: every table; --report FOLDER: figures; docs/reading-your-report.md: what they mean");
   return text;

@@ -9,6 +9,7 @@
 #include "report/cycles_words.h"
 #include "report/fit_print.h"
 #include "report/fit_words.h"
+#include "report/implied_words.h"
 #include "report/plain_text.h"
 #include "report/preparation_words.h"
 #include "report/small_deflection_words.h"
@@ -36,7 +37,7 @@ std::string variables(const FittedTest& test) {
 std::string preparation_text(const FittedTest& test) {
   std::string text = "\n[[From the file to the record]]\n";
   for (const auto& sentence : preparation_in_words(test.measurement.preparation))
-    text += " - " + wrapped(sentence, "   ");
+    text += wrapped(sentence, "   ", " - ");
   return text;
 }
 
@@ -46,7 +47,7 @@ std::string fit_text(const FittedTest& test) {
   std::string text = wrapped(fmt::format("{}: {}", test.name, answer_of(test)), "");
   if (test.analysis.status != AnalysisStatus::ok) return text + preparation_text(test);
   const std::string indent(3, ' ');
-  const auto paragraph = [&](const std::string& words) { text += indent + wrapped(words, indent); };
+  const auto paragraph = [&](const std::string& words) { text += wrapped(words, indent, indent); };
   text += fmt::format("\n[[Friction]] of the model {}\n{}", model_in_words(test.analysis.fit.model), variables(test));
   const std::string caution = caution_of(test);
   if (!caution.empty()) paragraph(caution);
@@ -54,9 +55,10 @@ std::string fit_text(const FittedTest& test) {
   paragraph(wave_in_words(test));
   for (const std::string& words : {sides_in_words(test), smoothing_in_words(test)})
     if (!words.empty()) paragraph(words);
+  for (const std::string& words : implied_in_words(test)) paragraph(words);
   if (test.analysis.fit.explanations.size() > 1) text += laid_out(explanation_table(test));
   text += "\n[[Checks]]\n";
-  for (const auto& words : checks_in_words(test)) text += " - " + wrapped(words, indent);
+  for (const auto& words : checks_in_words(test)) text += wrapped(words, indent, " - ");
   text += "\n[[Slips]]\n";
   paragraph(slips_in_words(test));
   if (!test.analysis.drops.drops.empty()) text += laid_out(drop_table(test));
@@ -84,7 +86,7 @@ std::string fit_text(const FittedTest& test) {
   paragraph(small_deflection_and_fit(test));
   text += preparation_text(test);
   text += "\n[[Assumed]]\n";
-  for (const auto& sentence : assumptions_of(test)) text += " - " + wrapped(sentence, indent);
+  for (const auto& sentence : assumptions_of(test)) text += wrapped(sentence, indent, " - ");
   return text;
 }
 

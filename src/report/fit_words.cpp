@@ -193,9 +193,12 @@ std::string suspicion_in_words(const FittedTest& test) {
       fmt::format("{} past a deflection of a tenth of the span", counted(report.points_judged, "point", "points"));
   std::string words =
       above == 0
-          ? fmt::format("None of the {} needs friction above {:g}.", judged, report.limit)
-          : fmt::format("Of the {}, {} friction above {:g}, {} of them by more than twice the standard error.", judged,
-                        above == 1 ? "1 needs" : fmt::format("{} need", above), report.limit, report.beyond_error);
+          ? fmt::format("None of the {} needs friction above {:g} at the bending stiffness beforehand.", judged,
+                        report.limit)
+          : fmt::format(
+                "Of the {}, {} friction above {:g} at the bending stiffness beforehand, {} of them by more than twice "
+                "the standard error.",
+                judged, above == 1 ? "1 needs" : fmt::format("{} need", above), report.limit, report.beyond_error);
   words += report.suspect ? " That is more than 5 %: the test is suspect."
            : above == 0   ? ""
                           : " That is at most 5 %: the test is not suspect.";
@@ -266,10 +269,10 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
       break;
   }
   if (measurement.contact != ContactSource::found && analysis.contact.status == ContactStatus::found)
-    list.push_back(
-        fmt::format("A line through the first part of the curve meets zero force at {} from that contact; this is "
-                    "reported, not corrected.",
-                    readable(analysis.contact.offset, analysis.contact.offset_error, print.as(kind::length))));
+    list.push_back(fmt::format(
+        "A line through the first part of the curve meets zero force at {} from that contact; this is "
+        "reported, not corrected.",
+        readable(analysis.contact.offset.value, analysis.contact.offset.standard_error, print.as(kind::length))));
   const std::size_t last = last_row(test);
   switch (measurement.end) {
     case MeasurementEnd::until:
@@ -305,7 +308,9 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
   const Supports& supports = analysis.rig.fibre.supports();
   list.push_back(fmt::format(
       "The supports are {}, and friction acts {}.",
-      supports.radius > 0 ? fmt::format("rollers of a radius of {}", print.length(supports.radius)) : "sharp edges",
+      supports.radius > 0 ? fmt::format("rollers of a radius of {}{}", print.length(supports.radius),
+                                        measurement.test.rig->rollers == Rollers::pinned ? ", on pins" : "")
+                          : "sharp edges",
       supports.half_depth > 0
           ? fmt::format("at the surface of the specimen, {} from its axis", print.length(supports.half_depth))
           : "at the axis of the specimen, as if it had no thickness"));

@@ -24,20 +24,22 @@ std::string padded_left(std::string_view text, std::size_t width) {
   return std::string(width - std::min(width, width_of(text)), ' ') + std::string(text);
 }
 
-std::string wrapped(std::string_view text, std::string_view indent) {
-  std::string out;
-  std::size_t length = 0;
+std::string wrapped(std::string_view text, std::string_view indent, std::string_view begin) {
+  std::string out(begin);
+  std::size_t length = width_of(begin);
+  bool first = true;
   while (!text.empty()) {
     const std::size_t space = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, space);
     text.remove_prefix(std::min(space + 1, text.size()));
-    if (length > 0 && length + 1 + width_of(word) > line_length) {
+    if (!first && length + 1 + width_of(word) > line_length) {
       out += fmt::format("\n{}", indent);
       length = width_of(indent);
-    } else if (length > 0) {
+    } else if (!first) {
       out += ' ';
       ++length;
     }
+    first = false;
     out += word;
     length += width_of(word);
   }

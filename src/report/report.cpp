@@ -13,8 +13,10 @@
 #include "report/fit_figures.h"
 #include "report/fit_print.h"
 #include "report/fit_words.h"
+#include "report/implied_words.h"
 #include "report/page.h"
 #include "report/preparation_words.h"
+#include "report/record_figure.h"
 #include "report/small_deflection_words.h"
 #include "report/teeth_figure.h"
 #include "report/teeth_words.h"
@@ -136,18 +138,25 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
   make_folder((base / "figures").string());
   const std::string report = (base / "report.html").string();
   const std::string title = test.name + ": friction in a bending test";
-  if (test.analysis.status != AnalysisStatus::ok) {
-    write_text(report,
-               page(title, answer_of(test), preparation_section(test) + section("Provenance") + provenance_html(test)));
-    return DrawStatus::drawn;
-  }
-  const auto& analysis = test.analysis;
   DrawStatus drawn = DrawStatus::drawn;
   int number = 0;
   const auto figure = [&](const Plate& plate) {
     drawn = draw(plate.figure, (base / "figures").string(), {"svg", "pdf", "png"});
     return html_figure(folder, plate, drawn, ++number);
   };
+  const auto& analysis = test.analysis;
+  if (analysis.status != AnalysisStatus::ok) {
+    const std::string picture =
+        analysis.status == AnalysisStatus::not_explained
+            ? figure(
+                  {record_figure(test),
+                   "Measured force (blue). Orange: Euler–Bernoulli (dashed) and the model without friction, both with "
+                   "the bending stiffness stated, or that of the initial slope."})
+            : "";
+    write_text(report, page(title, answer_of(test),
+                            picture + preparation_section(test) + section("Provenance") + provenance_html(test)));
+    return drawn;
+  }
   std::vector<std::string> figures;
   for (const auto& plate : plates_of(test)) figures.push_back(figure(plate));
 
@@ -156,6 +165,7 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
           paragraph(joined(strain_in_words(test), friction_in_literature(test)));
   body += section("Does it repeat along the specimen?") +
           paragraph(joined(joined(wave_in_words(test), sides_in_words(test)), smoothing_in_words(test)));
+  for (const auto& words : implied_in_words(test)) body += paragraph(words);
   if (figures.size() > 2) body += figures[2];
   if (analysis.fit.explanations.size() > 1)
     body += paragraph("The answer is an average over these explanations, weighted as listed:") +

@@ -27,12 +27,16 @@ Figure teeth_figure(const FittedTest& test) {
     const double end = drawn_in(tooth.S_end);
     first = std::min({first, begin, end});
     last = std::max({last, begin, end});
-    const double bar = 2 * std::hypot(tooth.position_error, tooth.position_systematic);
-    lowest = std::min(lowest, tooth.position - bar - 0.05);
-    highest = std::max(highest, tooth.position + bar + 0.05);
-    const std::vector<double> row{
-        0.5 * (begin + end),     begin, end, tooth.position, tooth.position_error, tooth.position_systematic,
-        tooth.compliant_position};
+    const double bar = 2 * std::hypot(tooth.position.standard_error, tooth.position_systematic);
+    lowest = std::min(lowest, tooth.position.value - bar - 0.05);
+    highest = std::max(highest, tooth.position.value + bar + 0.05);
+    const std::vector<double> row{0.5 * (begin + end),
+                                  begin,
+                                  end,
+                                  tooth.position.value,
+                                  tooth.position.standard_error,
+                                  tooth.position_systematic,
+                                  tooth.compliant_position};
     all.rows.push_back(row);
     (tooth.verdict == ToothVerdict::sliding       ? sliding
      : tooth.verdict == ToothVerdict::as_if_stuck ? sticking

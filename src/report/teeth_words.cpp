@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "answers/fit_fields.h"
 #include "io/quantity.h"
-#include "report/digits.h"
+#include "report/field_table.h"
 
 namespace flexslip {
 namespace {
@@ -31,7 +32,7 @@ std::string build_up_in_words(const FittedTest& test, std::size_t sliding) {
   const auto& teeth = test.analysis.teeth->teeth;
   const double least = recovered * build_up->value;
   const auto near = std::count_if(teeth.begin(), teeth.end(), [&](const Tooth& tooth) {
-    return tooth.verdict == ToothVerdict::sliding && tooth.advance < least;
+    return tooth.verdict == ToothVerdict::sliding && tooth.advance.value < least;
   });
   return fmt::format(
       " Friction builds up after the reversals of this record, and this also imitates sliding: {} of the rises that "
@@ -104,35 +105,17 @@ std::string teeth_in_words(const FittedTest& test) {
 }
 
 PrintedTable tooth_table(const FittedTest& test) {
-  const Print print(test);
-  const auto stiffness = print.as(kind::stiffness);
-  NumberColumn slope{"Slope", {}, stiffness}, stick{"if stuck", {}, stiffness}, slide{"if sliding", {}, stiffness},
-      advance{"Pulled in (both supports)", {}, print.as(kind::length), 3};
-  if (!test.analysis.teeth) return {};
-  const auto& teeth = test.analysis.teeth->teeth;
-  const auto& scales = test.analysis.scales;
-  for (const Tooth& tooth : teeth) {
-    slope.values.push_back(scales.physical_stiffness(tooth.slope));
-    stick.values.push_back(scales.physical_stiffness(tooth.stick_slope));
-    slide.values.push_back(scales.physical_stiffness(tooth.slide_slope));
-    advance.values.push_back(scales.physical_length(tooth.advance));
-  }
-  PrintedTable table = printed({slope, stick, slide, advance});
-  table.head.insert(table.head.begin(), "Rows");
-  table.head.insert(table.head.end() - 1, "Position p");
-  table.head.insert(table.head.end() - 1, "common error");
-  table.head.emplace_back("Verdict");
-  for (std::size_t i = 0; i < teeth.size(); ++i) {
-    auto& row = table.rows[i];
-    const Tooth& tooth = teeth[i];
-    row.insert(row.begin(), fmt::format("{}–{}", file_row(test, tooth.first), file_row(test, tooth.last - 1)));
-    row.insert(row.end() - 1, readable(tooth.position, tooth.position_error, kind::number));
-    row.insert(row.end() - 1, "± " + significant(tooth.position_systematic, 2));
-    row.emplace_back(tooth.verdict == ToothVerdict::sliding       ? "slides"
-                     : tooth.verdict == ToothVerdict::as_if_stuck ? "as if stuck"
-                                                                  : "undecided");
-  }
-  return table;
+  return shown(fit_fields(), test, frame_of(test), "teeth.teeth",
+               {{.heading = "Rows", .field = "first_row", .last = "last_row"},
+                {"Slope", "slope"},
+                {"if stuck", "stick_slope"},
+                {"if sliding", "slide_slope"},
+                {"Position p", "position"},
+                {"common error", "position_systematic", 2},
+                {"Pulled in (both supports)", "advance", 3},
+                {.heading = "Verdict",
+                 .field = "verdict",
+                 .in_words = {{"sliding", "slides"}, {"as_if_stuck", "as if stuck"}}}});
 }
 
 }  // namespace flexslip

@@ -23,6 +23,13 @@ enum class Shape {
   any,            // a number or words
 };
 
+// What several answers call alike.
+struct Named {
+  std::string_view name;
+  const Kind& kind;
+  std::string_view meaning;
+};
+
 struct Description {
   std::string_view name;
   Shape shape;

@@ -1,8 +1,12 @@
 // How a value of the program becomes one of an answer.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -34,23 +38,30 @@ Json if_there(const Value& value, Make make) {
 }
 
 // Numbers in reduced variables of a kind, as those of the test; words, counts and plain numbers as they are.
+Json told(double value, const Kind& kind, const Scales& scales);
+Json told(const Estimate& value, const Kind& kind, const Scales& scales);
+Json told(const std::vector<double>& values, const Kind& kind, const Scales& scales);
+Json told(const std::string& words, const Kind& kind, const Scales& scales);
+Json told(const std::string_view& words, const Kind& kind, const Scales& scales);
+Json told(const bool& value, const Kind& kind, const Scales& scales);
+Json told(const std::size_t& count, const Kind& kind, const Scales& scales);
 template <class Value>
-Json told(const Value& value, const Kind& kind, const Scales& scales) {
-  if constexpr (std::is_same_v<Value, double>) {
-    return physical(value, kind, scales);
-  } else if constexpr (std::is_same_v<Value, Estimate>) {
-    const auto of = [&](double number) { return physical(number, kind, scales); };
-    return {{"value", of(value.value)},
-            {"standard_error", of(value.standard_error)},
-            {"interval95", {of(value.low), of(value.high)}}};
-  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-    Json out = Json::array();
-    for (const double number : value) out.push_back(physical(number, kind, scales));
-    return out;
-  } else {
-    return value;
-  }
+Json told(const Value& value, const Kind& /*kind*/, const Scales& /*scales*/) {
+  return value;
 }
+
+// Entries of objects and arrays.
+void put(Json& object, std::string_view name, Json value);
+void append(Json& array, Json value);
+template <class Pairs>
+Json object_of(const Pairs& pairs) {
+  Json out = Json::object();
+  for (const auto& [name, value] : pairs) put(out, name, value);
+  return out;
+}
+
+// A quantity with its unit beside it; null stays null.
+Json with_unit(const Json& value, std::string_view unit);
 
 template <class Get, class Row>
 Json read_off(const Get& get, const Row& row, const Frame& frame, const Kind& kind = kind::number) {

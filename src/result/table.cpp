@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "fibre/limits.h"
 #include "io/text_table.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double nothing = not_a_number;
 
 struct EstimatePart {
   std::string_view suffix, meaning;

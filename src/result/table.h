@@ -37,7 +37,7 @@ void append_cells(std::vector<Cell>& cells, const Description& field, const Json
 template <class Row>
 std::vector<Cell> cells_of(const Fields<Row>& fields, const Row& row, const Frame& frame) {
   std::vector<Cell> cells;
-  for (const auto& field : fields) append_cells(cells, field.what, field.of(row, frame));
+  for (const auto& field : fields) append_cells(cells, field.what, fields.of(field, row, frame));
   return cells;
 }
 

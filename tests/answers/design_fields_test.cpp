@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "design/outcome_fields.h"
 #include "tests/design/some_design.h"
 
 namespace flexslip {

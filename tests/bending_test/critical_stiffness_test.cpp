@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <doctest/doctest.h>
 
 #include "bending_test/rig.h"
 #include "fibre/elastica.h"
+#include "fibre/limits.h"
 #include "tests/approximately.h"
 #include "tests/fig_8.h"
 #include "tests/generators.h"
@@ -16,8 +16,6 @@
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 FibreState state_on(const Friction& friction, double S) { return fibre_state(S, friction.at(S).mu); }
 

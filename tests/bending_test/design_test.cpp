@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "bending_test/history.h"
 #include "contact/over_rollers.h"
 #include "fibre/elastica.h"
+#include "fibre/limits.h"
 #include "tests/approximately.h"
 #include "tests/fig_8.h"
 #include "tests/generators.h"
@@ -18,8 +18,6 @@
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The oracle: the slow follower of any history, with its own account of energy, and every reading computed.
 History followed(const Design& design) {

@@ -14,16 +14,15 @@
 #include "tests/generators.h"
 #include "tests/literal_algorithm1.h"
 #include "tests/refusal.h"
+#include "tests/unit.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double unit = 0x1p-52;
-
 // Fig. 7: μ = 0.3 (1 + 0.2 cos(S/0.02)).
 Friction friction_of_fig_7() { return Friction::sinusoid(0.3, 0.2, 0.02 * std::numbers::pi, 0); }
 
-doctest::Approx to(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
+doctest::Approx within(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
 
 }  // namespace
 
@@ -74,8 +73,8 @@ TEST_CASE("equilibrium: the curve is the upper envelope of the region, its count
     CHECK(upper.points[i].q == friction.at(upper.points[i].S).mu);
     CHECK(lower.points[i].q == -friction.at(lower.points[i].S).mu);
     CHECK(upper.points[i].S == most->S);
-    CHECK(upper.points[i].F == to(4 * unit, most->F));
-    CHECK(lower.points[i].F == to(4 * unit, least->F));
+    CHECK(upper.points[i].F == within(4 * unit, most->F));
+    CHECK(lower.points[i].F == within(4 * unit, least->F));
     if (i > 0) CHECK(upper.points[i].S > upper.points[i - 1].S);  // remark 1 of the paper's section 4.2.4
     if (i > 0) CHECK(upper.points[i].w > upper.points[i - 1].w);
   }
@@ -98,7 +97,7 @@ TEST_CASE("equilibrium: the region is that of Algorithm 1 taken literally, its s
       CAPTURE(S);
       CAPTURE(q);
       REQUIRE(state.status == FibreStatus::ok);
-      CHECK(state.S == to(1e-12, S));         // quadrature to 1e-15 of L
+      CHECK(state.S == within(1e-12, S));     // quadrature to 1e-15 of L
       CHECK(std::abs(state.q - q) <= 1e-10);  // times the condition of q
       CHECK(std::abs(state.q) <= friction.at(S).mu + 1e-10);
     }
@@ -107,8 +106,8 @@ TEST_CASE("equilibrium: the region is that of Algorithm 1 taken literally, its s
   for (const auto& [S, q, w, F] : equilibrium_curve(friction, Sliding::in, S_last, 8).points) {
     if (S == 1) continue;
     const auto literal = LiteralFibre(S, 0.3 * (1 + 0.2 * std::cos(S / 0.02))).state();
-    CHECK(w == to(1e-11, literal.w));
-    CHECK(F == to(1e-11, literal.F));
+    CHECK(w == within(1e-11, literal.w));
+    CHECK(F == within(1e-11, literal.F));
   }
 }
 
@@ -116,8 +115,8 @@ TEST_CASE("equilibrium: the curve starts straight in the square root of S - 1 (l
   const auto curve = equilibrium_curve(Friction::constant(0.6), Sliding::in, 1.0001, 11);
   for (std::size_t i = 1; i < curve.points.size(); ++i) {
     const double fraction = static_cast<double>(i) / 10;
-    CHECK(curve.points[i].w == to(0.02, fraction * std::sqrt(1e-4 / 2.4)));  // corrections of order w
-    CHECK(curve.points[i].F == to(0.03, 48 * curve.points[i].w));
+    CHECK(curve.points[i].w == within(0.02, fraction * std::sqrt(1e-4 / 2.4)));  // corrections of order w
+    CHECK(curve.points[i].F == within(0.03, 48 * curve.points[i].w));
   }
 }
 
@@ -126,15 +125,15 @@ TEST_CASE("equilibrium: a curve that reaches the end of the branch ends there wi
   const auto curve = equilibrium_curve(Friction::constant(0), Sliding::in, 3, 50);
   REQUIRE(curve.status == EquilibriumStatus::branch_ended);
   CHECK(curve.points.size() < 50);
-  CHECK(curve.points.back().S == to(16 * unit, end.S));
-  CHECK(curve.points.back().w == to(1e-14, end.w));
+  CHECK(curve.points.back().S == within(16 * unit, end.S));
+  CHECK(curve.points.back().w == within(1e-14, end.w));
   CHECK(curve.points.back().F <= 1e-14);
   for (std::size_t i = 1; i < curve.points.size(); ++i) CHECK(curve.points[i].S > curve.points[i - 1].S);
 
   const auto out = equilibrium_curve(friction_of_fig_7(), Sliding::out, 2.5, 200);
   REQUIRE(out.status == EquilibriumStatus::branch_ended);
   CHECK(out.points.back().F <= 1e-13);
-  CHECK(out.points.back().S == to(1e-12, fibre_branch_end(out.points.back().q).S));
+  CHECK(out.points.back().S == within(1e-12, fibre_branch_end(out.points.back().q).S));
 
   CHECK(equilibrium_curve(Friction::constant(0.9), Sliding::in, 30, 50).status == EquilibriumStatus::ok);  // no end
   const auto region = equilibrium_region(Friction::constant(0.3), 2.5, 40, 5);

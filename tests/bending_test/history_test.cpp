@@ -13,17 +13,16 @@
 #include <doctest/doctest.h>
 
 #include "fibre/elastica.h"
+#include "fibre/limits.h"
 #include "tests/approximately.h"
 #include "tests/bending_test/some_programme.h"
 #include "tests/fig_8.h"
 #include "tests/generators.h"
 #include "tests/refusal.h"
+#include "tests/unit.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double unit = 0x1p-52;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Loaded from the straight fibre, the whole curve.
 History load_continuously(const Friction& friction, const Rig& rig, double stage, int n) {

@@ -13,6 +13,7 @@
 #include <doctest/doctest.h>
 
 #include "fibre/elastica.h"
+#include "fibre/limits.h"
 #include "tests/approximately.h"
 #include "tests/bending_test/some_programme.h"
 #include "tests/generators.h"
@@ -20,8 +21,6 @@
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The oracle knows energies only, no forces and no curves. At each of many small steps of the stage the fibre may slide, a
 // little at a time on a grid of lengths, as long as its elastic energy falls by more than friction takes; the elastic

@@ -14,16 +14,16 @@
 #include <doctest/doctest.h>
 
 #include "fibre/elastica.h"
+#include "fibre/limits.h"
 #include "tests/approximately.h"
 #include "tests/fig_8.h"
 #include "tests/generators.h"
 #include "tests/refusal.h"
+#include "tests/unit.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double unit = 0x1p-52;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double first_fold_of_second_tooth = 0.698273165117728631;  // folds.csv
 
 struct FoldRow {

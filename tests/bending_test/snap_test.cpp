@@ -6,13 +6,12 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/motion.h"
+#include "fibre/limits.h"
 #include "tests/approximately.h"
 #include "tests/generators.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double elastic_energy(const FibreState& state, const Rig& rig) {
   return state.U + 0.5 * state.F * state.F / rig.stiffness;

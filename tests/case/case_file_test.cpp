@@ -10,6 +10,9 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "tests/has.h"
+#include "tests/refusal.h"
+
 using namespace flexslip;
 
 namespace {
@@ -55,8 +58,6 @@ std::string complaint_with(std::string_view piece, std::string_view replacement)
   REQUIRE(at != std::string::npos);
   return complaint(text.replace(at, piece.size(), replacement));
 }
-
-bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 void check_same(const Case& a, const Case& b) {
   CHECK(a.reduced == b.reduced);
@@ -135,6 +136,26 @@ TEST_CASE("table: the friction that can be described") {
         FrictionInput{{FrictionModel::constant}, WavyFriction{0.5, 0, {}}, 0, std::nullopt, 2.5e-6});
   CHECK(friction("model = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7") ==
         FrictionInput{{FrictionModel::rough}, RoughFriction{0.5, 0.1, 5e-6, 7}});
+  CHECK(friction("model = 'surface'\nmu0 = 0.5\ntrace = 'afm.csv'") ==
+        FrictionInput{{FrictionModel::surface}, SurfaceFriction{0.5, "data/afm.csv"}});
+  CHECK(
+      friction("model = 'surface'\nmu0 = 0.5\ntrace = 'afm.csv'\nposition = 'x [um]'\nheight = '3'\ntrace_begin = '600 "
+               "um'\ndirection = 'inwards'\nlevel = 2\ncutoff = '1 um'\nedge_radius = '2 um'") ==
+      FrictionInput{{FrictionModel::surface},
+                    SurfaceFriction{0.5, "data/afm.csv", "x [um]", "3", std::nullopt, 600e-6, TraceDirection::inwards,
+                                    2, 1e-6, 2e-6}});
+}
+
+TEST_CASE("table: surfaces that cannot be are refused") {
+  const auto refusal = [](const std::string& text) {
+    return message_of([&] { read_case("[friction]\nmodel = 'surface'\n" + text, "case.toml"); });
+  };
+  CHECK(has(refusal("mu0 = 0\ntrace = 'a'"), "[friction] mu0: expected friction above 0"));
+  CHECK(has(refusal("mu0 = 0.5"), "[friction] trace"));
+  CHECK(has(refusal("mu0 = 0.5\ntrace = 'a'\nlevel = 10"), "expected a degree of at most 9, found 10"));
+  CHECK(has(refusal("mu0 = 0.5\ntrace = 'a'\nposition = 'x'\ntrace_step = '1 um'"),
+            "trace_step: expected none beside position"));
+  CHECK(has(refusal("mu0 = 0.5\ntrace = 'a'\ndirection = 'up'"), "direction"));
 }
 
 TEST_CASE("table: rigs, stages and records that can be described") {
@@ -215,6 +236,30 @@ TEST_CASE("table: a place in the record is a row, or one position") {
   CHECK(has(until("{ stage = '1 mm', deflection = '1 mm' }"), "found both"));
   CHECK(has(until("{ depth = '1 mm' }"), "depth"));
   CHECK(has(until("{ stage = 3 }"), "unit"));
+}
+
+TEST_CASE("table: a fault is data for programs: its kind, its key, its limit") {
+  const auto fault_of = [](const char* text) {
+    try {
+      read_case(text, "case.toml");
+    } catch (const InputError& error) {
+      return error.fault;
+    }
+    return InputFault{};
+  };
+  const InputFault missing = fault_of("[specimen]\nwidth = \"1 mm\"\nmodulus = \"1 GPa\"\n");
+  CHECK(missing.kind == FaultKind::missing);
+  CHECK(missing.key == "specimen.height");
+  const InputFault unknown = fault_of("[rig]\nspam = \"1 mm\"\n");
+  CHECK(unknown.kind == FaultKind::unknown);
+  CHECK(unknown.key == "rig.spam");
+  const InputFault wrong = fault_of("[rig]\nspan = \"1 N\"\n");
+  CHECK(wrong.kind == FaultKind::wrong);
+  CHECK(wrong.key == "rig.span");
+  CHECK(!wrong.limit);
+  const InputFault too_much = fault_of("[specimen]\ndiameter = \"1 mm\"\nmodulus = \"1 GPa\"\nstrain_at_break = 2.5\n");
+  CHECK(too_much.kind == FaultKind::too_much);
+  CHECK(too_much.limit == 1);
 }
 
 TEST_CASE("table: a tube needs a wall") {
@@ -320,7 +365,7 @@ TEST_CASE("table: an unknown key or section is refused with the nearest known") 
   CHECK(has(complaint_with("\"sinusoid\"", "\"sinussoid\""), "did you mean 'sinusoid'?"));
   CHECK(has(complaint_with("\"sinusoid\"", "\"constant\""),
             ": expected one of the keys 'model', 'mu0', 'drift', 'reference', 'static_excess', 'other' and "
-            "'build_up_length', found an unknown key"));
+            "'build_up_length', found a key that has no meaning here; leave it out"));
   CHECK(has(complaint_with("uncertainty", "sd"), ":3: [specimen] modulus.sd: expected one of the keys"));
   CHECK(has(complaint_with("model", "modle"), "did you mean 'model'?"));
   CHECK(has(complaint_with("force", "forse"), ":19: [record] forse: expected one of the keys"));
@@ -447,12 +492,19 @@ TEST_CASE("identity: a value found wrong later is pointed at where it stands, or
 
 TEST_CASE("identity: the effective case is read back as the same case") {
   for (const std::string_view text :
-       {full, std::string_view(""), std::string_view("reduced = true"),
+       {full,
+        std::string_view(""),
+        std::string_view("reduced = true"),
         std::string_view("[specimen]\nwidth = '2 um'\nheight = '0.123456789 um'\nbending_stiffness = { value = '2 N "
                          "m^2', uncertainty = '5 %' }\n"
                          "[rig]\nspan = '1 in'\nstiffness = 'inf'\n[friction]\nmodel = 'roughness'\n"
                          "[stage]\nprogram = ['0 um', '1 um']"),
         std::string_view("[friction]\nmodel = 'table'\nfile = \"a \\\"b\\\" \\u0001.csv\"\nlength = 'S [um]'"),
+        std::string_view("[friction]\nmodel = 'surface'\nmu0 = 0.5\ntrace = 'a.csv'"),
+        std::string_view(
+            "[friction]\nmodel = 'surface'\nmu0 = 0.5\ntrace = 'a.csv'\nheight = 'z [nm]'\ntrace_step = '0.1 "
+            "um'\ntrace_begin = '0.6 mm'\ndirection = 'inwards'\nlevel = 2\ncutoff = '1 um'\nedge_radius = "
+            "'0 um'"),
         std::string_view("[friction]\nmodel = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7"),
         std::string_view("reduced = true\n[rig]\nstiffness = inf\n[friction]\nmodel = 'sinusoids'\nmu0 = 0.1\ndrift = "
                          "-0.3\nwaves = [{ amplitude = 1e-9, wavelength = 3 }]"),

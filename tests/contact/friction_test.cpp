@@ -12,15 +12,15 @@
 
 #include <doctest/doctest.h>
 
+#include "fibre/limits.h"
 #include "tests/fibre/instruction_sets.h"
 #include "tests/generators.h"
+#include "tests/unit.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double unit = 0x1p-52;
 
 void refused(const std::string& what, const std::string& value, const std::function<void()>& call) {
   try {

@@ -20,7 +20,7 @@ using namespace flexslip;
 namespace {
 
 constexpr std::size_t test_points = 300;
-constexpr double noise = 4e-6;  // [N] of the authors' tests
+constexpr double force_noise = 4e-6;  // [N] of the authors' tests
 
 enum class Noise { none, white, correlated, heavy_tailed };
 
@@ -36,8 +36,8 @@ Record smooth_test(Noise kind, unsigned seed) {
         kind == Noise::heavy_tailed ? student(generator) * std::sqrt(0.6) : normal(generator);  // unit variance
     // Like the measured irregularity, steps are correlated by +0.3 from one to the next.
     wander = 0.85 * wander + draw;
-    error = 0.5 * error + 0.8 * noise * wander;
-    if (kind == Noise::white) error = noise * draw;
+    error = 0.5 * error + 0.8 * force_noise * wander;
+    if (kind == Noise::white) error = force_noise * draw;
     if (kind == Noise::none) error = 0;
     if (i < 0) continue;
     const double x = static_cast<double>(i) / (test_points - 1);
@@ -110,7 +110,7 @@ TEST_CASE("drops: no drops is an answer, and so is too short (limit)") {
   CHECK(none.status == DropStatus::ok);
   CHECK(none.drops.empty());
   CHECK(none.step_noise ==
-        doctest::Approx(noise * std::numbers::sqrt2).scale(0).epsilon(0.4));  // 12 % scatter, three times
+        doctest::Approx(force_noise * std::numbers::sqrt2).scale(0).epsilon(0.4));  // 12 % scatter, three times
   CHECK(find_drops(first_points(smooth_test(Noise::white, 2), 29)).status == DropStatus::too_short);
   CHECK(find_drops(first_points(smooth_test(Noise::white, 2), 30)).status == DropStatus::ok);
   CHECK(find_drops({}).status == DropStatus::too_short);

@@ -65,7 +65,7 @@ TEST_CASE(
     for (int seed = 0; seed < tests; ++seed) {
       const auto result = compared({.stiffness = {13, 12.35}, .rho = rho, .seed = static_cast<unsigned>(seed)});
       REQUIRE(result[1].status == LoadingStatus::ok);
-      covered += std::abs(result[1].ratio - 0.95) <= 1.96 * result[1].ratio_error;
+      covered += std::abs(result[1].ratio.value - 0.95) <= 1.96 * result[1].ratio.standard_error;
     }
     MESSAGE("rho " << rho << ": " << 100.0 * covered / tests << " % covered");
     CHECK(covered >= (0.95 - 0.03 - 3 * std::sqrt(0.05 * 0.95 / tests)) *
@@ -107,18 +107,18 @@ TEST_CASE("loading stiffness: equal loadings are not damaged, a loss of 20 % is 
 
 TEST_CASE("loading stiffness: without noise the slope is exact, and a common bend cancels (identity)") {
   const auto straight = compared({.stiffness = {13, 12}, .noise = 0});
-  CHECK(straight[0].slope == doctest::Approx(13).epsilon(1e-10));  // rounding of the record's sums
-  CHECK(straight[1].ratio == doctest::Approx(12.0 / 13).epsilon(1e-10));
+  CHECK(straight[0].slope.value == doctest::Approx(13).epsilon(1e-10));  // rounding of the record's sums
+  CHECK(straight[1].ratio.value == doctest::Approx(12.0 / 13).epsilon(1e-10));
   const auto bent = compared({.stiffness = {13, 13}, .noise = 0, .bend = 500});
-  CHECK(bent[0].slope < 12.8);
-  CHECK(bent[1].ratio == doctest::Approx(1).epsilon(1e-10));
+  CHECK(bent[0].slope.value < 12.8);
+  CHECK(bent[1].ratio.value == doctest::Approx(1).epsilon(1e-10));
 }
 
 TEST_CASE("loading stiffness: a reload that lost most of its stiffness is bent far, and damaged (limit)") {
   for (const double left : {0.45, 0.3}) {
     const auto result = compared({.stiffness = {13, 13 * left}, .noise = 0});
     CHECK(result[1].status == LoadingStatus::ok);
-    CHECK(result[1].ratio == doctest::Approx(left).epsilon(1e-9));
+    CHECK(result[1].ratio.value == doctest::Approx(left).epsilon(1e-9));
     CHECK(result[1].verdict == DamageVerdict::damaged);
   }
 }

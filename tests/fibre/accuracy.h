@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/unit.h"
+
 namespace flexslip {
 
 // A reference value, hi + lo, good to 32 digits.
@@ -16,7 +18,6 @@ struct Digits {
 };
 
 constexpr double inf = std::numeric_limits<double>::infinity();  // in states.inc: the slopes at S = 1
-constexpr double unit = 0x1p-52;
 
 // In units of 2^-52 relative. Near the truth value - hi is exact.
 inline double error_of(double value, const Digits& truth) {

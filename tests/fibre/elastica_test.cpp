@@ -122,7 +122,7 @@ FibreState peak(double q) {
 }
 
 // doctest's Approx, relative.
-doctest::Approx to(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
+doctest::Approx within(double epsilon, double value) { return doctest::Approx(value).epsilon(epsilon); }
 
 }  // namespace
 
@@ -258,7 +258,7 @@ TEST_CASE("elastica: above q = 0.8604 the branch does not end but at the pole of
     REQUIRE(state.status == FibreStatus::ok);
     CHECK(state.F >= 0);
     CHECK(state.u < row.u.hi);
-    CHECK(state.u == to(1e-5, row.u.hi));  // u nears the pole as 1/S
+    CHECK(state.u == within(1e-5, row.u.hi));  // u nears the pole as 1/S
   }
 }
 
@@ -293,31 +293,31 @@ TEST_CASE("elastica: F tends to 48 w, S - 1 to 2.4 w^2, U to 24 w^2 (limit)") {
       const double S = 1 + excess;
       const auto state = fibre_state(S, q);
       const double next_term = 8 * (1 + std::abs(q)) * state.w;  // the first correction is of order q w
-      CHECK(state.F == to(next_term, 48 * state.w));
-      CHECK(S - 1 == to(next_term, 2.4 * state.w * state.w));
-      CHECK(state.U == to(next_term, 24 * state.w * state.w));
-      CHECK(state.theta0 == to(next_term, 3 * state.w));
+      CHECK(state.F == within(next_term, 48 * state.w));
+      CHECK(S - 1 == within(next_term, 2.4 * state.w * state.w));
+      CHECK(state.U == within(next_term, 24 * state.w * state.w));
+      CHECK(state.theta0 == within(next_term, 3 * state.w));
     }
 }
 
 TEST_CASE("elastica: the frictionless force peaks at 6.67180843438173 (paper)") {
   const auto state = peak(0);
-  CHECK(state.F == to(1e-14, 6.67180843438173));  // 15 digits given
-  CHECK(state.w == to(1e-8, 0.238188798912727));  // where F is flat, to the square root of its rounding ...
+  CHECK(state.F == within(1e-14, 6.67180843438173));  // 15 digits given
+  CHECK(state.w == within(1e-8, 0.238188798912727));  // where F is flat, to the square root of its rounding ...
   const double F_S = fibre_state_slopes(1.13015070107338803193, 0).slopes.F_S;
   CHECK(std::abs(F_S) <= 1e-13);  // ... but F_S vanishes where the 40-digit root is
 }
 
 TEST_CASE("elastica: the force peaks at 8.06, 9.50, 11.39 for q = 0.3, 0.6, 1.0 (paper)") {
-  CHECK(peak(0.3).F == to(1e-14, 8.06278536754364));
-  CHECK(peak(0.6).F == to(1e-14, 9.5034301067268));
-  CHECK(peak(1.0).F == to(1e-14, 11.3901825511289));
-  CHECK(peak(0.6).w == to(1e-12, 0.298200076224235));
+  CHECK(peak(0.3).F == within(1e-14, 8.06278536754364));
+  CHECK(peak(0.6).F == within(1e-14, 9.5034301067268));
+  CHECK(peak(1.0).F == within(1e-14, 11.3901825511289));
+  CHECK(peak(0.6).w == within(1e-12, 0.298200076224235));
 }
 
 TEST_CASE("elastica: without friction F vanishes at Gauss's constant, w = 0.834626841674073 (paper)") {
   const auto end = fibre_branch_end(0);
-  CHECK(end.w == to(8 * unit, 0.834626841674073186281429732799));
+  CHECK(end.w == within(8 * unit, 0.834626841674073186281429732799));
   // S has 16 ulp and F, falling there as (S - 1) F_S, the error promised of it.
   const double fall = std::abs(fibre_state_slopes(end.S * (1 - 16 * unit), 0).slopes.F_S);
   CHECK(fibre_state(end.S, 0).F <= (16 * unit * end.S + 8e-15 * (end.S - 1)) * fall);
@@ -483,9 +483,9 @@ TEST_CASE("elastica: the state solves the boundary value problem (4.7) (oracle: 
     CAPTURE(q);
     const double h4 =
         1e-10 / (S - 1);  // the error of the integration, through the condition of a nearly straight fibre
-    CHECK(theta0 == to(h4, state.theta0));
-    CHECK(Pn == to(h4, state.Pn));
-    CHECK(shoot(S, q, theta0, Pn).y == to(h4, state.w));
+    CHECK(theta0 == within(h4, state.theta0));
+    CHECK(Pn == within(h4, state.Pn));
+    CHECK(shoot(S, q, theta0, Pn).y == within(h4, state.w));
   }
 }
 
@@ -497,9 +497,9 @@ TEST_CASE("elastica: the state is that of Algorithm 1 taken literally (oracle: q
       const auto literal = LiteralFibre(S, q).state();
       CAPTURE(S);
       CAPTURE(q);
-      CHECK(state.Pn == to(1e-10, literal.Pn));  // quadrature to 1e-15, times the condition of S - 1 and of F
-      CHECK(state.w == to(1e-10, literal.w));
-      CHECK(state.F == to(1e-10, literal.F));
+      CHECK(state.Pn == within(1e-10, literal.Pn));  // quadrature to 1e-15, times the condition of S - 1 and of F
+      CHECK(state.w == within(1e-10, literal.w));
+      CHECK(state.F == within(1e-10, literal.F));
     }
 }
 

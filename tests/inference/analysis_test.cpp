@@ -9,8 +9,6 @@
 namespace flexslip {
 namespace {
 
-const Scales scales(1278e-6, 1.02 * 1278e-6 * 1278e-6 * 1278e-6);  // the bending stiffness of a spicule
-
 TestDescription description_of(const SimulatedTruth& truth) {
   return {.span = scales.span(),
           .load_train_stiffness = scales.physical_stiffness(truth.stiffness),

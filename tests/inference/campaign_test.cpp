@@ -8,8 +8,6 @@
 namespace flexslip {
 namespace {
 
-const Scales scales(1278e-6, 1.02 * 1278e-6 * 1278e-6 * 1278e-6);  // the bending stiffness of a spicule
-
 TestSummary some_test(SawtoothCategory category, double mu0, std::optional<double> wavelength, bool suspect) {
   TestSummary test{};
   test.category = category;

@@ -121,6 +121,12 @@ struct Dense {
 
 }  // namespace
 
+TEST_CASE("identity: products are cut by Eigen's own sizes, and so alike on every processor whatever its caches") {
+  CHECK(Eigen::l1CacheSize() == Eigen::internal::defaultL1CacheSize);
+  CHECK(Eigen::l2CacheSize() == Eigen::internal::defaultL2CacheSize);
+  CHECK(Eigen::l3CacheSize() == Eigen::internal::defaultL3CacheSize);
+}
+
 TEST_CASE("oracle: likelihood, means and variances of a chain are those of dense matrices") {
   for (const Kernel kernel : all_kernels)
     for (const bool gaps : {false, true}) {

@@ -40,6 +40,18 @@ TEST_CASE("identity: a fit of what the model says passes every check") {
   CHECK(number_of(stability, "mu0_moved") < 0.01);
 }
 
+TEST_CASE("identity: a bending stiffness passes within twice its error, and fails beyond") {
+  auto fit = fit_friction(problem_of(rough()));
+  CHECK(check_bending_stiffness(fit, 0.03).outcome == CheckOutcome::passed);
+  for (const double away : {-0.059, 0.059}) {
+    fit.bending_stiffness.value = std::exp(away);
+    CHECK(check_bending_stiffness(fit, 0.03).outcome == CheckOutcome::passed);
+    CHECK(check_bending_stiffness(fit, 0.029).outcome == CheckOutcome::failed);
+    CHECK(number_of(check_bending_stiffness(fit, 0.03), "errors") == doctest::Approx(0.059 / 0.03));
+    CHECK(number_of(check_bending_stiffness(fit, 0.03), "fitted_over_nominal") == std::exp(away));
+  }
+}
+
 TEST_CASE("identity: a fit that does not belong to its record fails") {
   const auto problem = problem_of(rough());
   const auto constant = fit_friction(problem_of({.friction = Friction::constant(0.5), .noise = 0.01}));

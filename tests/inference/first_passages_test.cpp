@@ -13,12 +13,12 @@
 namespace flexslip {
 namespace {
 
-constexpr double k = 90;
+constexpr double stiff_train = 90;
 
 FitProblem some_problem(double noise) {
   const auto friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4);
   return {.record = simulated_record({.friction = friction, .noise = noise}),
-          .rig = {k},
+          .rig = {stiff_train},
           .errors = {.force = noise, .bending_stiffness = 0.03, .contact = 0}};
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("oracle: the readings' slopes are differences of exact inversions") {
 
 TEST_CASE("identity: at the friction of a level, the stage position is the one asked for") {
   const std::vector<double> S{1.02, 1.1, 1.25, 1.4}, mu{0.3, 0.9, 0.05, 0.6}, near{0.5, 0.5, 0.5, 0.5};
-  constexpr double eta = 0.05, compliance = 1 / k;
+  constexpr double eta = 0.05, compliance = 1 / stiff_train;
   const auto at_length = [](double length, double q, double with_eta) {
     const auto state = fibre_state(length, q);
     return state.w + std::exp(with_eta) * state.F * compliance;
@@ -86,8 +86,8 @@ TEST_CASE("identity: at the friction of a level, the stage position is the one a
 TEST_CASE("oracle: the rises of a noisy record are where the fibre was") {
   const auto friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4);
   const SimulatedTruth quiet{.friction = friction}, noisy{.friction = friction, .noise = 0.03};
-  const auto exact = passages_of({simulated_record(quiet), {k}, {0, 0.03, 0}});
-  const auto seen = passages_of({simulated_record(noisy), {k}, {0.03, 0.03, 0}});
+  const auto exact = passages_of({simulated_record(quiet), {stiff_train}, {0, 0.03, 0}});
+  const auto seen = passages_of({simulated_record(noisy), {stiff_train}, {0.03, 0.03, 0}});
   const auto at = rises_of(seen);
   CHECK(std::is_sorted(at.S.begin(), at.S.end()));
   double raw = 0, risen = 0;

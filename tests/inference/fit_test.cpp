@@ -16,7 +16,7 @@ FitProblem problem_of(const SimulatedTruth& truth) {
   return {simulated_record(truth), {truth.stiffness, truth.fibre}, {truth.noise, 0.03, 0}};
 }
 
-bool covers(const Estimate& estimate, double truth) { return estimate.low <= truth && truth <= estimate.high; }
+bool contains(const Estimate& estimate, double truth) { return estimate.low <= truth && truth <= estimate.high; }
 
 // The mean of a profile over the fibre seen.
 double mean_over(const Friction& friction, double S_begin, double S_end) {
@@ -47,9 +47,9 @@ TEST_CASE(
     CHECK(wave.wavelength.value * 1278 ==
           doctest::Approx(row.wavelength).scale(0).epsilon(0.02));  // a wave is told from its neighbours
     CHECK(!fit.mu0_is_bound);
-    covered += covers(fit.mu0, mean_over(truth.friction, fit.S_begin, fit.S_end)) +
-               covers(wave.amplitude, row.amplitude) + covers(wave.wavelength, row.wavelength / 1278) +
-               covers(fit.bending_stiffness, row.stiffening);
+    covered += contains(fit.mu0, mean_over(truth.friction, fit.S_begin, fit.S_end)) +
+               contains(wave.amplitude, row.amplitude) + contains(wave.wavelength, row.wavelength / 1278) +
+               contains(fit.bending_stiffness, row.stiffening);
   }
   CHECK(covered >= 13);  // of 16 intervals of 95 %: fewer once in 3000 times, were they independent
 }
@@ -83,8 +83,8 @@ TEST_CASE(
     REQUIRE(fit.status == FrictionFitStatus::ok);
     claimed += fit.wave_claimed;
     // ln μ has a standard deviation of 0.2, and so μ one of 0.5 √(exp 0.04 - 1); that of the piece seen differs from it.
-    covered += covers(fit.mu0, mean_over(truth.friction, fit.S_begin, fit.S_end)) + covers(fit.roughness, 0.101) +
-               covers(fit.bending_stiffness, 1.02);
+    covered += contains(fit.mu0, mean_over(truth.friction, fit.S_begin, fit.S_end)) + contains(fit.roughness, 0.101) +
+               contains(fit.bending_stiffness, 1.02);
   }
   CHECK(covered >= 19);  // of 24: fewer once in 1700 times, were they independent
   CHECK(claimed <= 1);   // smoother than any kernel: of 60 seeds four are claimed, none with ln B above 3.7
@@ -98,7 +98,7 @@ TEST_CASE("oracle: constant friction is found to the force noise, with no wave c
     REQUIRE(fit.status == FrictionFitStatus::ok);
     CHECK(fit.model == model);
     CHECK(!fit.wave_claimed);
-    CHECK(covers(fit.mu0, 0.6));
+    CHECK(contains(fit.mu0, 0.6));
     CHECK(fit.residual_rms < 1.3 * truth.noise);
   }
 }
@@ -107,7 +107,7 @@ TEST_CASE("identity: a wrong bending stiffness shifts the constant by what its i
   const SimulatedTruth truth{.friction = Friction::constant(0.6), .stiffening = 1.04, .noise = 0.01};
   const auto fit = fit_friction(problem_of(truth), {.model = ProfileModel::constant});
   CHECK(std::abs(fit.mu0.value - 0.6) > 0.02);
-  CHECK(covers(fit.mu0, 0.6));
+  CHECK(contains(fit.mu0, 0.6));
   CHECK(fit.roughness.value == 0);
   CHECK(fit.waves.empty());
 }
@@ -120,8 +120,8 @@ TEST_CASE("identity: the paper's model finds the wave that it is made of") {
   REQUIRE(sinusoid.waves.size() == 1);
   CHECK(sinusoid.wave_claimed);  // it was asked for
   CHECK(sinusoid.roughness.value == 0);
-  CHECK(covers(sinusoid.waves.front().wavelength, 11.0 / 1278));
-  CHECK(covers(sinusoid.drift, 0.8));
+  CHECK(contains(sinusoid.waves.front().wavelength, 11.0 / 1278));
+  CHECK(contains(sinusoid.drift, 0.8));
 }
 
 TEST_CASE("oracle: on rollers a wave is that of the specimen, whether these roll out or back over it") {
@@ -148,7 +148,7 @@ TEST_CASE("oracle: on rollers a wave is that of the specimen, whether these roll
     CHECK(wave.wavelength.value == doctest::Approx(row.wavelength).scale(0).epsilon(.005));
     const double phase = std::numbers::pi * fit.S_middle / row.wavelength + 1 - wave.phase_at_middle.value;
     CHECK(std::abs(std::remainder(phase, 2 * std::numbers::pi)) < .1);
-    covered += covers(fit.mu0, .5) + covers(wave.amplitude, .2) + covers(fit.bending_stiffness, 1.01);
+    covered += contains(fit.mu0, .5) + contains(wave.amplitude, .2) + contains(fit.bending_stiffness, 1.01);
   }
   CHECK(covered >= 7);  // of 9 intervals of 95 %: fewer once in 100 times, were they independent
 }

@@ -1,17 +1,15 @@
 #include "inference/likelihood.h"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "fibre/limits.h"
 #include "tests/refusal.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double log_normal_density(double x, double mean, double deviation) {
   return -0.5 * std::pow((x - mean) / deviation, 2) - std::log(deviation);

@@ -1,18 +1,16 @@
 #include "inference/line_density.h"
 
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "fibre/limits.h"
 #include "tests/refusal.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST_CASE("limit: a product of normal distributions is one: integral, moments, quantiles") {
   // Errors of which some are 3000 times the others, far apart: the product lies where no coarse look falls.

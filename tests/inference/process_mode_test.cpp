@@ -12,18 +12,18 @@
 namespace flexslip {
 namespace {
 
-constexpr double k = 90;
+constexpr double authors_train = 90;
 
 Passages some_passages(double stiffness_error = 0.03) {
   const auto friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4);
   return passages_of({.record = simulated_record({.friction = friction, .noise = 0.02, .step = 4.0 / 1278}),
-                      .rig = {k},
+                      .rig = {authors_train},
                       .errors = {.force = 0.02, .bending_stiffness = stiffness_error, .contact = 2e-4}});
 }
 
 Mode some_mode(const FrictionProcess& process, Kernel kernel, bool wave) {
   const std::vector<double> lambdas{std::log(21.0 / 1278)};
-  Theta theta = process.usual(wave ? std::span<const double>(lambdas) : std::span<const double>());
+  Theta theta = process.prior_of_theta().usual(wave ? std::span<const double>(lambdas) : std::span<const double>());
   theta.values[0] = std::log(0.02);
   Mode mode = process.start(kernel, theta, rises_of(process.passages()));
   process.burst(mode, 3, 0.3);
@@ -108,7 +108,7 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
         FitProblem problem;
         problem.record = simulated_record({.friction = with_wave ? wave : rough, .noise = 0.02, .step = 4.0 / 1278});
         for (double& F : problem.record.force) F *= std::exp(-eta);
-        problem.rig = {k * std::exp(-eta)};
+        problem.rig = {authors_train * std::exp(-eta)};
         problem.errors = {.force = 0.02, .bending_stiffness = stiffness_error, .contact = 2e-4};
         return problem;
       };
@@ -134,9 +134,9 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
         complete(other.at, here.passages());
         here.burst(other, 24, 0.3);
         const double n = static_cast<double>(here.passages().size());
-        const auto prior = process.prior_of(0);
+        const ThetaPrior& prior = process.prior_of_theta();
         const auto of_noise = [&](double value) {
-          return -0.5 * (value - prior.mean) * (value - prior.mean) / (prior.deviation * prior.deviation);
+          return -0.5 * (value - prior.mean[0]) * (value - prior.mean[0]) / (prior.deviation[0] * prior.deviation[0]);
         };
         const double log_weight = other.merit - of_noise(other.theta.values[0]) - n * at -
                                   0.5 * at * at / (0.03 * 0.03) - (mode.merit - of_noise(mode.theta.values[0]));

@@ -56,7 +56,7 @@ TEST_CASE("oracle: the evidence of a mode is the sum of its merit over a grid of
       theta.values[1] += correlation_step * j;
       sum += std::exp(process.objective(mode, looks, theta).value - mode.merit) * step * correlation_step;
     }
-  const double expected = mode.merit + std::log(sum) + process.log_prior_scale(Kernel::none);
+  const double expected = mode.merit + std::log(sum) + process.prior_of_theta().log_scale(Kernel::none);
   // Laplace takes ρ, which white noise leaves open on one side, for a bell.
   CHECK(std::abs(found.components[0].log_evidence - expected) < 0.7);
 }

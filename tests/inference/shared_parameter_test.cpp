@@ -1,19 +1,17 @@
 #include "inference/shared_parameter.h"
 
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "fibre/limits.h"
 #include "inference/likelihood.h"
 #include "tests/refusal.h"
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The posterior of a record that says value ± error, told p ± q beforehand.
 Marginal told(double value, double error, double p, double q) {

@@ -9,6 +9,7 @@
 
 #include "bending_test/history.h"
 #include "data/record.h"
+#include "data/scales.h"
 #include "inference/fit_problem.h"
 
 namespace flexslip {
@@ -16,6 +17,9 @@ namespace flexslip {
 // They leave 0.6 of the bending stiffness.
 inline const std::vector<Crack> six_cracks{{0.12, 0.06},           {0.17, 1 - 0.88 / 0.94}, {0.21, 1 - 0.8 / 0.88},
                                            {0.26, 1 - 0.74 / 0.8}, {0.31, 1 - 0.66 / 0.74}, {0.35, 1 - 0.6 / 0.66}};
+
+// Span and bending stiffness of a spicule.
+inline const Scales scales(1278e-6, 1.02 * 1278e-6 * 1278e-6 * 1278e-6);
 
 struct SimulatedTruth {
   Friction friction;

@@ -14,19 +14,21 @@
 namespace flexslip {
 namespace {
 
-constexpr double k = 60;
+constexpr double soft_train = 60;
 
 std::vector<Drop> drops_of(const ReducedRecord& record) { return find_drops(to_physical(record, Scales(1, 1))).drops; }
 
-SlipOrCrack judged(const ReducedRecord& record) { return slip_or_crack(record, {k}, drops_of(record)); }
+SlipOrCrack judged(const ReducedRecord& record) { return slip_or_crack(record, {soft_train}, drops_of(record)); }
 
 ReducedRecord slipping(std::uint64_t seed) {
-  return simulated_record(
-      {.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0), .stiffness = k, .noise = 0.01, .seed = seed});
+  return simulated_record({.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0),
+                           .stiffness = soft_train,
+                           .noise = 0.01,
+                           .seed = seed});
 }
 
 ReducedRecord cracking(std::uint64_t seed) {
-  return simulated_record({.friction = Friction::constant(0.5), .stiffness = k, .noise = 0.01, .seed = seed},
+  return simulated_record({.friction = Friction::constant(0.5), .stiffness = soft_train, .noise = 0.01, .seed = seed},
                           six_cracks);
 }
 
@@ -66,7 +68,7 @@ TEST_CASE("limit: fewer than three drops, or three rises, tell nothing") {
   const auto record = slipping(1);
   const auto drops = drops_of(record);
   for (const std::size_t count : {0, 1, 2}) {
-    const auto found = slip_or_crack(record, {k}, std::span(drops).first(count));
+    const auto found = slip_or_crack(record, {soft_train}, std::span(drops).first(count));
     CHECK(!found.judged);
     CHECK(found.verdict == CrackVerdict::cannot_be_told);
   }
@@ -84,7 +86,7 @@ TEST_CASE("oracle: cracks with constant friction on a grid, levels pooled every 
   const auto record = cracking(1);
   const auto all = drops_of(record);
   const auto drops = std::span(all).first(3);
-  const auto found = slip_or_crack(record, {k}, drops);
+  const auto found = slip_or_crack(record, {soft_train}, drops);
   REQUIRE(found.rises == 4);
   struct Row {
     double w, F, to_stage;
@@ -98,7 +100,7 @@ TEST_CASE("oracle: cracks with constant friction on a grid, levels pooled every 
       const double w = record.deflection[i], F = record.force[i];
       const double q = std::clamp(fibre_state_from_force(w, F).q, 0.0, 1.2), h = 1e-5;
       const double tangent = (force_at(w + h, q) - force_at(w - h, q)) / (2 * h);
-      rows.push_back({w, F, 1 / (1 + std::max(tangent, -0.5 * k) / k), c});
+      rows.push_back({w, F, 1 / (1 + std::max(tangent, -0.5 * soft_train) / soft_train), c});
     }
   }
   const auto n = static_cast<double>(rows.size());

@@ -21,7 +21,7 @@ namespace {
 constexpr double k = 90;               // [EI/L^3] of the authors' tests
 constexpr double step = 2.0 / 1278;    // [L] likewise
 constexpr double usual_noise = 0.004;  // [EI/L^2] likewise: 5 µN for EI/L^3 = 1 N/m
-const Scales scales(1278e-6, 1278e-6 * 1278e-6 * 1278e-6);
+const Scales teeth_scales(1278e-6, 1278e-6 * 1278e-6 * 1278e-6);
 constexpr MeasurementErrors known{.force = usual_noise, .bending_stiffness = 0.03, .contact = 1e-3};
 
 struct Simulated {
@@ -103,7 +103,7 @@ Simulated stick_slip(double C) {
 }
 
 Teeth judged(const Simulated& test, const ToothOptions& options = {.least_share = 0.1}) {
-  const auto drops = find_drops(to_physical(test.record, scales));
+  const auto drops = find_drops(to_physical(test.record, teeth_scales));
   return judge_teeth(test.record, {k}, known, drops.drops, options);
 }
 
@@ -116,9 +116,9 @@ TEST_CASE("oracle: stick-slip simulated without noise has position 1 and no adva
   const auto teeth = judged(with_noise(stick_slip(0), {.deviation = 1e-7}));
   REQUIRE(teeth.teeth.size() >= 4);
   for (const Tooth& tooth : teeth.teeth) {
-    CHECK(std::abs(tooth.position - 1) < 2e-3);  // second order in the rise, a few hundredths of a span
-    CHECK(std::abs(tooth.advance) < 1e-4);       // likewise
-    CHECK(tooth.position_systematic < 0.02);     // the stick limit is hardly anything but k
+    CHECK(std::abs(tooth.position.value - 1) < 2e-3);  // second order in the rise, a few hundredths of a span
+    CHECK(std::abs(tooth.advance.value) < 1e-4);       // likewise
+    CHECK(tooth.position_systematic < 0.02);           // the stick limit is hardly anything but k
     CHECK(tooth.verdict == ToothVerdict::as_if_stuck);
   }
 }
@@ -132,7 +132,7 @@ TEST_CASE("oracle: the advance of the fibre over rough ground is that of the sim
       const double truth = test.S[tooth.last - 1] - test.S[tooth.first];
       CHECK(std::abs(tooth.S_end - tooth.S_begin - truth) < 1e-6);  // noise of 1e-7 in F
       // A line through a rounded tooth weighs its middle more than its ends: that is part of its error.
-      CHECK(std::abs(tooth.advance - truth) < 3 * tooth.advance_error + 0.1 * truth);
+      CHECK(std::abs(tooth.advance.value - truth) < 3 * tooth.advance.standard_error + 0.1 * truth);
     }
   }
 }
@@ -191,7 +191,7 @@ TEST_CASE(
 
 TEST_CASE("limit: rises too short are counted, not judged, and options out of range are refused") {
   const auto test = with_noise(stick_slip(0), {});
-  const auto drops = find_drops(to_physical(test.record, scales)).drops;
+  const auto drops = find_drops(to_physical(test.record, teeth_scales)).drops;
   REQUIRE(drops.size() >= 2);
   std::vector<Drop> close = drops;  // of which each begins three rows after the end of the one before
   for (std::size_t i = 1; i < close.size(); ++i) {

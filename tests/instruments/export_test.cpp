@@ -12,6 +12,7 @@
 
 #include "instruments/canonical.h"
 #include "io/input_error.h"
+#include "tests/has.h"
 #include "tests/instruments/export_files.h"
 
 using namespace flexslip;
@@ -42,8 +43,6 @@ std::string complaint(const std::string& bytes, const ExportOptions& options = {
   }
   return "";
 }
-
-bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 bool same_bits(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);

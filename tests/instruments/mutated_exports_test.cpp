@@ -99,7 +99,7 @@ class Mutator {
   std::mt19937_64 random_{20261121};
 };
 
-std::string canonical(const Export& file, std::size_t specimen) {
+std::string canonical_of(const Export& file, std::size_t specimen) {
   std::ostringstream out;
   write_canonical(out, file, file.specimens[specimen]);
   return out.str();
@@ -150,10 +150,10 @@ void read_damaged(const std::vector<Base>& from, std::size_t mutants) {
       }
     // Whatever was made of it comes back from its canonical form; what is left of a file in a few rows may not.
     if (file->specimens.front().lines.size() < fewest_rows) continue;
-    const std::string written = canonical(*file, 0);
+    const std::string written = canonical_of(*file, 0);
     try {
       const Export again = read_export(written, "canonical");
-      const std::string rewritten = canonical(again, 0);
+      const std::string rewritten = canonical_of(again, 0);
       if (rewritten != written && again.specimens.size() == 1) FAIL_CHECK(first_difference(written, rewritten));
     } catch (const InputError& error) {
       FAIL_CHECK(std::string(error.what()) << "\n" << written.substr(0, 1500));
@@ -192,7 +192,7 @@ TEST_CASE("export: columns in another order take their titles, units and numbers
       shuffled.specimens.resize(1);
       std::vector<ExportColumn>& columns = shuffled.specimens.front().columns;
       for (std::size_t i = columns.size(); i > 1; --i) std::swap(columns[i - 1], columns[mutator.below(i)]);
-      const Export again = read_export(canonical(shuffled, 0), base.name);
+      const Export again = read_export(canonical_of(shuffled, 0), base.name);
       const std::vector<ExportColumn>& found = again.specimens.front().columns;
       CAPTURE(base.name);
       REQUIRE(found.size() == columns.size());

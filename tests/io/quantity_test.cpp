@@ -9,6 +9,7 @@
 #include <rapidcheck.h>
 
 #include "io/input_error.h"
+#include "tests/has.h"
 
 using namespace flexslip;
 
@@ -31,8 +32,6 @@ std::string complaint_about_unit(std::string_view text) {
   }
   return "";
 }
-
-bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

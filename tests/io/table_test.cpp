@@ -13,6 +13,7 @@
 #include <rapidcheck.h>
 
 #include "io/input_error.h"
+#include "tests/has.h"
 
 using namespace flexslip;
 
@@ -43,8 +44,6 @@ std::string complaint_about_file(const std::string& path, const std::vector<Want
   }
   return "";
 }
-
-bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 using Values = std::vector<double>;
 

@@ -66,6 +66,11 @@ step = "2 um"
         self.assertEqual([failure["name"] for failure in answer["failures"]], ["broken"])
         self.assertIn("broken.toml:2: [rig] span", answer["failures"][0]["reason"])
 
+    def test_the_screen_is_at_most_a_hundred_columns_wide(self):
+        lines = self.succeeds("campaign", self.simulated(3), "--quiet").splitlines()
+        self.assertGreater(len(lines), 10)
+        self.assertLessEqual(max(map(len, lines)), 100)
+
     def test_fit_all_is_fit_one(self):
         folder = self.simulated(2)
         self.succeeds("campaign", folder, "--report", self.folder / "report", "--no-figures", "--quiet")

@@ -522,7 +522,7 @@ class Changes(InFolder):
             self.file(file, (self.folder / file).read_text(encoding="utf-8") + sweep)
             self.succeeds("sweep", self.folder / file, *changed, "--quiet", "--output", self.folder / f"{file}.h5")
         tests = self.json("campaign", SOURCE / "examples", "--set", "specimen.diameter=35 um", "--quiet")["tests"]
-        self.assertEqual(len(tests), 3)
+        self.assertEqual(len(tests), 4)
 
     def test_bad_changes(self):
         case = self.file("case.toml", WAVY)

@@ -19,7 +19,7 @@ class Library(InFolder):
         self.assertTrue((installed / "bin" / "flexslip").is_file())
         folder = self.folder / "library"
         shutil.copytree(SOURCE / "examples" / "library", folder)
-        subprocess.run(["cmake", "-B", folder / "build", "-S", folder, f"-DCMAKE_PREFIX_PATH={installed}", "-DCMAKE_BUILD_TYPE=Release"],
+        subprocess.run(["cmake", "-B", folder / "build", "-S", folder, f"-DCMAKE_PREFIX_PATH={installed}", "-DCMAKE_BUILD_TYPE=Release", "-G", "Ninja"],
                        check=True, capture_output=True)
         subprocess.run(["cmake", "--build", folder / "build"], check=True, capture_output=True)
         said = subprocess.run([folder / "build" / "bend"], check=True, capture_output=True, text=True).stdout

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""outside: records as loggers write them, and what the program says of records that slip, crack, or are neither."""
+"""outside: records as loggers write them, and the remedies that a message proposes."""
 import csv
 import json
 import math
@@ -167,95 +167,6 @@ class Remedies(InFolder):
                       "--height", "4 mm", "--modulus", "fit", "--json").stdout
             self.assertIsNone(json.loads(fit)["judgement"], bar.name)  # it bends by less than twice its thickness
             self.assertNotIn("glass", fit)
-
-
-class Verdicts(InFolder):
-    """Of records that are no sliding of a sound specimen none is called sound, and none explained by slips alone."""
-
-    def answer(self, *call):
-        result = run("fit", *call, "--json")
-        return json.loads(result.stdout) if result.stdout else None, result
-
-    def test_a_straight_line_noise_and_no_contact_have_no_sound_answer(self):
-        noise = random.Random(7)
-        records = {
-            "straight": [(2 * i, 0.02 * i) for i in range(300)],
-            "noise": [(2 * i, 0.01 * noise.gauss(0, 1)) for i in range(300)],
-        }
-        for name, readings in records.items():
-            with self.subTest(name):
-                text = "stage [um],force [mN]\n" + "".join(f"{stage!r},{force!r}\n" for stage, force in readings)
-                fit, result = self.answer(self.file(f"{name}.csv", text), *FLAGS)
-                sound = fit is not None and fit["judgement"] is not None and fit["judgement"]["standing"] == "sound"
-                self.assertFalse(sound, result.stdout[:600])
-
-    def test_the_cracked_example_is_one_that_cracks(self):
-        answer = self.json("fit", SOURCE / "examples/cracked/case.toml")
-        self.assertEqual(answer["slip_or_crack"]["verdict"], "cracks")
-        self.assertNotIn(answer["judgement"]["standing"], ("sound", "doubtful"))
-
-    def test_the_reload_of_the_cyclic_example_shows_a_loss_where_there_was_one(self):
-        folder = SOURCE / "examples/cyclic"
-        truth = (folder / "truth.toml").read_text(encoding="utf-8")
-        for loss in (0, 0.1):
-            cracks = f'cracks = [{{ deflection = "200 um", loss = {loss} }}]\n' if loss else ""
-            self.file("truth.toml", truth.replace("[rig]", cracks + "\n[rig]"))
-            self.file("test.csv", self.succeeds("simulate", self.folder / "truth.toml", "--noise", "10 uN"))
-            case = (folder / "case.toml").read_text(encoding="utf-8").replace('"stage" ', '"w_s"').replace('"force"', '"F"')
-            answer = self.json("fit", self.file("case.toml", case))
-            reload = answer["cycles"]["loading_stiffness"][-1]
-            self.assertAlmostEqual(reload["ratio"], 1 - loss, delta=0.015)
-            kinds = answer["judgement"]["doubts"]
-            self.assertEqual(bool({"softer_reload", "changed_reload"} & set(kinds)), loss > 0, kinds)
-
-    @unittest.skipUnless((SHARED / "cracked").is_dir(), "no measured data of cracked specimens")
-    def test_none_of_fifteen_cracked_records_is_sound_or_explained_by_slips(self):
-        truth = list(csv.DictReader((SHARED / "cracked/truth.csv").read_text(encoding="utf-8").splitlines()))
-        self.assertEqual(len(truth), 15)
-        for row in truth:
-            with self.subTest(row["test"]):
-                case = self.file("case.toml", f'''[specimen]
-bending_stiffness = {{ value = "{row["EI_N_m2"]} N m^2", uncertainty = "3 %" }}
-[rig]
-span = "{row["span_m"]} m"
-stiffness = "{row["cantilever_stiffness_N_per_m"]} N/m"
-[record]
-file = "{(SHARED / "cracked").resolve() / row["test"]}.csv"
-stage = "w_s_m [m]"
-force = "F_N [N]"
-''')
-                fit, _ = self.answer(case)
-                judgement = fit["judgement"]
-                if judgement is None:
-                    self.assertNotEqual(fit["status"], "ok")
-                    continue
-                self.assertNotEqual(judgement["standing"], "sound")
-                self.assertNotEqual(judgement["drops"], "not_by_cracks_alone")
-
-    @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
-    def test_the_published_sawtooths_are_not_cracks(self):
-        """The table of drops: which tests reject cracks alone, and that none is called cracks."""
-        specimens = {row["test"]: row for row in csv.DictReader((SHARED / "spicules/specimens.csv").read_text(encoding="utf-8").splitlines())}
-        verdicts = {}
-        for name in ("SS4", "SS14", "SS18", "SS20", "SS25", "SS29", "SS5", "SS19", "SS33"):
-            row = specimens[name]
-            case = self.file("case.toml", f'''[specimen]
-bending_stiffness = {{ value = "{float(row["EI_over_L3_N_per_m"]) * 1278e-6**3!r} N m^2", uncertainty = "3 %" }}
-[rig]
-span = "1278 um"
-stiffness = "{row["cantilever_stiffness_N_per_m"]} N/m"
-[record]
-file = "{(SHARED / "spicules/ss").resolve() / f"SS{int(name[2:]):02d}"}.csv"
-stage = "w_s_m [m]"
-force = "F_N [N]"
-until = {int(float(row["index_of_failure"]))}
-''')
-            verdicts[name] = self.answer(case)[0]["judgement"]["drops"]
-        self.assertNotIn("cracks", verdicts.values())
-        for name in ("SS4", "SS18", "SS20", "SS25", "SS29"):
-            self.assertEqual(verdicts[name], "not_by_cracks_alone", name)
-        for name in ("SS5", "SS19"):
-            self.assertEqual(verdicts[name], "cannot_be_told", name)
 
 
 if __name__ == "__main__":

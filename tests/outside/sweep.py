@@ -121,6 +121,29 @@ class Sweep(InFolder):
         told |= set(re.findall(r"`([a-z_]+)`", (SOURCE / "docs/results.md").read_text(encoding="utf-8").split("## sweep, HDF5")[1].split("\n## ")[0]))
         self.assertLessEqual({name.split("/")[-1] for name in names if "outcomes" in name}, told)
 
+    def test_a_sweep_changed_by_set_is_the_one_that_says_so_itself(self):
+        case = self.file("map.toml", grid(5, 4))
+        itself = grid(5, 4).split("[sweep]")[0].replace("mu0 = 0.5", "mu0 = 0.4") + '[sweep]\nmethod = "grid"\n[sweep.axes]\nstiffness = ["5 N/m", "50 N/m"]\n'
+        axes = 'sweep.axes={ stiffness = ["5 N/m", "50 N/m"] }'
+        self.sweep(case, "a.h5", "--set", "friction.mu0=0.4", "--set", axes)
+        self.sweep(self.file("itself.toml", itself), "b.h5")
+        with h5py.File(self.folder / "a.h5") as changed, h5py.File(self.folder / "b.h5") as said:
+            self.assertEqual(list(changed.attrs["axes"]), ["stiffness"])
+            self.assertEqual((changed.attrs["case"], list(changed.attrs["changes"])), (case.read_text(), ["friction.mu0=0.4", axes]))
+            for group in "inputs", "outcomes":
+                for column in said[group]:
+                    numpy.testing.assert_array_equal(changed[group][column][:], said[group][column][:])
+        self.sweep(case, "c.h5", "--set", 'sweep.axes.stiffness=["5 N/m"]')
+        with h5py.File(self.folder / "c.h5") as changed:
+            self.assertEqual(list(changed.attrs["shape"]), [1, 4])
+        # The axes of a file stay in its order, and one that is new is the last.
+        backwards = self.file("backwards.toml", WAVY + '[sweep]\nmethod = "grid"\n[sweep.axes]\nwavelength = ["50 um", "60 um"]\nmu0 = [0.3, 0.4]\n')
+        self.sweep(backwards, "e.h5", "--set", "specimen.modulus=31 GPa", "--set", "sweep.axes.amplitude=[0.1, 0.2]", "--set", "sweep.axes.mu0=[0.5]")
+        with h5py.File(self.folder / "e.h5") as changed:
+            self.assertEqual((list(changed.attrs["axes"]), list(changed.attrs["shape"])), (["wavelength", "mu0", "amplitude"], [2, 1, 2]))
+        self.refused("sweep", case, "--output", self.folder / "d.h5", "--set", "rig.stiffness=90 um", says=["--set: rig.stiffness"])
+        self.refused("sweep", case, "--output", self.folder / "d.h5", "--set", "sweep.axes.stifness=[1]", says=["stifness", "stiffness"])
+
     def test_a_sample_is_that_of_the_same_arithmetic_in_python(self):
         # As the test of the C++ has it, whose rows are too many for a file.
         self.assertEqual((hypercube_point(10**12, 2021, 0, 0), hypercube_point(10**12, 2021, 1, 10**12 - 1)),

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "answers/campaign_fields.h"
 #include "io/child_process.h"
 #include "io/input_error.h"
 #include "result/json.h"
@@ -93,6 +94,30 @@ TEST_CASE("outside: another reader finds the numbers as numbers, the names as th
   CHECK((*read)["sheets"]["Categories"][1][3] == 0.5);
   CHECK((*read)["sheets"]["Failures"][1][2] == "99.csv: expected numbers, found <nothing> & \"nothing\"");
   CHECK((*read)["sheets"]["Shared"][1][2] == 29.6e9);
+}
+
+TEST_CASE("outside: each sheet has the columns and rows of the CSV of its name") {
+  const Folder folder;
+  const std::string path = folder.path + "/campaign.xlsx";
+  const Campaign campaign = some_campaign();
+  write_campaign_xlsx(path, campaign);
+  const auto read = read_back(path);
+  if (!read) {
+    MESSAGE("skipped: no python3");
+    return;
+  }
+  const auto check = [&](const char* sheet, const ResultTable& table) {
+    CAPTURE(sheet);
+    const auto& rows = (*read)["sheets"][sheet];
+    REQUIRE(rows.size() == 1 + table.rows.size());
+    REQUIRE(rows[0].size() == table.columns.size());
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      CHECK(rows[0][i].get<std::string>().starts_with(table.columns[i].name));
+  };
+  check("Tests", test_table(campaign));
+  check("Categories", category_table(campaign));
+  check("Failures", failure_table(campaign));
+  check("Shared", shared_table(campaign));
 }
 
 TEST_CASE("identity: the same campaign gives the same bytes") {

@@ -1,0 +1,67 @@
+#include "cli/trace_flags.h"
+
+#include <fmt/format.h>
+
+#include "io/input_error.h"
+#include "io/quantity.h"
+
+namespace flexslip {
+
+char mark_named(const std::string& text, std::string_view flag) {
+  if (text.size() == 1) return text.front();
+  if (text == "tab" || text == "\\t") return '\t';
+  if (text == "space") return ' ';
+  if (text == "comma") return ',';
+  if (text == "semicolon") return ';';
+  if (text == "point") return '.';
+  if (text == "apostrophe") return '\'';
+  if (text == "none") return '\0';
+  throw InputError({.field = std::string(flag),
+                    .expected = "one character, or comma, semicolon, point, tab, space, apostrophe or none",
+                    .found = in_quotes(text)});
+}
+
+char mark_of(const std::string& text, std::string_view flag, std::string_view allowed) {
+  const char mark = mark_named(text, flag);
+  if (allowed.find(mark) == std::string_view::npos)
+    throw InputError({.field = std::string(flag),
+                      .expected = fmt::format("one of {}", allowed == ".," ? ". and ," : allowed),
+                      .found = in_quotes(text)});
+  return mark;
+}
+
+TraceOptions options_of(const TraceFlags& flags) {
+  using namespace std::string_view_literals;
+  TraceOptions options;
+  if (!flags.encoding.empty()) options.file.encoding = encoding_named(flags.encoding);
+  if (!flags.separator.empty()) options.file.separator = mark_named(flags.separator, "--separator");
+  if (!flags.decimal.empty()) options.file.decimal = mark_of(flags.decimal, "--decimal", ".,");
+  if (!flags.thousands.empty()) options.file.thousands = mark_of(flags.thousands, "--thousands", "., '\0"sv);
+  options.position = flags.position;
+  options.height = flags.height;
+  options.position_unit = flags.position_unit;
+  options.height_unit = flags.height_unit;
+  if (!flags.step.empty()) try {
+      options.step = parse_quantity(flags.step, kind::length, Range::positive);
+    } catch (const InputError& error) {
+      throw located(error, "", 0, "--step");
+    }
+  return options;
+}
+
+void add_trace_options(CLI::App& command, TraceFlags& flags) {
+  const auto text = [&](const char* name, std::string& value, const char* description, const char* type) {
+    return command.add_option(name, value, description)->type_name(type)->group("How the trace is read");
+  };
+  auto* position = text("--position", flags.position, "The column of the positions, its name or number", "COLUMN");
+  text("--height", flags.height, "The column of the heights", "COLUMN");
+  text("--position-unit", flags.position_unit, "The unit of the positions", "UNIT");
+  text("--height-unit", flags.height_unit, "The unit of the heights", "UNIT");
+  text("--step", flags.step, "Distance of the heights, of a file without positions", "LENGTH")->excludes(position);
+  text("--encoding", flags.encoding, "utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
+  text("--separator", flags.separator, "Between cells: , ; tab or space", "MARK");
+  text("--decimal", flags.decimal, "Decimal mark: . or ,", "MARK");
+  text("--thousands", flags.thousands, "Between groups of digits: . , space ' or none", "MARK");
+}
+
+}  // namespace flexslip

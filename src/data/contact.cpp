@@ -1,0 +1,93 @@
+#include "data/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "data/line.h"
+
+namespace flexslip {
+namespace {
+
+// A line through the points between two shares of the greatest force, before that is first passed.
+Contact line_between(const Record& record, double from, double up_to) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Estimate unknown{nan, nan, nan, nan};
+  const auto failed = [=](ContactStatus status) { return Contact{status, unknown, unknown, 0, 0, 0, false}; };
+  if (record.force.size() < 5) return failed(ContactStatus::too_few_points);
+
+  const double most = *std::max_element(record.force.begin(), record.force.end());
+  if (!(most > 0)) return failed(ContactStatus::not_rising);
+  std::size_t last = 0;
+  while (last < record.force.size() && record.force[last] <= up_to * most) ++last;
+  std::size_t first = last;
+  while (first > 0 && record.force[first - 1] >= from * most) --first;
+  const std::size_t n = last - first;
+  if (n < 5) return failed(ContactStatus::too_few_points);
+
+  const auto stage = std::span(record.stage).subspan(first, n);
+  const auto deflection = std::span(record.deflection).subspan(first, n);
+  const auto force = std::span(record.force).subspan(first, n);
+  const Line force_line = line_through(stage, force);
+  const Line deflection_line = line_through(stage, deflection);
+  if (!(force_line.slope > 0 && deflection_line.slope > 0)) return failed(ContactStatus::not_rising);
+
+  constexpr double most_correlation = 0.95;  // beyond it the stretch is too short to tell
+  // Residuals of force = a (stage - offset) set the error of the offset, those of force = slope (deflection - offset) that of
+  // the slope.
+  const double slope = force_line.slope / deflection_line.slope;
+  std::vector<double> off_stage(n), off_deflection(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    off_stage[i] = force[i] - force_line.mean_y - force_line.slope * (stage[i] - force_line.mean_x);
+    off_deflection[i] = force[i] - force_line.mean_y - slope * (deflection[i] - deflection_line.mean_y);
+  }
+  const double lever = force_line.mean_y / force_line.slope;  // [m] from the contact to the middle of the points
+  const double offset = force_line.mean_x - lever;
+  const auto points_before =
+      std::count_if(record.stage.begin(), record.stage.begin() + static_cast<std::ptrdiff_t>(last),
+                    [=](double ws) { return ws < offset; });
+  const auto freedom = static_cast<double>(n - 2);
+  return {.status = ContactStatus::found,
+          .offset = student_estimate(offset,
+                                     effective_deviation(off_stage, 2, 0, most_correlation) / force_line.slope *
+                                         std::sqrt(1 / static_cast<double>(n) + lever * lever / force_line.sum_xx),
+                                     freedom),
+          .slope = student_estimate(slope,
+                                    effective_deviation(off_deflection, 2, 0, most_correlation) /
+                                        (deflection_line.slope * std::sqrt(force_line.sum_xx)),
+                                    freedom),
+          .points_before = static_cast<std::size_t>(points_before),
+          .first = first,
+          .last = last,
+          .settles = false};
+}
+
+}  // namespace
+
+Contact find_contact(const Record& record) {
+  constexpr double from = 0.02, up_to = 0.15;  // [maximum force]
+  const Contact contact = line_between(record, from, up_to);
+  if (contact.status != ContactStatus::found) return contact;
+  // A contact that settles hardens: the upper half of the line meets zero force later than the lower one.
+  const double middle = 0.5 * (from + up_to);
+  const Contact lower = line_between(record, from, middle), upper = line_between(record, middle, up_to);
+  if (lower.status != ContactStatus::found || upper.status != ContactStatus::found) return contact;
+  constexpr double surely = 4;  // standard errors
+  if (upper.offset.value - lower.offset.value <
+      surely * std::hypot(lower.offset.standard_error, upper.offset.standard_error))
+    return contact;
+  const double above = 2 * up_to - from;
+  Contact settled = line_between(record, middle, above);
+  const Contact farther = line_between(record, up_to, above);
+  if (settled.status != ContactStatus::found || farther.status != ContactStatus::found) return contact;
+  const double choice = std::max(std::abs(farther.offset.value - settled.offset.value),
+                                 std::abs(settled.offset.value - contact.offset.value));
+  settled.offset = student_estimate(settled.offset.value, std::hypot(settled.offset.standard_error, choice),
+                                    static_cast<double>(settled.last - settled.first - 2));
+  settled.settles = true;
+  return settled;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,43 @@
+// The hyperparameters of friction along a fibre as they are sought: on scales without ends, with what is expected of them beforehand.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "inference/kernel.h"
+#include "inference/looks.h"
+
+namespace flexslip {
+
+inline constexpr std::size_t most_waves = 2;
+
+// ln σ, logit ρ/0.95, ln σ_g, ln ℓ, then ln λ of each wave.
+struct Theta {
+  std::array<double, 4 + most_waves> values;
+  std::size_t waves = 0;
+
+  std::size_t size() const { return 4 + waves; }
+  double log_wavelength(std::size_t wave) const { return values[4 + wave]; }
+};
+
+Hyperparameters hyperparameters_of(const Theta& theta);
+
+inline constexpr double most_correlation = 0.95;  // ρ, of the noise of one reading with the next
+
+// Of the first four: normal, within bounds.
+struct ThetaPrior {
+  std::array<double, 4> mean, deviation, least, greatest;
+
+  // Of readings over a range [L] of lengths, whose noise [1] of μ is about that.
+  static ThetaPrior of(double range, double noise);
+
+  Theta usual(std::span<const double> log_wavelengths = {}) const;
+  void bound(Theta& theta) const;
+  // Relative to its greatest; and the logarithm of that. Those of roughness count where there is a kernel.
+  double log_density(Kernel kernel, const Theta& theta) const;
+  double log_scale(Kernel kernel) const;
+  double slope(const Theta& theta, std::size_t i) const;  // of log_density
+};
+
+}  // namespace flexslip

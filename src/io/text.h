@@ -1,0 +1,16 @@
+// Characters and pieces of text.
+#pragma once
+
+#include <string_view>
+
+namespace flexslip {
+
+bool is_digit(char c);  // 0 to 9
+
+// Text without the spaces and tabs around it.
+std::string_view trimmed(std::string_view text);
+
+// The inside of brackets around all of the text, or the text.
+std::string_view without_brackets(std::string_view text);
+
+}  // namespace flexslip

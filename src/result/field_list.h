@@ -1,0 +1,55 @@
+// What can be read off the rows of some type: the part of Fields<Row> that does not know the type.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "result/description.h"
+#include "result/read_off.h"
+
+namespace flexslip {
+
+// One of them. All reads are of a row of the type for which they were made.
+struct Field {
+  using Read = std::function<Json(const void* row, const Frame& frame, const Kind& reduced)>;
+
+  Description what;
+  Read read;
+  Kind reduced;   // as which its numbers are reduced; kind::number if they are not
+  bool left_out;  // where it is missing, instead of null
+
+  // With numbers in the unit of the test.
+  Json of(const void* row, const Frame& frame) const { return read(row, frame, reduced); }
+};
+
+// Reads the unit of a kind.
+Field::Read unit_in(const Kind& kind);
+
+class FieldList {
+ public:
+  void add(Description what, Field::Read read, const Kind& reduced = kind::number);
+  void add_estimate(Description what, Field::Read read, const Kind& reduced, Field::Read unit, const FieldList& more);
+  // Those of others; each read goes through `part`, which hands the row's part on.
+  using Through =
+      std::function<Json(const void* row, const Frame& frame, const Kind& reduced, const Field::Read& read)>;
+  void add_all(const FieldList& fields, const Through& part);
+
+  // As Fields says.
+  void only_where(std::function<bool(const void* row)> holds) { only_where_ = std::move(holds); }
+  void left_out_where_missing() { left_out_ = true; }
+  void in_frame(std::function<Frame(const void* row)> frame) { frame_ = std::move(frame); }
+  void titled(std::string_view title) { fields_.back().what.title = title; }
+
+  const std::vector<Field>& fields() const { return fields_; }
+  std::vector<Description> descriptions() const;
+  Json operator()(const void* row, const Frame& outer) const;
+
+ private:
+  std::vector<Field> fields_;
+  bool left_out_ = false;
+  std::function<Frame(const void*)> frame_;
+  std::function<bool(const void*)> only_where_;
+};
+
+}  // namespace flexslip

@@ -1,0 +1,87 @@
+#include "surface/slope_friction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace flexslip {
+
+double friction_on_slope(double mu, double slope) {
+  if (!(mu * slope < 1))
+    throw std::invalid_argument("a contact of friction " + std::to_string(mu) + " on a slope of " +
+                                std::to_string(slope) + " holds whatever pulls");
+  return (mu + slope) / (1 - mu * slope);
+}
+
+double slope_of_friction(double apparent, double mu) { return (apparent - mu) / (1 + apparent * mu); }
+
+double friction_on_the_way_back(double apparent, double mu) {
+  const double slope = slope_of_friction(apparent, mu);
+  return slope < mu ? std::max((mu - slope) / (1 + mu * slope), 0.0) : 0;
+}
+
+double base_friction(std::span<const double> apparent) {
+  if (apparent.empty()) throw std::invalid_argument("no friction has no base");
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (const double each : apparent) {
+    if (!(each >= 0 && std::isfinite(each)))
+      throw std::invalid_argument("an apparent friction must be finite and >= 0, not " + std::to_string(each));
+    low = std::min(low, each);
+    high = std::max(high, each);
+  }
+  // The slopes fall in mu, all of them.
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings && low < high; ++i) {
+    const double mu = 0.5 * (low + high);
+    double sum = 0;
+    for (const double each : apparent) sum += slope_of_friction(each, mu);
+    (sum > 0 ? low : high) = mu;
+  }
+  return 0.5 * (low + high);
+}
+
+double height_of_wave(double amplitude, double mu, double wavelength) {
+  return amplitude * mu * wavelength / (2 * std::numbers::pi * (1 + mu * mu));
+}
+
+std::optional<TooSteep> too_steep(std::span<const double> path, double step, double mu, double most, bool both_ways) {
+  const double steepest_up = slope_of_friction(most, mu), steepest_down = mu;
+  std::optional<TooSteep> found;
+  double worst = 1;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const double slope = (path[i + 1] - path[i]) / step;
+    double excess = slope > 0 ? slope / steepest_up : -slope / steepest_down;
+    if (both_ways) excess = std::max(excess, std::abs(slope) / std::min(steepest_up, steepest_down));
+    // A friction of exactly 0 is none either.
+    if (excess > worst || (!found && excess == 1 && slope < 0)) {
+      worst = std::max(worst, excess);
+      found = TooSteep{i, slope};
+    }
+  }
+  return found;
+}
+
+SlopeFriction friction_of_heights(std::span<const double> path, double step, double mu) {
+  if (!(step > 0) || path.size() < 2 || !(mu >= 0))
+    throw std::invalid_argument("friction on slopes needs two heights and a friction >= 0");
+  SlopeFriction out;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    out.slope.push_back((path[i + 1] - path[i]) / step);
+    out.mu.push_back(friction_on_slope(mu, out.slope.back()));
+    if (!(out.mu.back() >= 0))
+      throw std::invalid_argument("on a slope of " + std::to_string(out.slope.back()) + " a contact of friction " +
+                                  std::to_string(mu) + " slides by itself");
+  }
+  return out;
+}
+
+std::vector<double> heights_of_slopes(std::span<const double> slope, double step) {
+  std::vector<double> height{0};
+  for (const double each : slope) height.push_back(height.back() + each * step);
+  return height;
+}
+
+}  // namespace flexslip

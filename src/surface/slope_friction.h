@@ -1,0 +1,54 @@
+// Coulomb friction on a slope, and the slope that explains a friction.
+//
+// A support that climbs a slope tan α of the specimen's surface shows μ_app = (μ + tan α)/(1 - μ tan α) = tan(atan μ + α), and on the way down
+// tan(atan μ - α). To first order A μ = (1 + μ²) times the amplitude of the slope (theory.md, "A surface and its friction").
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace flexslip {
+
+// [1] What a contact of friction mu shows where it climbs a slope [1].
+// Domain:     mu slope < 1; std::invalid_argument otherwise: it would hold whatever pulls.
+double friction_on_slope(double mu, double slope);
+
+// [1] The slope on which a contact of friction mu shows an apparent one: the inverse. Domain: mu apparent > -1.
+double slope_of_friction(double apparent, double mu);
+
+// [1] What a slope shows on the way back that shows an apparent friction on the way there: tan(2 atan mu - atan apparent).
+// Domain:     of slopes less steep than mu both ways, between 0 and what 2 atan mu gives; 0 beyond.
+double friction_on_the_way_back(double apparent, double mu);
+
+// [1] The friction of the flat surface whose slopes, zero on average, show these apparent frictions: Σ slope_of_friction = 0.
+// Domain:     apparent frictions >= 0, at least one; std::invalid_argument otherwise.
+// Max error:  1e-14.
+double base_friction(std::span<const double> apparent);
+
+// [L] The amplitude of the wave of height that shows, to first order, a wave of friction mu (1 + amplitude cos): amplitude mu λ/(2π (1 + mu²)).
+double height_of_wave(double amplitude, double mu, double wavelength);
+
+// What heights at a distance of step show between each and the next, to a support that climbs them in their order.
+struct SlopeFriction {
+  std::vector<double> slope, mu;  // [1]
+};
+
+// Why heights show no friction that could be computed with: the steepest of the intervals at fault.
+struct TooSteep {
+  std::size_t interval;  // after this height
+  double slope;          // [1]
+};
+
+// Where the apparent friction is not above 0 and at most a limit; with both_ways, also on the way back. None where it is everywhere.
+// Domain:     step > 0, most > mu > 0.
+std::optional<TooSteep> too_steep(std::span<const double> path, double step, double mu, double most, bool both_ways);
+
+// Domain:     step > 0, at least two heights, none too steep; std::invalid_argument otherwise.
+SlopeFriction friction_of_heights(std::span<const double> path, double step, double mu);
+
+// [L] Heights at a distance of step whose slopes from each to the next are these: as many and one, the first 0.
+std::vector<double> heights_of_slopes(std::span<const double> slope, double step);
+
+}  // namespace flexslip

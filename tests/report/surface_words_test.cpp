@@ -1,0 +1,62 @@
+#include "report/surface_words.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+#include "report/surface_figure.h"
+#include "tests/has.h"
+#include "tests/refusal.h"
+#include "tests/surface/simulated_surface.h"
+
+namespace flexslip {
+namespace {
+
+TraceFile some_trace(double amplitude, double wavelength) {
+  SimulatedSurface surface(3);
+  HeightTrace trace{0, 1e-7, surface.gaussian(2000, 1e-7, 2e-8, 1e-6)};
+  for (std::size_t i = 0; i < trace.height.size(); ++i)
+    trace.height[i] += amplitude * std::cos(2 * std::numbers::pi * trace.position(i) / wavelength);
+  return {"trace.csv", "x", "z", {}, {trace, false, 0, false}, {}};
+}
+
+}  // namespace
+
+TEST_CASE("surface words, table: a value with its error and its interval, in the unit that suits it") {
+  CHECK(with_interval({0.1123e-6, 0.0312e-6, 0.0511e-6, 0.1734e-6}, kind::length) == "112 ± 31 nm [51, 173]");
+  CHECK(with_interval({0.0455, 0.0012, 0.0432, 0.048}, kind::number) == "0.0455 ± 0.0012 [0.0432, 0.0480]");
+}
+
+TEST_CASE("surface words, table: what a wave, a question and a friction come to") {
+  SurfaceOptions options;
+  options.friction = 0.5;
+  options.wavelengths = {10.9e-6, 1.5e-7};
+  options.amplitude = 0.11e-6;
+  options.pixel = 0.29e-6;
+  const SurfaceStudy study = study_surface(some_trace(0.11e-6, 10.9e-6), options);
+  std::string text = surface_text(study);
+  for (auto at = text.find("\n  "); at != std::string::npos; at = text.find("\n  "))  // where lines are broken
+    text.replace(at, text.find_first_not_of(" \n", at) - at, " ");
+  CHECK(has(text, "trace.csv: The slope of the surface is"));
+  CHECK(has(waves_in_words(study).front(), "with one phase all along (p below 0.0001)"));
+  CHECK(has(resolution_in_words(study)[0], "10.9 µm: 109 heights a wave, 18.3 waves in the field"));
+  CHECK(has(resolution_in_words(study)[0], "10 pixels of 290 nm from crest to trough, from 1.45 µm"));
+  CHECK(has(resolution_in_words(study)[0], "wants pixels of 22 nm in a field of 109 µm"));
+  CHECK(has(resolution_in_words(study)[1], "150 nm: not seen, 1.5 heights a wave where two are the least"));
+  CHECK(has(text, "its highest wave would show as A = 0.1"));  // 2π 0.11/10.9 (1 + 0.25)/0.5 = 0.16
+  const Figure figure = surface_figure(study);
+  CHECK(figure.data.size() == 5);
+  CHECK(has(figure.script, "Friction"));
+}
+
+TEST_CASE("surface words, limit: a friction on which it would slide by itself is refused with its place") {
+  SurfaceOptions options;
+  options.friction = 0.01;
+  const std::string message = message_of([&] { study_surface(some_trace(0.11e-6, 10.9e-6), options); });
+  CHECK(has(message, "trace.csv: expected slopes between -0.01"));
+  CHECK(has(message, "at the position"));
+  CHECK(has(message, "times the limit; is it noise?"));
+}
+
+}  // namespace flexslip
