@@ -26,7 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> data_endings{".csv", ".tsv", ".txt", ".dat", ".asc", ".tra"};
+constexpr std::array<std::string_view, 8> data_endings{".csv", ".tsv", ".txt",  ".dat",
+                                                       ".asc", ".tra", ".xlsx", ".xlsm"};
 
 std::string lower_case(std::string text) {
   for (char& c : text)
@@ -130,7 +131,11 @@ toml::table& subtable(toml::table& table, const std::string& name) {
 void say(toml::table& table, const TableKey& key, const std::string& cell) {
   toml::table& section = subtable(table, key.section);
   if (key.part.empty()) {
-    set(section, key.key, cell, key.unit);
+    const CaseKey* known = case_key(key.section, key.key);
+    if (known != nullptr && known->holds == Holds::text && key.unit.empty())
+      section.insert_or_assign(key.key, cell);  // the number of a sheet or a column is a name of it
+    else
+      set(section, key.key, cell, key.unit);
     return;
   }
   if (!section[key.key].is_table()) {  // a value becomes one with an uncertainty
@@ -262,6 +267,7 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
   for (const auto& file : files_in(folder, false)) {
     const std::string ending = lower_case(file.extension().string());
     if (std::find(data_endings.begin(), data_endings.end(), ending) == data_endings.end()) continue;
+    if (file.filename().string().starts_with("~$")) continue;  // Excel's mark that the workbook is open
     PlannedTest test{name_of_test(file.string()), file.string(), InputError({})};
     toml::table text = common;
     subtable(text, "record").insert_or_assign("file", file.string());
@@ -304,7 +310,7 @@ std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optio
       throw InputError(
           {.file = path,
            .expected =
-               common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra)" : "case files (.toml) with a [record]",
+               common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra, .xlsx)" : "case files (.toml) with a [record]",
            .found = "none",
            .remedy = common ? ""
                             : "write one for each test, pass what all data files of the folder have in common "

@@ -19,6 +19,7 @@
 #include "io/cells.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
+#include "io/table_source.h"
 #include "io/text.h"
 
 namespace flexslip {
@@ -336,8 +337,13 @@ Table read_table(std::istream& in, std::string source, const std::vector<WantedC
   return TableReader(in, std::move(source), decimal).read(wanted);
 }
 
-Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal) {
-  return read_table(*open_to_read(path), path == "-" ? "standard input" : path, wanted, decimal);
+Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
+                 const std::optional<std::string>& sheet) {
+  const TableSource source = open_table(path, sheet);
+  const bool has_points = source.sheet && source.sheet->holds == SheetHolds::numbers;
+  Table table = read_table(*source.text, source.name, wanted, has_points ? '.' : decimal);
+  if (source.sheet) table.notes = source.sheet->notes;
+  return table;
 }
 
 void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next) {
