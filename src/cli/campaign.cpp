@@ -39,7 +39,7 @@ struct CampaignRequest {
   bool figures = true;
   bool test_reports = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
-  AnalysisFlags flags;
+  AnalysisChoice flags;
   std::vector<std::string> shared;
   Output output;
 };
