@@ -11,4 +11,8 @@ PYBIND11_MODULE(_flexslip, module) {
   add_cases(module);
   add_descriptions(module);
   add_fits(module);
+  add_simulations(module);
+  add_designs(module);
+  add_campaigns(module);
+  add_exports(module);
 }

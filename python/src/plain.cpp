@@ -61,34 +61,11 @@ py::dict columns(const Json& json, const std::vector<Description>& entries) {
     }
     py::list out;
     for (const Json* value : values) {
-      const Json one{{std::string(entry.name), *value}};
-      out.append(plain(one, {entry})[text(entry.name)]);
+      out.append(plain(*value, entry));
     }
     by_name[text(entry.name)] = out;
   }
   return py::dict(py::arg("rows") = json.size(), py::arg("columns") = by_name, py::arg("absent") = absent);
-}
-
-py::object one(const Json& value, const Description& entry) {
-  if (value.is_null()) return py::none();
-  switch (entry.shape) {
-    case Shape::numbers: {
-      std::vector<const Json*> values;
-      for (const Json& each : value) values.push_back(&each);
-      return numbers(values, true);
-    }
-    case Shape::group:
-      return plain(value, entry.entries);
-    case Shape::list:
-      return columns(value, entry.entries);
-    case Shape::by_name: {
-      py::dict out;
-      for (const auto& [name, part] : value.items()) out[text(name)] = plain(part, entry.entries);
-      return out;
-    }
-    default:
-      return plain(value);
-  }
 }
 
 std::string_view name_of(Shape shape) {
@@ -145,13 +122,35 @@ py::object plain(const Json& json) {
   }
 }
 
+py::object plain(const Json& value, const Description& entry) {
+  if (value.is_null()) return py::none();
+  switch (entry.shape) {
+    case Shape::numbers: {
+      std::vector<const Json*> values;
+      for (const Json& each : value) values.push_back(&each);
+      return numbers(values, true);
+    }
+    case Shape::group:
+      return plain(value, entry.entries);
+    case Shape::list:
+      return columns(value, entry.entries);
+    case Shape::by_name: {
+      py::dict out;
+      for (const auto& [name, part] : value.items()) out[text(name)] = plain(part, entry.entries);
+      return out;
+    }
+    default:
+      return plain(value);
+  }
+}
+
 py::object plain(const Json& json, const std::vector<Description>& entries) {
   if (!json.is_object()) return plain(json);
   py::dict out;
   for (const auto& [name, value] : json.items()) {
     const auto entry = std::find_if(entries.begin(), entries.end(),
                                     [&name = name](const Description& each) { return each.name == name; });
-    out[text(name)] = entry == entries.end() ? plain(value) : one(value, *entry);
+    out[text(name)] = entry == entries.end() ? plain(value) : plain(value, *entry);
   }
   return out;
 }

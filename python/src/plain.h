@@ -19,6 +19,9 @@ pybind11::object plain(const Json& json);
 // "absent": {name: rows that do not have it}}.
 pybind11::object plain(const Json& json, const std::vector<Description>& entries);
 
+// A value of one of them.
+pybind11::object plain(const Json& value, const Description& entry);
+
 // The way back from plain(json): JSON as the program writes it, with an indent of two.
 std::string dumped(const pybind11::handle& data);
 

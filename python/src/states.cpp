@@ -2,6 +2,7 @@
 // lock, which is released.
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -73,9 +74,22 @@ std::span<const double> gathered(const char* from, npy_intp step, std::size_t co
   return {into, count};
 }
 
+// What is computed on the way to a state divides by zero at times, of which NumPy would warn.
+class WithoutFlags {
+ public:
+  WithoutFlags() { std::feholdexcept(&before_); }
+  ~WithoutFlags() { std::fesetenv(&before_); }
+  WithoutFlags(const WithoutFlags&) = delete;
+  WithoutFlags& operator=(const WithoutFlags&) = delete;
+
+ private:
+  std::fenv_t before_{};
+};
+
 // A loop of NumPy's: without the interpreter's lock, and aligned. What is outside of the domain is NaN; who calls has looked.
 template <class Function, std::size_t outputs>
 void loop(char** arrays, const npy_intp* dimensions, const npy_intp* steps, void* /*data*/) {
+  const WithoutFlags guard;
   Function function;
   std::array<double, block> first,
       second;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled where they are needed
