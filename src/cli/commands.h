@@ -35,5 +35,6 @@ void add_modulus_command(CLI::App& app);
 void add_keys_command(CLI::App& app);
 void add_results_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
+void add_cite_command(CLI::App& app);
 
 }  // namespace flexslip
