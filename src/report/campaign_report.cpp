@@ -13,6 +13,7 @@
 #include "answers/campaign_fields.h"
 #include "answers/fit_fields.h"
 #include "answers/fit_tables.h"
+#include "campaign/campaign_plan.h"
 #include "io/durable_file.h"
 #include "io/text_file.h"
 #include "report/campaign_figures.h"
@@ -47,8 +48,8 @@ std::vector<std::string> links_to_tests(const std::string& folder, const Campaig
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     std::error_code unreadable;
-    const bool exists = fs::exists(fs::path(folder) / "tests" / test.name / "report.html", unreadable);
-    links.push_back(exists ? fmt::format("tests/{}/report.html", in_link(test.name)) : "");
+    const bool exists = fs::exists(fs::path(folder) / "tests" / folder_name(test.name) / "report.html", unreadable);
+    links.push_back(exists ? fmt::format("tests/{}/report.html", in_link(folder_name(test.name))) : "");
   }
   return links;
 }
