@@ -6,16 +6,16 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from . import _flexslip
-from ._answers import ANSWERS, Table, make_class, table_of
+from ._answers import ANSWERS, Table, table_of
 from ._case import KEYS, _UNKNOWN, toml_of
 from ._errors import wrong
+from ._fields import CampaignFields
 from ._fit import positive
 from ._simulate import whole
 
-_CampaignFields = make_class(("campaign",), ANSWERS["campaign --json"]["entries"], "CampaignFields", "What many tests show.")
 
 
-class Campaign(_CampaignFields):  # type: ignore[misc, valid-type]
+class Campaign(CampaignFields):
     """What many tests show, as :func:`campaign` gives it: every number of ``flexslip campaign --json``.
 
     Attributes

@@ -321,6 +321,20 @@ def _says_reduced(text: str) -> bool:
         return False  # which the reader says with its words
 
 
+def with_keywords(function: Any) -> Any:
+    """Gives a function that takes the keys of a case their names: its signature, for completion, and what they mean."""
+    import inspect
+
+    signature = inspect.signature(function)
+    kept = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+    names = [*SECTIONS, *(name for name in FLAT if name not in SECTIONS)]
+    added = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in names]
+    function.__signature__ = signature.replace(parameters=[*kept, *added])
+    lines = [f"    {name} : {key['holds']}{' [' + key['unit'] + ']' if key['unit'] else ''}\n        {key['meaning']}" for name, key in FLAT.items()]
+    function.__doc__ = (function.__doc__ or "").rstrip() + "\n\n    Other Parameters\n    ----------------\n" + "\n".join(lines) + "\n    "
+    return function
+
+
 def case_of(file: Any, set: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> Case:  # noqa: A002
     """The case that a call describes."""
     if isinstance(file, Case) and not set and not keywords:

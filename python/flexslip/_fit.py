@@ -5,16 +5,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _flexslip
-from ._answers import ANSWERS, Answer, Estimate, Table, make_class, table_of
-from ._case import Case, case_of
+from ._answers import ANSWERS, Answer, Estimate, Table, table_of
+from ._case import Case, case_of, with_keywords
 from ._errors import wrong
+from ._fields import FitFields
 
-_TOLD = ANSWERS["fit --json"]["entries"]
 _CURVES = ANSWERS["fit --curves"]["entries"]
-_FitFields = make_class(("fit",), _TOLD, "FitFields", "What a measured test shows.")
 
 
-class Fit(_FitFields):  # type: ignore[misc, valid-type]
+class Fit(FitFields):
     """What a measured test shows, as :func:`fit` gives it.
 
     Every number of ``flexslip fit --json`` is an attribute; :meth:`describe` says what each is. Besides:
@@ -184,6 +183,7 @@ def positive(name: str, value: Any) -> float:
     return number
 
 
+@with_keywords
 def fit(file: Any = None, *, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
         check_stability: bool = False, surface: Any = None, set: Mapping[str, Any] | None = None,  # noqa: A002
         **keywords: Any) -> Fit:

@@ -5,16 +5,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _flexslip
-from ._answers import ANSWERS, make_class
 from ._case import _path
 from ._errors import wrong
+from ._fields import ExportFields
 from ._simulate import whole
 
-_ExportFields = make_class(("export",), ANSWERS["read --json"]["entries"], "ExportFields", "What an export holds.")
 _ROLES = ("time", "displacement", "crosshead", "deflection", "force")
 
 
-class Export(_ExportFields):  # type: ignore[misc, valid-type]
+class Export(ExportFields):
     """What an export of a testing machine holds, as :func:`read` gives it: every answer of ``flexslip read --json``, and the numbers.
 
     Attributes
