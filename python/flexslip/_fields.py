@@ -1,7 +1,7 @@
 """The classes of the answers, made from what the program says of them; _fields.pyi, which tools/write-python-stubs writes, has their types."""
 from __future__ import annotations
 
-from ._answers import ANSWERS, make_class
+from ._answers import ANSWERS, made_classes, make_class
 
 
 def _made(path: str, answer: str, name: str, what: str) -> type:
@@ -14,3 +14,5 @@ ProfileFields = _made("profile", "invert --json", "ProfileFields", "Friction poi
 DesignFields = _made("design", "design --json", "DesignFields", "What a planned test will show.")
 CampaignFields = _made("campaign", "campaign --json", "CampaignFields", "What many tests show.")
 ExportFields = _made("export", "read --json", "ExportFields", "What an export holds.")
+
+globals().update({made.__name__: made for made in made_classes()})

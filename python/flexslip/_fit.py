@@ -7,8 +7,8 @@ from typing import Any
 from . import _flexslip
 from ._answers import ANSWERS, Answer, Estimate, Table, table_of
 from ._case import Case, case_of, with_keywords
-from ._errors import wrong
-from ._fields import FitFields
+from ._errors import one_of, wrong
+from ._fields import FitDraws, FitFields
 
 _CURVES = ANSWERS["fit --curves"]["entries"]
 
@@ -66,14 +66,14 @@ class Fit(FitFields):
         return self.parameters
 
     @property
-    def curves(self) -> Table:
+    def curves(self) -> Table[Any]:
         return table_of(self._part("curves"), _CURVES)
 
     @property
     def draws(self) -> Draws:
         if not self.success:
             raise ValueError(f"there is no fit to draw profiles from: {self.message}")
-        return Draws(self._part("draws"))
+        return Draws(self._data["draws"], self._part("draws"))
 
     def summary(self, full: bool = False) -> str:
         """The answer in words, as the program prints it; `full`: every slip and table."""
@@ -137,7 +137,7 @@ def _fit_again(data: Mapping[str, Any], case: Case, kept: Mapping[str, Any]) -> 
     return Fit(data, case, None, kept)
 
 
-class Draws:
+class Draws(FitDraws):
     """Profiles of friction that explain a record, on lengths between the contacts that rise.
 
     Attributes
@@ -148,14 +148,23 @@ class Draws:
         The mean of the fit, and its standard deviation.
     profiles : array, shape (20, n)
         Drawn at random, the same at every run.
+    bending_stiffness : array, shape (20,)
+        EI that goes with each, in `unit`.
     """
 
-    def __init__(self, data: Mapping[str, Any]) -> None:
+    _title = "Draws"
+
+    def __init__(self, data: Mapping[str, Any], table: Mapping[str, Any]) -> None:
         import numpy as np
 
-        columns = data["columns"]
+        super().__init__(data)
+        self._table = table
+        columns = table["columns"]
         self.length, self.mu, self.deviation = columns["length"], columns["mu"], columns["deviation"]
         self.profiles = np.array([values for name, values in columns.items() if name.startswith("draw_")])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Draws, (self._data, self._table)
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame as ``flexslip fit --draws`` writes it."""
@@ -165,11 +174,8 @@ class Draws:
         columns |= {f"draw_{k}": profile for k, profile in enumerate(self.profiles, 1)}
         return pandas.DataFrame(columns)
 
-    def __len__(self) -> int:
-        return len(self.profiles)
-
     def __repr__(self) -> str:
-        return f"<{len(self)} profiles at {len(self.length)} lengths>"
+        return f"<{len(self.profiles)} profiles at {len(self.length)} lengths>"
 
 
 def positive(name: str, value: Any) -> float:
@@ -228,8 +234,8 @@ def fit(file: Any = None, *, model: str | None = None, false_alarms: float | Non
     >>> mu0.ci95[0] < mu0.value < mu0.ci95[1], mu0.unit
     (True, '1')
     """
-    if model is not None and model not in _flexslip.model_names:
-        raise wrong("model", f"one of {', '.join(_flexslip.model_names)}", model)
+    if model is not None:
+        one_of("model", model, _flexslip.model_names)
     case = case_of(file, set, keywords)
     test = _flexslip.fit(case._case, model or "",
                          _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ._errors import wrong
+from ._errors import one_of, wrong
 
 # Colours that all can tell apart (Okabe and Ito), as in the report.
 BLUE, SKY, GREEN, ORANGE, VERMILLION, BROWN, GREY = "#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#8C510A", "#8C8C8C"
@@ -24,8 +24,7 @@ def plot(figures: Sequence[Mapping[str, Any]], name: str | None, ax: Any) -> Any
         raise ValueError("there is no figure: the test has no answer to draw")
     if name is None:
         name = names[0]
-    if name not in names:
-        raise wrong("figure", f"one of {', '.join(names)}", name)
+    one_of("figure", name, names)
     figure = figures[names.index(name)]
     import matplotlib
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _flexslip
 from ._case import _path
-from ._errors import wrong
+from ._errors import one_of, wrong
 from ._fields import ExportFields
 from ._simulate import whole
 
@@ -43,8 +43,7 @@ class Export(ExportFields):
         InputError
             If no column has it, or several; for a unit that is missing or of another kind.
         """
-        if role not in self._in_si:
-            raise wrong("role", f"one of {', '.join(_ROLES)}", role)
+        one_of("role", role, _ROLES)
         values = self._in_si[role]
         if isinstance(values, Exception):
             raise values
@@ -109,8 +108,8 @@ def read(file: Any, *, specimen: int | None = None, encoding: str | None = None,
         if not isinstance(value, str):
             raise wrong(name, "text", value)
         words[name] = value
-    if displacement not in (None, "crosshead", "deflection"):
-        raise wrong("displacement", "crosshead or deflection", displacement)
+    if displacement is not None:
+        one_of("displacement", displacement, ("crosshead", "deflection"))
     if force_unit is not None and calibration is not None:
         raise wrong("calibration", "either a unit of the force or its calibration", "both")
     export = _flexslip.read(_path(file), words)
