@@ -4,7 +4,7 @@ from __future__ import annotations
 import html
 import keyword
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, Generic, TypeVar, overload
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from . import _flexslip
 # {"fit --json": {"what", "is_table", "entries"}}
 ANSWERS: dict[str, dict[str, Any]] = _flexslip.answers()
 NAN = float("nan")
+Row = TypeVar("Row", covariant=True)
 
 
 class Quantity(float):
@@ -155,6 +156,11 @@ class Answer:
                 return _read(self._data[name], entry, self._classes)
         raise KeyError(name)
 
+    def _of(self, entry: Mapping[str, Any]) -> Any:
+        if entry["name"] not in self._data:
+            raise AttributeError(f"this answer has no {entry['name']!r}; it has {', '.join(self._data)}")
+        return _read(self._data[entry["name"]], entry, self._classes)
+
     def __contains__(self, name: object) -> bool:
         return name in self._data
 
@@ -226,7 +232,7 @@ def _in_short(value: Any) -> str:
     if isinstance(value, Estimate):
         return str(value)[1:-1].removeprefix(f"{value.name}: ")
     if isinstance(value, Table):
-        return f"{len(value)} rows: {', '.join(value.columns)}"
+        return f"{len(value)} rows: {', '.join(value.keys())}"
     if isinstance(value, Answer):
         return "; ".join(value.keys())
     if isinstance(value, np.ndarray):
@@ -259,7 +265,7 @@ def _plain(value: Any, entry: Mapping[str, Any]) -> Any:
     return _none_of(value)
 
 
-class Table(Sequence[Any]):
+class Table(Sequence[Row], Generic[Row]):
     """Rows of one kind: a column is an attribute, a NumPy array where it holds numbers; a row is an answer.
 
     Examples
@@ -272,20 +278,19 @@ class Table(Sequence[Any]):
     True
     """
 
-    def __init__(self, data: Mapping[str, Any], of: type, entries: Sequence[Mapping[str, Any]] | None = None) -> None:
+    def __init__(self, data: Mapping[str, Any], of: Any, entries: Sequence[Mapping[str, Any]] | None = None) -> None:
         self._data = data
         self._of = of
-        self._entries: Sequence[Mapping[str, Any]] = of._entries if entries is None else entries  # type: ignore[attr-defined]
+        self._entries: Sequence[Mapping[str, Any]] = of._entries if entries is None else entries
 
     def __reduce__(self) -> tuple[Any, ...]:
-        if not self._of._path:  # type: ignore[attr-defined]
+        if not self._of._path:
             return _plain_table, (self._data, self._entries)
-        return _table_of, (self._data, self._of._path)  # type: ignore[attr-defined]
+        return _table_of, (self._data, self._of._path)
 
-    @property
-    def columns(self) -> tuple[str, ...]:
-        """Their names."""
-        return tuple(self._data["columns"])
+    def keys(self) -> list[str]:
+        """The names of its columns."""
+        return list(self._data["columns"])
 
     def column(self, name: str) -> Any:
         """A column: a NumPy array of numbers, or of objects."""
@@ -313,7 +318,7 @@ class Table(Sequence[Any]):
         raise AttributeError(f"no column {name!r}; there are {', '.join(columns)}")
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *(_attribute(name) for name in self.columns)]
+        return [*super().__dir__(), *(_attribute(name) for name in self.keys())]
 
     def __len__(self) -> int:
         return int(self._data["rows"])
@@ -327,6 +332,13 @@ class Table(Sequence[Any]):
             value = values[i]
             row[name] = value.item() if isinstance(value, np.generic) else value
         return row
+
+    @overload
+    def __getitem__(self, at: int) -> Row: ...
+    @overload
+    def __getitem__(self, at: slice) -> list[Row]: ...
+    @overload
+    def __getitem__(self, at: str) -> Any: ...
 
     def __getitem__(self, at: Any) -> Any:
         if isinstance(at, str):
@@ -362,9 +374,9 @@ class Table(Sequence[Any]):
             entry = self._entry(name)
             if entry["shape"] == "estimate":
                 read = [Estimate(value) if value is not None else None for value in values]
-                for suffix, of in (("", lambda e: e.value), ("_standard_error", lambda e: e.stderr),
-                                   ("_low", lambda e: e.ci95[0]), ("_high", lambda e: e.ci95[1])):
-                    columns[name + suffix] = np.array([NAN if e is None else of(e) for e in read])
+                parts = [(NAN,) * 4 if e is None else (e.value, e.stderr, *e.ci95) for e in read]
+                for k, suffix in enumerate(("", "_standard_error", "_low", "_high")):
+                    columns[name + suffix] = np.array([part[k] for part in parts])
                     units[name + suffix] = next((e.unit for e in read if e is not None), "")
                 continue
             columns[name] = values if isinstance(values, np.ndarray) else self.column(name)
@@ -375,7 +387,7 @@ class Table(Sequence[Any]):
         return frame
 
     def __repr__(self) -> str:
-        return f"<{len(self)} rows: {', '.join(self.columns)}>"
+        return f"<{len(self)} rows: {', '.join(self.keys())}>"
 
     def _repr_html_(self) -> str:
         return str(self.to_frame()._repr_html_())
@@ -422,8 +434,15 @@ def _camel(name: str) -> str:
 
 
 def _doc_of(entry: Mapping[str, Any]) -> str:
-    unit = entry["unit"]
-    return entry["meaning"] + (f" [{unit}]" if unit else "")
+    unit, meaning = str(entry["unit"]), str(entry["meaning"])
+    return meaning + (f" [{unit}]" if unit else "")
+
+
+def _property_of(entry: Mapping[str, Any]) -> property:
+    def get(self: Answer) -> Any:
+        return self._of(entry)
+
+    return property(get, doc=_doc_of(entry))
 
 
 def make_class(path: tuple[str, ...], entries: Sequence[Mapping[str, Any]], name: str, what: str, base: type = Answer) -> type:
@@ -431,42 +450,40 @@ def make_class(path: tuple[str, ...], entries: Sequence[Mapping[str, Any]], name
     classes = {}
     for entry in entries:
         if entry["shape"] in ("group", "list", "by_name"):
-            classes[entry["name"]] = make_class((*path, entry["name"]), entry["entries"], name + _camel(entry["name"]), entry["meaning"])
+            classes[entry["name"]] = make_class((*path, entry["name"]), entry["entries"], name.removesuffix("Fields") + _camel(entry["name"]), entry["meaning"])
     members: dict[str, Any] = {"_entries": entries, "_classes": classes, "_path": path, "_title": name, "__doc__": what, "__module__": "flexslip"}
     for entry in entries:
         attribute = _attribute(entry["name"])
         if hasattr(base, attribute) and base is Answer:
             raise TypeError(f"{name}.{attribute} is a method of every answer")  # a field needs another name in Python
-        members[attribute] = property(lambda self, e=entry: self._of(e), doc=_doc_of(entry))
+        members[attribute] = _property_of(entry)
     made = type(name, (base,), members)
     _MADE[path] = made
     return made
 
 
-def _of(self: Answer, entry: Mapping[str, Any]) -> Any:
-    if entry["name"] not in self._data:
-        raise AttributeError(f"this answer has no {entry['name']!r}; it has {', '.join(self._data)}")
-    return _read(self._data[entry["name"]], entry, self._classes)
 
 
-Answer._of = _of  # type: ignore[attr-defined]
+def made_classes() -> list[type]:
+    """All of them."""
+    return list(_MADE.values())
 
 
 def _made(path: tuple[str, ...], data: Mapping[str, Any]) -> Any:
     return _MADE[path](data)
 
 
-def _table_of(data: Mapping[str, Any], path: tuple[str, ...]) -> Table:
+def _table_of(data: Mapping[str, Any], path: tuple[str, ...]) -> Table[Any]:
     return Table(data, _MADE[path])
 
 
-def _plain_table(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]]) -> Table:
+def _plain_table(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]]) -> Table[Any]:
     return table_of(data, entries)
 
 
-def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]]) -> Table:
+def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]]) -> Table[Any]:
     """A table of an answer that is one itself."""
     row = type("Row", (Answer,), {"_entries": entries, "_title": "Row"})
     for entry in entries:
-        setattr(row, _attribute(entry["name"]), property(lambda self, e=entry: self._of(e), doc=_doc_of(entry)))
+        setattr(row, _attribute(entry["name"]), _property_of(entry))
     return Table(data, row)

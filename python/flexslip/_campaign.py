@@ -6,22 +6,22 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from . import _flexslip
-from ._answers import ANSWERS, Table, make_class, table_of
+from ._answers import ANSWERS, Table, table_of
 from ._case import KEYS, _UNKNOWN, toml_of
-from ._errors import wrong
+from ._errors import one_of
+from ._fields import CampaignFields
 from ._fit import positive
 from ._simulate import whole
 
-_CampaignFields = make_class(("campaign",), ANSWERS["campaign --json"]["entries"], "CampaignFields", "What many tests show.")
 
 
-class Campaign(_CampaignFields):  # type: ignore[misc, valid-type]
+class Campaign(CampaignFields):
     """What many tests show, as :func:`campaign` gives it: every number of ``flexslip campaign --json``.
 
     Attributes
     ----------
     tests : Table
-        A row a test; ``tests[0].parameters["mu0"].value``.
+        A row a test; ``tests.name``, ``tests[0].parameters["mu0"].value``.
     table, category_table, specimen_table : Table
         The columns of tests.csv, categories.csv and specimens.csv.
     """
@@ -44,21 +44,21 @@ class Campaign(_CampaignFields):  # type: ignore[misc, valid-type]
         return _campaign_again, (self._data, self._kept)
 
     @property
-    def table(self) -> Table:
+    def table(self) -> Table[Any]:
         return table_of(self._part("test_table"), _columns("campaign: tests.csv"))
 
     @property
-    def category_table(self) -> Table:
+    def category_table(self) -> Table[Any]:
         return table_of(self._part("category_table"), _columns("campaign: categories.csv"))
 
     @property
-    def specimen_table(self) -> Table:
+    def specimen_table(self) -> Table[Any]:
         return table_of(self._part("specimen_table"), _columns("campaign: specimens.csv"))
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame with a row for each test: the columns of tests.csv, in SI."""
         frame = self.table.to_frame()
-        return frame.set_index("name") if "name" in frame else frame
+        return frame.set_index("test")
 
     def summary(self) -> str:
         """The answer in words, as the program prints it."""
@@ -141,15 +141,14 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     --------
     >>> import flexslip
     >>> examples = flexslip.campaign("examples")
-    >>> sorted(examples.table.name)
+    >>> sorted(examples.table.test)
     ['cracked', 'cyclic', 'simulated', 'surface']
     """
-    if model is not None and model not in _flexslip.model_names:
-        raise wrong("model", f"one of {', '.join(_flexslip.model_names)}", model)
+    if model is not None:
+        one_of("model", model, _flexslip.model_names)
     names = [share] if isinstance(share, str) else list(share)
     for name in names:
-        if name not in _flexslip.shareable_names:
-            raise wrong("share", f"some of {', '.join(_flexslip.shareable_names)}", name)
+        one_of("share", name, _flexslip.shareable_names)
     changes = []
     for name, value in (set or {}).items():
         section, _, key = str(name).rpartition(".")

@@ -143,6 +143,63 @@ def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     return sections
 
 
+_COLUMNS = ("stage", "deflection", "force", "length")  # in the order in which a record has them
+_MA: Any = np.ma  # whose functions have no types
+_ARRAYS = "arrays"  # what a record in memory is called
+
+
+def _is_array(value: Any) -> bool:
+    return not isinstance(value, (str, bytes, Mapping)) and (hasattr(value, "__array__") or isinstance(value, (list, tuple)))
+
+
+def _column(name: str, given: Any, reduced: bool) -> Any:
+    """A column of a record in memory, in SI."""
+    unit = None
+    if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
+        given, unit = given
+    if _MA.is_masked(given):
+        raise wrong(name, "numbers without a mask", "masked ones", key=f"record.{name}")
+    try:
+        array = np.asarray(given)
+    except ValueError:
+        raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name}: expected real numbers, found {array.dtype.name}")
+    if array.ndim != 1:
+        raise wrong(name, "an array of one dimension", f"one of the shape {array.shape}", key=f"record.{name}")
+    if array.size == 0:
+        raise wrong(name, "readings", "an empty array", key=f"record.{name}")
+    values = np.ascontiguousarray(array, dtype=np.float64)
+    if not np.isfinite(values).all():
+        at = int(np.argmin(np.isfinite(values)))
+        raise wrong(f"{name}[{at}]", "a finite number", repr(float(values[at])), key=f"record.{name}")
+    if unit is None:
+        return values
+    if reduced:
+        raise wrong(name, "numbers without a unit, as the case is reduced", unit, key=f"record.{name}")
+    return _flexslip.in_si(values, unit, "force" if name == "force" else "length")
+
+
+def _arrays_of(sections: dict[str, dict[str, Any]], reduced: bool) -> list[tuple[str, Any]]:
+    """The columns of a record that a call has in memory; their titles take their place."""
+    record = sections.get("record", {})
+    names = [name for name in _COLUMNS if _is_array(record.get(name))]
+    if not names:
+        return []
+    for name in _COLUMNS:
+        if isinstance(record.get(name), str):
+            raise wrong(name, f"an array, as {names[0]} is one", record[name], key=f"record.{name}")
+    if "file" in record:
+        raise wrong("file", "either a file or arrays of a record", "both", key="record.file")
+    columns = [(name, _column(name, record[name], reduced)) for name in names]
+    for name, values in columns:
+        if len(values) != len(columns[0][1]):
+            raise wrong(name, f"as many readings as {names[0]} has, {len(columns[0][1])}", str(len(values)), key=f"record.{name}")
+        record[name] = name if reduced else f"{name} [{'N' if name == 'force' else 'm'}]"
+    record["file"] = _ARRAYS
+    return columns
+
+
 def _text_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> str:
     text = "reduced = true\n" if reduced else ""
     later = ""
@@ -162,9 +219,7 @@ def _changes_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> lis
 
 
 def _path(file: Any) -> str:
-    path = os.fspath(file)
-    if isinstance(path, bytes):
-        path = os.fsdecode(path)
+    path: str = os.fsdecode(file)
     if not path or path == "-" or "\0" in path:
         raise wrong("file", "the name of a file", path)
     return path
@@ -183,7 +238,8 @@ class Case:
         Are all numbers in reduced variables? Of a case without a case file.
     **keywords
         A section as a dict, ``rig={"span": "1278 um"}``, or a key of a section by its own name, ``span="1278 um"``: those of specimen, rig and
-        record, see :func:`keys`. Quantities are strings with a unit, or floats in SI.
+        record, see :func:`keys`. Quantities are strings with a unit, or floats in SI. A record may be arrays, `stage`, `deflection`, `force`, two of
+        the three, in SI or with their unit: ``force=(values, "mN")``.
 
     Raises
     ------
@@ -202,10 +258,17 @@ class Case:
     '1 mm'
     """
 
+    _text: str
+    _source: str
+    _changes: list[str]
+    _given: list[tuple[str, Any]]
+
     def __init__(self, file: Any = None, *, set: Mapping[str, Any] | None = None, reduced: bool = False, **keywords: Any) -> None:  # noqa: A002
         sections = sections_of(keywords)
+        self._given = []
         if isinstance(file, Case):
             self._text, self._source, self._changes = file._text, file._source, list(file._changes)
+            self._given = file._given
             reduced = file.reduced
         elif file is not None and (path := _path(file)).endswith(".toml"):
             if reduced:
@@ -215,8 +278,10 @@ class Case:
         else:
             if file is not None:
                 sections.setdefault("record", {})["file"] = _path(file)
+            self._given = _arrays_of(sections, reduced)
             self._text, self._source, self._changes = _text_of(sections, reduced), "", []
             sections = {}
+        self._given = _arrays_of(sections, reduced) or self._given
         self._changes += _changes_of(sections, reduced)
         for name, value in (set or {}).items():
             section, _, key = str(name).rpartition(".")
@@ -227,12 +292,16 @@ class Case:
     def _read(self) -> None:
         try:
             self._case = _flexslip.read_case(self._text, self._source, self._changes)
+            if self._given:
+                self._case = _flexslip.with_record(self._case, self._given, _ARRAYS)
         except InputError as error:
-            if error.file or error.line is None:
+            if error.file or self._source:
                 raise
-            # The line is that of a text that nobody wrote.
-            parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "expected", "found", "remedy")}
-            raise error_of(str(error).removeprefix(f"line {error.line}: "), **parts) from None
+            # The file, and its line, is a text that nobody wrote.
+            words = [str(error).removeprefix(f"line {error.line}: "), error.expected or ""]
+            message, expected = (text.replace("it in the file", "this keyword") for text in words)
+            parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "found", "remedy")}
+            raise error_of(message, expected=expected or None, **parts) from None
 
     @classmethod
     def from_toml(cls, text: str, source: str = "") -> Case:
@@ -245,7 +314,7 @@ class Case:
         '[rig]\\nspan = "1 mm"\\n'
         """
         case = cls.__new__(cls)
-        case._text, case._source, case._changes = text, os.fspath(source), []
+        case._text, case._source, case._changes, case._given = text, os.fspath(source), [], []
         case._case = _flexslip.read_case(text, case._source, [])
         return case
 
@@ -281,10 +350,13 @@ class Case:
         return Case(self, set=set, **keywords)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _read_again, (self._text, self._source, list(self._changes))
+        return _read_again, (self._text, self._source, list(self._changes), self._given)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Case) and (self.toml, self.source) == (other.toml, other.source)
+        if not isinstance(other, Case) or (self.toml, self.source) != (other.toml, other.source):
+            return False
+        return len(self._given) == len(other._given) and all(
+            np.array_equal(mine, theirs) for (_, mine), (_, theirs) in zip(self._given, other._given))
 
     def __hash__(self) -> int:
         return hash((self.toml, self.source))
@@ -298,9 +370,9 @@ class Case:
         return f"<pre>{html.escape(self.toml)}</pre>"
 
 
-def _read_again(text: str, source: str, changes: list[str]) -> Case:
+def _read_again(text: str, source: str, changes: list[str], given: list[tuple[str, Any]]) -> Case:
     case = Case.__new__(Case)
-    case._text, case._source, case._changes = text, source, changes
+    case._text, case._source, case._changes, case._given = text, source, changes, given
     case._read()
     return case
 
@@ -319,6 +391,20 @@ def _says_reduced(text: str) -> bool:
         return tomllib.loads(text).get("reduced") is True
     except tomllib.TOMLDecodeError:
         return False  # which the reader says with its words
+
+
+def with_keywords(function: Any) -> Any:
+    """Gives a function that takes the keys of a case their names: its signature, for completion, and what they mean."""
+    import inspect
+
+    signature = inspect.signature(function)
+    kept = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+    names = [*SECTIONS, *(name for name in FLAT if name not in SECTIONS)]
+    added = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in names]
+    function.__signature__ = signature.replace(parameters=[*kept, *added])
+    lines = [f"    {name} : {key['holds']}{' [' + key['unit'] + ']' if key['unit'] else ''}\n        {key['meaning']}" for name, key in FLAT.items()]
+    function.__doc__ = (function.__doc__ or "").rstrip() + "\n\n    Other Parameters\n    ----------------\n" + "\n".join(lines) + "\n    "
+    return function
 
 
 def case_of(file: Any, set: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> Case:  # noqa: A002

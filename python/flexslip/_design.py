@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _flexslip
-from ._answers import ANSWERS, make_class, table_of
-from ._case import FLAT, KEYS, Case, case_of
+from ._answers import table_of
+from ._case import FLAT, KEYS, Case, case_of, with_keywords
 from ._errors import wrong
+from ._fields import DesignFields
 from ._simulate import whole
 
-_DesignFields = make_class(("design",), ANSWERS["design --json"]["entries"], "DesignFields", "What a planned test will show.")
 
 
 class _Kept:
@@ -31,7 +31,7 @@ class _Kept:
         return _plots.plot(self._figures(), None, ax)
 
 
-class Design(_Kept, _DesignFields):  # type: ignore[misc, valid-type]
+class Design(_Kept, DesignFields):
     """What a planned test will show, as :func:`design` gives it: every number of ``flexslip design --json``.
 
     Attributes
@@ -140,6 +140,7 @@ def _range(name: str, given: Any, reduced: bool) -> str:
     return f"{name}={':'.join([*ends, *(str(whole('points', n, 2, 10000)) for n in given[2:])])}"
 
 
+@with_keywords
 def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: int | None = None,
            set: Mapping[str, Any] | None = None, **keywords: Any) -> Any:  # noqa: A002
     """Before a test: will it show a sawtooth, and what would change that?

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import Any
 
 
@@ -49,8 +50,8 @@ class InputError(ValueError):
         parts = {name: getattr(self, name) for name in _PARTS}
         return error_of, (str(self),), {"parts": parts}
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        for name, value in state["parts"].items():
+    def __setstate__(self, state: dict[str, Any] | None) -> None:
+        for name, value in (state or {"parts": {}})["parts"].items():
             setattr(self, name, value)
 
 
@@ -96,3 +97,9 @@ def wrong(field: str, expected: str, found: Any, remedy: str | None = None, **pa
     shown = found if isinstance(found, str) else repr(found)
     message = f"{field}: expected {expected}, found {shown}" + (f"; {remedy}" if remedy else "")
     return error_of(message, field=field, expected=expected, found=shown, remedy=remedy, **parts)
+
+
+def one_of(field: str, word: Any, known: Sequence[str]) -> None:
+    """Refuses an argument that is none of some words."""
+    if not isinstance(word, str) or word not in known:
+        raise wrong(field, f"one of {', '.join(known)}", word)

@@ -5,16 +5,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _flexslip
-from ._answers import ANSWERS, Answer, Estimate, Table, make_class, table_of
-from ._case import Case, case_of
-from ._errors import wrong
+from ._answers import ANSWERS, Answer, Estimate, Table, table_of
+from ._case import Case, case_of, with_keywords
+from ._errors import one_of, wrong
+from ._fields import FitDraws, FitFields
 
-_TOLD = ANSWERS["fit --json"]["entries"]
 _CURVES = ANSWERS["fit --curves"]["entries"]
-_FitFields = make_class(("fit",), _TOLD, "FitFields", "What a measured test shows.")
 
 
-class Fit(_FitFields):  # type: ignore[misc, valid-type]
+class Fit(FitFields):
     """What a measured test shows, as :func:`fit` gives it.
 
     Every number of ``flexslip fit --json`` is an attribute; :meth:`describe` says what each is. Besides:
@@ -67,14 +66,14 @@ class Fit(_FitFields):  # type: ignore[misc, valid-type]
         return self.parameters
 
     @property
-    def curves(self) -> Table:
+    def curves(self) -> Table[Any]:
         return table_of(self._part("curves"), _CURVES)
 
     @property
     def draws(self) -> Draws:
         if not self.success:
             raise ValueError(f"there is no fit to draw profiles from: {self.message}")
-        return Draws(self._part("draws"))
+        return Draws(self._data["draws"], self._part("draws"))
 
     def summary(self, full: bool = False) -> str:
         """The answer in words, as the program prints it; `full`: every slip and table."""
@@ -138,7 +137,7 @@ def _fit_again(data: Mapping[str, Any], case: Case, kept: Mapping[str, Any]) -> 
     return Fit(data, case, None, kept)
 
 
-class Draws:
+class Draws(FitDraws):
     """Profiles of friction that explain a record, on lengths between the contacts that rise.
 
     Attributes
@@ -149,14 +148,23 @@ class Draws:
         The mean of the fit, and its standard deviation.
     profiles : array, shape (20, n)
         Drawn at random, the same at every run.
+    bending_stiffness : array, shape (20,)
+        EI that goes with each, in `unit`.
     """
 
-    def __init__(self, data: Mapping[str, Any]) -> None:
+    _title = "Draws"
+
+    def __init__(self, data: Mapping[str, Any], table: Mapping[str, Any]) -> None:
         import numpy as np
 
-        columns = data["columns"]
+        super().__init__(data)
+        self._table = table
+        columns = table["columns"]
         self.length, self.mu, self.deviation = columns["length"], columns["mu"], columns["deviation"]
         self.profiles = np.array([values for name, values in columns.items() if name.startswith("draw_")])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Draws, (self._data, self._table)
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame as ``flexslip fit --draws`` writes it."""
@@ -166,11 +174,8 @@ class Draws:
         columns |= {f"draw_{k}": profile for k, profile in enumerate(self.profiles, 1)}
         return pandas.DataFrame(columns)
 
-    def __len__(self) -> int:
-        return len(self.profiles)
-
     def __repr__(self) -> str:
-        return f"<{len(self)} profiles at {len(self.length)} lengths>"
+        return f"<{len(self.profiles)} profiles at {len(self.length)} lengths>"
 
 
 def positive(name: str, value: Any) -> float:
@@ -184,6 +189,7 @@ def positive(name: str, value: Any) -> float:
     return number
 
 
+@with_keywords
 def fit(file: Any = None, *, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
         check_stability: bool = False, surface: Any = None, set: Mapping[str, Any] | None = None,  # noqa: A002
         **keywords: Any) -> Fit:
@@ -228,8 +234,8 @@ def fit(file: Any = None, *, model: str | None = None, false_alarms: float | Non
     >>> mu0.ci95[0] < mu0.value < mu0.ci95[1], mu0.unit
     (True, '1')
     """
-    if model is not None and model not in _flexslip.model_names:
-        raise wrong("model", f"one of {', '.join(_flexslip.model_names)}", model)
+    if model is not None:
+        one_of("model", model, _flexslip.model_names)
     case = case_of(file, set, keywords)
     test = _flexslip.fit(case._case, model or "",
                          _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),

@@ -5,16 +5,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _flexslip
-from ._answers import ANSWERS, make_class
 from ._case import _path
-from ._errors import wrong
+from ._errors import one_of, wrong
+from ._fields import ExportFields
 from ._simulate import whole
 
-_ExportFields = make_class(("export",), ANSWERS["read --json"]["entries"], "ExportFields", "What an export holds.")
 _ROLES = ("time", "displacement", "crosshead", "deflection", "force")
 
 
-class Export(_ExportFields):  # type: ignore[misc, valid-type]
+class Export(ExportFields):
     """What an export of a testing machine holds, as :func:`read` gives it: every answer of ``flexslip read --json``, and the numbers.
 
     Attributes
@@ -44,8 +43,7 @@ class Export(_ExportFields):  # type: ignore[misc, valid-type]
         InputError
             If no column has it, or several; for a unit that is missing or of another kind.
         """
-        if role not in self._in_si:
-            raise wrong("role", f"one of {', '.join(_ROLES)}", role)
+        one_of("role", role, _ROLES)
         values = self._in_si[role]
         if isinstance(values, Exception):
             raise values
@@ -110,8 +108,8 @@ def read(file: Any, *, specimen: int | None = None, encoding: str | None = None,
         if not isinstance(value, str):
             raise wrong(name, "text", value)
         words[name] = value
-    if displacement not in (None, "crosshead", "deflection"):
-        raise wrong("displacement", "crosshead or deflection", displacement)
+    if displacement is not None:
+        one_of("displacement", displacement, ("crosshead", "deflection"))
     if force_unit is not None and calibration is not None:
         raise wrong("calibration", "either a unit of the force or its calibration", "both")
     export = _flexslip.read(_path(file), words)

@@ -5,15 +5,13 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _flexslip
-from ._answers import ANSWERS, make_class
-from ._case import Case, case_of, toml_of
+from ._case import Case, case_of, toml_of, with_keywords
 from ._errors import wrong
-
-_SimulationFields = make_class(("simulation",), ANSWERS["simulate --json"]["entries"], "SimulationFields", "What a test would measure.")
-_ProfileFields = make_class(("profile",), ANSWERS["invert --json"]["entries"], "ProfileFields", "Friction point by point.")
+from ._fields import ProfileFields, SimulationFields
 
 
-class Simulation(_SimulationFields):  # type: ignore[misc, valid-type]
+
+class Simulation(SimulationFields):
     """What a test would measure, as :func:`simulate` gives it: every number of ``flexslip simulate --json``.
 
     Attributes
@@ -77,7 +75,7 @@ def _simulation_again(data: Mapping[str, Any], case: Case, kept: Mapping[str, An
     return Simulation(data, case, None, kept)
 
 
-class Profile(_ProfileFields):  # type: ignore[misc, valid-type]
+class Profile(ProfileFields):
     """Friction read off a record point by point, as :func:`friction_profile` gives it: every number of ``flexslip invert --json``.
 
     Attributes
@@ -126,6 +124,7 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
 _FORCE = {"section": "", "name": "noise", "is": "quantity", "unit": "N", "holds": "a force", "example": '"10 uN"'}
 
 
+@with_keywords
 def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: int = 1, energies: bool = False,
              set: Mapping[str, Any] | None = None, **keywords: Any) -> Simulation:  # noqa: A002
     """What a specimen on a rig would show, loaded, unloaded and cycled.
@@ -169,6 +168,7 @@ def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: in
     return Simulation(test.told(bool(energies)), case, test)
 
 
+@with_keywords
 def friction_profile(file: Any = None, *, set: Mapping[str, Any] | None = None, **keywords: Any) -> Profile:  # noqa: A002
     """Friction along the specimen, read off a record point by point at the bending stiffness stated, without a fit.
 

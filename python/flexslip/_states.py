@@ -74,14 +74,23 @@ def _require(name: str, array: Any, low: float, high: float, expected: str) -> N
     raise wrong(place, expected, repr(numbers[at].item()))
 
 
+_MA: Any = np.ma  # whose functions have no types
+_GREATEST = float(np.finfo(float).max)
+
+
+def _seen(values: Any) -> Any:
+    """What of an array is not masked."""
+    return _MA.compressed(values) if _MA.isMaskedArray(values) else values
+
+
 def _computed(function: Any, kind: Any, first: Any, second: Any, out: Any, valid: tuple[float, float]) -> Any:
     """What a universal function gives; of masked arrays, masked where one of them is."""
     if isinstance(first, np.ma.MaskedArray) or isinstance(second, np.ma.MaskedArray):
         if out is not None:
             raise wrong("out", "arrays without a mask beside it", "masked arrays")
-        mask = np.ma.getmaskarray(first) | np.ma.getmaskarray(second)
-        values = function(np.ma.filled(first, valid[0]), np.ma.filled(second, valid[1]))
-        return kind(*(np.ma.MaskedArray(value, mask) for value in values))
+        mask = _MA.getmaskarray(first) | _MA.getmaskarray(second)
+        values = function(_MA.filled(first, valid[0]), _MA.filled(second, valid[1]))
+        return kind(*(_MA.MaskedArray(value, mask) for value in values))
     return kind(*(function(first, second) if out is None else function(first, second, out=_outputs(out, len(kind._fields)))))
 
 
@@ -93,8 +102,8 @@ def _outputs(out: Any, count: int) -> tuple[Any, ...]:
 
 def _in_domain(S: Any, q: Any) -> tuple[Any, Any]:
     S, q = _numbers("S", S), _numbers("q", q)
-    _require("S", np.ma.compressed(S) if np.ma.isMaskedArray(S) else S, 1, np.finfo(float).max, "a length of at least 1 span, finite")
-    _require("q", np.ma.compressed(q) if np.ma.isMaskedArray(q) else q, -_MOST, _MOST, f"a mobilised friction from {-_MOST:g} to {_MOST:g}")
+    _require("S", _seen(S), 1, _GREATEST, "a length of at least 1 span, finite")
+    _require("q", _seen(q), -_MOST, _MOST, f"a mobilised friction from {-_MOST:g} to {_MOST:g}")
     return S, q
 
 
@@ -139,7 +148,8 @@ def elastica(S: Any, q: Any, *, out: Any = None) -> States:
     (2, 3)
     """
     S, q = _in_domain(S, q)
-    return _computed(_flexslip.states, States, S, q, out, (1, 0))
+    answer: States = _computed(_flexslip.states, States, S, q, out, (1, 0))
+    return answer
 
 
 def elastica_slopes(S: Any, q: Any, *, out: Any = None) -> Slopes:
@@ -152,7 +162,8 @@ def elastica_slopes(S: Any, q: Any, *, out: Any = None) -> Slopes:
     True
     """
     S, q = _in_domain(S, q)
-    return _computed(_flexslip.states_slopes, Slopes, S, q, out, (1, 0))
+    answer: Slopes = _computed(_flexslip.states_slopes, Slopes, S, q, out, (1, 0))
+    return answer
 
 
 def elastica_details(S: Any, q: Any, *, out: Any = None) -> Details:
@@ -165,7 +176,8 @@ def elastica_details(S: Any, q: Any, *, out: Any = None) -> Details:
     0.0
     """
     S, q = _in_domain(S, q)
-    return _computed(_flexslip.states_more, Details, S, q, out, (1, 0))
+    answer: Details = _computed(_flexslip.states_more, Details, S, q, out, (1, 0))
+    return answer
 
 
 def elastica_inverse(w: Any, F: Any, *, out: Any = None) -> Inverse:
@@ -196,7 +208,7 @@ def elastica_inverse(w: Any, F: Any, *, out: Any = None) -> Inverse:
     (1.2, 0.3)
     """
     w, F = _numbers("w", w), _numbers("F", F)
-    most = np.finfo(float).max
     for name, values in (("w", w), ("F", F)):
-        _require(name, np.ma.compressed(values) if np.ma.isMaskedArray(values) else values, 0, most, "a finite number of at least 0")
-    return _computed(_flexslip.states_from_forces, Inverse, w, F, out, (0, 0))
+        _require(name, _seen(values), 0, _GREATEST, "a finite number of at least 0")
+    answer: Inverse = _computed(_flexslip.states_from_forces, Inverse, w, F, out, (0, 0))
+    return answer

@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -45,6 +49,29 @@ py::list keys() {
   return out;
 }
 
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// A case whose record is in memory: its columns in SI, in the order of TableColumns.
+Case with_record(const Case& input, const std::vector<std::pair<std::string, Doubles>>& columns,
+                 const std::string& name) {
+  Case out = input;
+  Table table{name, {}, {{0, 1}}};
+  for (const auto& [title, values] : columns)
+    table.columns.push_back({title, std::vector<double>(values.data(), values.data() + values.size())});
+  out.record->file = name;
+  out.record->given = std::make_shared<const Table>(std::move(table));
+  return out;
+}
+
+// [SI] Numbers that are in a unit, each rounded once.
+Doubles in_si(const Doubles& values, const std::string& text, const std::string& of) {
+  const Unit unit = parse_unit(text, of == "force" ? kind::force : kind::length);
+  Doubles out(values.size());
+  std::transform(values.data(), values.data() + values.size(), out.mutable_data(),
+                 [&](double value) { return to_si(value, unit); });
+  return out;
+}
+
 }  // namespace
 
 void add_cases(py::module_& module) {
@@ -65,6 +92,8 @@ void add_cases(py::module_& module) {
       py::call_guard<py::gil_scoped_release>());
   module.def("case_text", [](const std::string& path) { return py::bytes(case_text(path)); });
   module.def("keys", keys);
+  module.def("with_record", with_record);
+  module.def("in_si", in_si);
 }
 
 }  // namespace flexslip::python
