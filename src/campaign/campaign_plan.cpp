@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include "case/case_keys.h"
@@ -99,17 +100,23 @@ TableKey key_of(const std::string& title) {
   return {title, section_of(name), name, part, column.unit};
 }
 
-template <class Number>
-std::optional<Number> as(std::string_view cell) {
-  Number value{};
+std::optional<double> as_number(std::string_view cell) {
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<std::int64_t> as_whole_number(std::string_view cell) {
+  std::int64_t value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
   return value;
 }
 
 void set(toml::table& table, const std::string& key, const std::string& cell, const std::string& unit) {
-  const auto number = as<double>(cell);
-  auto whole = as<std::int64_t>(cell);
+  const auto number = as_number(cell);
+  auto whole = as_whole_number(cell);
   constexpr double largest = 1e15;  // "267.0", as spreadsheets write a count
   if (number && !whole && *number == std::floor(*number) && std::abs(*number) < largest)
     whole = static_cast<std::int64_t>(*number);
