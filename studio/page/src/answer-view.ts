@@ -14,7 +14,7 @@ const glyph = (mark: CheckLine["mark"]): SVGElement =>
 export function drawAnswer(studio: Studio): void {
   const { fit, test } = studio, host = byId("answer");
   if (!fit) {
-    fill(host, el("p", { class: "lead" }, test ? `${test.name}: ${test.rows ? `${test.rows.force.length} rows read` : "read"}.` : ""), el("h1", {}, studio.fitting?.test === test ? "Fitting…" : test ? "Not fitted yet." : ""),
+    fill(host, el("p", { class: "lead" }, test ? `${test.name}: ${test.read ? `${test.read.rows} rows read` : "read"}.` : ""), el("h1", {}, studio.fitting?.test === test ? "Fitting…" : test ? "Not fitted yet." : ""),
       el("p", { class: "lead" }, test && !studio.fitting ? "Say what is asked at the left, then press Fit." : ""));
     return;
   }
@@ -42,9 +42,9 @@ export function drawMoment(studio: Studio): void {
   fill(host, el("span", { class: "dot" }),
     studio.tried !== null ? el("span", { class: "cell" }, el("span", {}, "tried")) : cell("row", String(moment.row), 23, ""),
     cell("stage", number(moment.stage, length.factor), 37, length.name), cell("deflection", number(moment.deflection, length.factor), 37, length.name, "narrow-keep"),
-    cell("force", number(moment.force, force.factor, 2), 34, force.name), cell("*μ*", moment.used ? mu : "–", 84, ""),
+    cell("force", number(moment.force, force.factor, 2), 34, force.name), cell("*μ*", moment.used ? mu : "–", 78, ""),
     cell("drawn in, each side", number(moment.drawn / 2, length.factor), 34, length.name, "wide"),
-    el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : !moment.used ? (studio.indexOf(moment.row) < 0 ? "before the rows used" : `after the rows used`) : null));
+    el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wide" }, rich(words.more)) : null, words ? null : !moment.used ? (studio.indexOf(moment.row) < 0 ? "before the rows used" : `after the rows used`) : null));
 }
 
 /** For a screen reader, when the moment was moved by a key. */

@@ -17,23 +17,23 @@ const WHY_NOT: Record<string, string> = {
 };
 
 /** A drop in words: "Drop 9 could be a slip". */
-export function dropInWords(drop: Drop, number: number): { claim: string; rest: string } {
+export function dropInWords(drop: Drop, number: number): { claim: string; rest: string; more: string } {
   const fall = `${written(drop.force_fall, "force")} down`;
   const slip = slipOf(drop);
   if (slip === "could") {
     const mu = drop.mu_before !== null && drop.mu_after !== null ? `, *μ* ${fixed(drop.mu_before, 2)} to ${fixed(drop.mu_after, 2)}` : "";
     const drawn = drop.pulled_in ? `, ${written(drop.pulled_in.value / 2, "length")} drawn in at each side` : "";
-    return { claim: `Drop ${number} could be a slip`, rest: `: ${fall}${mu}${drawn}` };
+    return { claim: `Drop ${number} could be a slip`, rest: `: ${fall}`, more: `${mu}${drawn}` };
   }
-  if (slip === "undecided") return { claim: `Drop ${number}: cannot tell`, rest: `: ${fall}, too few rows to judge` };
-  return { claim: `Drop ${number}: a slip could be excluded`, rest: `: ${fall}, ${WHY_NOT[drop.slip] ?? drop.slip}` };
+  if (slip === "undecided") return { claim: `Drop ${number}: cannot tell`, rest: `: ${fall}, too few rows to judge`, more: "" };
+  return { claim: `Drop ${number}: a slip could be excluded`, rest: `: ${fall}, ${WHY_NOT[drop.slip] ?? drop.slip}`, more: "" };
 }
 
 const NOTHING = "–";
 
 /** A value with its error in a unit: digits follow the error. */
-export function estimate(value: number, error: number, unit: Unit): [string, string] {
-  const digits = Math.min(4, decimalsFor(error / unit.factor));
+export function estimate(value: number, error: number, unit: Unit, most = 4): [string, string] {
+  const digits = Math.min(most, decimalsFor(error / unit.factor));
   return [fixed(value / unit.factor, digits), `± ${fixed(error / unit.factor, digits)}`];
 }
 

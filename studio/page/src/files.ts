@@ -41,7 +41,7 @@ export function dataOfCase(text: string): string | null {
 const stem = (name: string): string => name.replace(/\.[^.]+$/, "");
 
 /** Tests of these files: a case with its data, or a data file alone. */
-export async function testsOf(incoming: Incoming[], refuse: (sentence: string) => void): Promise<Test[]> {
+export async function testsOf(incoming: Incoming[], refuse: (sentence: string) => void, named?: string): Promise<Test[]> {
   const tests: Test[] = [], taken = new Set<string>(), byName = new Map<string, Incoming>();
   for (const file of incoming) {
     if (!/\.xlsx$/i.test(file.name)) {
@@ -59,20 +59,20 @@ export async function testsOf(incoming: Incoming[], refuse: (sentence: string) =
   }
   for (const file of byName.values()) {
     if (!/\.toml$/i.test(file.name)) continue;
-    const text = new TextDecoder().decode(file.bytes), named = dataOfCase(text);
-    const wanted = named === null ? null : harmless(named), data = wanted === null ? undefined : byName.get(wanted);
+    const text = new TextDecoder().decode(file.bytes), stated = dataOfCase(text);
+    const wanted = stated === null ? null : harmless(stated), data = wanted === null ? undefined : byName.get(wanted);
     taken.add(file.name);
     if (!data || !wanted) {
       refuse(wanted === null ? `${file.name} names no record to evaluate; [record] file says which.` : `${file.name} names ${wanted}: drop both together.`);
       continue;
     }
     taken.add(data.name);
-    const files: Files = { [file.name]: named === wanted ? file.bytes : new TextEncoder().encode(text.replace(named!, wanted)), [data.name]: data.bytes };
+    const files: Files = { [file.name]: stated === wanted ? file.bytes : new TextEncoder().encode(text.replace(stated!, wanted)), [data.name]: data.bytes };
     for (const other of byName.values()) if (other !== file && other !== data && text.includes(`"${other.name}"`)) {
       files[other.name] = other.bytes;  // a trace, a table of friction
       taken.add(other.name);
     }
-    tests.push(new Test(stem(file.name) === "case" ? stem(data.name) : stem(file.name), files, file.name, data.name));
+    tests.push(new Test(named ?? (stem(file.name) === "case" ? stem(data.name) : stem(file.name)), files, file.name, data.name));
   }
   for (const file of byName.values()) if (!taken.has(file.name)) tests.push(new Test(stem(file.name), { [file.name]: file.bytes }, file.name, file.name));
   return tests;

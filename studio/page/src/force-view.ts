@@ -6,7 +6,7 @@ import { slipOf } from "./answer";
 import type { Drop } from "./answers";
 import { byId, el, fill, label, svg } from "./dom";
 import type { Curve } from "./model";
-import { area, axes, dots, dotted, dropColour, dropMark, frameOf, greatest, haloed, lineThrough, path, placeIn, sized, type Frame, type Scale } from "./plot";
+import { area, axes, dots, dotted, dropColour, dropMark, frameOf, greatest, haloed, least, lineThrough, path, placeIn, sized, type Frame, type Scale } from "./plot";
 import { fixed, unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
 import type { Fit } from "./test";
@@ -122,11 +122,16 @@ export class ForceView {
   private drawRaw(): void {
     this.marker.replaceChildren();
     const rows = this.studio.test?.rows;
+    fill(byId("force-marks"));
     if (!rows) return;
-    this.units = { x: unitFor(greatest(rows.stage), "length"), y: unitFor(greatest(rows.force), "force") };
+    const spanned = (values: Float64Array): [number, number] => {
+      const low = Math.min(0, least(values)), high = Math.max(0, greatest(values));
+      return Number.isFinite(low) && high > low ? [low, high + 0.06 * (high - low)] : [0, 1];
+    };
+    const dx = spanned(rows.stage), dy = spanned(rows.force);
+    this.units = { x: unitFor(Math.max(-dx[0], dx[1]), "length"), y: unitFor(Math.max(-dy[0], dy[1]), "force") };
     byId("force-unit").textContent = `(${this.units.y.name})`;
-    const least = Math.min(0, -greatest(rows.force.map((f) => -f)));
-    this.frame = frameOf(this.host, MARGINS, [0, (greatest(rows.stage) * 1.05) / this.units.x.factor], [least / this.units.y.factor, (greatest(rows.force) * 1.1) / this.units.y.factor]);
+    this.frame = frameOf(this.host, MARGINS, [dx[0] / this.units.x.factor, dx[1] / this.units.x.factor], [dy[0] / this.units.y.factor, dy[1] / this.units.y.factor]);
     const { x, y } = this.si();
     sized(this.drawing, this.host, axes(this.frame, `displacement as in the file (${this.units.x.name})`, { x: 5, y: 5 }), dotted(dots(rows.stage, rows.force, x, y), "var(--data)", 2.4));
   }
@@ -154,8 +159,8 @@ export class ForceView {
     const slope = force / end;
     const top = y.domain()[1]! * 0.995, w1 = Math.min(end, top / slope);
     inside.append(path(`M${x(0)} ${y(0)}L${x(toX(w1, slope * w1))} ${y(slope * w1)}`, "var(--ref)", 1.1, { "stroke-dasharray": "7 4" }));
-    const labelX = Math.min(x(toX(w1, slope * w1)) - 8, right - 4);
-    if (labelX > margins.left + 110) inside.append(haloed("Euler–Bernoulli", labelX, y(slope * w1) + 10, "end"));
+    const high = 0.78 * slope * w1, labelX = Math.min(x(toX(high / slope, high)) - 12, right - 4);
+    if (labelX > margins.left + 90) inside.append(haloed("Euler–Bernoulli", labelX, y(high) + 2, "end"));
     const plain = this.withoutFriction(fit);
     if (!plain) return;
     const xs = studio.axis === "stage" ? plain.deflection.map((w, i) => w + plain.force[i]! / values.kc) : plain.deflection;
@@ -166,8 +171,8 @@ export class ForceView {
     if (at > 0) inside.append(haloed("no friction", Math.min(x(xs[at]!), right - 4), y(plain.force[at]!) + 15, "end"));
   }
 
-  private placeOf(drop: Drop, after = false): [number, number] {
-    const w = after ? drop.deflection_after : drop.deflection_before, f = after ? drop.force_after : drop.force_before;
+  private placeOf(drop: Drop): [number, number] {
+    const w = drop.deflection_before, f = drop.force_before;
     const k = this.studio.fit!.fitted.kc;
     return [this.studio.axis === "stage" ? w + f / k : w, f];
   }
@@ -175,12 +180,12 @@ export class ForceView {
   private drawDrops(inside: SVGGElement, fit: Fit, x: Scale, y: Scale): void {
     let lastLabel = -Infinity;
     const space = fit.answer.drops.length > 20 ? 17 : 12;
-    const lines: Record<string, string> = {};
+    const lines: Record<string, string> = {}, { studio } = this, k = fit.fitted.kc;
     for (const [i, drop] of fit.answer.drops.entries()) {
-      const [w0, f0] = this.placeOf(drop), [w1, f1] = this.placeOf(drop, true), slip = slipOf(drop);
+      const [w0, f0] = this.placeOf(drop), slip = slipOf(drop);
       const px = x(w0), py = y(f0);
-      // The load line of the drop, as long as twice its fall and at least 26 px.
-      const ex = x(w1) - px, ey = y(f1) - py, length = Math.hypot(ex, ey) || 1, scale = Math.max(1.5, 26 / length);
+      // The load line of the drop, of slope -k, as long as one and a half times its fall and at least 22 px.
+      const fall = Math.max(drop.force_fall, 1e-30), ex = studio.axis === "stage" ? 0 : x(w0 + fall / k) - px, ey = y(f0 - fall) - py, length = Math.hypot(ex, ey) || 1, scale = Math.max(1.5, 22 / length);
       lines[slip] = (lines[slip] ?? "") + `M${px.toFixed(1)} ${py.toFixed(1)}l${(ex * scale).toFixed(1)} ${(ey * scale).toFixed(1)}`;
       inside.append(dropMark(slip, px, py - 8));
       if (px - lastLabel >= space) {
@@ -194,8 +199,8 @@ export class ForceView {
   private drawKeys(fit: Fit): void {
     const mark = (words: string, ...shapes: SVGElement[]): HTMLElement => el("span", {}, svg("svg", { width: 20, height: 12 }, ...shapes), words);
     const kinds = new Set(fit.answer.drops.map(slipOf));
-    const drops: [("could" | "undecided" | "no"), string][] = [["could", "ring: could be a slip"], ["undecided", "diamond: cannot tell"], ["no", "triangle: no slip does it"]];
-    const words = drops.filter(([kind]) => kinds.has(kind)).map(([kind, w], i) => mark(i === 0 ? `load line of a drop; ${w}` : w, path("M10 6l9 5", dropColour(kind), 1, { "stroke-dasharray": "3 2.500" }), dropMark(kind, 6, 5, 3)));
+    const drops: [("could" | "undecided" | "no"), string][] = [["could", "could be a slip"], ["undecided", "cannot tell"], ["no", "no slip does it"]];
+    const words = drops.filter(([kind]) => kinds.has(kind)).map(([kind, w], i) => mark(i === 0 ? `load line of a drop; ${w}` : w, path("M8 5l11 6", dropColour(kind), 1, { "stroke-dasharray": "3 2.500" }), dropMark(kind, 6, 5, 3)));
     fill(byId("force-marks"), mark("data", dotted("M3 6h0M10 6h0M17 6h0", "var(--data)", 3)), mark("model", path("M0 6h20", "var(--model)", 1.6)),
       this.studio.bandReady && !this.studio.changed ? mark("draws", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
   }

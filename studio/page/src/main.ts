@@ -12,7 +12,7 @@ import { FrictionView } from "./friction-view";
 import { closeDialog, listenToKeys, openDialog, openKeys } from "./keys";
 import { outputsOf } from "./outputs";
 import { ParametersView } from "./parameters-view";
-import type { Key } from "./parameters";
+import { isAllowed, type Key } from "./parameters";
 import { ProgrammeView } from "./programme-view";
 import { fixed, written } from "./quantity";
 import { RowsView } from "./rows-view";
@@ -44,12 +44,14 @@ async function start(): Promise<void> {
 
   // ---- views
   const any = (topics: ReadonlySet<Topic>, ...of: Topic[]): boolean => of.some((topic) => topics.has(topic));
+  let changed = false;
   studio.listen((topics) => {
     if (topics.has("error")) drawError(studio);
     if (any(topics, "tests", "fitting")) drawTests(studio);
     if (any(topics, "tests", "card", "view")) drawHead(studio);
     if (any(topics, "card", "fitting")) card.draw();
-    if (any(topics, "answer", "model", "fitting", "tests")) drawAnswer(studio);
+    if (any(topics, "answer", "tests") || (any(topics, "model", "fitting") && (studio.changed !== changed || !studio.fit))) drawAnswer(studio);
+    changed = studio.changed;
     if (any(topics, "model", "axis", "pins", "theme", "view", "rows")) force.draw(), force.drawResiduals();
     else if (topics.has("moment")) force.mark();
     if (any(topics, "rows", "view")) rows.draw();
@@ -62,7 +64,7 @@ async function start(): Promise<void> {
     if (any(topics, "model", "parameters")) parameters.draw();
     if (any(topics, "model", "fitting", "parameters")) parameters.drawFit();
     if (topics.has("pins")) drawPins(studio);
-    if (any(topics, "tour", "view", "model")) drawTour(studio);
+    if (any(topics, "tour", "view", "answer")) drawTour(studio);
     byId<HTMLButtonElement>("undo").disabled = !studio.canUndo;
     byId<HTMLButtonElement>("redo").disabled = !studio.canRedo;
     byId<HTMLButtonElement>("pin").disabled = byId<HTMLButtonElement>("export").disabled = !studio.fit;
@@ -79,8 +81,8 @@ async function start(): Promise<void> {
 
   // ---- what comes in
   const refuse = (sentence: string): void => studio.report(sentence);
-  const take = async (incoming: Incoming[]): Promise<void> => {
-    const tests = await testsOf(incoming, refuse), like = studio.tests.find((t) => !t.isCase && t.fit);
+  const take = async (incoming: Incoming[], named?: string): Promise<void> => {
+    const tests = await testsOf(incoming, refuse, named), like = studio.tests.find((t) => !t.isCase && t.fit);
     for (const test of tests) {
       // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it, bold.
       if (like && !test.isCase) Object.assign(test.settings, { span: like.settings.span, diameter: like.settings.diameter, stiffness: like.settings.stiffness, displacement: like.settings.displacement });
@@ -88,7 +90,7 @@ async function start(): Promise<void> {
       await studio.open(test);
     }
   };
-  const showExample = async (): Promise<void> => take(standing("example"));
+  const showExample = async (): Promise<void> => take(standing("example"), EXAMPLE);
   const picker = byId<HTMLInputElement>("picker");
   picker.addEventListener("change", async () => {
     const list = [...(picker.files ?? [])];
@@ -219,15 +221,19 @@ async function start(): Promise<void> {
       return false;
     }
     const incoming = link.files ? link.files.map((f) => ({ name: harmless(f.name), bytes: bytesOf(f.base64) })) : standing("example");
-    const [test] = await testsOf(incoming, refuse);
+    const [test] = await testsOf(incoming, refuse, link.files ? undefined : EXAMPLE);
     if (!test) return false;
     test.settings = link.settings;
     await studio.open(test);
     if (test.fit && studio.values && studio.test === test) {
-      Object.assign(studio.values, link.values);
+      for (const p of test.fit.parameters) {
+        const value = link.values[p.key];
+        if (value !== undefined && isAllowed(p, value)) studio.values[p.key] = value;
+      }
       if (link.wave !== null) studio.wave = link.wave;
       studio.axis = link.axis;
-      studio.programme = link.programme;
+      const most = 3 * test.fit.greatestStage;
+      studio.programme = link.programme?.every((stage) => stage <= most) ? link.programme : null;
       studio.tell("model", "parameters", "programme", "axis", "moment");
       if (link.row !== null) studio.setRow(link.row);
     }
@@ -248,6 +254,7 @@ async function start(): Promise<void> {
   document.body.dataset["ready"] = "yes";
 }
 
+const EXAMPLE = "simulated";  // the name that the example has in the repository
 const isExample = (files: Record<string, Uint8Array>): boolean => {
   const example = standing("example");
   return example.length === Object.keys(files).length && example.every((f) => files[f.name]?.length === f.bytes.length && f.bytes.every((b, i) => files[f.name]![i] === b));
@@ -274,7 +281,7 @@ function drawHead(studio: Studio): void {
     if (diameter) facts.push(`diameter ${written4(diameter, "length")}`);
     if (k) facts.push(Number.isFinite(k) ? `load train ${written4(k, "stiffness")}` : "deflection imposed");
   }
-  fill(byId("what"), el("b", {}, test.name), m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : test.rows ? ` · ${test.rows.force.length} rows` : "", el("span", { class: "narrow-out" }, facts.length ? ` · ${facts.join(" · ")}` : ""));
+  fill(byId("what"), el("b", {}, test.name), m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : test.read ? ` · ${test.read.rows} rows` : "", el("span", { class: "narrow-out" }, facts.length ? ` · ${facts.join(" · ")}` : ""));
 }
 const written4 = (value: number, kind: "length" | "stiffness"): string => {
   const [, unit = ""] = written(value, kind).split(" ");

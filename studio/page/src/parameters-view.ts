@@ -1,7 +1,7 @@
 // Rows of parameters: lock, name, slider with the 95 % interval and the value of the fit, number, unit; the fit button and what it says.
 
 import { byId, el, fill, plain, rich, svg } from "./dom";
-import { placeOf, shown, valueAt, type Key, type Parameter } from "./parameters";
+import { isAllowed, placeOf, shown, valueAt, type Key, type Parameter } from "./parameters";
 import { parseQuantity, significant, unitFor, written } from "./quantity";
 import { inertia } from "./settings";
 import type { Studio } from "./studio";
@@ -151,17 +151,15 @@ export class ParametersView {
     return words === shown(p, fitted) ? fitted : Number(words) * p.unit.factor;
   }
   private within(p: Parameter, value: number): number {
-    const least = p.logarithmic ? p.low / 10 : p.low;
-    return this.rounded(p, Math.max(least, value));
+    return isAllowed(p, value) ? this.rounded(p, value) : this.studio.values![p.key];
   }
 
   private enter(p: Parameter, number: HTMLInputElement): void {
     const { studio } = this, value = parseQuantity(number.value, p.unit.command), old = studio.values![p.key];
     if (number.value === shown(p, old)) return;
-    const positive = p.key === "kc" || p.logarithmic;
-    const wrong = value === null || (positive ? !(value > 0) : p.key !== "phi" && value < 0) || (value === Infinity && p.key !== "kc") || (p.key === "amp" && value > 1) || (p.key === "mu0" && value > 3);
-    if (wrong) {
-      studio.report(`${plain(p.name)}: “${number.value.slice(0, 40)}” is no ${p.key === "kc" || positive ? "positive number" : "number that it can be"}${p.unit.name ? ` of ${p.unit.name}` : ""}. The old value stays.`);
+    if (value === null || !isAllowed(p, value)) {
+      const range = p.logarithmic ? `between ${significant(p.low / 100 / p.unit.factor, 2)} and ${significant((p.high * 100) / p.unit.factor, 2)}` : p.key === "phi" ? "that is an angle" : `from 0 to ${p.key === "amp" ? 1 : p.key === "R" ? significant((p.high * 10) / p.unit.factor, 2) : 3}`;
+      studio.report(`${plain(p.name)}: “${number.value.slice(0, 40)}” is no number ${range}${p.unit.name ? ` ${p.unit.name}` : ""}. The old value stays.`);
       number.value = shown(p, old);
       return;
     }

@@ -55,7 +55,7 @@ export function parametersOf(fit: FitAnswer, fitted: Values): Parameter[] {
   };
   const row = (key: Key, group: Parameter["group"], name: string, unit: Unit, low: number, high: number, digits: number, options: Partial<Parameter> = {}): Parameter =>
     ({ key, group, name, unit, unitWords: unit.name, low, high, logarithmic: false, digits, lock: "found", interval: interval(key), ...options });
-  const lengthOf = (value: number): Unit => unitFor(value, "length", 10000);
+  const lengthOf = (value: number): Unit => unitFor(Math.max(value, 1e-8) < 2e-7 ? value : Math.max(value, 2e-5), "length", 10000);
   const digitsOf = (value: number, unit: Unit, significant: number): number => Math.max(0, Math.min(6, significant - 1 - Math.floor(Math.log10(Math.abs(value / unit.factor) || 1))));
   const logarithmic = true, EI = unitFor(fitted.EI, "bending"), D = lengthOf(fitted.D), k = unitFor(Number.isFinite(fitted.kc) ? fitted.kc : 1, "stiffness");
   const len = lengthOf(fitted.len), lam = lengthOf(fitted.lam), L = lengthOf(span);
@@ -75,6 +75,15 @@ export function parametersOf(fit: FitAnswer, fitted: Values): Parameter[] {
   return rows.filter((r) => r.key !== "D" || fitted.D > 0);
 }
 
+/** Whether a parameter can have this value: what is positive stays so, and within a hundred times its range. */
+export function isAllowed(p: Parameter, value: number): boolean {
+  if (p.key === "kc" && value === Infinity) return true;
+  if (!Number.isFinite(value)) return false;
+  if (p.key === "phi") return Math.abs(value) <= 1000 * Math.PI;
+  if (p.logarithmic) return value > 0 && value >= p.low / 100 && value <= p.high * 100;
+  return value >= 0 && value <= (p.key === "amp" ? 1 : p.key === "R" ? p.high * 10 : 3);
+}
+
 /** Where a value stands on its slider, 0 to 1, and back. */
 export function placeOf(p: Parameter, value: number): number {
   const place = p.logarithmic ? Math.log(value / p.low) / Math.log(p.high / p.low) : (value - p.low) / (p.high - p.low);
@@ -85,6 +94,7 @@ export const valueAt = (p: Parameter, place: number): number => (p.logarithmic ?
 /** The value as its box shows it. */
 export function shown(p: Parameter, value: number): string {
   if (!Number.isFinite(value)) return "inf";
+  if (value === 0) return "0";
   const inUnit = value / p.unit.factor;
   const whole = Math.max(0, Math.floor(Math.log10(Math.abs(inUnit) || 1)));
   return inUnit.toFixed(Math.max(0, Math.min(p.digits, 5 - whole)));

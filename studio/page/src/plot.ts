@@ -34,10 +34,36 @@ export function axes(frame: Frame, xTitle: string, ticks: { x: number; y: number
   return g;
 }
 
+const MANY = 6000;  // points, from which on only those are drawn that show
+
 const r1 = (value: number): number => Math.round(value * 10) / 10;
+
+/** The same line with as many points as there are pixels: of those of one column the first, the least, the greatest and the last. */
+function manyThrough(xs: ArrayLike<number>, ys: ArrayLike<number>, x: Scale, y: Scale, from: number, to: number): string {
+  const parts: string[] = [];
+  let column = NaN, low = 0, high = 0, first = 0, last = 0;
+  const close = (): void => {
+    if (!Number.isNaN(column)) parts.push(`${parts.length ? "L" : "M"}${column} ${r1(first)}L${column} ${r1(low)}L${column} ${r1(high)}L${column} ${r1(last)}`);
+  };
+  for (let i = from; i < to; ++i) {
+    const a = Math.round(x(xs[i]!) * 2) / 2, b = y(ys[i]!);
+    if (Number.isNaN(a) || Number.isNaN(b)) continue;
+    if (a !== column) {
+      close();
+      column = a;
+      low = high = first = b;
+    }
+    low = Math.min(low, b);
+    high = Math.max(high, b);
+    last = b;
+  }
+  close();
+  return parts.join("");
+}
 
 /** A line through the points; broken where one is not a number. */
 export function lineThrough(xs: ArrayLike<number>, ys: ArrayLike<number>, x: Scale, y: Scale, from = 0, to = xs.length): string {
+  if (to - from > MANY) return manyThrough(xs, ys, x, y, from, to);
   const parts: string[] = [];
   let pen = false;
   for (let i = from; i < to; ++i) {
@@ -54,10 +80,16 @@ export function lineThrough(xs: ArrayLike<number>, ys: ArrayLike<number>, x: Sca
 
 /** A dot at each point, as one path with round ends. */
 export function dots(xs: ArrayLike<number>, ys: ArrayLike<number>, x: Scale, y: Scale, from = 0, to = xs.length): string {
-  const parts: string[] = [];
+  const parts: string[] = [], taken = to - from > MANY ? new Set<number>() : null;
   for (let i = from; i < to; ++i) {
     const a = x(xs[i]!), b = y(ys[i]!);
-    if (!Number.isNaN(a) && !Number.isNaN(b)) parts.push("M", String(r1(a)), " ", String(r1(b)), "h0");
+    if (Number.isNaN(a) || Number.isNaN(b)) continue;
+    if (taken) {
+      const pixel = Math.round(a) * 100_000 + Math.round(b);
+      if (taken.has(pixel)) continue;
+      taken.add(pixel);
+    }
+    parts.push("M", String(r1(a)), " ", String(r1(b)), "h0");
   }
   return parts.join("");
 }
@@ -122,4 +154,9 @@ export const greatest = (values: ArrayLike<number>): number => {
   let most = -Infinity;
   for (let i = 0; i < values.length; ++i) if (values[i]! > most) most = values[i]!;
   return most;
+};
+export const least = (values: ArrayLike<number>): number => {
+  let low = Infinity;
+  for (let i = 0; i < values.length; ++i) if (values[i]! < low) low = values[i]!;
+  return low;
 };

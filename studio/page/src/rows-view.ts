@@ -3,7 +3,7 @@
 import { scaleLinear } from "d3-scale";
 import { slipOf } from "./answer";
 import { byId, svg } from "./dom";
-import { dropColour, greatest, lineThrough, path, placeIn, sized, type Scale } from "./plot";
+import { dropColour, greatest, least, lineThrough, path, placeIn, sized, type Scale } from "./plot";
 import type { Studio } from "./studio";
 
 const LEFT = 54, RIGHT = 24, TOP = 4, BOTTOM = 17;
@@ -38,8 +38,8 @@ export class RowsView {
     const width = this.host.clientWidth, height = this.host.clientHeight, bottom = height - BOTTOM;
     this.x = scaleLinear([1, this.last], [LEFT, Math.max(LEFT + 1, width - RIGHT)]);
     const sign = fit?.answer.preparation.some((s) => s.step === "sign" && s.changed && /revers/.test(s.done)) ? -1 : 1;
-    const f = sign === 1 ? force : force.map((v) => -v), most = greatest(f), least = Math.min(0, -greatest(f.map((v) => -v)));
-    const y = scaleLinear([least, most], [bottom - 1, TOP + 3]), rows = Float64Array.from({ length: this.last }, (_, i) => i + 1);
+    const f = sign === 1 ? force : force.map((v) => -v), most = greatest(f), low = Math.min(0, least(f));
+    const y = scaleLinear([low, most > low ? most : low + 1], [bottom - 1, TOP + 3]), rows = Float64Array.from({ length: this.last }, (_, i) => i + 1);
     const [first, last] = this.used(), x1 = this.x(first), x2 = this.x(last);
     const children: SVGElement[] = [
       svg("rect", { x: x1, y: TOP, width: Math.max(0, x2 - x1), height: bottom - TOP, fill: "var(--band)" }),

@@ -93,7 +93,7 @@ export class Studio {
     this.select(test);
     const missing = [...(test.isCase ? [] : missingOf(test))];
     if (missing.length) {
-      this.report(`${test.data} does not say ${list(missing)}. Enter ${missing.length === 1 ? "it" : "them"} under “How ${test.name} was read”, then press Fit.`);
+      this.report(`${test.data} does not say ${list(missing)}. Enter ${missing.length === 1 ? "it" : "them"} under “How ${test.data} was read”, then press Fit.`);
       return;
     }
     await this.runFit();

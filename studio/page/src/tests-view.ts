@@ -1,20 +1,24 @@
 // The list of tests with their verdicts, and the pinned curves.
 
-import { slipOf } from "./answer";
+import { estimate, slipOf } from "./answer";
 import { byId, el, fill, rich, svg } from "./dom";
 import { greatest } from "./plot";
-import { fixed } from "./quantity";
+import { fixed, plainUnit } from "./quantity";
 import type { Studio } from "./studio";
 import type { Test } from "./test";
 
 /** The curve from 60 to 100 % of its greatest force, in 84 by 24. */
 function spark(test: Test): SVGElement {
   const drawing = svg("svg", { width: "100%", height: 22, viewBox: "0 0 84 24", preserveAspectRatio: "none", "aria-hidden": "true" });
-  const fit = test.fit, w = fit?.curves.column("w") ?? test.rows?.stage, force = fit?.curves.column("F") ?? test.rows?.force;
+  const fit = test.fit, w = fit?.curves.column("w") ?? test.rows?.stage;
+  let force = fit?.curves.column("F") ?? test.rows?.force;
   if (!w?.length || !force) return drawing;
-  const most = greatest(force), from = force.findIndex((f) => f > 0.6 * most), end = w[w.length - 1]!, begin = w[from] ?? 0, step = Math.max(1, Math.floor((w.length - from) / 168));
+  if (greatest(force) < greatest(force.map((f) => -f))) force = force.map((f) => -f);  // compression counted as negative
+  const most = greatest(force);
+  if (!(most > 0)) return drawing;
+  const from = force.findIndex((f) => f > 0.6 * most), end = w[w.length - 1]!, begin = w[from] ?? 0, step = Math.max(1, Math.floor((w.length - from) / 168));
   let d = "";
-  for (let i = Math.max(0, from); i < w.length; i += step) d += `${d ? "L" : "M"}${(((w[i]! - begin) / (end - begin || 1)) * 83 + 0.5).toFixed(1)} ${Math.min(23.5, 23 - ((force[i]! / most - 0.6) / 0.4) * 22).toFixed(1)}`;
+  for (let i = Math.max(0, from); i < w.length; i += step) if (Number.isFinite(w[i]!) && Number.isFinite(force[i]!)) d += `${d ? "L" : "M"}${(((w[i]! - begin) / (end - begin || 1)) * 83 + 0.5).toFixed(1)} ${Math.min(23.5, 23 - ((force[i]! / most - 0.6) / 0.4) * 22).toFixed(1)}`;
   drawing.append(svg("path", { d, fill: "none", stroke: "var(--ink2)", "stroke-width": 1, "vector-effect": "non-scaling-stroke" }));
   return drawing;
 }
@@ -39,7 +43,7 @@ export function drawTests(studio: Studio): void {
         event.preventDefault();
         event.stopPropagation();
       },
-    }, el("div", {}, el("b", {}, test.name), el("span", { class: "note" }, mu && !mu.bound ? rich(`*μ* ${fixed(mu.value, 2)} ± ${fixed(mu.standard_error, 2)}`) : mu ? rich(`*μ* ≤ ${fixed(mu.interval95[1], 2)}`) : " ")), spark(test), badge);
+    }, el("div", {}, el("b", {}, test.name), el("span", { class: "note" }, mu && !mu.bound ? rich(`*μ* ${estimate(mu.value, mu.standard_error, plainUnit, 3).join(" ")}`) : mu ? rich(`*μ* ≤ ${fixed(mu.interval95[1], 2)}`) : " ")), spark(test), badge);
   }));
   if (focus) byId("tests").querySelector<HTMLElement>("[aria-selected=true]")?.focus();
 }

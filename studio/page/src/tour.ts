@@ -23,6 +23,7 @@ export function drawTour(studio: Studio): void {
   host.hidden = step < 0 || !studio.fit;
   if (host.hidden) return;
   const [title, words] = all[step]!;
+  if (step === all.length - 1) byId("programme").scrollIntoView({ block: "nearest" });
   const go = (to: number): void => {
     studio.step = to >= all.length ? -1 : to;
     studio.tell("tour");
