@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, "../..");
-const options = { engine: "", out: join(root, "build/studio/studio.html"), inline: [] };
+const options = { engine: "", out: join(root, "build/studio/flexslip-studio.html"), inline: [] };
 for (let i = 2; i < process.argv.length; i += 2) {
   const name = process.argv[i].replace(/^--/, ""), value = process.argv[i + 1];
   if (!(name in options) || value === undefined) throw new Error(`usage: build.mjs --engine FILE.ts [--out FILE.html] [--inline ID=FILE]...`);

@@ -1,5 +1,5 @@
 // The studio as a user has it: one file, opened from file:// in Debian's chromium with the network off.
-//   STUDIO    the page (build/studio/studio.html)      FLEXSLIP  the program that its answers are held against
+//   STUDIO    the page (build/studio/flexslip-studio.html)      FLEXSLIP  the program that its answers are held against
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -8,7 +8,7 @@ import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-export const page = resolve(process.env.STUDIO ?? join(root, "build/studio/studio.html"));
+export const page = resolve(process.env.STUDIO ?? join(root, "build/studio/flexslip-studio.html"));
 export const program = resolve(process.env.FLEXSLIP ?? join(root, "build/release/flexslip"));
 export const data = resolve(root, "../shared/data");
 const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);

@@ -28,6 +28,7 @@ test("each instrument's format, dropped: the card shows what `flexslip read` dec
   for (const name of names) {
     const told = readNatively(fixtures, name), before = await tab.locator("#tests li").count();
     await tab.keyboard.press("Escape");
+    await painted(tab);
     await drop(tab, join(fixtures, name));
     await tab.waitForFunction((n) => !document.querySelector("#error").hidden || document.querySelectorAll("#tests li").length > n, before);
     await painted(tab);

@@ -2,7 +2,7 @@
 # The studio in a browser: every file of studio/tests/ named *_test.mjs, on the page that tools/build-studio made, from file:// with the network off.
 # Skipped where page, chromium, node or the packages of studio/page are not there.
 set -euo pipefail
-export STUDIO=${STUDIO:-$SOURCE_DIR/build/studio/studio.html} FLEXSLIP
+export STUDIO=${STUDIO:-$SOURCE_DIR/build/studio/flexslip-studio.html} FLEXSLIP
 skip() {
   echo "skipped: $1" >&2
   exit 77

@@ -128,7 +128,7 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
 
 const num = (check: Check, name: string): number => (typeof check[name] === "number" ? (check[name] as number) : NaN);
 
-function checkInWords(check: Check): string {
+function checkInWords(check: Check, fit: FitAnswer): string {
   const possible = check.passed !== null;
   switch (check.name) {
     case "residuals": return `Fit misses the force by ${significant((100 * num(check, "residual_rms")) / num(check, "greatest_force"), 2)} %`;
@@ -140,7 +140,7 @@ function checkInWords(check: Check): string {
     case "whiteness": return !possible ? "What is left noise? Cannot tell" : `What is left is ${check.passed ? "" : "not "}noise, *p* ${num(check, "p_value") < 1e-3 ? "< 0.001" : `= ${significant(num(check, "p_value"), 2)}`}`;
     case "nesting": return check.passed === false ? "A simpler explanation fits better" : "No simpler explanation fits better";
     case "friction": return check.passed === false ? `*μ* not told from 0, at most ${significant(num(check, "mu0_high"), 2)}` : "Friction told from zero";
-    case "stiffness": return !possible ? "*EI* as stated? Not fitted" : `*EI* ${minus((100 * (num(check, "fitted_over_nominal") - 1)).toFixed(0))} % from stated, ${significant(num(check, "errors"), 2)} errors`;
+    case "stiffness": return !possible ? "*EI* as stated? Not fitted" : `*EI* ${minus((100 * (num(check, "fitted_over_nominal") - 1)).toFixed(0))} % from ${fit.nominal_bending_stiffness?.source === "initial_slope" ? "initial slope" : "stated"}, ${significant(num(check, "errors"), 2)} errors`;
     default: return check.name;
   }
 }
@@ -152,7 +152,7 @@ function checks(fit: FitAnswer): CheckLine[] {
     : { mark: "warning", words: `*μ* above ${limit} at ${above} of ${points.points_judged} points`, reason: "So much friction is implausible. Rollers taken for edges, a wrong diameter or span would need it, too." });
   const pick = (name: string): void => {
     const check = fit.checks.find((c) => c.name === name);
-    if (check) lines.push({ mark: check.passed === null ? "cannot" : check.passed ? "passed" : "warning", words: checkInWords(check), reason: check.passed === false ? (check.remedy ?? "") : "" });
+    if (check) lines.push({ mark: check.passed === null ? "cannot" : check.passed ? "passed" : "warning", words: checkInWords(check, fit), reason: check.passed === false ? (check.remedy ?? "") : "" });
   };
   pick("drops");
   pick("stiffness");

@@ -106,6 +106,11 @@ export class ForceView {
     inside.append(dotted(dots(xs, force, x, y), "var(--data)", xs.length > 900 ? 2 : 2.6));
     if (studio.loading) inside.append(path(lineThrough(this.of(studio.loading), studio.loading.force, x, y), "var(--model)", 1.6));
     this.drawDrops(inside, fit, x, y);
+    const ended = studio.loading, end = ended ? ended.force.length - 1 : -1;
+    if (ended && end >= 0 && ended.status !== "ok") {
+      const words = { slipped_through: "slips through the supports", contact_lost: "contact is lost", branch_ended: "no state beyond" }[ended.status] ?? "";
+      inside.append(haloed(words, Math.min(x(this.of(ended)[end]!) + 4, base.width - MARGINS.right - 4), y(ended.force[end]!) - 6, x(this.of(ended)[end]!) > base.width - 220 ? "end" : "start", "var(--model)"));
+    }
     sized(this.drawing, this.host, svg("defs", {}, clip), axes(this.frame, title, { x: Math.max(3, Math.round(base.width / 150)), y: Math.max(3, Math.round(base.height / 48)) }), inside, this.marker);
     this.host.setAttribute("aria-label", `Force against ${studio.axis} of ${fit.answer.name}, ${fit.rows.length} rows, ${fit.answer.drops.length} drops. Arrow keys move row by row, with Shift from drop to drop, T shows the table.`);
     this.drawKeys(fit);
@@ -159,8 +164,14 @@ export class ForceView {
     const slope = force / end;
     const top = y.domain()[1]! * 0.995, w1 = Math.min(end, top / slope);
     inside.append(path(`M${x(0)} ${y(0)}L${x(toX(w1, slope * w1))} ${y(slope * w1)}`, "var(--ref)", 1.1, { "stroke-dasharray": "7 4" }));
-    const high = 0.78 * slope * w1, labelX = Math.min(x(toX(high / slope, high)) - 12, right - 4);
-    if (labelX > margins.left + 90) inside.append(haloed("Euler–Bernoulli", labelX, y(high) + 2, "end"));
+    // Its name stands at the left of the line, where it meets no mark of a drop.
+    const marks = fit.answer.drops.map((d) => this.placeOf(d)).map(([w, f]) => [x(w), y(f)] as const);
+    for (const share of [0.8, 0.9, 0.7, 0.97, 0.6, 0.5]) {
+      const high = share * slope * w1, lx = Math.min(x(toX(high / slope, high)) - 12, right - 4), ly = y(high) + 2;
+      if (lx < margins.left + 90 || marks.some(([px, py]) => px > lx - 96 && px < lx + 10 && py - 30 < ly + 4 && py > ly - 14)) continue;
+      inside.append(haloed("Euler–Bernoulli", lx, ly, "end"));
+      break;
+    }
     const plain = this.withoutFriction(fit);
     if (!plain) return;
     const xs = studio.axis === "stage" ? plain.deflection.map((w, i) => w + plain.force[i]! / values.kc) : plain.deflection;
@@ -226,7 +237,7 @@ export class ForceView {
 
   /** The lens stands at the lower right, where there is room under the curves; elsewhere it hides. */
   private drawLens(fit: Fit, px: number, py: number, at: number, force: number, x: Scale, y: Scale): void {
-    const { width, height, margins } = this.frame!, drop = this.studio.moment?.drop;
+    const { width, height, margins } = this.frame!;
     const right = width - margins.right - 30, bottom = height - margins.bottom - 11;
     const w = Math.min(380, (width - margins.left - margins.right) * 0.42), left = right - w;
     const xs = this.abscissa(fit), f = fit.curves.column("F")!;
@@ -244,11 +255,21 @@ export class ForceView {
     const h = Math.min(110, bottom - lowest - 22);
     if (h < 44 || w < 120) return;
     const top = bottom - h;
-    // Enlarged until a typical drop is some 40 px high.
-    const falls = fit.answer.drops.map((d) => d.force_fall).sort((a, b) => a - b), typical = drop?.drop.force_fall ?? falls[falls.length >> 1] ?? force / 30;
-    const times = Math.max(2, Math.min(12, Math.round((0.5 * h) / Math.max(1, Math.abs(y(0) - y(typical))))));
+    // Enlarged as far as the readings around the moment still fit.
+    let times = 8, middle = py;
+    for (; times >= 2; --times) {
+      let high = py, low = py;
+      for (let i = 0; i < xs.length; ++i) if (Math.abs(x(xs[i]!) - px) <= w / 2 / times) {
+        const q = y(f[i]!);
+        if (q < high) high = q;
+        if (q > low) low = q;
+      }
+      middle = (high + low) / 2;
+      if ((low - high) * times <= 0.72 * h) break;
+    }
+    if (times < 2) return;
     const half = { x: w / 2 / times, y: h / 2 / times };
-    const lx = x.copy().domain([x.invert(px - half.x), x.invert(px + half.x)]).range([left, right]), ly = y.copy().domain([y.invert(py + half.y), y.invert(py - half.y)]).range([bottom, top]);
+    const lx = x.copy().domain([x.invert(px - half.x), x.invert(px + half.x)]).range([left, right]), ly = y.copy().domain([y.invert(middle + half.y), y.invert(middle - half.y)]).range([bottom, top]);
     const clip = svg("clipPath", { id: "lens-clip" }, svg("rect", { x: left, y: top, width: w, height: h }));
     const inside = svg("g", { "clip-path": "url(#lens-clip)" });
     const k = fit.fitted.kc;
@@ -262,7 +283,7 @@ export class ForceView {
     inside.append(dotted(dots(xs, f, lx, ly), "var(--data)", 3.4), svg("circle", { cx: lx(at), cy: ly(force), r: 5.5, fill: "none", stroke: "var(--moment)", "stroke-width": 2 }));
     this.marker.append(
       svg("defs", {}, clip), svg("rect", { x: left, y: top, width: w, height: h, fill: "var(--surface)", stroke: "var(--line2)" }), inside,
-      svg("rect", { x: px - half.x, y: py - half.y, width: 2 * half.x, height: 2 * half.y, fill: "none", stroke: "var(--line2)" }),
+      svg("rect", { x: px - half.x, y: middle - half.y, width: 2 * half.x, height: 2 * half.y, fill: "none", stroke: "var(--line2)" }),
       label(`around row ${this.studio.row},`, { x: left - 7, y: bottom - 16, "text-anchor": "end" }), label(`${times} times larger`, { x: left - 7, y: bottom - 2, "text-anchor": "end" }));
   }
 

@@ -12,7 +12,7 @@ const STEPS = 800;  // of the stage over the record: finer than the pixels of an
 /** Friction over S for these values. The fibre keeps its friction where it is past the supports, so a changed span shifts it. */
 function tableOf(fit: Fit, values: Values, mu: Float64Array): Rig["friction"] {
   const shift = values.L - fit.fitted.L;
-  return { model: "table", position: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu };
+  return { model: "table", position: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu, met: true };
 }
 
 export function rigOf(fit: Fit, values: Values, mu: Float64Array): Rig {
