@@ -159,7 +159,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
   if (!input.source.empty()) provenance.inputs.push_back(input_file(input.source));
-  provenance.inputs.push_back(input_file(data));
+  provenance.inputs.push_back(input.record->given ? InputFile{data, 0, ""} : input_file(data));
   std::optional<ImpliedSurface> implied;
   if (analysis.status == AnalysisStatus::ok) implied = implied_surface(analysis.fit);
   return {.name = name_of_test(file),

@@ -36,5 +36,6 @@ void add_studio_command(CLI::App& app);
 void add_keys_command(CLI::App& app);
 void add_results_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
+void add_cite_command(CLI::App& app);
 
 }  // namespace flexslip

@@ -114,6 +114,7 @@ int run(int argc, char** argv) {
   add_keys_command(app);
   add_results_command(app);
   add_completions_command(app);
+  add_cite_command(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) command->group("Commands");
 
   // Where a shell sends it to a file.

@@ -11,10 +11,10 @@
 #include "data/distributions.h"
 #include "data/line.h"
 #include "data/names.h"
+#include "fibre/chi_squared.h"
 #include "fibre/elastica.h"
 #include "fibre/elementary.h"
 #include "fibre/limits.h"
-#include "inference/chi_squared.h"
 
 namespace flexslip {
 namespace {
@@ -218,7 +218,7 @@ SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig, st
   });
   result.chi_squared = chi_squared_of(middles, C);
   result.freedom = middles.size() - 1;
-  result.p_value = chi_squared_beyond(result.chi_squared, result.freedom);
+  result.p_value = chi_squared_beyond(result.chi_squared, static_cast<double>(result.freedom));
   return result;
 }
 
