@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
+
+#include "io/table.h"
 
 namespace flexslip {
 
@@ -67,7 +70,8 @@ struct AtDeflection {
 using PlaceInRecord = std::variant<AtRow, AtStage, AtDeflection>;
 
 struct RecordInput {
-  std::string file;  // relative to the working directory
+  std::string file;                    // relative to the working directory
+  std::optional<std::string> sheet{};  // of a workbook: its name, or its number from 1; none: the first with a number
   std::variant<TableColumns, ExportColumns> columns;
   SignRule sign = SignRule::find;
   ForceZeroRule zero = ToFind{};
@@ -75,6 +79,8 @@ struct RecordInput {
   bool find_failure = true;
   std::optional<PlaceInRecord> first{};  // where the record begins; none: with its first row
   std::optional<PlaceInRecord> until{};  // where it ends, before failure
+  // What a call holds in memory instead of a file: the columns named, in SI and in their order here; `file` is a name for messages.
+  std::shared_ptr<const Table> given{};
   bool operator==(const RecordInput&) const = default;
 };
 

@@ -1,38 +1,15 @@
 #include "cli/trace_flags.h"
 
-#include <fmt/format.h>
-
+#include "instruments/export_words.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
 
 namespace flexslip {
 
-char mark_named(const std::string& text, std::string_view flag) {
-  if (text.size() == 1) return text.front();
-  if (text == "tab" || text == "\\t") return '\t';
-  if (text == "space") return ' ';
-  if (text == "comma") return ',';
-  if (text == "semicolon") return ';';
-  if (text == "point") return '.';
-  if (text == "apostrophe") return '\'';
-  if (text == "none") return '\0';
-  throw InputError({.field = std::string(flag),
-                    .expected = "one character, or comma, semicolon, point, tab, space, apostrophe or none",
-                    .found = in_quotes(text)});
-}
-
-char mark_of(const std::string& text, std::string_view flag, std::string_view allowed) {
-  const char mark = mark_named(text, flag);
-  if (allowed.find(mark) == std::string_view::npos)
-    throw InputError({.field = std::string(flag),
-                      .expected = fmt::format("one of {}", allowed == ".," ? ". and ," : allowed),
-                      .found = in_quotes(text)});
-  return mark;
-}
-
 TraceOptions options_of(const TraceFlags& flags) {
   using namespace std::string_view_literals;
   TraceOptions options;
+  if (!flags.sheet.empty()) options.file.sheet = flags.sheet;
   if (!flags.encoding.empty()) options.file.encoding = encoding_named(flags.encoding);
   if (!flags.separator.empty()) options.file.separator = mark_named(flags.separator, "--separator");
   if (!flags.decimal.empty()) options.file.decimal = mark_of(flags.decimal, "--decimal", ".,");
@@ -58,6 +35,7 @@ void add_trace_options(CLI::App& command, TraceFlags& flags) {
   text("--position-unit", flags.position_unit, "The unit of the positions", "UNIT");
   text("--height-unit", flags.height_unit, "The unit of the heights", "UNIT");
   text("--step", flags.step, "Distance of the heights, of a file without positions", "LENGTH")->excludes(position);
+  text("--sheet", flags.sheet, "Of a workbook (.xlsx): the sheet, its name or number", "SHEET");
   text("--encoding", flags.encoding, "utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
   text("--separator", flags.separator, "Between cells: , ; tab or space", "MARK");
   text("--decimal", flags.decimal, "Decimal mark: . or ,", "MARK");

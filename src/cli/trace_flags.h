@@ -11,18 +11,12 @@ namespace flexslip {
 
 struct TraceFlags {
   std::string position, height, position_unit, height_unit, step;
-  std::string encoding, separator, decimal, thousands;
+  std::string sheet, encoding, separator, decimal, thousands;
 };
 
 void add_trace_options(CLI::App& command, TraceFlags& flags);
 
 // Fails:      InputError that names the flag.
 TraceOptions options_of(const TraceFlags& flags);
-
-// "," or "comma", "none": a mark as the user wrote it.
-// Fails:      InputError that names the flag.
-char mark_named(const std::string& text, std::string_view flag);
-// The same of some alone.
-char mark_of(const std::string& text, std::string_view flag, std::string_view allowed);
 
 }  // namespace flexslip
