@@ -19,6 +19,17 @@ export function rigOf(fit: Fit, values: Values, mu: Float64Array): Rig {
   return { span: values.L, diameter: values.D, bendingStiffness: values.EI, stiffness: values.kc, tipRadius: values.R, friction: tableOf(fit, values, mu) };
 }
 
+const LIVE_KNOTS = 280;  // of friction while a slider moves: a curve costs by the knots that it passes
+
+/** Every few of the knots, the last one among them. */
+function thinned(friction: Rig["friction"]): Rig["friction"] {
+  if (friction.model !== "table" || friction.position.length <= LIVE_KNOTS) return friction;
+  const { position, mu } = friction, n = position.length, every = Math.ceil(n / LIVE_KNOTS);
+  const kept = Array.from({ length: Math.ceil(n / every) }, (_, i) => i * every);
+  if (kept[kept.length - 1] !== n - 1) kept.push(n - 1);
+  return { ...friction, position: Float64Array.from(kept, (i) => position[i]!), mu: Float64Array.from(kept, (i) => mu[i]!) };
+}
+
 export class Model {
   private memory = new Map<string, unknown>();  // of what does not follow the sliders
 
@@ -33,12 +44,13 @@ export class Model {
     for (let i = 1; i < programme.length; ++i) way += Math.abs(programme[i]! - programme[i - 1]!);
     return way / (STEPS * Math.min(3, Math.max(1, programme.length - 1)));
   }
-  loading(rig: Rig, programme: number[]): Loading {
-    return this.mechanics.simulate(rig, programme, this.stepOf(programme));
+  /** While a slider moves (`live`) with fewer knots of friction and steps of the stage: what is shown at rest, and exported, has them all. */
+  loading(rig: Rig, programme: number[], live = false): Loading {
+    return live ? this.mechanics.simulate({ ...rig, friction: thinned(rig.friction) }, programme, 2 * this.stepOf(programme)) : this.mechanics.simulate(rig, programme, this.stepOf(programme));
   }
   /** The record's own loading, at the values given. */
-  monotone(fit: Fit, rig: Rig): Loading {
-    return this.loading(rig, [0, fit.greatestStage]);
+  monotone(fit: Fit, rig: Rig, live = false): Loading {
+    return this.loading(rig, [0, fit.greatestStage], live);
   }
   withoutFriction(rig: Rig): Loading {
     return this.mechanics.equilibrium({ ...rig, friction: { model: "table", position: Float64Array.of(rig.span, 2 * rig.span), mu: Float64Array.of(0, 0) } }, 200);

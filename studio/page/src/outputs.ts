@@ -62,6 +62,8 @@ const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot",
 
 /** A case that simulates what the sliders say, to be run with the table of friction beside it: the page's curve, bit by bit. */
 export function simulationOf(studio: Studio, test: Test, fit: Fit): { toml: string; friction: string; curve: string } {
+  studio.settle();
+  studio.flush();
   const values = studio.values!, rig = studio.model.rig(fit, values, studio.wave), loading = studio.loading!;
   const table = rig.friction.model === "table" ? rig.friction : null;
   const programme = [0, fit.greatestStage], step = studio.model.stepOf(programme);
