@@ -67,7 +67,7 @@ void write_profile(const std::string& path, const FittedTest& test) {
   write_csv(path, profile_fields(), points_of(test.analysis.record, profile_of(test)), frame_of(test));
 }
 
-void write_draws(const std::string& path, const FittedTest& test) {
+ResultTable draw_table(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   if (!is_fitted(test)) throw std::invalid_argument("a test without a fit has no draws");
   // Over rising lengths between the contacts, as simulate reads a table: those on the side of the middle where rollers take some off at first.
@@ -78,7 +78,9 @@ void write_draws(const std::string& path, const FittedTest& test) {
   if (rolls_back(places.front().i)) std::reverse(places.begin(), places.end());
   std::vector<std::string> names;
   for (std::size_t k = 0; k < fit.draws.size(); ++k) names.push_back(fmt::format("draw_{}", k + 1));
-  write_csv(path, draw_fields(names), places, frame_of(test));
+  return tabulated("draws", draw_fields(names), places, frame_of(test));
 }
+
+void write_draws(const std::string& path, const FittedTest& test) { write_csv(path, draw_table(test)); }
 
 }  // namespace flexslip

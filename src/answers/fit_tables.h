@@ -7,6 +7,7 @@
 
 #include "case/fitted.h"
 #include "result/fields.h"
+#include "result/table.h"
 
 namespace flexslip {
 
@@ -35,5 +36,6 @@ void write_profile(const std::string& path, const FittedTest& test);
 // draw_2, …: profiles that explain the record as well.
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
 void write_draws(const std::string& path, const FittedTest& test);
+ResultTable draw_table(const FittedTest& test);
 
 }  // namespace flexslip

@@ -12,6 +12,11 @@ struct PathColumns {
 };
 inline constexpr PathColumns all_columns{true, true, true, true};
 
+// Those that a test has.
+inline PathColumns columns_of(const Simulation& test, bool energies) {
+  return {test.has_surface, test.has_three_lengths, test.has_two_sides, energies};
+}
+
 Fields<SimulatedPoint> path_fields(const PathColumns& columns);
 
 // Of `simulate --json`.

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include "case/case_keys.h"
@@ -35,34 +36,17 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// Names of tests.
-
-// A name made fit for a folder: no separators, no control characters, not hidden, not too long for a file system.
-std::string folder_name(std::string_view name) {
-  constexpr std::size_t longest = 100;
-  std::string fit;
-  std::size_t end = std::min(name.size(), longest);
-  while (end < name.size() && end > 0 && (name[end] & 0xc0) == 0x80) --end;  // between characters
-  for (const char c : name.substr(0, end)) {
-    const bool unfit = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ||
-                       std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
-    fit += unfit ? '_' : c;
-  }
-  if (fit.empty() || fit.front() == '.') fit.insert(fit.begin(), '_');
-  return fit;
-}
-
-// Names that differ: those that several tests have are told apart by number.
+// Names whose folders differ: those that several tests have are told apart by number.
 void tell_apart(std::vector<PlannedTest>& tests) {
   std::map<std::string, std::size_t, std::less<>> used;
-  for (const auto& test : tests) used[lower_case(test.name)] = 0;
+  for (const auto& test : tests) used[lower_case(folder_name(test.name))] = 0;
   for (auto& test : tests) {
-    auto& count = used[lower_case(test.name)];
+    auto& count = used[lower_case(folder_name(test.name))];
     if (count++ == 0) continue;
     std::string numbered;
     do numbered = fmt::format("{}-{}", test.name, count++);
-    while (used.contains(lower_case(numbered)));
-    used[lower_case(numbered)] = 1;
+    while (used.contains(lower_case(folder_name(numbered))));
+    used[lower_case(folder_name(numbered))] = 1;
     test.name = std::move(numbered);
   }
 }
@@ -116,17 +100,23 @@ TableKey key_of(const std::string& title) {
   return {title, section_of(name), name, part, column.unit};
 }
 
-template <class Number>
-std::optional<Number> as(std::string_view cell) {
-  Number value{};
+std::optional<double> as_number(std::string_view cell) {
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<std::int64_t> as_whole_number(std::string_view cell) {
+  std::int64_t value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
   return value;
 }
 
 void set(toml::table& table, const std::string& key, const std::string& cell, const std::string& unit) {
-  const auto number = as<double>(cell);
-  auto whole = as<std::int64_t>(cell);
+  const auto number = as_number(cell);
+  auto whole = as_whole_number(cell);
   constexpr double largest = 1e15;  // "267.0", as spreadsheets write a count
   if (number && !whole && *number == std::floor(*number) && std::abs(*number) < largest)
     whole = static_cast<std::int64_t>(*number);
@@ -233,7 +223,7 @@ std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::tabl
     const std::string file = text["record"]["file"].value_or(std::string());
     std::string name = name_column < row.cells.size() ? row.cells[name_column] : "";
     if (name.empty()) name = file.empty() ? fmt::format("row {}", row.line) : fs::path(file).stem().string();
-    PlannedTest test{folder_name(name), fmt::format("{}:{}", table.source, row.line), InputError({})};
+    PlannedTest test{name, fmt::format("{}:{}", table.source, row.line), InputError({})};
     try {
       Case input = checked(case_from(text, table.source, changes));
       for (auto& [key, line] : input.lines) line = row.line;
@@ -265,7 +255,7 @@ std::vector<PlannedTest> plan_of_cases(const std::string& folder, const std::vec
   std::vector<PlannedTest> tests;
   for (const auto& file : files_in(folder, true)) {
     if (file.extension() != ".toml") continue;
-    PlannedTest test{folder_name(name_of_test(file.string())), file.string(), InputError({})};
+    PlannedTest test{name_of_test(file.string()), file.string(), InputError({})};
     try {
       Case input = read_case(file.string(), changes);
       if (!input.record) continue;  // for simulating, or what others have in common
@@ -285,7 +275,7 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
     const std::string ending = lower_case(file.extension().string());
     if (std::find(data_endings.begin(), data_endings.end(), ending) == data_endings.end()) continue;
     if (file.filename().string().starts_with("~$")) continue;  // Excel's mark that the workbook is open
-    PlannedTest test{folder_name(name_of_test(file.string())), file.string(), InputError({})};
+    PlannedTest test{name_of_test(file.string()), file.string(), InputError({})};
     toml::table text = common;
     subtable(text, "record").insert_or_assign("file", file.string());
     try {
@@ -299,6 +289,23 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
 }
 
 }  // namespace
+
+std::string folder_name(std::string_view name) {
+  constexpr std::size_t longest = 100, tail = 20;
+  const auto between_characters = [&](std::size_t at) {
+    while (at < name.size() && at > 0 && (name[at] & 0xc0) == 0x80) --at;
+    return at;
+  };
+  std::string fit(name);
+  if (name.size() > longest)  // its end tells it from others
+    fit = fmt::format("{}…{}", name.substr(0, between_characters(longest - tail)),
+                      name.substr(between_characters(name.size() - tail)));
+  for (char& c : fit)
+    if (static_cast<unsigned char>(c) < 0x20 || std::string_view("/\\:*?\"<>|\x7f").find(c) != std::string_view::npos)
+      c = '_';
+  if (fit.empty() || fit.front() == '.') fit.insert(fit.begin(), '_');
+  return fit;
+}
 
 std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optional<std::string>& common,
                                        const std::vector<std::string>& changes) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -12,8 +13,11 @@
 
 namespace flexslip {
 
+// A name made fit for a folder: no separators, no control characters, not hidden, not too long for a file system.
+std::string folder_name(std::string_view name);
+
 struct PlannedTest {
-  std::string name;                      // fit for the name of a folder, unique in the campaign
+  std::string name;                      // as the user wrote it; folder_name of it is unique in the campaign
   std::string file;                      // what describes the test, as the user named it
   std::variant<Case, InputError> input;  // or why it cannot be read
 };

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "campaign/campaign_plan.h"
 #include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
@@ -220,7 +221,7 @@ CampaignStore::CampaignStore(fs::path folder) : folder_(std::move(folder)) {
 }
 
 fs::path CampaignStore::emptied_folder(const std::string& test) const {
-  fs::path folder = folder_ / test;
+  fs::path folder = folder_ / folder_name(test);
   std::error_code error;
   fs::remove(folder / kept_name, error);  // first: from here on the test is not done
   if (!error) fs::remove_all(folder, error);
@@ -230,7 +231,7 @@ fs::path CampaignStore::emptied_folder(const std::string& test) const {
 }
 
 std::optional<CampaignTest> CampaignStore::find(const std::string& test, const std::string& key) const {
-  const std::string text = read_whole(folder_ / test / kept_name);
+  const std::string text = read_whole(folder_ / folder_name(test) / kept_name);
   if (text.empty()) return std::nullopt;
   try {
     const Json json = Json::parse(text);
@@ -242,7 +243,7 @@ std::optional<CampaignTest> CampaignStore::find(const std::string& test, const s
 }
 
 void CampaignStore::keep(const CampaignTest& test, const std::string& key) const {
-  const fs::path path = folder_ / test.name / kept_name;
+  const fs::path path = folder_ / folder_name(test.name) / kept_name;
   write_text(path.string(), text_of({{"layout", layout}, {"key", key}, {"test", json_of(test)}}));
 }
 

@@ -1,6 +1,7 @@
 #include "campaign/shared_parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +13,9 @@
 
 namespace flexslip {
 namespace {
+
+constexpr std::array shareables{Shareable::modulus,   Shareable::bending_stiffness,  Shareable::wavelength,
+                                Shareable::roughness, Shareable::correlation_length, Shareable::mu0};
 
 std::string unit_of(Shareable parameter) {
   switch (parameter) {
@@ -75,6 +79,21 @@ SharedParameter shared_by(std::span<const CampaignTest> tests, Shareable paramet
 }
 
 }  // namespace
+
+std::vector<std::string> shareable_names() {
+  std::vector<std::string> names;
+  names.reserve(shareables.size());
+  for (const auto parameter : shareables) names.push_back(name_of(parameter));
+  return names;
+}
+
+std::vector<Shareable> shareables_named(const std::vector<std::string>& names) {
+  std::vector<Shareable> found;
+  for (const auto& name : names)
+    for (const auto parameter : shareables)
+      if (name_of(parameter) == name) found.push_back(parameter);
+  return found;
+}
 
 std::string_view needed_for(Shareable parameter) {
   if (parameter == Shareable::modulus) return "state the section of each";

@@ -21,6 +21,10 @@ enum class Shareable {
 
 std::string name_of(Shareable parameter);
 
+// Of all of them; and those of some, in that order. Names that are none are passed over.
+std::vector<std::string> shareable_names();
+std::vector<Shareable> shareables_named(const std::vector<std::string>& names);
+
 // Why fewer than two tests of a campaign may tell it.
 std::string_view needed_for(Shareable parameter);
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "data/names.h"
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 #include "io/sha256.h"
 #include "io/table.h"
@@ -117,8 +118,8 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
       // What the choice of the points compared moves EI by in the authors' tests (cycles.h); the scatter is far less.
       constexpr double systematic = 0.02;
       source = StiffnessSource::mirror;
-      description.bending_stiffness = slope.value * std::exp(mirrored->log_stiffness.value);
-      description.bending_stiffness_error = std::hypot(mirrored->log_stiffness.standard_error, systematic);
+      description.bending_stiffness = slope.value * elementary::exp(mirrored->log_stiffness.value);
+      description.bending_stiffness_error = elementary::length(mirrored->log_stiffness.standard_error, systematic);
       if (measurement.contact == ContactSource::first_point && mirrored->loops.front().places > 0) {
         const Estimate& contact = mirrored->loops.front().contact;
         move_contact(measurement, normal_estimate(scales.physical_length(contact.value),
@@ -158,7 +159,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
   if (!input.source.empty()) provenance.inputs.push_back(input_file(input.source));
-  provenance.inputs.push_back(input_file(data));
+  provenance.inputs.push_back(input.record->given ? InputFile{data, 0, ""} : input_file(data));
   std::optional<ImpliedSurface> implied;
   if (analysis.status == AnalysisStatus::ok) implied = implied_surface(analysis.fit);
   return {.name = name_of_test(file),

@@ -32,6 +32,7 @@ Readings readings_from(const Case& input, const TableColumns& asked) {
   want(asked.force, Reading::force, kind::force);
   want(asked.length, Reading::length, kind::length);
   Table table = [&] {
+    if (input.record->given) return *input.record->given;
     try {
       return read_table(input.record->file, wanted, asked.decimal, input.record->sheet);
     } catch (const InputError& error) {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
+
+#include "io/table.h"
 
 namespace flexslip {
 
@@ -76,6 +79,8 @@ struct RecordInput {
   bool find_failure = true;
   std::optional<PlaceInRecord> first{};  // where the record begins; none: with its first row
   std::optional<PlaceInRecord> until{};  // where it ends, before failure
+  // What a call holds in memory instead of a file: the columns named, in SI and in their order here; `file` is a name for messages.
+  std::shared_ptr<const Table> given{};
   bool operator==(const RecordInput&) const = default;
 };
 

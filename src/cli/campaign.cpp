@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,8 +9,6 @@
 #include <fmt/format.h>
 
 #include "answers/campaign_fields.h"
-#include "answers/fit_fields.h"
-#include "answers/fit_tables.h"
 #include "campaign/campaign_run.h"
 #include "campaign/shared_parameters.h"
 #include "cli/analysis_flags.h"
@@ -26,7 +23,6 @@
 #include "report/campaign_report.h"
 #include "report/campaign_text.h"
 #include "report/page.h"
-#include "report/report.h"
 
 namespace flexslip {
 namespace {
@@ -39,37 +35,10 @@ struct CampaignRequest {
   bool figures = true;
   bool test_reports = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
-  AnalysisFlags flags;
+  AnalysisChoice flags;
   std::vector<std::string> shared;
   Output output;
 };
-
-// The files of one test: all that `fit` writes.
-void write_test(const CampaignRequest& request, const FittedTest& test, const std::string& folder) {
-  const std::filesystem::path base(folder);
-  write_json((base / "fit.json").string(), fit_json(test));
-  write_curves((base / "curves.csv").string(), test);
-  write_profile((base / "profile.csv").string(), test);
-  if (request.test_reports) write_report(folder, test);
-}
-
-constexpr std::array shareables{Shareable::modulus,   Shareable::bending_stiffness,  Shareable::wavelength,
-                                Shareable::roughness, Shareable::correlation_length, Shareable::mu0};
-
-std::vector<std::string> shareable_names() {
-  std::vector<std::string> names;
-  names.reserve(shareables.size());
-  for (const auto parameter : shareables) names.push_back(name_of(parameter));
-  return names;
-}
-
-std::vector<Shareable> shared_in(const CampaignRequest& request) {
-  std::vector<Shareable> shared;
-  for (const auto& name : request.shared)
-    for (const auto parameter : shareables)
-      if (name_of(parameter) == name) shared.push_back(parameter);
-  return shared;
-}
 
 CampaignOptions options_of(const CampaignRequest& request) {
   CampaignOptions options;
@@ -79,7 +48,7 @@ CampaignOptions options_of(const CampaignRequest& request) {
   if (!request.report.empty()) {
     options.folder = (std::filesystem::path(request.report) / "tests").string();
     options.present = [&request](const FittedTest& test, const std::string& folder) {
-      write_test(request, test, folder);
+      write_campaign_test(folder, test, request.test_reports);
     };
     options.presented = request.test_reports ? "report" : "";
   }
@@ -113,7 +82,7 @@ void run_campaign_command(const CampaignRequest& request) {
     const WhileInterruptible guard;
     CampaignRun computed = run_campaign(plan, options);
     if (computed.status == CampaignStatus::ok)
-      computed.campaign.shared = share_parameters(computed.campaign.tests, shared_in(request));
+      computed.campaign.shared = share_parameters(computed.campaign.tests, shareables_named(request.shared));
     return computed;
   }();
   if (run.status == CampaignStatus::stopped)
@@ -131,7 +100,7 @@ void run_campaign_command(const CampaignRequest& request) {
     write_text(request.output.path, campaign_text(run.campaign));
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
                                             [](const CampaignTest& test) { return !test.summary; });
-  for (const Shareable parameter : shared_in(request))
+  for (const Shareable parameter : shareables_named(request.shared))
     for (const auto& shared : run.campaign.shared)
       if (shared.name == name_of(parameter) && shared.tests < 2)
         throw CalculationFailed(

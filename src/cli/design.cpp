@@ -32,33 +32,6 @@ struct DesignRequest {
   Output output;
 };
 
-std::vector<DesignAxis> axes_of(const DesignRequest& request, const DesignCase& input) {
-  constexpr std::uint64_t points_of_curve = 101;
-  constexpr std::uint64_t points_of_map = 41;
-  constexpr std::uint64_t most_designs = 1'000'000;  // all are held in memory
-  if (request.over.size() > 2)
-    throw InputError({.field = "--over",
-                      .expected = "one parameter or two",
-                      .found = std::to_string(request.over.size()),
-                      .remedy = "flexslip sweep takes as many as you like"});
-  std::vector<DesignAxis> axes;
-  for (const std::string& text : request.over) try {
-      axes.push_back(map_axis(input, text, request.over.size() == 1 ? points_of_curve : points_of_map));
-    } catch (const InputError& error) {
-      throw located(error, "", 0, "--over");
-    }
-  if (axes.size() == 2 && axes[0].parameter.parameter == axes[1].parameter.parameter)
-    throw InputError({.field = "--over", .expected = "two parameters", .found = "the same twice"});
-  std::uint64_t designs = 1;
-  for (const DesignAxis& axis : axes) designs *= points_of(axis);
-  if (designs > most_designs)
-    throw InputError({.field = "--over",
-                      .expected = fmt::format("at most {} designs", most_designs),
-                      .found = std::to_string(designs),
-                      .remedy = "take fewer points, or flexslip sweep, which takes as many as the disk"});
-  return axes;
-}
-
 void write_map(const DesignRequest& request, const DesignCase& input, const std::vector<DesignAxis>& axes,
                const std::vector<MapPoint>& points) {
   const Frame frame{Scales(1, 1), input.reduced()};
@@ -71,7 +44,7 @@ void write_map(const DesignRequest& request, const DesignCase& input, const std:
 void run_design(const DesignRequest& request) {
   const Case given = read_case(request.file, request.changes);
   const DesignCase input(given);
-  const auto axes = axes_of(request, input);
+  const auto axes = map_axes(input, request.over);
   if (!axes.empty()) {
     const auto points = design_map(input, axes, request.threads);
     if (!request.figure.empty()) draw_for(request.output, design_map_figure(input, axes, points), request.figure);

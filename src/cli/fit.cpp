@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +19,7 @@
 #include "io/text_file.h"
 #include "report/fit_screen.h"
 #include "report/fit_text.h"
+#include "report/fit_words.h"
 #include "report/report.h"
 
 namespace flexslip {
@@ -27,26 +27,11 @@ namespace {
 
 struct FitRequest {
   CaseRequest test;
-  AnalysisFlags analysis;
+  AnalysisChoice analysis;
   std::string profile, curves, draws, report, surface;
   bool full = false;
   Output output;
 };
-
-std::string what_failed(const FittedTest& test, std::string_view status) {
-  if (status == "too_few_points")
-    return fmt::format(
-        "{}: fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
-        "they tell no friction",
-        test.measurement.file);
-  if (status == "not_explained")
-    return fmt::format(
-        "{}: no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "
-        "section",
-        test.measurement.file);
-  return fmt::format("{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
-                     test.measurement.file);
-}
 
 // The figures' folder is FlexSlip's own.
 void announce_fit_report(const std::string& folder) {
@@ -82,8 +67,7 @@ void run_fit(const FitRequest& request) {
     write_json(request.output.path, fit_json(test));
   else
     write_text(request.output.path, request.full ? fit_text(test) : fit_screen(test));
-  const std::string_view status = status_of(test);
-  if (status != "ok") throw CalculationFailed(what_failed(test, status));
+  if (const std::string why = why_no_answer(test); !why.empty()) throw CalculationFailed(why);
 }
 
 }  // namespace

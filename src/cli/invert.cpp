@@ -8,6 +8,7 @@
 
 #include "answers/profile_fields.h"
 #include "answers/state_fields.h"
+#include "case/inverted_test.h"
 #include "case/problem.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
@@ -55,8 +56,6 @@ Supports supports_of(const InvertRequest& request, const Kind& kind, const Scale
        .remedy = "check their units, and the span"});
 }
 
-constexpr std::size_t least_points = 12;  // a noise, and a profile that is more than a handful of points
-
 void require_domain(const Table& table) {
   for (std::size_t row = 0; row < table.rows(); ++row)
     for (const Column& column : table.columns)
@@ -103,48 +102,21 @@ void invert_states(const InvertRequest& request) {
       unexplained.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", unexplained.size() - 1)));
 }
 
-void note_assumptions(const Output& output, const BendingStiffnessUsed& stiffness) {
-  const std::string_view remedy = R"(state it in the case: modulus = { value = "29.6 GPa", uncertainty = "1.5 GPa" })";
-  if (stiffness.source == StiffnessSource::assumed_error)
-    note(output, fmt::format("the bending stiffness is taken to be uncertain by {:g} %; {}",
-                             100 * stiffness.relative_error, remedy));
-  if (stiffness.source == StiffnessSource::initial_slope)
-    note(output, fmt::format("the bending stiffness is that of the initial slope, uncertain by {:.2g} %; {}",
-                             100 * stiffness.relative_error, remedy));
-}
-
 void invert_case(const InvertRequest& request) {
-  const Measurement measurement = read_measurement(read_case(request.file, request.changes), least_points);
-  const Case& input = measurement.test;
-  const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
-  const Scales scales = scales_of(input, stiffness);
-  const ReducedRecord record = to_reduced(measurement.record, scales);
-  Rig rig = rig_of(input, scales);
-  if (request.on_supports())
-    rig.fibre = Fibre(supports_of(request, kind_in(input, kind::length), scales,
-                                  input.specimen ? input.specimen->section : std::nullopt));
-  const MeasurementErrors errors = errors_of(measurement, stiffness, scales);
-  const FrictionProfile profile = measure_friction(record, rig, errors);
-  const Supports& supports = rig.fibre.supports();
-  const bool is_thick = least_half_depths * supports.half_depth > hardly_bent;
-  const double most = rig.fibre.most_friction();
-  note_assumptions(request.output, stiffness);
-  if (!profile.unexplained.empty())
-    note(request.output,
-         fmt::format("no friction from {:g} to {:g} explains {} readings, left out; the first is row {}", -most, most,
-                     profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
-
-  const ReadTest read{measurement, stiffness, profile};
-  const Frame frame = frame_of(read, scales);
+  const auto stated = [&](const Case& input, const Scales& scales) -> std::optional<Supports> {
+    if (!request.on_supports()) return std::nullopt;
+    return supports_of(request, kind_in(input, kind::length), scales,
+                       input.specimen ? input.specimen->section : std::nullopt);
+  };
+  const InvertedTest test = invert_test(read_case(request.file, request.changes), stated);
+  for (const std::string& remark : test.remarks) note(request.output, remark);
+  const ReadTest read{test.measurement, test.stiffness, test.profile};
+  const Frame frame = frame_of(read, test.scales);
   if (request.output.json)
     write_json(request.output.path, read_test_fields()(read, frame));
   else
-    write_csv(request.output.path, profile_fields(), points_of(measurement.record, profile), frame);
-  if (profile.points.empty())
-    throw CalculationFailed(fmt::format(
-        "{}: no reading tells a friction: all deflections are below {}, or no friction explains them; check the units",
-        measurement.file,
-        is_thick ? "twice the thickness of the specimen, up to where its surface hardly slides" : "0.02 spans"));
+    write_csv(request.output.path, profile_fields(), points_of(test.measurement.record, test.profile), frame);
+  if (!test.why_no_answer.empty()) throw CalculationFailed(test.why_no_answer);
 }
 
 void run_invert(const InvertRequest& request) {

@@ -110,6 +110,7 @@ int run(int argc, char** argv) {
   add_sweep_command(app);
   add_merge_command(app);
   add_state_command(app);
+  add_studio_command(app);
   add_keys_command(app);
   add_results_command(app);
   add_completions_command(app);

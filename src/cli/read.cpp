@@ -8,10 +8,10 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/trace_flags.h"
 #include "instruments/canonical.h"
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
+#include "instruments/export_words.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -20,41 +20,9 @@ namespace {
 struct ReadRequest {
   std::string file;
   std::size_t specimen = 0;  // from 1; 0 where it is not said
-  std::string sheet, encoding, separator, decimal, thousands;
-  std::string time, crosshead, deflection, force, displacement;
-  std::string time_unit, displacement_unit, force_unit, calibration;
+  ExportWords words;
   Output output;
 };
-
-ExportOptions options_of(const ReadRequest& request) {
-  using namespace std::string_view_literals;
-  ExportOptions options;
-  if (!request.sheet.empty()) options.sheet = request.sheet;
-  if (!request.encoding.empty()) options.encoding = encoding_named(request.encoding);
-  if (!request.separator.empty()) options.separator = mark_named(request.separator, "--separator");
-  if (!request.decimal.empty()) options.decimal = mark_of(request.decimal, "--decimal", ".,");
-  if (!request.thousands.empty()) options.thousands = mark_of(request.thousands, "--thousands", "., '\0"sv);
-  const auto column = [&](ColumnRole role, const std::string& name) {
-    if (!name.empty()) options.columns[role] = name;
-  };
-  column(ColumnRole::time, request.time);
-  column(ColumnRole::crosshead, request.crosshead);
-  column(ColumnRole::deflection, request.deflection);
-  column(ColumnRole::force, request.force);
-  const auto unit = [&](ColumnRole role, const std::string& text) {
-    if (!text.empty()) options.units[role] = text;
-  };
-  unit(ColumnRole::time, request.time_unit);
-  unit(ColumnRole::displacement, request.displacement_unit);
-  unit(ColumnRole::force, request.force_unit);
-  if (!request.calibration.empty() && !request.calibration.ends_with("/V"))
-    throw InputError(
-        {.field = "--calibration", .expected = "such as \"222 N/V\"", .found = in_quotes(request.calibration)});
-  unit(ColumnRole::force, request.calibration);
-  if (!request.displacement.empty())
-    options.displacement = request.displacement == "crosshead" ? ColumnRole::crosshead : ColumnRole::deflection;
-  return options;
-}
 
 std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
   const std::size_t count = file.specimens.size();
@@ -113,7 +81,7 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
 }
 
 void run_read(const ReadRequest& request) {
-  Export file = read_export(request.file, options_of(request));
+  Export file = read_export(request.file, options_of(request.words));
   const std::size_t chosen = chosen_specimen(request, file);
   if (request.specimen > 0) file.repeat_with += fmt::format(" --specimen {}", request.specimen);
   if (request.output.json)
@@ -138,22 +106,23 @@ void add_read_command(CLI::App& app) {
   const auto text = [&](const char* name, std::string& value, const char* description, const char* type) {
     return command->add_option(name, value, description)->type_name(type);
   };
-  text("--sheet", request->sheet, "Of a workbook (.xlsx): the sheet, its name or number", "SHEET");
-  text("--encoding", request->encoding, "utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
-  text("--separator", request->separator, "Between cells: , ; tab or space", "MARK");
-  text("--decimal", request->decimal, "Decimal mark: . or ,", "MARK");
-  text("--thousands", request->thousands, "Between groups of digits: . , space ' or none", "MARK");
-  text("--time", request->time, "The column with the time, its name or number", "COLUMN");
-  text("--crosshead", request->crosshead, "The column with the displacement of the crosshead", "COLUMN");
-  text("--deflection", request->deflection, "The column with the deflection of the specimen", "COLUMN");
-  text("--force", request->force, "The column with the force", "COLUMN");
-  text("--displacement", request->displacement,
+  text("--sheet", request->words.sheet, "Of a workbook (.xlsx): the sheet, its name or number", "SHEET");
+  text("--encoding", request->words.encoding, "utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
+  text("--separator", request->words.separator, "Between cells: , ; tab or space", "MARK");
+  text("--decimal", request->words.decimal, "Decimal mark: . or ,", "MARK");
+  text("--thousands", request->words.thousands, "Between groups of digits: . , space ' or none", "MARK");
+  text("--time", request->words.time, "The column with the time, its name or number", "COLUMN");
+  text("--crosshead", request->words.crosshead, "The column with the displacement of the crosshead", "COLUMN");
+  text("--deflection", request->words.deflection, "The column with the deflection of the specimen", "COLUMN");
+  text("--force", request->words.force, "The column with the force", "COLUMN");
+  text("--displacement", request->words.displacement,
        "What a displacement is if its name does not say: crosshead or deflection", "WHICH")
       ->check(CLI::IsMember({"crosshead", "deflection"}));
-  text("--time-unit", request->time_unit, "The unit of the time", "UNIT");
-  text("--displacement-unit", request->displacement_unit, "The unit of the displacements", "UNIT");
-  auto* force_unit = text("--force-unit", request->force_unit, "The unit of the force", "UNIT");
-  text("--calibration", request->calibration, "Calibration of a force given in volts, such as \"222 N/V\"", "VALUE")
+  text("--time-unit", request->words.time_unit, "The unit of the time", "UNIT");
+  text("--displacement-unit", request->words.displacement_unit, "The unit of the displacements", "UNIT");
+  auto* force_unit = text("--force-unit", request->words.force_unit, "The unit of the force", "UNIT");
+  text("--calibration", request->words.calibration, "Calibration of a force given in volts, such as \"222 N/V\"",
+       "VALUE")
       ->excludes(force_unit);
   add_output_options(*command, request->output);
   command->footer(

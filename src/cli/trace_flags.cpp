@@ -1,34 +1,10 @@
 #include "cli/trace_flags.h"
 
-#include <fmt/format.h>
-
+#include "instruments/export_words.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
 
 namespace flexslip {
-
-char mark_named(const std::string& text, std::string_view flag) {
-  if (text.size() == 1) return text.front();
-  if (text == "tab" || text == "\\t") return '\t';
-  if (text == "space") return ' ';
-  if (text == "comma") return ',';
-  if (text == "semicolon") return ';';
-  if (text == "point") return '.';
-  if (text == "apostrophe") return '\'';
-  if (text == "none") return '\0';
-  throw InputError({.field = std::string(flag),
-                    .expected = "one character, or comma, semicolon, point, tab, space, apostrophe or none",
-                    .found = in_quotes(text)});
-}
-
-char mark_of(const std::string& text, std::string_view flag, std::string_view allowed) {
-  const char mark = mark_named(text, flag);
-  if (allowed.find(mark) == std::string_view::npos)
-    throw InputError({.field = std::string(flag),
-                      .expected = fmt::format("one of {}", allowed == ".," ? ". and ," : allowed),
-                      .found = in_quotes(text)});
-  return mark;
-}
 
 TraceOptions options_of(const TraceFlags& flags) {
   using namespace std::string_view_literals;

@@ -74,6 +74,33 @@ DesignAxis map_axis(const DesignCase& input, std::string_view text, std::uint64_
   return {parameter, AxisRange{from, to, is_logarithmic ? Spacing::logarithmic : Spacing::linear, points}};
 }
 
+std::vector<DesignAxis> map_axes(const DesignCase& input, const std::vector<std::string>& texts) {
+  constexpr std::uint64_t points_of_curve = 101;
+  constexpr std::uint64_t points_of_map = 41;
+  constexpr std::uint64_t most_designs = 1'000'000;  // all are held in memory
+  if (texts.size() > 2)
+    throw InputError({.field = "--over",
+                      .expected = "one parameter or two",
+                      .found = std::to_string(texts.size()),
+                      .remedy = "flexslip sweep takes as many as you like"});
+  std::vector<DesignAxis> axes;
+  for (const std::string& text : texts) try {
+      axes.push_back(map_axis(input, text, texts.size() == 1 ? points_of_curve : points_of_map));
+    } catch (const InputError& error) {
+      throw located(error, "", 0, "--over");
+    }
+  if (axes.size() == 2 && axes[0].parameter.parameter == axes[1].parameter.parameter)
+    throw InputError({.field = "--over", .expected = "two parameters", .found = "the same twice"});
+  std::uint64_t designs = 1;
+  for (const DesignAxis& axis : axes) designs *= points_of(axis);
+  if (designs > most_designs)
+    throw InputError({.field = "--over",
+                      .expected = fmt::format("at most {} designs", most_designs),
+                      .found = std::to_string(designs),
+                      .remedy = "take fewer points, or flexslip sweep, which takes as many as the disk"});
+  return axes;
+}
+
 std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<DesignAxis>& axes, unsigned threads) {
   std::uint64_t count = 1;
   for (const DesignAxis& axis : axes) count *= points_of(axis);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace flexslip {
 // are ten times apart or more.
 // Fails:      InputError, without a place, for a name or a range that the case does not have.
 DesignAxis map_axis(const DesignCase& input, std::string_view text, std::uint64_t usual_points);
+
+// One axis or two, each from such a text; none of none. Errors name the flag --over.
+// Fails:      InputError as map_axis; for more axes, the same parameter twice, and more than a million designs.
+std::vector<DesignAxis> map_axes(const DesignCase& input, const std::vector<std::string>& texts);
 
 struct MapPoint {
   std::vector<double> values;  // of the parameters of the axes

@@ -10,10 +10,26 @@ namespace flexslip {
 using HWY_NAMESPACE::arc_by_doubling;
 using HWY_NAMESPACE::doublings_for;
 
-EllipticArc elliptic_arc(double u, const EllipticParameter& parameter) {
+using HWY_NAMESPACE::series_limit;
+
+namespace {
+
+EllipticArc arc_of(double u, int doublings, const EllipticParameter& parameter) {
   const auto [m, m1] = parameter;
-  const auto [cn, one_minus_cn, P, R] = arc_by_doubling<double>(u, doublings_for(u), m, m1);
+  const auto [cn, one_minus_cn, P, R] = arc_by_doubling<double>(u, doublings, m, m1);
   return {std::sqrt(one_minus_cn * (1 + cn)), cn, std::sqrt(m1 + m * cn * cn), one_minus_cn, P, R};
+}
+
+}  // namespace
+
+EllipticArc elliptic_arc(double u, const EllipticParameter& parameter) {
+  return arc_of(u, doublings_for(u), parameter);
+}
+
+EllipticArc nearby_arc(double u, const EllipticParameter& parameter) {
+  int doublings = 0;
+  for (double reach = series_limit; reach < u; reach *= 2) ++doublings;
+  return arc_of(u, doublings, parameter);
 }
 
 CompleteElliptic complete_elliptic(const EllipticParameter& parameter) {

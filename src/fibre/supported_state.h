@@ -40,7 +40,7 @@ struct SupportedState {
 // Fails:      beyond_branch: there is no such state, none with a force, or none was found, as may be on rollers or with a thickness beyond a
 //             tenth of the span, with a friction beyond 2, or a deflection beyond the span.
 // Method:     closed form in Jacobi's functions of the half span and the phase; both by Newton's iteration, or the secant method within brackets.
-// Cost:       4 µs; some 100 µs where there is no state, or one much bent that Newton's iteration does not find.
+// Cost:       1 µs; some 50 µs where there is no state, or one much bent that Newton's iteration does not find.
 SupportedState state_on_supports(double w, double q, const Supports& supports);
 
 // The same, led on beyond the end of the branch as far as it is smooth: with a force below 0, which no support bears.

@@ -8,8 +8,9 @@
 
 #include "data/names.h"
 #include "data/order.h"
+#include "fibre/chi_squared.h"
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
-#include "inference/chi_squared.h"
 #include "inference/prior_draw.h"
 #include "inference/process_posterior.h"
 
@@ -114,7 +115,7 @@ Check check_whiteness(const FrictionFit& fit) {
     sum += correlation * correlation / static_cast<double>(n - lag);
   }
   const double statistic = static_cast<double>(n) * static_cast<double>(n + 2) * sum;
-  const double p_value = chi_squared_beyond(statistic, lags - 1);  // one is spent on ρ
+  const double p_value = chi_squared_beyond(statistic, static_cast<double>(lags - 1));  // one is spent on ρ
   constexpr double rare = 1e-4;  // a campaign of a hundred has one false alarm in a hundred
   return {CheckKind::whiteness,
           passed_if(p_value > rare),
@@ -147,7 +148,7 @@ Check check_friction(const FrictionFit& fit) {
 Check check_bending_stiffness(const FrictionFit& fit, double error) {
   if (fit.model == ProfileModel::constant) return {CheckKind::stiffness, CheckOutcome::not_possible, {}};  // not fitted
   constexpr double most = 2;
-  const double errors = std::abs(std::log(fit.bending_stiffness.value)) / error;
+  const double errors = std::abs(elementary::log(fit.bending_stiffness.value)) / error;
   return {CheckKind::stiffness,
           passed_if(errors <= most),
           {{"fitted_over_nominal", fit.bending_stiffness.value, false}, {"errors", errors, false}}};

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "fibre/chi_squared.h"
 #include "fibre/elementary.h"
 #include "fibre/limits.h"
-#include "inference/chi_squared.h"
 #include "inference/likelihood.h"
 #include "inference/line_density.h"
 
@@ -74,7 +74,7 @@ SharedValue share(std::span<const Marginal> tests, const PriorKnowledge& prior) 
   shared.telling = telling.size();
   if (telling.size() > 1) {
     shared.chi_squared = chi_squared_of(telling);
-    shared.agreement = chi_squared_beyond(shared.chi_squared, telling.size() - 1);
+    shared.agreement = chi_squared_beyond(shared.chi_squared, static_cast<double>(telling.size() - 1));
   }
   return shared;
 }

@@ -50,7 +50,7 @@ struct Table {
   std::string source;           // the file as the user named it
   std::vector<Column> columns;  // those wanted, in that order; all of the same length, at least 1
   std::vector<LineRun> lines;
-  std::vector<std::string> notes{};  // of a workbook: which sheet it is, and what was decided about it
+  std::vector<std::string> notes{};  // what was decided about it: a unit at the end of a name; of a workbook, the sheet
 
   std::size_t rows() const { return columns.front().values.size(); }
   std::size_t line_of(std::size_t row) const;  // 1-based line of a 0-based row, for messages

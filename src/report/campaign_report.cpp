@@ -11,6 +11,9 @@
 #include <fmt/format.h>
 
 #include "answers/campaign_fields.h"
+#include "answers/fit_fields.h"
+#include "answers/fit_tables.h"
+#include "campaign/campaign_plan.h"
 #include "io/durable_file.h"
 #include "io/text_file.h"
 #include "report/campaign_figures.h"
@@ -19,6 +22,7 @@
 #include "report/campaign_words.h"
 #include "report/campaign_xlsx.h"
 #include "report/page.h"
+#include "report/report.h"
 #include "result/json.h"
 
 namespace flexslip {
@@ -44,8 +48,8 @@ std::vector<std::string> links_to_tests(const std::string& folder, const Campaig
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     std::error_code unreadable;
-    const bool exists = fs::exists(fs::path(folder) / "tests" / test.name / "report.html", unreadable);
-    links.push_back(exists ? fmt::format("tests/{}/report.html", in_link(test.name)) : "");
+    const bool exists = fs::exists(fs::path(folder) / "tests" / folder_name(test.name) / "report.html", unreadable);
+    links.push_back(exists ? fmt::format("tests/{}/report.html", in_link(folder_name(test.name))) : "");
   }
   return links;
 }
@@ -105,6 +109,14 @@ void remove_from(const fs::path& folder, bool (*is_old)(const fs::path&)) {
 }
 
 }  // namespace
+
+void write_campaign_test(const std::string& folder, const FittedTest& test, bool with_report) {
+  const fs::path base(folder);
+  write_json((base / "fit.json").string(), fit_json(test));
+  write_curves((base / "curves.csv").string(), test);
+  write_profile((base / "profile.csv").string(), test);
+  if (with_report) write_report(folder, test);
+}
 
 void write_campaign_tables(const std::string& folder, const Campaign& campaign) {
   make_folder(folder);

@@ -15,6 +15,10 @@ namespace flexslip {
 // Fails:      as draw(); InputError if a file cannot be written. Without gnuplot the report has no pictures and says so.
 DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign);
 
+// The files of one test into a folder that is there: its answer as JSON, curves and profile, and its report if that is wanted.
+// Fails:      as draw(); InputError if a file cannot be written.
+void write_campaign_test(const std::string& folder, const FittedTest& test, bool with_report);
+
 // The tables alone, without report and figures.
 void write_campaign_tables(const std::string& folder, const Campaign& campaign);
 

@@ -27,6 +27,23 @@ std::string ranged(double low, double high) {
 
 }  // namespace
 
+std::string why_no_answer(const FittedTest& test) {
+  const std::string_view status = status_of(test);
+  if (status == "ok") return "";
+  if (status == "too_few_points")
+    return fmt::format(
+        "{}: fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
+        "they tell no friction",
+        test.measurement.file);
+  if (status == "not_explained")
+    return fmt::format(
+        "{}: no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "
+        "section",
+        test.measurement.file);
+  return fmt::format("{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
+                     test.measurement.file);
+}
+
 std::string model_in_words(ProfileModel model) {
   return model == ProfileModel::roughness ? "roughness" : fmt::format("'{}', the paper's", name_of(model));
 }

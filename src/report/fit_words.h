@@ -14,6 +14,9 @@ namespace flexslip {
 // What the literature gives for the materials that the case states.
 std::optional<LiteratureFriction> literature_of(const FittedTest& test);
 
+// Why a test has no answer, and what to look at; "" if it has one.
+std::string why_no_answer(const FittedTest& test);
+
 // Domain of all below: analysis.status is ok.
 
 // "roughness", or "'sinusoid', the paper's": what was fitted, in words.

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "fibre/chi_squared.h"
 #include "fibre/elementary.h"
-#include "surface/chi_squared_quantile.h"
 
 namespace flexslip {
 namespace {

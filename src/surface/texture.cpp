@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "fibre/chi_squared.h"
 #include "fibre/elementary.h"
-#include "surface/chi_squared_quantile.h"
 #include "surface/waves_in_trace.h"
 
 namespace flexslip {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "fibre/chi_squared.h"
 #include "fibre/elementary.h"
-#include "surface/chi_squared_quantile.h"
 
 namespace flexslip {
 namespace {
@@ -173,7 +173,7 @@ std::vector<Peak> peaks_in(const Spectrum& spectrum, const Continuum& continuum,
     const double f = spectrum.frequency[j];
     const auto about = density_about(spectrum, f);
     if (!about) continue;
-    const double p_of_one = 1 - chi_squared_below(freedoms * density[j] / std::max(*about, continuum(f)), freedoms);
+    const double p_of_one = chi_squared_beyond(freedoms * density[j] / std::max(*about, continuum(f)), freedoms);
     const double p = std::min(among * p_of_one, 1.0);
     if (!(p < level)) continue;
     // From where to where it stands out by half of its height.

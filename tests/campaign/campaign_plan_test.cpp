@@ -115,18 +115,28 @@ TEST_CASE("table: a bad cell fails its test, named by line and column; a column 
   CHECK(message_of([&] { plan_campaign(empty, std::nullopt); }).find("a row for each test") != std::string::npos);
 }
 
-TEST_CASE("table: names are made fit for folders, and differ also where letters of either case are one") {
+TEST_CASE("table: names are as written; their folders are fit, and differ also where letters of either case are one") {
   const TemporaryFolder folder;
-  const auto table = folder.file("cases.csv",
-                                 "name,file,span,stiffness,stage,force\n"
-                                 "../a/b,x.csv,1 mm,9 N/m,w [mm],F [N]\n"
-                                 "Test,x.csv,1 mm,9 N/m,w [mm],F [N]\n"
-                                 "test,x.csv,1 mm,9 N/m,w [mm],F [N]\n");
+  const std::string longest(150, 'n');
+  const auto table =
+      folder.file("cases.csv",
+                  "name,file,span,stiffness,stage,force\n"
+                  "../a/b,x.csv,1 mm,9 N/m,w [mm],F [N]\n"
+                  "Test,x.csv,1 mm,9 N/m,w [mm],F [N]\n"
+                  "test,x.csv,1 mm,9 N/m,w [mm],F [N]\n"
+                  "_.._A_b,x.csv,1 mm,9 N/m,w [mm],F [N]\n" +
+                      longest + ",x.csv,1 mm,9 N/m,w [mm],F [N]\n" + longest + ",x.csv,1 mm,9 N/m,w [mm],F [N]\n");
   const auto plan = plan_campaign(table, std::nullopt);
-  REQUIRE(plan.size() == 3);
-  CHECK(plan[0].name == "_.._a_b");
+  REQUIRE(plan.size() == 6);
+  CHECK(plan[0].name == "../a/b");
+  CHECK(folder_name(plan[0].name) == "_.._a_b");
   CHECK(plan[1].name == "Test");
   CHECK(plan[2].name == "test-2");
+  CHECK(plan[3].name == "_.._A_b-2");
+  CHECK(plan[4].name == longest);
+  CHECK(plan[5].name == longest + "-2");
+  CHECK(folder_name(plan[5].name) != folder_name(plan[4].name));
+  CHECK(folder_name(plan[5].name).size() <= 110);
 }
 
 TEST_CASE("table: a reduced case fails, as the tables and figures of a campaign are physical") {

@@ -1,4 +1,4 @@
-#include "surface/chi_squared_quantile.h"
+#include "fibre/chi_squared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +20,19 @@ double log_gamma(double a) {
   return (a - 0.5) * elementary::log(a) - a + 0.5 * elementary::log(2 * std::numbers::pi) + series - shift;
 }
 
-// P(a, x), the incomplete gamma function, by its series below a + 1 and its continued fraction (Lentz) above.
-double gamma_below(double a, double x) {
-  if (!(x > 0)) return 0;
+// The incomplete gamma functions P(a, x) and Q(a, x) = 1 - P, by the series of P below a + 1 and the continued fraction of Q (Lentz) above.
+struct Tails {
+  double below, beyond;
+};
+
+Tails gamma_tails(double a, double x) {
+  if (!(x > 0)) return {0, 1};
   const double front = elementary::exp(a * elementary::log(x) - x - log_gamma(a));
   constexpr double enough = 1e-15;
   if (x < a + 1) {
     double term = 1 / a, sum = term;
     for (double n = a + 1; term > enough * sum; n += 1) sum += term *= x / n;
-    return front * sum;
+    return {front * sum, 1 - front * sum};
   }
   constexpr double tiny = 1e-300;
   double b = x + 1 - a, c = 1 / tiny, d = 1 / b, h = d;
@@ -40,12 +44,12 @@ double gamma_below(double a, double x) {
     h *= d * c;
     if (std::abs(d * c - 1) < enough) break;
   }
-  return 1 - front * h;
+  return {1 - front * h, front * h};
 }
 
 }  // namespace
 
-double chi_squared_below(double x, double freedoms) { return gamma_below(0.5 * freedoms, 0.5 * x); }
+double chi_squared_beyond(double x, double freedoms) { return gamma_tails(0.5 * freedoms, 0.5 * x).beyond; }
 
 double chi_squared_quantile(double probability, double freedoms) {
   if (!(probability > 1e-6 && probability < 1 - 1e-6 && freedoms >= 1 && freedoms <= 1e7))
@@ -55,7 +59,7 @@ double chi_squared_quantile(double probability, double freedoms) {
   double low = 0, high = freedoms + 8 * spread + 40;
   for (int i = 0; i < 80; ++i) {
     const double middle = 0.5 * (low + high);
-    (chi_squared_below(middle, freedoms) < probability ? low : high) = middle;
+    (gamma_tails(0.5 * freedoms, 0.5 * middle).below < probability ? low : high) = middle;
     if (high - low < 1e-12 * high) break;
   }
   return 0.5 * (low + high);

@@ -1,0 +1,25 @@
+"""FlexSlip: friction at the supports of a three-point bending test, read off its force curve.
+
+>>> import flexslip
+>>> fit = flexslip.fit("examples/simulated/case.toml")
+>>> fit.params["wavelength"].unit
+'m'
+
+Quantities are strings with units, ``"1.278 mm"``, or floats in SI. Answers have the names and units of the program's JSON.
+"""
+from ._answers import Answer, Description, Estimate, Quantity, Table
+from ._campaign import Campaign, campaign
+from ._case import Case, keys
+from ._design import Design, DesignMap, design
+from ._errors import InputError
+from ._fit import Draws, Fit, fit
+from ._flexslip import version as __version__
+from ._read import Export, read
+from ._simulate import Profile, Simulation, friction_profile, simulate
+from ._states import Details, Inverse, Slopes, States, elastica, elastica_details, elastica_inverse, elastica_slopes
+
+__all__ = [
+    "Answer", "Campaign", "Case", "Description", "Design", "DesignMap", "Details", "Draws", "Estimate", "Export", "Fit", "InputError", "Inverse",
+    "Profile", "Quantity", "Simulation", "Slopes", "States", "Table", "campaign", "design", "elastica", "elastica_details",
+    "elastica_inverse", "elastica_slopes", "fit", "friction_profile", "keys", "read", "simulate",
+]

@@ -1,0 +1,489 @@
+"""Answers as objects, made from what the program says of them: names, units and meanings are those of its JSON."""
+from __future__ import annotations
+
+import html
+import keyword
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Generic, TypeVar, overload
+
+import numpy as np
+
+from . import _flexslip
+
+# {"fit --json": {"what", "is_table", "entries"}}
+ANSWERS: dict[str, dict[str, Any]] = _flexslip.answers()
+NAN = float("nan")
+Row = TypeVar("Row", covariant=True)
+
+
+class Quantity(float):
+    """A number and its unit: a float with `.unit`.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> flexslip.Quantity(1.278e-3, "m")
+    Quantity(0.001278, 'm')
+    """
+
+    unit: str
+
+    def __new__(cls, value: float, unit: str) -> Quantity:
+        new = super().__new__(cls, value)
+        new.unit = unit
+        return new
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Quantity, (float(self), self.unit)
+
+    def __repr__(self) -> str:
+        return f"Quantity({float(self)!r}, {self.unit!r})"
+
+    def __str__(self) -> str:
+        return readable(float(self), self.unit)
+
+
+def readable(value: float, unit: str) -> str:
+    """A number for people, in the unit that suits it."""
+    if unit in ("1", "", "rad") or "L" in unit or "EI" in unit:
+        return f"{value:.4g}" + (f" {unit}" if unit not in ("1", "") else "")
+    return str(_flexslip.readable(value, unit)) if value == value else "nan"
+
+
+class Estimate:
+    """A number that was estimated.
+
+    Attributes
+    ----------
+    value, stderr : float
+        The estimate and its standard error, in `unit`. The error is also `standard_error`.
+    ci95 : tuple of float
+        The interval that holds 95 %; also `interval95`.
+    unit : str
+        ``"1"`` of plain numbers.
+    """
+
+    def __init__(self, data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]] = (), name: str = "", meaning: str = "") -> None:
+        self._data = data
+        self._entries = entries
+        self.name, self.meaning = name, meaning
+        self.value: float = _float(data.get("value"))
+        self.stderr: float = _float(data.get("standard_error"))
+        low, high = data.get("interval95") or (None, None)
+        self.ci95: tuple[float, float] = (_float(low), _float(high))
+        self.unit: str = data.get("unit") or "1"
+
+    @property
+    def standard_error(self) -> float:
+        return self.stderr
+
+    @property
+    def interval95(self) -> tuple[float, float]:
+        return self.ci95
+
+    def __getattr__(self, name: str) -> Any:
+        for entry in self.__dict__.get("_entries", ()):
+            if entry["name"] == name:
+                return _read(self._data.get(name), entry, {})
+        raise AttributeError(f"no {name!r} in this estimate")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(entry["name"] for entry in self._entries)]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Estimate, (self._data, self._entries, self.name, self.meaning)
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __repr__(self) -> str:
+        unit = f" {self.unit}" if self.unit not in ("1", "") else ""
+        return f"<{self.name + ': ' if self.name else ''}{self.value:.6g} ± {self.stderr:.2g}{unit}>"
+
+
+def _float(value: Any) -> float:
+    return NAN if value is None else float(value)
+
+
+def _attribute(name: str) -> str:
+    """The name of a field as an attribute."""
+    return name + "_" if keyword.iskeyword(name) else name
+
+
+def _read(value: Any, entry: Mapping[str, Any], classes: Mapping[str, type]) -> Any:
+    """A value of an answer's data as what a user meets."""
+    shape = entry["shape"]
+    if shape == "number":
+        return _float(value)
+    if value is None:
+        return None
+    if shape == "estimate":
+        return Estimate(value, entry["entries"], entry["name"], entry["meaning"])
+    if shape == "quantity":
+        return Quantity(_float(value["value"]), value["unit"])
+    if shape == "group":
+        return classes[entry["name"]](value)
+    if shape == "list":
+        return Table(value, classes[entry["name"]])
+    if shape == "by_name":
+        return {name: classes[entry["name"]](part) for name, part in value.items()}
+    if shape == "words" and isinstance(value, list):
+        return tuple(value)
+    return value
+
+
+class Answer:
+    """A part of an answer: its numbers are attributes, and stand under their names in brackets.
+
+    A number that does not exist is NaN; words, groups and lists that do not are None. :meth:`describe` says what each is.
+    """
+
+    _entries: Sequence[Mapping[str, Any]] = ()
+    _classes: Mapping[str, type] = {}
+    _title = ""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self._data = data
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made, (type(self)._path, self._data)
+
+    _path: tuple[str, ...] = ()
+
+    def __getitem__(self, name: str) -> Any:
+        for entry in self._entries:
+            if entry["name"] == name and (name in self._data):
+                return _read(self._data[name], entry, self._classes)
+        raise KeyError(name)
+
+    def _of(self, entry: Mapping[str, Any]) -> Any:
+        if entry["name"] not in self._data:
+            raise AttributeError(f"this answer has no {entry['name']!r}; it has {', '.join(self._data)}")
+        return _read(self._data[entry["name"]], entry, self._classes)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._data
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._data)
+
+    def __len__(self) -> int:
+        return len(self._data)
+
+    def keys(self) -> list[str]:
+        """The names of what is there."""
+        return list(self._data)
+
+    def items(self) -> list[tuple[str, Any]]:
+        """Name and value of what is there."""
+        return [(name, self[name]) for name in self._data]
+
+    def to_dict(self) -> dict[str, Any]:
+        """As JSON has it: dicts, lists, numbers, None."""
+        return {entry["name"]: _plain(self._data[entry["name"]], entry) for entry in self._in_order() }
+
+    def _in_order(self) -> list[Mapping[str, Any]]:
+        entries = {entry["name"]: entry for entry in self._entries}
+        return [entries[name] for name in self._data]
+
+    def to_json(self) -> str:
+        """As the program writes it with ``--json``, to the last byte."""
+        return str(_flexslip.dumped(self.to_dict()))
+
+    def describe(self) -> Description:
+        """What each number is, line by line: name, unit, meaning."""
+        return Description(self._entries)
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame with a row for each number or estimate."""
+        import pandas
+
+        rows = []
+        for entry in self._in_order():
+            value = self[entry["name"]]
+            if isinstance(value, Estimate):
+                rows.append({"name": entry["name"], "value": value.value, "stderr": value.stderr, "low95": value.ci95[0],
+                             "high95": value.ci95[1], "unit": value.unit, "meaning": entry["meaning"]})
+            elif isinstance(value, (bool, int, float, str)):
+                rows.append({"name": entry["name"], "value": value, "unit": getattr(value, "unit", entry["unit"] or ""),
+                             "meaning": entry["meaning"]})
+        return pandas.DataFrame(rows).set_index("name") if rows else pandas.DataFrame()
+
+    def _shown(self) -> list[tuple[str, str, str]]:
+        rows = []
+        for entry in self._in_order():
+            value = self[entry["name"]]
+            rows.append((entry["name"], _in_short(value), entry["meaning"]))
+        return rows
+
+    def __repr__(self) -> str:
+        rows = self._shown()
+        wide = max((len(name) for name, _, _ in rows), default=0)
+        return f"<{self._title or type(self).__name__}>\n" + "\n".join(f"  {name:<{wide}}  {value}" for name, value, _ in rows)
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f'<tr><td style="text-align:left">{html.escape(name)}</td><td style="text-align:left">{html.escape(value)}</td>'
+            f'<td style="text-align:left">{html.escape(meaning)}</td></tr>' for name, value, meaning in self._shown())
+        return f"<table><caption>{html.escape(self._title or type(self).__name__)}</caption>{rows}</table>"
+
+
+def _in_short(value: Any) -> str:
+    if isinstance(value, Estimate):
+        return str(value)[1:-1].removeprefix(f"{value.name}: ")
+    if isinstance(value, Table):
+        return f"{len(value)} rows: {', '.join(value.keys())}"
+    if isinstance(value, Answer):
+        return "; ".join(value.keys())
+    if isinstance(value, np.ndarray):
+        return f"{len(value)} numbers"
+    if isinstance(value, dict):
+        return ", ".join(value)
+    if isinstance(value, float) and not isinstance(value, Quantity):
+        return f"{value:.6g}"
+    return str(value)
+
+
+def _none_of(value: Any) -> Any:
+    return None if isinstance(value, float) and value != value else value
+
+
+def _plain(value: Any, entry: Mapping[str, Any]) -> Any:
+    shape = entry["shape"]
+    if value is None:
+        return None
+    if isinstance(value, np.ndarray):
+        return [_none_of(each) for each in value.tolist()]
+    if shape == "list":
+        return Table(value, Answer, entry["entries"]).to_dicts()
+    if shape == "group":
+        entries = {each["name"]: each for each in entry["entries"]}
+        return {name: _plain(part, entries[name]) for name, part in value.items()}
+    if shape == "by_name":
+        entries = {each["name"]: each for each in entry["entries"]}
+        return {key: {name: _plain(part, entries[name]) for name, part in group.items()} for key, group in value.items()}
+    return _none_of(value)
+
+
+class Table(Sequence[Row], Generic[Row]):
+    """Rows of one kind: a column is an attribute, a NumPy array where it holds numbers; a row is an answer.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> fit = flexslip.fit("examples/simulated/case.toml")
+    >>> fit.profile.mu.shape == fit.profile.position.shape == (len(fit.profile),)
+    True
+    >>> fit.profile[0].mu == fit.profile.mu[0]
+    True
+    """
+
+    def __init__(self, data: Mapping[str, Any], of: Any, entries: Sequence[Mapping[str, Any]] | None = None) -> None:
+        self._data = data
+        self._of = of
+        self._entries: Sequence[Mapping[str, Any]] = of._entries if entries is None else entries
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if not self._of._path:
+            return _plain_table, (self._data, self._entries)
+        return _table_of, (self._data, self._of._path)
+
+    def keys(self) -> list[str]:
+        """The names of its columns."""
+        return list(self._data["columns"])
+
+    def column(self, name: str) -> Any:
+        """A column: a NumPy array of numbers, or of objects."""
+        values = self._data["columns"][name]
+        if isinstance(values, np.ndarray):
+            return values
+        entry = self._entry(name)
+        out = np.empty(len(values), dtype=object)
+        for i, value in enumerate(values):
+            out[i] = _read(value, entry, getattr(self._of, "_classes", {}))
+        return out
+
+    def _entry(self, name: str) -> Mapping[str, Any]:
+        for entry in self._entries:
+            if entry["name"] == name:
+                return entry
+        raise KeyError(name)
+
+    def __getattr__(self, name: str) -> Any:
+        columns = self.__dict__.get("_data", {}).get("columns", {})
+        if name in columns:
+            return self.column(name)
+        if name.endswith("_") and name[:-1] in columns:
+            return self.column(name[:-1])
+        raise AttributeError(f"no column {name!r}; there are {', '.join(columns)}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(_attribute(name) for name in self.keys())]
+
+    def __len__(self) -> int:
+        return int(self._data["rows"])
+
+    def _row(self, i: int) -> dict[str, Any]:
+        absent = self._data["absent"]
+        row = {}
+        for name, values in self._data["columns"].items():
+            if i in absent.get(name, ()):
+                continue
+            value = values[i]
+            row[name] = value.item() if isinstance(value, np.generic) else value
+        return row
+
+    @overload
+    def __getitem__(self, at: int) -> Row: ...
+    @overload
+    def __getitem__(self, at: slice) -> list[Row]: ...
+    @overload
+    def __getitem__(self, at: str) -> Any: ...
+
+    def __getitem__(self, at: Any) -> Any:
+        if isinstance(at, str):
+            return self.column(at)
+        if isinstance(at, slice):
+            return [self[i] for i in range(*at.indices(len(self)))]
+        i = range(len(self))[at]
+        return self._of({name: _none_of(value) for name, value in self._row(i).items()})
+
+    def to_dicts(self) -> list[dict[str, Any]]:
+        """The rows as JSON has them."""
+        plain = {}
+        for name, values in self._data["columns"].items():
+            if isinstance(values, np.ndarray):
+                plain[name] = [_none_of(value) for value in values.tolist()]
+            else:
+                entry = self._entry(name)
+                plain[name] = [_plain(value, entry) for value in values]
+        absent = {name: set(rows) for name, rows in self._data["absent"].items()}
+        return [{name: values[i] for name, values in plain.items() if i not in absent.get(name, ())} for i in range(len(self))]
+
+    def describe(self) -> Description:
+        """What each column is, line by line: name, unit, meaning."""
+        return Description(self._entries)
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame: an estimate takes four columns, NAME, NAME_standard_error, NAME_low and NAME_high; `attrs["units"]` has the units."""
+        import pandas
+
+        columns: dict[str, Any] = {}
+        units: dict[str, str] = {}
+        for name, values in self._data["columns"].items():
+            entry = self._entry(name)
+            if entry["shape"] == "estimate":
+                read = [Estimate(value) if value is not None else None for value in values]
+                parts = [(NAN,) * 4 if e is None else (e.value, e.stderr, *e.ci95) for e in read]
+                for k, suffix in enumerate(("", "_standard_error", "_low", "_high")):
+                    columns[name + suffix] = np.array([part[k] for part in parts])
+                    units[name + suffix] = next((e.unit for e in read if e is not None), "")
+                continue
+            columns[name] = values if isinstance(values, np.ndarray) else self.column(name)
+            if entry["unit"]:
+                units[name] = entry["unit"]
+        frame = pandas.DataFrame(columns, index=pandas.RangeIndex(len(self)))
+        frame.attrs["units"] = units
+        return frame
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} rows: {', '.join(self.keys())}>"
+
+    def _repr_html_(self) -> str:
+        return str(self.to_frame()._repr_html_())
+
+
+class Description(Sequence[Any]):
+    """What an answer holds: a line for each number, its name, unit and meaning."""
+
+    def __init__(self, entries: Sequence[Mapping[str, Any]], above: str = "") -> None:
+        self._lines: list[tuple[str, str, str, str]] = []
+        for entry in entries:
+            name = above + entry["name"]
+            self._lines.append((name, entry["shape"], entry["unit"], entry["meaning"]))
+            below = {"list": "[].", "by_name": ".*."}.get(entry["shape"], ".")
+            self._lines += Description(entry["entries"], name + below)._lines
+
+    def __len__(self) -> int:
+        return len(self._lines)
+
+    def __getitem__(self, at: Any) -> Any:
+        return self._lines[at]
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame of name, shape, unit and meaning."""
+        import pandas
+
+        return pandas.DataFrame(self._lines, columns=["name", "shape", "unit", "meaning"]).set_index("name")
+
+    def __repr__(self) -> str:
+        wide = max((len(line[0]) for line in self._lines), default=0)
+        units = max((len(line[2]) for line in self._lines), default=0)
+        return "\n".join(f"{name:<{wide}}  {unit:<{units}}  {meaning}" for name, _, unit, meaning in self._lines)
+
+    def _repr_html_(self) -> str:
+        return str(self.to_frame()._repr_html_())
+
+
+# Classes are made from what describes the answers, so that help() and completion know every number.
+_MADE: dict[tuple[str, ...], type] = {}
+
+
+def _camel(name: str) -> str:
+    return "".join(part.capitalize() for part in name.split("_"))
+
+
+def _doc_of(entry: Mapping[str, Any]) -> str:
+    unit, meaning = str(entry["unit"]), str(entry["meaning"])
+    return meaning + (f" [{unit}]" if unit else "")
+
+
+def _property_of(entry: Mapping[str, Any]) -> property:
+    def get(self: Answer) -> Any:
+        return self._of(entry)
+
+    return property(get, doc=_doc_of(entry))
+
+
+def make_class(path: tuple[str, ...], entries: Sequence[Mapping[str, Any]], name: str, what: str, base: type = Answer) -> type:
+    """The class of an answer, and those of its groups and lists."""
+    classes = {}
+    for entry in entries:
+        if entry["shape"] in ("group", "list", "by_name"):
+            classes[entry["name"]] = make_class((*path, entry["name"]), entry["entries"], name.removesuffix("Fields") + _camel(entry["name"]), entry["meaning"])
+    members: dict[str, Any] = {"_entries": entries, "_classes": classes, "_path": path, "_title": name, "__doc__": what, "__module__": "flexslip"}
+    for entry in entries:
+        attribute = _attribute(entry["name"])
+        if hasattr(base, attribute) and base is Answer:
+            raise TypeError(f"{name}.{attribute} is a method of every answer")  # a field needs another name in Python
+        members[attribute] = _property_of(entry)
+    made = type(name, (base,), members)
+    _MADE[path] = made
+    return made
+
+
+
+
+def made_classes() -> list[type]:
+    """All of them."""
+    return list(_MADE.values())
+
+
+def _made(path: tuple[str, ...], data: Mapping[str, Any]) -> Any:
+    return _MADE[path](data)
+
+
+def _table_of(data: Mapping[str, Any], path: tuple[str, ...]) -> Table[Any]:
+    return Table(data, _MADE[path])
+
+
+def _plain_table(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]]) -> Table[Any]:
+    return table_of(data, entries)
+
+
+def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]]) -> Table[Any]:
+    """A table of an answer that is one itself."""
+    row = type("Row", (Answer,), {"_entries": entries, "_title": "Row"})
+    for entry in entries:
+        setattr(row, _attribute(entry["name"]), _property_of(entry))
+    return Table(data, row)

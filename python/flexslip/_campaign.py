@@ -1,0 +1,162 @@
+"""Many tests."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from . import _flexslip
+from ._answers import ANSWERS, Table, table_of
+from ._case import KEYS, _UNKNOWN, toml_of
+from ._errors import one_of
+from ._fields import CampaignFields
+from ._fit import positive
+from ._simulate import whole
+
+
+
+class Campaign(CampaignFields):
+    """What many tests show, as :func:`campaign` gives it: every number of ``flexslip campaign --json``.
+
+    Attributes
+    ----------
+    tests : Table
+        A row a test; ``tests.name``, ``tests[0].parameters["mu0"].value``.
+    table, category_table, specimen_table : Table
+        The columns of tests.csv, categories.csv and specimens.csv.
+    """
+
+    _title = "Campaign"
+
+    def __init__(self, data: Mapping[str, Any], campaign: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+        super().__init__(data)
+        self._campaign = campaign
+        self._kept: dict[str, Any] = dict(kept or {})
+
+    def _part(self, name: str) -> Any:
+        if name not in self._kept:
+            self._kept[name] = getattr(self._campaign, name)()
+        return self._kept[name]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        for name in ("test_table", "category_table", "specimen_table", "figures", "text"):
+            self._part(name)
+        return _campaign_again, (self._data, self._kept)
+
+    @property
+    def table(self) -> Table[Any]:
+        return table_of(self._part("test_table"), _columns("campaign: tests.csv"))
+
+    @property
+    def category_table(self) -> Table[Any]:
+        return table_of(self._part("category_table"), _columns("campaign: categories.csv"))
+
+    @property
+    def specimen_table(self) -> Table[Any]:
+        return table_of(self._part("specimen_table"), _columns("campaign: specimens.csv"))
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame with a row for each test: the columns of tests.csv, in SI."""
+        frame = self.table.to_frame()
+        return frame.set_index("test")
+
+    def summary(self) -> str:
+        """The answer in words, as the program prints it."""
+        return str(self._part("text"))
+
+    def plot(self, figure: str | None = None, ax: Any = None) -> Any:
+        """The distributions of wavelength and friction, or a page of the atlas of force curves; gives the Axes.
+
+        `figure` is "distributions", or "atlas-clear-1", ...
+        """
+        from . import _plots
+
+        return _plots.plot(self._part("figures"), figure, ax)
+
+    def __repr__(self) -> str:
+        return f"<Campaign of {len(self.tests)} tests, {len(self.failures)} without an answer>"
+
+
+def _columns(answer: str) -> list[dict[str, Any]]:
+    """The columns of a table, those of an estimate one by one."""
+    columns: list[dict[str, Any]] = []
+    for entry in ANSWERS[answer]["entries"]:
+        columns += _split(entry, entry["title"] or entry["name"])
+    return columns
+
+
+def _split(entry: Mapping[str, Any], name: str) -> list[dict[str, Any]]:
+    if entry["shape"] == "group":
+        return [column for below in entry["entries"] for column in _split(below, f"{name}_{below['title'] or below['name']}")]
+    if entry["shape"] != "estimate":
+        return [{**entry, "name": name}]
+    columns = [{**entry, "name": name + suffix, "shape": "number", "meaning": entry["meaning"] + words, "entries": []}
+               for suffix, words in (("", ""), ("_standard_error", ", its standard error"), ("_low", ", lower end of its 95 % interval"),
+                                     ("_high", ", upper end of its 95 % interval"))]
+    return columns + [column for below in entry["entries"] for column in _split(below, f"{name}_{below['name']}")]
+
+
+def _campaign_again(data: Mapping[str, Any], kept: Mapping[str, Any]) -> Campaign:
+    return Campaign(data, None, kept)
+
+
+def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool = True, test_reports: bool = False,
+             jobs: int | None = None, share: str | Iterable[str] = (), model: str | None = None, false_alarms: float | None = None,
+             suspect_limit: float | None = None, check_stability: bool = False, set: Mapping[str, Any] | None = None) -> Campaign:  # noqa: A002
+    """Many measured tests: one table, categories, figures.
+
+    Parameters
+    ----------
+    path : path
+        A folder of case files; with `common`, of data files; or a table (CSV) with a test a row.
+    common : path, optional
+        A case file that says what all tests have in common.
+    report : path, optional
+        A folder for report.html, tables, figures and each test's results; results that are there already are not computed again.
+    figures, test_reports : bool
+        With `report`: are its figures drawn; has each test a report of its own?
+    jobs : int, optional
+        Tests computed at the same time; all cores. The answers are the same for any number.
+    share : str or iterable of str
+        Parameters of which all records together tell one value: "modulus", "bending_stiffness", "wavelength", "roughness",
+        "correlation_length", "mu0".
+    model, false_alarms, suspect_limit, check_stability
+        As of :func:`fit`.
+    set : mapping, optional
+        Keys that change in every test, ``{"rig.stiffness": "200 N/m"}``.
+
+    Returns
+    -------
+    Campaign
+        A test that gives no answer is listed under `failures`, with its reason.
+
+    Raises
+    ------
+    InputError
+        For a folder without tests, a table with a column that is no key, a common case that cannot be read.
+    KeyboardInterrupt
+        For Ctrl-C. With `report`, the same call goes on from there.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> examples = flexslip.campaign("examples")
+    >>> sorted(examples.table.test)
+    ['cracked', 'cyclic', 'simulated', 'surface']
+    """
+    if model is not None:
+        one_of("model", model, _flexslip.model_names)
+    names = [share] if isinstance(share, str) else list(share)
+    for name in names:
+        one_of("share", name, _flexslip.shareable_names)
+    changes = []
+    for name, value in (set or {}).items():
+        section, _, key = str(name).rpartition(".")
+        changes.append(f"{name}={toml_of(KEYS.get((section, key), {**_UNKNOWN, 'section': section, 'name': key}), value, False)}")
+    found = _flexslip.campaign(
+        os.fspath(path), None if common is None else os.fspath(common), changes, model or "",
+        _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
+        _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit), bool(check_stability), names,
+        _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if report is None else os.fspath(report), bool(figures),
+        bool(test_reports))
+    return Campaign(found.told(), found)

@@ -1,0 +1,414 @@
+"""Cases from keywords, by the table of keys of which the reader of case files is made."""
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from . import _flexslip
+from ._errors import InputError, error_of, wrong
+
+SECTIONS = ("specimen", "rig", "friction", "stage", "record")
+KEYS = {(key["section"], key["name"]): key for key in _flexslip.keys()}
+# Keys that may stand without their section: those of specimen and rig, and those of a record that have a flag.
+FLAT: dict[str, dict[str, Any]] = {}
+for (_section, _name), _key in KEYS.items():
+    if _section in ("specimen", "rig") or (_section == "record" and _key["flag"]):
+        FLAT[_name] = _key
+
+
+def keys() -> list[dict[str, Any]]:
+    """Every key of a case: its section, name, what it holds, an example, the unit of a bare number, and its meaning.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> [key["unit"] for key in flexslip.keys() if key["name"] == "span"]
+    ['m']
+    """
+    return [dict(key) for key in KEYS.values()]
+
+
+def _in_quotes(text: str) -> str:
+    out = '"'
+    for character in text:
+        if character in '"\\':
+            out += "\\" + character
+        elif ord(character) < 0x20 or ord(character) == 0x7F:
+            out += f"\\u{ord(character):04x}"
+        else:
+            out += character
+    return out + '"'
+
+
+def _number(value: Any, unit: str, reduced: bool) -> str:
+    number = float(value)
+    if number == float("inf"):
+        return '"inf"'
+    if reduced or not unit:
+        return repr(number)
+    return _in_quotes(f"{number!r} {unit}")
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, (bool, np.bool_))
+
+
+def _described(key: dict[str, Any], value: Any) -> InputError:
+    name = f"{key['section']}.{key['name']}" if key["section"] else key["name"]
+    shown = f"[{key['section']}] {key['name']}" if key["section"] else key["name"]
+    return wrong(shown, key["holds"], value, f"such as {key['example']}" if key["example"] else None, key=name)
+
+
+def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
+    """A value of a key as a case file has it; bare numbers are in SI."""
+    if isinstance(value, np.ndarray):
+        value = value.tolist() if value.ndim else value.item()
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if isinstance(value, str):
+        return _in_quotes(value)
+    holds, unit = key["is"], key["unit"]
+    if _is_number(value):
+        if holds == "whole_number" or (holds == "place" and isinstance(value, (int, np.integer))):
+            return repr(int(value)) if float(value).is_integer() else repr(float(value))
+        if holds == "place":
+            return _number(value, "m", reduced)
+        if holds in ("quantity", "estimate", "share", "lengths"):
+            return _number(value, unit, reduced)
+        raise _described(key, value)
+    if holds == "estimate" and isinstance(value, (tuple, list)) and len(value) == 2:
+        value = {"value": value[0], "uncertainty": value[1]}
+    if holds == "estimate" and isinstance(value, Mapping):
+        return _table({name: _in_quotes(part) if isinstance(part, str) else _number(part, unit, reduced)
+                       for name, part in value.items() if _is_number(part) or isinstance(part, str)})
+    if holds == "place" and isinstance(value, Mapping):
+        return _table({name: toml_of(key, part, reduced) for name, part in value.items()})
+    if holds == "lengths" and isinstance(value, (list, tuple)):
+        return "[" + ", ".join(toml_of(key, part, reduced) for part in value) + "]"
+    if holds == "tables" and isinstance(value, (list, tuple)):
+        below = key["section"] if key["section"] == "friction" else f"{key['section']}.{key['name']}"
+        return "[" + ", ".join(_table(_values(below, part, reduced)) for part in value) + "]"
+    raise _described(key, value)
+
+
+def _table(values: Mapping[str, str]) -> str:
+    return "{ " + ", ".join(f"{name} = {value}" for name, value in values.items()) + " }"
+
+
+def _values(section: str, given: Any, reduced: bool) -> dict[str, str]:
+    """The values of a section, as a case file has them."""
+    if not isinstance(given, Mapping):
+        raise wrong(f"[{section}]", "a dict of keys", given, key=section)
+    values = {}
+    for name, value in given.items():
+        if value is None:
+            continue
+        if not isinstance(name, str) or not name.replace("_", "").isalnum():
+            raise wrong(f"[{section}]", "a name of a key", name, key=section)
+        # One that is unknown is left to the reader, which knows what was meant.
+        values[name] = toml_of(KEYS.get((section, name), {**_UNKNOWN, "section": section, "name": name}), value, reduced)
+    return values
+
+
+_UNKNOWN = {"is": "quantity", "unit": "", "holds": "a value", "example": ""}
+
+
+def _near(name: str) -> str:
+    import difflib
+
+    near = difflib.get_close_matches(name, [*FLAT, *SECTIONS], 1)
+    return f"; did you mean {near[0]!r}?" if near else "; flexslip.keys() lists the keys"
+
+
+def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Keywords by section: a dict is a section, anything else the value of a key."""
+    sections: dict[str, dict[str, Any]] = {}
+    for name, value in keywords.items():
+        if value is None:
+            continue
+        if name in SECTIONS and (isinstance(value, Mapping) or name not in FLAT):
+            if not isinstance(value, Mapping):
+                raise wrong(f"[{name}]", "a dict of keys", value, key=name)
+            sections.setdefault(name, {}).update(value)
+        elif name in FLAT:
+            sections.setdefault(FLAT[name]["section"], {})[name] = value
+        else:
+            raise TypeError(f"unexpected keyword argument {name!r}" + _near(name))
+    return sections
+
+
+_COLUMNS = ("stage", "deflection", "force", "length")  # in the order in which a record has them
+_MA: Any = np.ma  # whose functions have no types
+_ARRAYS = "arrays"  # what a record in memory is called
+
+
+def _is_array(value: Any) -> bool:
+    return not isinstance(value, (str, bytes, Mapping)) and (hasattr(value, "__array__") or isinstance(value, (list, tuple)))
+
+
+def _column(name: str, given: Any, reduced: bool) -> Any:
+    """A column of a record in memory, in SI."""
+    unit = None
+    if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
+        given, unit = given
+    if _MA.is_masked(given):
+        raise wrong(name, "numbers without a mask", "masked ones", key=f"record.{name}")
+    try:
+        array = np.asarray(given)
+    except ValueError:
+        raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name}: expected real numbers, found {array.dtype.name}")
+    if array.ndim != 1:
+        raise wrong(name, "an array of one dimension", f"one of the shape {array.shape}", key=f"record.{name}")
+    if array.size == 0:
+        raise wrong(name, "readings", "an empty array", key=f"record.{name}")
+    values = np.ascontiguousarray(array, dtype=np.float64)
+    if not np.isfinite(values).all():
+        at = int(np.argmin(np.isfinite(values)))
+        raise wrong(f"{name}[{at}]", "a finite number", repr(float(values[at])), key=f"record.{name}")
+    if unit is None:
+        return values
+    if reduced:
+        raise wrong(name, "numbers without a unit, as the case is reduced", unit, key=f"record.{name}")
+    return _flexslip.in_si(values, unit, "force" if name == "force" else "length")
+
+
+def _arrays_of(sections: dict[str, dict[str, Any]], reduced: bool) -> list[tuple[str, Any]]:
+    """The columns of a record that a call has in memory; their titles take their place."""
+    record = sections.get("record", {})
+    names = [name for name in _COLUMNS if _is_array(record.get(name))]
+    if not names:
+        return []
+    for name in _COLUMNS:
+        if isinstance(record.get(name), str):
+            raise wrong(name, f"an array, as {names[0]} is one", record[name], key=f"record.{name}")
+    if "file" in record:
+        raise wrong("file", "either a file or arrays of a record", "both", key="record.file")
+    columns = [(name, _column(name, record[name], reduced)) for name in names]
+    for name, values in columns:
+        if len(values) != len(columns[0][1]):
+            raise wrong(name, f"as many readings as {names[0]} has, {len(columns[0][1])}", str(len(values)), key=f"record.{name}")
+        record[name] = name if reduced else f"{name} [{'N' if name == 'force' else 'm'}]"
+    record["file"] = _ARRAYS
+    return columns
+
+
+def _text_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> str:
+    text = "reduced = true\n" if reduced else ""
+    later = ""
+    for section, given in sections.items():
+        own = dict(given)
+        other = own.pop("other", None) if section == "friction" else None
+        text += f"[{section}]\n" + "".join(f"{name} = {value}\n" for name, value in _values(section, own, reduced).items())
+        if other is not None:
+            later += "[friction.other]\n" + "".join(
+                f"{name} = {value}\n" for name, value in _values("friction", other, reduced).items())
+    return text + later
+
+
+def _changes_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> list[str]:
+    return [f"{section}.{name}={value}" for section, given in sections.items()
+            for name, value in _values(section, given, reduced).items()]
+
+
+def _path(file: Any) -> str:
+    path: str = os.fsdecode(file)
+    if not path or path == "-" or "\0" in path:
+        raise wrong("file", "the name of a file", path)
+    return path
+
+
+class Case:
+    """What is known of a test: its specimen, its rig, its friction, how the stage moves, and its record.
+
+    Parameters
+    ----------
+    file : path, optional
+        A case file (``.toml``), which the other arguments change; or a file of data, which they describe.
+    set : mapping, optional
+        Keys that change, ``{"rig.stiffness": "200 N/m"}``.
+    reduced : bool
+        Are all numbers in reduced variables? Of a case without a case file.
+    **keywords
+        A section as a dict, ``rig={"span": "1278 um"}``, or a key of a section by its own name, ``span="1278 um"``: those of specimen, rig and
+        record, see :func:`keys`. Quantities are strings with a unit, or floats in SI. A record may be arrays, `stage`, `deflection`, `force`, two of
+        the three, in SI or with their unit: ``force=(values, "mN")``.
+
+    Raises
+    ------
+    InputError
+        For a value, unit or key that is wrong, with what was expected; a FileNotFoundError as well if a file is not there.
+    TypeError
+        For a keyword that is none.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> case = flexslip.Case(diameter="34.8 um", modulus="29.6 GPa", span=1278e-6, stiffness="90.65 N/m")
+    >>> case["rig.span"]
+    '1.278 mm'
+    >>> case.replace(span="1 mm")["rig.span"]
+    '1 mm'
+    """
+
+    _text: str
+    _source: str
+    _changes: list[str]
+    _given: list[tuple[str, Any]]
+
+    def __init__(self, file: Any = None, *, set: Mapping[str, Any] | None = None, reduced: bool = False, **keywords: Any) -> None:  # noqa: A002
+        sections = sections_of(keywords)
+        self._given = []
+        if isinstance(file, Case):
+            self._text, self._source, self._changes = file._text, file._source, list(file._changes)
+            self._given = file._given
+            reduced = file.reduced
+        elif file is not None and (path := _path(file)).endswith(".toml"):
+            if reduced:
+                raise wrong("reduced", "a case file that says so itself", "both")
+            self._text, self._source, self._changes = _decoded(path), path, []
+            reduced = _says_reduced(self._text)
+        else:
+            if file is not None:
+                sections.setdefault("record", {})["file"] = _path(file)
+            self._given = _arrays_of(sections, reduced)
+            self._text, self._source, self._changes = _text_of(sections, reduced), "", []
+            sections = {}
+        self._given = _arrays_of(sections, reduced) or self._given
+        self._changes += _changes_of(sections, reduced)
+        for name, value in (set or {}).items():
+            section, _, key = str(name).rpartition(".")
+            described = KEYS.get((section, key), {**_UNKNOWN, "section": section, "name": key})
+            self._changes.append(f"{name}={toml_of(described, value, reduced)}")
+        self._read()
+
+    def _read(self) -> None:
+        try:
+            self._case = _flexslip.read_case(self._text, self._source, self._changes)
+            if self._given:
+                self._case = _flexslip.with_record(self._case, self._given, _ARRAYS)
+        except InputError as error:
+            if error.file or self._source:
+                raise
+            # The file, and its line, is a text that nobody wrote.
+            words = [str(error).removeprefix(f"line {error.line}: "), error.expected or ""]
+            message, expected = (text.replace("it in the file", "this keyword") for text in words)
+            parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "found", "remedy")}
+            raise error_of(message, expected=expected or None, **parts) from None
+
+    @classmethod
+    def from_toml(cls, text: str, source: str = "") -> Case:
+        """A case from the text of a case file. `source` is the file whose folder its paths are relative to.
+
+        Examples
+        --------
+        >>> import flexslip
+        >>> flexslip.Case.from_toml('[rig]\\nspan = "1 mm"').toml
+        '[rig]\\nspan = "1 mm"\\n'
+        """
+        case = cls.__new__(cls)
+        case._text, case._source, case._changes, case._given = text, os.fspath(source), [], []
+        case._case = _flexslip.read_case(text, case._source, [])
+        return case
+
+    @property
+    def toml(self) -> str:
+        """The case as the text of a case file, which gives the same case back, to the last bit."""
+        return str(self._case.toml())
+
+    @property
+    def source(self) -> str:
+        """The case file as it was named; empty if there is none."""
+        return self._source
+
+    @property
+    def reduced(self) -> bool:
+        """Are all numbers in the model's reduced variables?"""
+        return bool(self._case.reduced)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The case as dicts of its sections, quantities as strings with units."""
+        return tomllib.loads(self.toml)
+
+    def __getitem__(self, key: str) -> Any:
+        value: Any = self.to_dict()
+        for part in key.split("."):
+            if not isinstance(value, dict) or part not in value:
+                raise KeyError(key)
+            value = value[part]
+        return value
+
+    def replace(self, *, set: Mapping[str, Any] | None = None, **keywords: Any) -> Case:  # noqa: A002
+        """The same case with other values, given as to :class:`Case`."""
+        return Case(self, set=set, **keywords)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _read_again, (self._text, self._source, list(self._changes), self._given)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Case) or (self.toml, self.source) != (other.toml, other.source):
+            return False
+        return len(self._given) == len(other._given) and all(
+            np.array_equal(mine, theirs) for (_, mine), (_, theirs) in zip(self._given, other._given))
+
+    def __hash__(self) -> int:
+        return hash((self.toml, self.source))
+
+    def __repr__(self) -> str:
+        return f"<flexslip.Case{' ' + self._source if self._source else ''}>\n{self.toml.strip()}"
+
+    def _repr_html_(self) -> str:
+        import html
+
+        return f"<pre>{html.escape(self.toml)}</pre>"
+
+
+def _read_again(text: str, source: str, changes: list[str], given: list[tuple[str, Any]]) -> Case:
+    case = Case.__new__(Case)
+    case._text, case._source, case._changes, case._given = text, source, changes, given
+    case._read()
+    return case
+
+
+def _decoded(path: str) -> str:
+    text: bytes = _flexslip.case_text(path)
+    try:
+        return text.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise error_of(f"{path}: expected a case file in UTF-8, found {error.reason} at byte {error.start}", file=path,
+                       expected="a case file in UTF-8", found=error.reason, kind="wrong") from None
+
+
+def _says_reduced(text: str) -> bool:
+    try:
+        return tomllib.loads(text).get("reduced") is True
+    except tomllib.TOMLDecodeError:
+        return False  # which the reader says with its words
+
+
+def with_keywords(function: Any) -> Any:
+    """Gives a function that takes the keys of a case their names: its signature, for completion, and what they mean."""
+    import inspect
+
+    signature = inspect.signature(function)
+    kept = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+    names = [*SECTIONS, *(name for name in FLAT if name not in SECTIONS)]
+    added = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in names]
+    function.__signature__ = signature.replace(parameters=[*kept, *added])
+    lines = [f"    {name} : {key['holds']}{' [' + key['unit'] + ']' if key['unit'] else ''}\n        {key['meaning']}" for name, key in FLAT.items()]
+    function.__doc__ = (function.__doc__ or "").rstrip() + "\n\n    Other Parameters\n    ----------------\n" + "\n".join(lines) + "\n    "
+    return function
+
+
+def case_of(file: Any, set: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> Case:  # noqa: A002
+    """The case that a call describes."""
+    if isinstance(file, Case) and not set and not keywords:
+        return file
+    return Case(file, set=set, **keywords)

@@ -1,0 +1,185 @@
+"""Planned tests."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from . import _flexslip
+from ._answers import table_of
+from ._case import FLAT, KEYS, Case, case_of, with_keywords
+from ._errors import wrong
+from ._fields import DesignFields
+from ._simulate import whole
+
+
+
+class _Kept:
+    """What has figures that are made when they are first asked for."""
+
+    _test: Any
+    _kept: dict[str, Any]
+
+    def _figures(self) -> Any:
+        if "figures" not in self._kept:
+            self._kept["figures"] = self._test.figures()
+        return self._kept["figures"]
+
+    def plot(self, ax: Any = None) -> Any:
+        """The figure of ``flexslip design --figure``, drawn with matplotlib; gives the Axes."""
+        from . import _plots
+
+        return _plots.plot(self._figures(), None, ax)
+
+
+class Design(_Kept, DesignFields):
+    """What a planned test will show, as :func:`design` gives it: every number of ``flexslip design --json``.
+
+    Attributes
+    ----------
+    answer : str
+        Whether the test shows a sawtooth, in a sentence.
+    changes : Table
+        Single changes with which it would be the other way.
+    case : Case
+    """
+
+    _title = "Design"
+
+    def __init__(self, data: Mapping[str, Any], case: Case, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+        super().__init__(data)
+        self.case, self._test, self._kept = case, test, dict(kept or {})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        self._figures()
+        self.summary()
+        return _design_again, (self._data, self.case, self._kept)
+
+    def summary(self) -> str:
+        """The answer in words, as the program prints it."""
+        if "text" not in self._kept:
+            self._kept["text"] = self._test.text()
+        return str(self._kept["text"])
+
+    def __repr__(self) -> str:
+        return f"<Design: {self.answer}>"
+
+
+def _design_again(data: Mapping[str, Any], case: Case, kept: Mapping[str, Any]) -> Design:
+    return Design(data, case, None, kept)
+
+
+class DesignMap(_Kept):
+    """Planned tests over one parameter, or two: what ``flexslip design --over`` gives.
+
+    Attributes
+    ----------
+    designs : Table
+        One for each combination of values, the last parameter fastest.
+    case : Case
+    """
+
+    def __init__(self, data: Mapping[str, Any], case: Case, entries: Any, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+        self._data, self.case, self._entries, self._test, self._kept = data, case, entries, test, dict(kept or {})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        self._figures()
+        return _map_again, (self._data, self.case, self._entries, self._kept)
+
+    @property
+    def designs(self) -> Any:
+        return table_of(self._data["designs"], next(e for e in self._entries if e["name"] == "designs")["entries"])
+
+    def to_dict(self) -> dict[str, Any]:
+        """As JSON has it."""
+        return {"units": dict(self._data["units"]), "designs": self.designs.to_dicts()}
+
+    def to_json(self) -> str:
+        """As the program writes it with ``--json``, to the last byte."""
+        return str(_flexslip.dumped(self.to_dict()))
+
+    def to_frame(self) -> Any:
+        """The designs as a pandas.DataFrame."""
+        return self.designs.to_frame()
+
+    def describe(self) -> Any:
+        """What each column is."""
+        return self.designs.describe()
+
+    def __len__(self) -> int:
+        return len(self.designs)
+
+    def __repr__(self) -> str:
+        return f"<DesignMap of {len(self)} designs>"
+
+    def _repr_html_(self) -> str:
+        return str(self.to_frame()._repr_html_())
+
+
+def _map_again(data: Mapping[str, Any], case: Case, entries: Any, kept: Mapping[str, Any]) -> DesignMap:
+    return DesignMap(data, case, entries, None, kept)
+
+
+def _end(name: str, value: Any) -> str:
+    """An end of a range, with the unit that the parameter's key has."""
+    if isinstance(value, str):
+        return value
+    key = FLAT.get(name) or next((key for (_, known), key in KEYS.items() if known == name), None)
+    unit = "m" if name == "travel" else key["unit"] if key else ""
+    try:
+        return f"{float(value)!r} {unit}".strip()
+    except (TypeError, ValueError):
+        raise wrong(f"over[{name!r}]", "a range: (from, to) or (from, to, points)", value) from None
+
+
+def _range(name: str, given: Any, reduced: bool) -> str:
+    if isinstance(given, str):
+        return f"{name}={given}"
+    if not isinstance(given, (tuple, list)) or len(given) not in (2, 3):
+        raise wrong(f"over[{name!r}]", "a range: (from, to) or (from, to, points)", given)
+    ends = [repr(float(end)) if reduced and not isinstance(end, str) else _end(name, end) for end in given[:2]]
+    return f"{name}={':'.join([*ends, *(str(whole('points', n, 2, 10000)) for n in given[2:])])}"
+
+
+@with_keywords
+def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: int | None = None,
+           set: Mapping[str, Any] | None = None, **keywords: Any) -> Any:  # noqa: A002
+    """Before a test: will it show a sawtooth, and what would change that?
+
+    Parameters
+    ----------
+    file : path or Case, optional
+        A case as for :func:`simulate`: its farthest stage position is the travel of one loading.
+    over : mapping, optional
+        One parameter, or two, and their ranges: ``{"stiffness": ("10 N/m", "1000 N/m", 41)}``; the number of points may be left out.
+    threads : int, optional
+        With `over`: designs computed at the same time; all cores.
+    set, **keywords
+        As of :class:`Case`.
+
+    Returns
+    -------
+    Design, or a DesignMap with `over`
+
+    Raises
+    ------
+    InputError
+        For a case or a range that is wrong.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> flexslip.design("examples/design.toml").snaps
+    True
+    >>> len(flexslip.design("examples/design.toml", over={"stiffness": (50.0, "200 N/m", 3)}))
+    3
+    """
+    case = case_of(file, set, keywords)
+    if over is None:
+        answer = _flexslip.design(case._case)
+        return Design(answer.told(), case, answer)
+    if not isinstance(over, Mapping) or not over:
+        raise wrong("over", "a dict of ranges, {\"stiffness\": (\"10 N/m\", \"1000 N/m\")}", over)
+    texts = [_range(str(name), given, case.reduced) for name, given in over.items()]
+    count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
+    found = _flexslip.design_map(case._case, texts, count)
+    return DesignMap(found.told(), case, found.entries(), found)

@@ -1,0 +1,105 @@
+"""What is wrong with an input, as exceptions that Python's users expect."""
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import Any
+
+
+class InputError(ValueError):
+    """Bad input: what was expected, what was found, where, and how to mend it.
+
+    Attributes
+    ----------
+    file : str or None
+        The file it stands in, as it was named.
+    line : int or None
+        The line of that file, counted from 1.
+    field : str or None
+        What to search for there: ``"[rig] span"``, ``"column 'F_N'"``.
+    key : str or None
+        The key of a case: ``"rig.span"``.
+    kind : str
+        ``"wrong"``, ``"missing"``, ``"unknown"``, or ``"too_much"``: a number beyond `limit`.
+    limit : float or None
+        The greatest value, in SI, or reduced.
+    expected, found, remedy : str or None
+        The parts of the message.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> try:
+    ...     flexslip.Case(rig={"span": "1278"})
+    ... except flexslip.InputError as error:
+    ...     print(error.key, "|", error.found)
+    rig.span | '1278', no unit
+    """
+
+    file: str | None = None
+    line: int | None = None
+    field: str | None = None
+    key: str | None = None
+    kind: str = "wrong"
+    limit: float | None = None
+    expected: str | None = None
+    found: str | None = None
+    remedy: str | None = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        parts = {name: getattr(self, name) for name in _PARTS}
+        return error_of, (str(self),), {"parts": parts}
+
+    def __setstate__(self, state: dict[str, Any] | None) -> None:
+        for name, value in (state or {"parts": {}})["parts"].items():
+            setattr(self, name, value)
+
+
+class _NoFile(InputError, FileNotFoundError):
+    """A file that is not there."""
+
+    __str__ = ValueError.__str__
+
+
+class _NotPermitted(InputError, PermissionError):
+    """A file that may not be read or written."""
+
+    __str__ = ValueError.__str__
+
+
+class _Folder(InputError, IsADirectoryError):
+    """A folder where a file is wanted."""
+
+    __str__ = ValueError.__str__
+
+
+_PARTS = ("file", "line", "field", "key", "kind", "limit", "expected", "found", "remedy")
+_OF_SYSTEM = {
+    "No such file or directory": _NoFile,
+    "Permission denied": _NotPermitted,
+    "Is a directory": _Folder,
+    "a directory": _Folder,
+}
+
+
+def error_of(message: str, **parts: Any) -> InputError:
+    """The exception for a fault; of a file that is not there, one that is a FileNotFoundError as well."""
+    error = _OF_SYSTEM.get(parts.get("found") or "", InputError)(message)
+    for name, value in parts.items():
+        setattr(error, name, value)
+    if isinstance(error, OSError):
+        error.filename = os.fspath(parts.get("file") or "")
+    return error
+
+
+def wrong(field: str, expected: str, found: Any, remedy: str | None = None, **parts: Any) -> InputError:
+    """The exception for an argument, its message made as the program makes it."""
+    shown = found if isinstance(found, str) else repr(found)
+    message = f"{field}: expected {expected}, found {shown}" + (f"; {remedy}" if remedy else "")
+    return error_of(message, field=field, expected=expected, found=shown, remedy=remedy, **parts)
+
+
+def one_of(field: str, word: Any, known: Sequence[str]) -> None:
+    """Refuses an argument that is none of some words."""
+    if not isinstance(word, str) or word not in known:
+        raise wrong(field, f"one of {', '.join(known)}", word)

@@ -1,0 +1,244 @@
+"""Measured tests: what friction they show."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from . import _flexslip
+from ._answers import ANSWERS, Answer, Estimate, Table, table_of
+from ._case import Case, case_of, with_keywords
+from ._errors import one_of, wrong
+from ._fields import FitDraws, FitFields
+
+_CURVES = ANSWERS["fit --curves"]["entries"]
+
+
+class Fit(FitFields):
+    """What a measured test shows, as :func:`fit` gives it.
+
+    Every number of ``flexslip fit --json`` is an attribute; :meth:`describe` says what each is. Besides:
+
+    Attributes
+    ----------
+    params : parameters
+        ``fit.params["mu0"].value``, ``.stderr``, ``.ci95``, ``.unit``; the same as `parameters`.
+    success : bool
+        Is there an answer? If not, `message` says why, and what depends on it is None or NaN.
+    message : str
+        Why there is none; "" if there is one.
+    case : Case
+        What was fitted.
+    curves : Table
+        Point by point of the record: measured, fitted and replayed force, friction read. NumPy arrays.
+    draws : Draws
+        Profiles of friction that explain the record, for statistics of one's own.
+    """
+
+    _title = "Fit"
+
+    def __init__(self, data: Mapping[str, Any], case: Case, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+        super().__init__(data)
+        self.case = case
+        self._test = test
+        self._kept: dict[str, Any] = dict(kept or {})
+
+    def _part(self, name: str) -> Any:
+        """What is made of the test when it is first asked for."""
+        if name not in self._kept:
+            self._kept[name] = getattr(self._test, name)()
+        return self._kept[name]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        for name in _KEPT if self.success else _ALWAYS_KEPT:
+            self._part(name)
+        return _fit_again, (self._data, self.case, self._kept)
+
+    @property
+    def success(self) -> bool:
+        return bool(self._data["status"] == "ok")
+
+    @property
+    def message(self) -> str:
+        return str(self._part("why_no_answer"))
+
+    @property
+    def params(self) -> Any:
+        return self.parameters
+
+    @property
+    def curves(self) -> Table[Any]:
+        return table_of(self._part("curves"), _CURVES)
+
+    @property
+    def draws(self) -> Draws:
+        if not self.success:
+            raise ValueError(f"there is no fit to draw profiles from: {self.message}")
+        return Draws(self._data["draws"], self._part("draws"))
+
+    def summary(self, full: bool = False) -> str:
+        """The answer in words, as the program prints it; `full`: every slip and table."""
+        if full or not self.success:
+            return str(self._part("text"))
+        return str(self._part("screen"))
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame with a row for each parameter."""
+        return self.parameters.to_frame()
+
+    def report(self, folder: Any) -> str:
+        """Writes report.html and its figures into a folder, as ``flexslip fit --report`` does; gives the path of the former."""
+        import os
+
+        if self._test is None:
+            raise ValueError("a fit that was pickled has no report: call fit(fit.case).report(folder)")
+        path = os.fspath(folder)
+        self._test.write_report(path)
+        return os.path.join(path, "report.html")
+
+    def plot(self, figure: str = "force", ax: Any = None) -> Any:
+        """A figure of the report, drawn with matplotlib.
+
+        Parameters
+        ----------
+        figure : {"force", "profile", "wavelengths"}
+            Force against deflection, with residuals below; friction along the specimen; what a wave of each wavelength adds.
+        ax : matplotlib Axes, optional
+            Where to draw; of "force", two of them, or one for the force alone.
+
+        Returns
+        -------
+        Axes, or an array of them
+            To go on with.
+        """
+        from . import _plots
+
+        return _plots.plot(self._part("figures"), figure, ax)
+
+    def __repr__(self) -> str:
+        if not self.success:
+            return f"<Fit of {self.name}: {self.status}: {self.message}>"
+        lines = [f"<Fit of {self.name}: {self.model}, {self.category}, {self.judgement.standing}>"]
+        lines += [f"  {name:<20} {str(value)[1:-1].removeprefix(name + ': ')}" for name, value in self.parameters.items()
+                  if isinstance(value, Estimate)]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        import html
+
+        head = f"Fit of {self.name}: {self.status if not self.success else self.model + ', ' + self.judgement.standing}"
+        return f"<p><b>{html.escape(head)}</b></p>" + str(self.parameters._repr_html_())
+
+
+_ALWAYS_KEPT = ("why_no_answer", "curves", "text", "figures")
+_KEPT = (*_ALWAYS_KEPT, "draws", "screen")
+
+
+def _fit_again(data: Mapping[str, Any], case: Case, kept: Mapping[str, Any]) -> Fit:
+    return Fit(data, case, None, kept)
+
+
+class Draws(FitDraws):
+    """Profiles of friction that explain a record, on lengths between the contacts that rise.
+
+    Attributes
+    ----------
+    length : array, shape (n,)
+        Lengths between the contacts, in m, or in spans of a reduced test.
+    mu, deviation : array, shape (n,)
+        The mean of the fit, and its standard deviation.
+    profiles : array, shape (20, n)
+        Drawn at random, the same at every run.
+    bending_stiffness : array, shape (20,)
+        EI that goes with each, in `unit`.
+    """
+
+    _title = "Draws"
+
+    def __init__(self, data: Mapping[str, Any], table: Mapping[str, Any]) -> None:
+        import numpy as np
+
+        super().__init__(data)
+        self._table = table
+        columns = table["columns"]
+        self.length, self.mu, self.deviation = columns["length"], columns["mu"], columns["deviation"]
+        self.profiles = np.array([values for name, values in columns.items() if name.startswith("draw_")])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Draws, (self._data, self._table)
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame as ``flexslip fit --draws`` writes it."""
+        import pandas
+
+        columns = {"length": self.length, "mu": self.mu, "deviation": self.deviation}
+        columns |= {f"draw_{k}": profile for k, profile in enumerate(self.profiles, 1)}
+        return pandas.DataFrame(columns)
+
+    def __repr__(self) -> str:
+        return f"<{len(self.profiles)} profiles at {len(self.length)} lengths>"
+
+
+def positive(name: str, value: Any) -> float:
+    """An option that is a positive number."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise wrong(name, "a positive number", value) from None
+    if not 0 < number < float("inf"):
+        raise wrong(name, "a positive number", value)
+    return number
+
+
+@with_keywords
+def fit(file: Any = None, *, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
+        check_stability: bool = False, surface: Any = None, set: Mapping[str, Any] | None = None,  # noqa: A002
+        **keywords: Any) -> Fit:
+    """What friction a measured test shows, where along the specimen, and how certainly.
+
+    Parameters
+    ----------
+    file : path or Case
+        A case file (``.toml``), the data of a test, which the keywords describe, or a :class:`Case`.
+    model : {"roughness", "constant", "drift", "sinusoid", "sinusoids"}, optional
+        The model of friction; as the case says, or roughness.
+    false_alarms : float, optional
+        Drops expected on average in a test of this length without slips.
+    suspect_limit : float, optional
+        Friction above this is implausible.
+    check_stability : bool
+        Fit again with the force changed in its ninth digit, and check that the answer stays.
+    surface : path, optional
+        Hold the surface that would explain the friction against this height profile.
+    set, **keywords
+        As of :class:`Case`: ``span="1278 um"``, ``rig={"stiffness": 90.65}``.
+
+    Returns
+    -------
+    Fit
+        Where there is no answer, its `success` is False and its `message` says why.
+
+    Raises
+    ------
+    InputError
+        For a case or a record that is wrong, with file, line and remedy.
+    FileNotFoundError
+        For a file that is not there; it is an InputError, too.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> fit = flexslip.fit("examples/simulated/case.toml")
+    >>> fit.success, fit.model
+    (True, 'roughness')
+    >>> mu0 = fit.params["mu0"]
+    >>> mu0.ci95[0] < mu0.value < mu0.ci95[1], mu0.unit
+    (True, '1')
+    """
+    if model is not None:
+        one_of("model", model, _flexslip.model_names)
+    case = case_of(file, set, keywords)
+    test = _flexslip.fit(case._case, model or "",
+                         _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
+                         _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit),
+                         bool(check_stability), None if surface is None else str(surface))
+    return Fit(test.told(), case, test)

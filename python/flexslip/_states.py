@@ -1,0 +1,214 @@
+"""The elastica, state by state, over arrays."""
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _flexslip
+from ._errors import wrong
+
+_MOST = float(_flexslip.largest_q)
+
+
+class States(NamedTuple):
+    """Deflections [span] and forces [EI/span²] at midspan; NaN where there is no state."""
+
+    w: Any
+    F: Any
+
+
+class Slopes(NamedTuple):
+    """States with their partial derivatives: to S at fixed q, and to q at fixed S. NaN also at S = 1, where those to S are infinite."""
+
+    w: Any
+    F: Any
+    w_S: Any
+    w_q: Any
+    F_S: Any
+    F_q: Any
+
+
+class Details(NamedTuple):
+    """Slope at the support [rad], normal force at one support, bending energy, curvature at midspan, in reduced variables."""
+
+    theta0: Any
+    Pn: Any
+    U: Any
+    curvature: Any
+
+
+class Inverse(NamedTuple):
+    """Lengths between the supports [span] and mobilised friction; NaN where no friction explains deflection and force."""
+
+    S: Any
+    q: Any
+
+
+def _numbers(name: str, values: Any) -> Any:
+    """An array as it is, or what becomes one, of numbers without an imaginary part."""
+    if isinstance(values, np.ndarray) or hasattr(values, "__array_ufunc__"):
+        array = np.asarray(values)
+        given = values
+    else:
+        try:
+            given = array = np.asarray(values)
+        except ValueError:
+            raise wrong(name, "an array of numbers", "rows of different lengths") from None
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{name}: expected real numbers, found {array.dtype.name} {_first(array)}".rstrip())
+    return given
+
+
+def _first(array: Any) -> str:
+    return repr(array.flat[0]) if array.size else ""
+
+
+def _require(name: str, array: Any, low: float, high: float, expected: str) -> None:
+    """Refuses what is outside of [low, high], or NaN, and names it."""
+    numbers = np.asarray(array)
+    if numbers.size == 0 or (numbers.min() >= low and numbers.max() <= high):
+        return
+    at = np.unravel_index(int(np.argmin((numbers >= low) & (numbers <= high))), numbers.shape)
+    place = f"{name}[{', '.join(str(int(i)) for i in at)}]" if numbers.ndim else name
+    raise wrong(place, expected, repr(numbers[at].item()))
+
+
+_MA: Any = np.ma  # whose functions have no types
+_GREATEST = float(np.finfo(float).max)
+
+
+def _seen(values: Any) -> Any:
+    """What of an array is not masked."""
+    return _MA.compressed(values) if _MA.isMaskedArray(values) else values
+
+
+def _computed(function: Any, kind: Any, first: Any, second: Any, out: Any, valid: tuple[float, float]) -> Any:
+    """What a universal function gives; of masked arrays, masked where one of them is."""
+    if isinstance(first, np.ma.MaskedArray) or isinstance(second, np.ma.MaskedArray):
+        if out is not None:
+            raise wrong("out", "arrays without a mask beside it", "masked arrays")
+        mask = _MA.getmaskarray(first) | _MA.getmaskarray(second)
+        values = function(_MA.filled(first, valid[0]), _MA.filled(second, valid[1]))
+        return kind(*(_MA.MaskedArray(value, mask) for value in values))
+    return kind(*(function(first, second) if out is None else function(first, second, out=_outputs(out, len(kind._fields)))))
+
+
+def _outputs(out: Any, count: int) -> tuple[Any, ...]:
+    if not isinstance(out, tuple) or len(out) != count:
+        raise wrong("out", f"a tuple of {count} arrays, one for each answer, or None in its place", type(out).__name__)
+    return out
+
+
+def _in_domain(S: Any, q: Any) -> tuple[Any, Any]:
+    S, q = _numbers("S", S), _numbers("q", q)
+    _require("S", _seen(S), 1, _GREATEST, "a length of at least 1 span, finite")
+    _require("q", _seen(q), -_MOST, _MOST, f"a mobilised friction from {-_MOST:g} to {_MOST:g}")
+    return S, q
+
+
+def elastica(S: Any, q: Any, *, out: Any = None) -> States:
+    """Deflection and force of a fibre of length S between two edges, with mobilised friction q.
+
+    The arguments broadcast against each other; the types, strides and subclasses of NumPy are what they are for its own functions.
+
+    Parameters
+    ----------
+    S : array_like
+        Arc length between the supports, in spans, at least 1.
+    q : array_like
+        Mobilised friction, tangential over normal support force, from -20 to 20.
+    out : tuple of two arrays, optional
+        Where to write w and F.
+
+    Returns
+    -------
+    States
+        ``w`` [span] and ``F`` [EI/span²], NaN where there is no state: the force has fallen to zero before.
+
+    Raises
+    ------
+    InputError
+        For a value outside of the domain, or NaN, which is named.
+    TypeError
+        For what is no real number.
+
+    Notes
+    -----
+    Max error 3e-15 in w, 8e-15 in F times its condition number (docs/accuracy.md); about 35 ns a state. Equations (4.9) to (4.15) of Fang,
+    Kochiyama and Kesari (2021); docs/theory.md, "The state".
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> w, F = flexslip.elastica([1.0, 1.2, 1.5], 0.3)
+    >>> w.round(4), F.round(4)
+    (array([0.    , 0.2926, 0.4797]), array([ 0.    , 13.1129, 15.1563]))
+    >>> flexslip.elastica([[1.1], [1.2]], [0.0, 0.2, 0.4]).w.shape
+    (2, 3)
+    """
+    S, q = _in_domain(S, q)
+    answer: States = _computed(_flexslip.states, States, S, q, out, (1, 0))
+    return answer
+
+
+def elastica_slopes(S: Any, q: Any, *, out: Any = None) -> Slopes:
+    """The same as :func:`elastica` with exact partial derivatives.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> flexslip.elastica_slopes(1.2, 0.3).w_S > 0
+    True
+    """
+    S, q = _in_domain(S, q)
+    answer: Slopes = _computed(_flexslip.states_slopes, Slopes, S, q, out, (1, 0))
+    return answer
+
+
+def elastica_details(S: Any, q: Any, *, out: Any = None) -> Details:
+    """Slope at the support, normal force, bending energy and curvature at midspan of states as of :func:`elastica`.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> float(flexslip.elastica_details(1.0, 0.3).theta0)
+    0.0
+    """
+    S, q = _in_domain(S, q)
+    answer: Details = _computed(_flexslip.states_more, Details, S, q, out, (1, 0))
+    return answer
+
+
+def elastica_inverse(w: Any, F: Any, *, out: Any = None) -> Inverse:
+    """Length and mobilised friction of states with deflection w and force F: the inverse of :func:`elastica`.
+
+    Parameters
+    ----------
+    w, F : array_like
+        Deflection [span] and force [EI/span²] at midspan, at least 0.
+    out : tuple of two arrays, optional
+        Where to write S and q.
+
+    Returns
+    -------
+    Inverse
+        ``S`` [span] and ``q``, NaN where no friction from -20 to 20 explains deflection and force.
+
+    Raises
+    ------
+    InputError, TypeError
+        As :func:`elastica`.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> S, q = flexslip.elastica_inverse(*flexslip.elastica(1.2, 0.3))
+    >>> round(float(S), 12), round(float(q), 12)
+    (1.2, 0.3)
+    """
+    w, F = _numbers("w", w), _numbers("F", F)
+    for name, values in (("w", w), ("F", F)):
+        _require(name, _seen(values), 0, _GREATEST, "a finite number of at least 0")
+    answer: Inverse = _computed(_flexslip.states_from_forces, Inverse, w, F, out, (0, 0))
+    return answer

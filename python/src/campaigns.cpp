@@ -1,0 +1,102 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "answers/campaign_fields.h"
+#include "campaign/campaign_run.h"
+#include "campaign/shared_parameters.h"
+#include "case/analysis_choice.h"
+#include "figures.h"
+#include "interruptible.h"
+#include "io/text_file.h"
+#include "parts.h"
+#include "plain.h"
+#include "report/campaign_figures.h"
+#include "report/campaign_report.h"
+#include "report/campaign_text.h"
+#include "report/page.h"
+
+namespace flexslip::python {
+namespace {
+
+namespace py = pybind11;
+
+struct Options {
+  std::string model;
+  double false_alarms, suspect_limit;
+  bool check_stability;
+  std::vector<std::string> shared;
+  unsigned jobs;
+  std::optional<std::string> report;
+  bool figures, test_reports;
+};
+
+// As the command does it, so that either goes on with what the other has kept.
+std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::string>& common,
+                              const std::vector<std::string>& changes, const Options& asked) {
+  return interruptible([&](const std::atomic<bool>& stop) -> std::shared_ptr<Campaign> {
+    const auto plan = plan_campaign(path, common, changes);
+    AnalysisChoice choice{.model = asked.model};
+    choice.options.drops.false_alarms_per_test = asked.false_alarms;
+    choice.options.suspect_limit = asked.suspect_limit;
+    choice.options.check_stability = asked.check_stability;
+    CampaignOptions options;
+    options.analysis = [&](const Case& input) { return options_for(input, choice); };
+    options.threads = asked.jobs;
+    options.stop = &stop;
+    if (asked.report) {
+      make_folder(*asked.report);
+      options.folder = (std::filesystem::path(*asked.report) / "tests").string();
+      options.present = [&](const FittedTest& test, const std::string& folder) {
+        write_campaign_test(folder, test, asked.test_reports);
+      };
+      options.presented = asked.test_reports ? "report" : "";
+    }
+    CampaignRun computed = run_campaign(plan, options);
+    if (computed.status == CampaignStatus::stopped) return nullptr;  // the signal says the rest
+    computed.campaign.shared = share_parameters(computed.campaign.tests, shareables_named(asked.shared));
+    if (asked.report && asked.figures) write_campaign_report(*asked.report, computed.campaign);
+    if (asked.report && !asked.figures) write_campaign_tables(*asked.report, computed.campaign);
+    return std::make_shared<Campaign>(std::move(computed.campaign));
+  });
+}
+
+py::list figures(const Campaign& campaign) {
+  py::list out;
+  for (const CampaignTest& test : campaign.tests)
+    if (test.summary) {
+      out.append(plain(distribution_figure(campaign)));
+      break;
+    }
+  for (const Figure& page : atlas_pages(campaign)) out.append(plain(page));
+  return out;
+}
+
+}  // namespace
+
+void add_campaigns(py::module_& module) {
+  py::class_<Campaign, std::shared_ptr<Campaign>>(module, "Campaign")
+      .def("told",
+           [](const Campaign& campaign) { return plain(campaign_json(campaign), campaign_fields().descriptions()); })
+      .def("test_table", [](const Campaign& campaign) { return plain(test_table(campaign)); })
+      .def("category_table", [](const Campaign& campaign) { return plain(category_table(campaign)); })
+      .def("specimen_table", [](const Campaign& campaign) { return plain(specimen_table(campaign)); })
+      .def("figures", figures)
+      .def("text", campaign_text);
+  module.def("campaign", [](const std::string& path, const std::optional<std::string>& common,
+                            const std::vector<std::string>& changes, const std::string& model, double false_alarms,
+                            double suspect_limit, bool check_stability, const std::vector<std::string>& shared,
+                            unsigned jobs, const std::optional<std::string>& report, bool with_figures,
+                            bool test_reports) {
+    return run(path, common, changes,
+               {model, false_alarms, suspect_limit, check_stability, shared, jobs, report, with_figures, test_reports});
+  });
+  module.attr("shareable_names") = shareable_names();
+}
+
+}  // namespace flexslip::python

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "answers/key_fields.h"
+#include "case/case_file.h"
+#include "case/case_keys.h"
+#include "data/names.h"
+#include "io/quantity.h"
+#include "parts.h"
+#include "plain.h"
+
+namespace flexslip::python {
+namespace {
+
+namespace py = pybind11;
+
+// What numbers of a key are in, if they are bare: SI; "" of plain numbers.
+std::string unit_of_bare(const CaseKey& key) {
+  if (!key.kind || key.kind->units.empty()) return "";
+  if (key.kind->dimension == kind::time.dimension) return "s";
+  return std::string(unit_of(*key.kind, false));
+}
+
+// "quantity", as the enumeration has it.
+std::string_view name_of(Holds holds) {
+  return name_in_order<Holds::tables>(holds, {"quantity", "share", "whole_number", "yes_no", "estimate", "word", "text",
+                                              "title", "file", "place", "lengths", "section", "axes", "tables"});
+}
+
+py::list keys() {
+  py::list out;
+  const Fields<CaseKey> fields = key_fields();
+  for (const CaseKey& key : case_keys()) {
+    auto described = plain(fields(key, {})).cast<py::dict>();
+    described["unit"] = unit_of_bare(key);
+    described["kind"] = key.kind ? std::string(key.kind->name) : "";
+    described["words"] = words_of(key);
+    described["is"] = name_of(key.holds);
+    out.append(described);
+  }
+  return out;
+}
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// A case whose record is in memory: its columns in SI, in the order of TableColumns.
+Case with_record(const Case& input, const std::vector<std::pair<std::string, Doubles>>& columns,
+                 const std::string& name) {
+  Case out = input;
+  Table table{name, {}, {{0, 1}}};
+  for (const auto& [title, values] : columns)
+    table.columns.push_back({title, std::vector<double>(values.data(), values.data() + values.size())});
+  out.record->file = name;
+  out.record->given = std::make_shared<const Table>(std::move(table));
+  return out;
+}
+
+// [SI] Numbers that are in a unit, each rounded once.
+Doubles in_si(const Doubles& values, const std::string& text, const std::string& of) {
+  const Unit unit = parse_unit(text, of == "force" ? kind::force : kind::length);
+  Doubles out(values.size());
+  std::transform(values.data(), values.data() + values.size(), out.mutable_data(),
+                 [&](double value) { return to_si(value, unit); });
+  return out;
+}
+
+}  // namespace
+
+void add_cases(py::module_& module) {
+  py::class_<Case>(module, "Case")
+      .def_readonly("source", &Case::source)
+      .def_readonly("reduced", &Case::reduced)
+      .def("toml", [](const Case& input) { return to_toml(input); })
+      .def("has", [](const Case& input, const std::string& section) {
+        return (section == "specimen" && input.specimen) || (section == "rig" && input.rig) ||
+               (section == "friction" && input.friction) || (section == "stage" && input.stage) ||
+               (section == "record" && input.record);
+      });
+  module.def(
+      "read_case",
+      [](const std::string& text, const std::string& source, const std::vector<std::string>& changes) {
+        return read_case(text, source, changes);
+      },
+      py::call_guard<py::gil_scoped_release>());
+  module.def("case_text", [](const std::string& path) { return py::bytes(case_text(path)); });
+  module.def("keys", keys);
+  module.def("with_record", with_record);
+  module.def("in_si", in_si);
+}
+
+}  // namespace flexslip::python

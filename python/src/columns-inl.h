@@ -1,0 +1,45 @@
+// Rows as columns: part of plain.h.
+
+#include <map>
+
+#include <pybind11/numpy.h>
+
+namespace flexslip::python {
+
+template <class Row, class Rows>
+pybind11::dict columns_of_rows(const Fields<Row>& fields, const Rows& rows, const Frame& frame) {
+  namespace py = pybind11;
+  py::dict columns;
+  const auto count = static_cast<py::ssize_t>(rows.size());
+  for (const Field& field : fields) {
+    const py::str name(field.what.name.data(), field.what.name.size());
+    if (field.what.shape == Shape::number) {
+      py::array_t<double> values(count);
+      double* at = values.mutable_data();
+      for (const Row& row : rows) {
+        const Json value = field.of(&row, frame);
+        *at++ = value.is_null() ? NAN : value.get<double>();
+      }
+      columns[name] = std::move(values);
+      continue;
+    }
+    py::list values(count);
+    std::map<std::string, py::object, std::less<>> known;  // a few words, many times
+    std::size_t i = 0;
+    for (const Row& row : rows) {
+      const Json value = field.of(&row, frame);
+      if (!value.is_string()) {
+        values[i++] = plain(value);
+        continue;
+      }
+      const auto& word = value.get_ref<const std::string&>();
+      auto at = known.find(word);
+      if (at == known.end()) at = known.emplace(word, py::str(word)).first;
+      values[i++] = at->second;
+    }
+    columns[name] = std::move(values);
+  }
+  return py::dict(py::arg("rows") = count, py::arg("columns") = columns, py::arg("absent") = py::dict());
+}
+
+}  // namespace flexslip::python

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "answers/design_fields.h"
+#include "design/design_answer.h"
+#include "design/design_map.h"
+#include "figures.h"
+#include "interruptible.h"
+#include "parts.h"
+#include "plain.h"
+#include "report/design_figures.h"
+#include "report/design_words.h"
+
+namespace flexslip::python {
+namespace {
+
+namespace py = pybind11;
+
+struct Map {
+  DesignCase input;
+  std::vector<DesignAxis> axes;
+  std::vector<MapPoint> points;
+};
+
+py::object told(const DesignAnswer& answer) {
+  const Json json = design_fields()({answer, design_in_short(answer), changes_in_words(answer)},
+                                    {answer.scales, answer.input.reduced()});
+  return plain(json, design_fields().descriptions());
+}
+
+py::object told_map(const Map& map) {
+  const auto fields = design_map_fields(map.axes);
+  return plain(fields({map.points}, {Scales(1, 1), map.input.reduced()}), fields.descriptions());
+}
+
+template <class Type>
+py::list one_figure(const Type& figure) {
+  py::list out;
+  out.append(plain(figure));
+  return out;
+}
+
+}  // namespace
+
+void add_designs(py::module_& module) {
+  py::class_<DesignAnswer, std::shared_ptr<DesignAnswer>>(module, "DesignAnswer")
+      .def("told", told)
+      .def("figures", [](const DesignAnswer& answer) { return one_figure(design_figure(answer)); })
+      .def("text", design_text);
+  py::class_<Map, std::shared_ptr<Map>>(module, "DesignMap")
+      .def("told", told_map)
+      .def("entries", [](const Map& map) { return plain(design_map_fields(map.axes).descriptions()); })
+      .def("figures", [](const Map& map) { return one_figure(design_map_figure(map.input, map.axes, map.points)); });
+  module.def("design", [](const Case& input) {
+    return interruptible(
+        [&](const std::atomic<bool>&) { return std::make_shared<DesignAnswer>(answer_of(DesignCase(input))); });
+  });
+  module.def("design_map", [](const Case& given, const std::vector<std::string>& over, unsigned threads) {
+    return interruptible([&](const std::atomic<bool>&) {
+      const DesignCase input(given);
+      auto axes = map_axes(input, over);
+      auto points = design_map(input, axes, threads);
+      return std::make_shared<Map>(Map{input, std::move(axes), std::move(points)});
+    });
+  });
+  module.attr("threads") = std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace flexslip::python

@@ -1,0 +1,90 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "answers/fit_fields.h"
+#include "answers/fit_tables.h"
+#include "case/analysis_choice.h"
+#include "case/fitted.h"
+#include "figures.h"
+#include "inference/process_search.h"
+#include "parts.h"
+#include "plain.h"
+#include "report/fit_figures.h"
+#include "report/fit_screen.h"
+#include "report/fit_text.h"
+#include "report/fit_words.h"
+#include "report/record_figure.h"
+#include "report/report.h"
+
+namespace flexslip::python {
+namespace {
+
+namespace py = pybind11;
+using Test = const FittedTest&;
+
+// All of what is told, without the interpreter's lock; then as Python's.
+py::object told(Test test) {
+  const Json json = [&] {
+    const py::gil_scoped_release unlocked;
+    return fit_json(test);
+  }();
+  return plain(json, fit_fields().descriptions());
+}
+
+py::dict curves(Test test) {
+  std::vector<CurvePoint> points;
+  for (std::size_t i = 0; i < test.analysis.record.force.size(); ++i) points.push_back({test, i, nullptr});
+  for (const ProfilePoint& point : profile_of(test).points) points[point.index].read = &point;
+  return columns_of_rows(curve_fields(), points, frame_of(test));
+}
+
+py::list figures(Test test) {
+  py::list out;
+  if (test.analysis.status == AnalysisStatus::not_explained) out.append(plain(record_figure(test)));
+  if (!is_fitted(test)) return out;
+  out.append(plain(force_figure(test)));
+  out.append(plain(profile_figure(test)));
+  if (!test.analysis.fit.scan.empty()) out.append(plain(wavelength_figure(test)));
+  return out;
+}
+
+std::shared_ptr<FittedTest> fit(const Case& input, const std::string& model, double false_alarms, double suspect_limit,
+                                bool check_stability, const std::optional<std::string>& surface) {
+  AnalysisChoice choice{.model = model};
+  choice.options.drops.false_alarms_per_test = false_alarms;
+  choice.options.suspect_limit = suspect_limit;
+  choice.options.check_stability = check_stability;
+  auto test = std::make_shared<FittedTest>(fit_test(input, options_for(input, choice)));
+  if (surface) hold_against(*test, *surface, {});
+  return test;
+}
+
+}  // namespace
+
+void add_fits(py::module_& module) {
+  const AnalysisChoice usual;
+  py::class_<FittedTest, std::shared_ptr<FittedTest>>(module, "FittedTest")
+      .def("told", told)
+      .def("curves", curves)
+      .def("draws", [](Test test) { return plain(draw_table(test)); })
+      .def("figures", figures)
+      .def("why_no_answer", why_no_answer)
+      .def("screen", fit_screen)
+      .def("text", fit_text)
+      .def(
+          "write_report",
+          [](Test test, const std::string& folder) { return write_report(folder, test) == DrawStatus::drawn; },
+          py::call_guard<py::gil_scoped_release>());
+  module.def("fit", fit, py::arg("case"), py::arg("model"), py::arg("false_alarms"), py::arg("suspect_limit"),
+             py::arg("check_stability"), py::arg("surface"), py::call_guard<py::gil_scoped_release>());
+  module.attr("model_names") = model_names();
+  module.attr("false_alarms") = usual.options.drops.false_alarms_per_test;
+  module.attr("suspect_limit") = usual.options.suspect_limit;
+}
+
+}  // namespace flexslip::python

@@ -1,0 +1,92 @@
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "answers/path_fields.h"
+#include "answers/profile_fields.h"
+#include "case/inverted_test.h"
+#include "case/simulated_test.h"
+#include "figures.h"
+#include "interruptible.h"
+#include "io/input_error.h"
+#include "parts.h"
+#include "plain.h"
+#include "report/simulated_figures.h"
+
+namespace flexslip::python {
+namespace {
+
+namespace py = pybind11;
+
+// With the case that it is of, which its figure needs.
+struct Simulated {
+  Case input;
+  SimulatedTest test;
+};
+
+std::shared_ptr<Simulated> run(const Case& input, int points, const std::string& noise, std::uint64_t seed) {
+  SimulationOptions options{.points = points, .noise = 0, .seed = seed};
+  if (!noise.empty()) try {
+      options.noise = parse_quantity(noise, input.reduced ? kind::number : kind::force, Range::non_negative);
+    } catch (const InputError& error) {
+      throw located(error, "", 0, "noise");
+    }
+  return std::make_shared<Simulated>(Simulated{input, simulate(input, options)});
+}
+
+py::dict told(const Simulated& simulated, bool energies) {
+  const SimulatedTest& test = simulated.test;
+  const Frame frame{test.scales, test.reduced};
+  const PathColumns columns = columns_of(test.simulation, energies);
+  const Fields<Simulation> fields = simulation_fields(columns);
+  py::dict out;
+  for (const Field& field : fields) {
+    const py::str name(field.what.name.data(), field.what.name.size());
+    if (field.what.name == "path")
+      out[name] = columns_of_rows(path_fields(columns), test.simulation.path, frame);
+    else
+      out[name] = plain(fields.of(field, test.simulation, frame), field.what);
+  }
+  return out;
+}
+
+py::list figures(const Simulated& simulated) {
+  py::list out;
+  if (simulated.test.followed)
+    out.append(plain(simulated_figure(simulated.test, cracks_of(simulated.input, simulated.test.scales))));
+  return out;
+}
+
+// What is read off a record without a fit.
+py::dict profile(const Case& input) {
+  std::optional<InvertedTest> test;
+  {
+    const py::gil_scoped_release unlocked;
+    test = invert_test(input);
+  }
+  const ReadTest read{test->measurement, test->stiffness, test->profile};
+  return py::dict(py::arg("told") =
+                      plain(read_test_fields()(read, frame_of(read, test->scales)), read_test_fields().descriptions()),
+                  py::arg("remarks") = test->remarks, py::arg("why_no_answer") = test->why_no_answer);
+}
+
+}  // namespace
+
+void add_simulations(py::module_& module) {
+  py::class_<Simulated, std::shared_ptr<Simulated>>(module, "SimulatedTest")
+      .def("told", told)
+      .def("figures", figures)
+      .def_property_readonly("remarks", [](const Simulated& simulated) { return simulated.test.remarks; })
+      .def_property_readonly("why_it_ends", [](const Simulated& simulated) { return simulated.test.why_it_ends; });
+  module.def("simulate", [](const Case& input, int points, const std::string& noise, std::uint64_t seed) {
+    return interruptible([&](const std::atomic<bool>&) { return run(input, points, noise, seed); });
+  });
+  module.def("friction_profile", profile);
+}
+
+}  // namespace flexslip::python

@@ -1,0 +1,227 @@
+#!/usr/bin/python3
+"""outside: bad input from Python is refused by the right exception, which names the value, and nothing crashes; by Hypothesis."""
+import math
+import os
+import pickle
+import unittest
+
+import hypothesis
+import hypothesis.extra.numpy as arrays
+import numpy as np
+from hypothesis import strategies as some
+
+import flexslip
+from package import SOURCE
+
+os.chdir(SOURCE)
+CASE = "examples/simulated/case.toml"
+SPECIMEN = {"diameter": "34.8 um", "modulus": "29.6 GPa", "span": "1278 um", "stiffness": "90.65 N/m"}
+KEYS = {(key["section"], key["name"]): key for key in flexslip.keys()}
+QUANTITIES = [key for key in flexslip.keys() if key["is"] == "quantity" and key["section"] in ("specimen", "rig") and key["unit"]]
+EXPECTED = (ValueError, TypeError)  # InputError is a ValueError
+hypothesis.settings.register_profile("same every time", derandomize=True, deadline=None, max_examples=150,
+                                     suppress_health_check=list(hypothesis.HealthCheck))
+hypothesis.settings.load_profile("same every time")
+
+numbers = some.floats(allow_nan=True, allow_infinity=True)
+anything = some.one_of(some.none(), some.booleans(), some.integers(), numbers, some.text(max_size=20), some.binary(max_size=8), some.complex_numbers(),
+                       some.lists(some.one_of(numbers, some.text(max_size=3)), max_size=4), some.dictionaries(some.text(max_size=5), numbers, max_size=3),
+                       some.just(object()), some.just(np.float32(3)), some.just(np.array(3.0)), some.just(np.array([])), some.just(np.ones((2, 2))),
+                       some.datetimes(), some.fractions())
+
+
+class Masked(np.ndarray):
+    """A subclass of arrays as users write them."""
+
+
+class Elastica(unittest.TestCase):
+    def in_domain(self, S, q):
+        return bool(np.all((S >= 1) & (S <= np.finfo(float).max)) and np.all(np.abs(q) <= 20))
+
+    @hypothesis.given(some.data())
+    def test_outside_arrays_of_any_shape_type_and_layout(self, data):
+        shape = data.draw(arrays.array_shapes(min_dims=0, max_dims=3, min_side=0, max_side=5))
+        kinds = some.one_of(arrays.floating_dtypes(endianness="?"), arrays.integer_dtypes(endianness="?"), arrays.boolean_dtypes(),
+                            arrays.complex_number_dtypes(), arrays.unicode_string_dtypes(), arrays.datetime64_dtypes())
+        S = data.draw(arrays.arrays(data.draw(kinds), shape))
+        q = data.draw(arrays.arrays(data.draw(kinds), data.draw(some.one_of(some.just(shape), arrays.array_shapes(max_dims=2, max_side=4)))))
+        if data.draw(some.booleans()) and S.ndim:
+            S = S[..., ::-1]
+        if data.draw(some.booleans()):
+            S = S.T
+        if data.draw(some.booleans()):
+            S = S.view(Masked)
+        real = S.dtype.kind in "biuf" and q.dtype.kind in "biuf"
+        try:
+            with np.errstate(all="ignore"):
+                states = flexslip.elastica(S, q)
+        except TypeError as error:
+            self.assertFalse(real, error)
+        except flexslip.InputError as error:
+            self.assertTrue(real and not self.in_domain(np.asarray(S, dtype=float), np.asarray(q, dtype=float)), error)
+            name, value = error.field, error.found
+            at = eval(name, {"S": np.asarray(S), "q": np.asarray(q)})  # the place that is named holds the value that is told
+            self.assertEqual(repr(at.item()), value)
+        except ValueError as error:
+            self.assertIn("broadcast", str(error))
+        else:
+            self.assertTrue(real)
+            self.assertEqual(states.w.shape, np.broadcast_shapes(S.shape, q.shape))
+
+    @hypothesis.given(anything, anything)
+    def test_outside_anything_at_all(self, S, q):
+        for function in (flexslip.elastica, flexslip.elastica_slopes, flexslip.elastica_details, flexslip.elastica_inverse):
+            try:
+                with np.errstate(all="ignore"):
+                    function(S, q)
+            except EXPECTED as error:
+                self.assertTrue(str(error))
+
+
+class Cases(unittest.TestCase):
+    @hypothesis.given(some.sampled_from(QUANTITIES), numbers)
+    def test_outside_floats_are_taken_in_si_or_refused_by_key(self, key, value):
+        name = f"{key['section']}.{key['name']}"
+        try:
+            case = flexslip.Case(**{key["section"]: {key["name"]: value}})
+        except flexslip.InputError as error:
+            self.assertTrue(error.key is not None or error.field is not None, error)
+            if error.key == name and not value > 0:
+                self.assertTrue(repr(float(value)) in str(error) or "inf" in str(error), (name, error))
+        else:
+            self.assertGreaterEqual(value, 0)
+            text = case[name]
+            self.assertEqual(flexslip.Case(**{key["section"]: {key["name"]: text}})[name], text)  # it reads back to the same bits
+
+    @hypothesis.given(some.sampled_from(sorted(KEYS)), anything)
+    def test_outside_anything_for_any_key(self, key, value):
+        section, name = key
+        try:
+            flexslip.Case(**({section: {name: value}} if section else {name: value}), reduced=False) if name != "reduced" else flexslip.Case(reduced=value)
+        except EXPECTED as error:
+            self.assertTrue(str(error))
+            self.assertEqual(str(pickle.loads(pickle.dumps(error))), str(error))
+
+    @hypothesis.given(some.text(max_size=200))
+    def test_outside_any_text_as_a_case(self, text):
+        try:
+            flexslip.Case.from_toml(text)
+        except EXPECTED as error:
+            self.assertTrue(str(error))
+
+    @hypothesis.given(some.dictionaries(some.text(max_size=12), anything, max_size=3))
+    def test_outside_any_keywords(self, keywords):
+        try:
+            flexslip.Case(**keywords)
+        except EXPECTED as error:
+            self.assertTrue(str(error))
+
+    def test_outside_units_are_held_to_their_key(self):
+        for name, value, told in (("span", "3 N", "3 N"), ("span", "3", "'3'"), ("span", "3 parsec", "parsec"), ("diameter", "-3 um", "-3 um"),
+                                  ("stiffness", "nan N/m", "nan N/m"), ("modulus", "5 mm", "5 mm")):
+            with self.assertRaises(flexslip.InputError) as raised:
+                flexslip.Case(**{**SPECIMEN, name: value})
+            self.assertEqual(raised.exception.key.split(".")[-1], name)
+            self.assertIn(told, str(raised.exception))
+            self.assertIsNone(raised.exception.file)
+            self.assertIsNone(raised.exception.line)  # no line of a text that nobody wrote
+
+
+class Faults(unittest.TestCase):
+    def fault(self, call):
+        with self.assertRaises(flexslip.InputError) as raised:
+            call()
+        return raised.exception
+
+    def test_outside_a_fault_is_data(self):
+        error = self.fault(lambda: flexslip.Case.from_toml('[rig]\nspan = "1278"\n', "mine.toml"))
+        self.assertEqual((error.file, error.line, error.key, error.kind), ("mine.toml", 2, "rig.span", "wrong"))
+        self.assertIn("1278", error.found)
+        error = self.fault(lambda: flexslip.Case(friction={"model": "sinusoid", "mu0": 0.5, "amplitude": 1.5, "wavelength": "9 um"}))
+        self.assertEqual((error.key, error.kind, error.limit), ("friction.amplitude", "too_much", 1.0))
+        error = self.fault(lambda: flexslip.Case(rig={"spam": "1 mm"}))
+        self.assertEqual(error.kind, "unknown")
+        self.assertIn("span", error.remedy)
+        error = self.fault(lambda: flexslip.simulate(**SPECIMEN))
+        self.assertEqual(error.kind, "missing")
+
+    def test_outside_files_that_are_not_there(self):
+        for call in (lambda: flexslip.fit("nothing.toml"), lambda: flexslip.read("nothing.csv"), lambda: flexslip.simulate("nothing.toml"),
+                     lambda: flexslip.fit("nothing.csv", displacement="crosshead", **SPECIMEN)):
+            error = self.fault(call)
+            self.assertIsInstance(error, FileNotFoundError)
+            self.assertIn("nothing", error.filename)
+            self.assertIn("nothing", str(error))
+        self.assertIsInstance(self.fault(lambda: flexslip.read("examples")), IsADirectoryError)
+
+    def test_outside_keywords_that_are_none(self):
+        for call in (lambda: flexslip.fit(CASE, spam=3), lambda: flexslip.simulate(CASE, diametre="3 um"), lambda: flexslip.Case(span="1 mm", spam=3)):
+            self.assertRaises(TypeError, call)
+
+    @hypothesis.settings(max_examples=60)
+    @hypothesis.given(some.sampled_from(["model", "false_alarms", "suspect_limit", "surface"]), anything)
+    def test_outside_options_of_fit(self, name, value):
+        hypothesis.assume(value is not None and not (name in ("false_alarms", "suspect_limit") and isinstance(value, (int, float)) and value > 0))
+        hypothesis.assume(not (name == "surface" and isinstance(value, str) and os.path.exists(value)))
+        try:
+            flexslip.fit(CASE, **{name: value})
+        except EXPECTED as error:
+            self.assertTrue(str(error))
+
+    def test_outside_options_that_are_wrong_name_themselves(self):
+        for call, name in ((lambda: flexslip.fit(CASE, model="wave"), "model"), (lambda: flexslip.fit(CASE, false_alarms=-1), "false_alarms"),
+                           (lambda: flexslip.fit(CASE, suspect_limit=math.nan), "suspect_limit"), (lambda: flexslip.simulate(CASE, points=1), "points"),
+                           (lambda: flexslip.simulate(CASE, seed=-1), "seed"), (lambda: flexslip.simulate(CASE, noise="3 mm"), "noise"),
+                           (lambda: flexslip.campaign("examples", share="spam"), "share"), (lambda: flexslip.campaign("examples", jobs=0), "jobs"),
+                           (lambda: flexslip.design("examples/design.toml", over={"mu0": 3}), "over"),
+                           (lambda: flexslip.design("examples/design.toml", over={"spam": (1, 2)}), "spam"),
+                           (lambda: flexslip.read("examples/simulated/test.csv", decimal=";"), "decimal"),
+                           (lambda: flexslip.read("examples/simulated/test.csv", specimen=2), "specimen")):
+            error = self.fault(call)
+            self.assertIn(name, str(error))
+
+
+class Records(unittest.TestCase):
+    """Arrays as a record."""
+
+    @classmethod
+    def setUpClass(cls):
+        export = flexslip.read("examples/simulated/test.csv")
+        cls.stage, cls.force = export.si("crosshead"), export.si("force")
+
+    def test_outside_arrays_that_are_no_record(self):
+        stage, force = self.stage, self.force
+        holed = force.copy()
+        holed[17] = math.nan
+        for given, name, error in (({"stage": stage, "force": holed}, "force[17]", flexslip.InputError), ({"stage": stage, "force": force[:-1]}, "force", flexslip.InputError),
+                                   ({"stage": [], "force": []}, "stage", flexslip.InputError), ({"stage": stage.reshape(2, -1), "force": force}, "stage", flexslip.InputError),
+                                   ({"stage": stage, "force": force.astype(complex)}, "force", TypeError), ({"stage": stage.astype(str), "force": force}, "stage", TypeError),
+                                   ({"stage": (stage, "N"), "force": force}, "N", flexslip.InputError), ({"stage": stage, "force": "F [N]"}, "force", flexslip.InputError),
+                                   ({"stage": np.ma.array(stage, mask=stage > 1e-4), "force": force}, "stage", flexslip.InputError),
+                                   ({"stage": stage[:5], "force": force[:5]}, "arrays", flexslip.InputError), ({"stage": stage}, "stage", flexslip.InputError)):
+            with self.assertRaises(error) as raised:
+                flexslip.fit(**given, **SPECIMEN)
+            self.assertIn(name, str(raised.exception))
+
+    def test_identity_strides_and_types_of_a_record_change_nothing(self):
+        usual = flexslip.fit(stage=self.stage, force=self.force, **SPECIMEN).to_json()
+        wide = np.zeros((len(self.stage), 2))
+        wide[:, 0], wide[:, 1] = self.stage, self.force
+        for stage, force in ((wide[:, 0], wide[:, 1]), (list(self.stage), tuple(self.force)), (self.stage.view(Masked), self.force.astype(">f8")),
+                             (np.ma.array(self.stage), self.force)):
+            self.assertEqual(flexslip.fit(stage=stage, force=force, **SPECIMEN).to_json(), usual)
+
+    @hypothesis.settings(max_examples=60)
+    @hypothesis.given(some.integers(0, 60), some.data())
+    def test_outside_any_arrays_are_fitted_or_refused(self, count, data):
+        small = arrays.arrays(np.float64, count, elements=some.floats(-1e-2, 1e-2))
+        try:
+            fit = flexslip.fit(stage=data.draw(small), force=data.draw(small), **SPECIMEN)
+        except EXPECTED as error:
+            self.assertTrue(str(error))
+        else:
+            self.assertEqual(bool(fit.message), not fit.success)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,176 @@
+#!/usr/bin/python3
+"""outside: every number in Python is that of the command line's JSON and CSV, to the last bit, for the shipped examples and the spicules."""
+import csv
+import io
+import json
+import math
+import os
+import pathlib
+import pickle
+import tempfile
+import unittest
+
+import numpy as np
+
+import flexslip
+from package import EXAMPLES, SOURCE, SPICULES, told
+
+os.chdir(SOURCE)
+DESIGN = "examples/design.toml"
+
+
+def case(name):
+    return f"examples/{name}/case.toml"
+
+
+class Json(unittest.TestCase):
+    """The text of to_json() is the program's: so are names, order and bits."""
+
+    maxDiff = 2000
+
+    def same(self, answer, *call):
+        self.assertEqual(answer.to_json(), told(*call, "--json", "--quiet"))
+
+    def test_outside_fit(self):
+        for name in EXAMPLES:
+            for model in "roughness", "constant":
+                with self.subTest(name, model=model):
+                    self.same(flexslip.fit(case(name), model=model), "fit", case(name), "--model", model)
+
+    def test_outside_fit_with_options(self):
+        self.same(flexslip.fit(case("simulated"), false_alarms=1, suspect_limit=0.4, check_stability=True), "fit", case("simulated"),
+                  "--false-alarms", "1", "--suspect-limit", "0.4", "--check-stability")
+        self.same(flexslip.fit(case("surface"), surface="examples/surface/trace.csv"), "fit", case("surface"), "--surface", "examples/surface/trace.csv")
+
+    def test_outside_fit_of_keywords_is_that_of_flags(self):
+        self.same(flexslip.fit("examples/simulated/test.csv", diameter="34.8 um", span="1278 um", stiffness="90.65 N/m", stage="stage", force="force"),
+                  "fit", "examples/simulated/test.csv", "--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage",
+                  "--force", "force")
+
+    def test_outside_fit_with_a_key_changed(self):
+        for given in ({"set": {"rig.stiffness": "100 N/m"}}, {"stiffness": 100.0}, {"rig": {"stiffness": "0.1 N/mm"}}):
+            fit = flexslip.fit(case("simulated"), **given)
+            other = json.loads(told("fit", case("simulated"), "--set", "rig.stiffness=100 N/m", "--json"))
+            self.assertEqual(json.loads(fit.to_json()), other)
+
+    def test_outside_a_fit_without_an_answer(self):
+        fit = flexslip.fit(case("simulated"), modulus="1 GPa")
+        self.assertFalse(fit.success)
+        self.assertIn("check the columns", fit.message)
+        self.assertEqual(fit.to_json(), told("fit", case("simulated"), "--set", "specimen.modulus=1 GPa", "--json"))
+
+    def test_outside_simulate(self):
+        for name in "simulated", "cracked", "cyclic":
+            truth = f"examples/{name}/truth.toml"
+            with self.subTest(name):
+                self.same(flexslip.simulate(truth), "simulate", truth)
+                self.same(flexslip.simulate(truth, energies=True, noise="10 uN", seed=7, points=50), "simulate", truth, "--energies", "--noise",
+                          "10 uN", "--seed", "7", "--points", "50")
+                self.same(flexslip.simulate(truth, noise=1e-5, seed=7), "simulate", truth, "--noise", "1e-5 N", "--seed", "7")
+
+    def test_outside_friction_profile(self):
+        for name in EXAMPLES:
+            self.same(flexslip.friction_profile(case(name)), "invert", case(name))
+
+    def test_outside_design(self):
+        self.same(flexslip.design(DESIGN), "design", DESIGN)
+        self.same(flexslip.design(DESIGN, over={"stiffness": ("10 N/m", 1000.0, 9), "mu0": (0, 1, 5)}), "design", DESIGN, "--over",
+                  "stiffness=10 N/m:1000 N/m:9", "--over", "mu0=0:1:5")
+
+    def test_outside_campaign(self):
+        self.same(flexslip.campaign("examples", share=["mu0", "wavelength"]), "campaign", "examples", "--share", "mu0", "--share", "wavelength")
+
+    def test_outside_read(self):
+        for file in sorted(SOURCE.glob("tests/instruments/fixtures/*.csv"))[:12]:
+            if text := told("read", file, "--json"):
+                self.assertEqual(flexslip.read(file).to_json(), text, file)
+
+
+def columns(text):
+    rows = list(csv.reader(io.StringIO(text)))
+    return {title.split(" [")[0]: [float(cell) if cell.replace(".", "").replace("-", "").replace("e", "").isdigit() or cell == "nan" else cell
+                                   for cell in cells] for title, *cells in zip(*rows)}
+
+
+class Tables(unittest.TestCase):
+    """Arrays are the columns of the files that the program writes."""
+
+    def same(self, table, text, titles):
+        written = columns(text)
+        for name, title in titles.items():
+            np.testing.assert_array_equal(np.asarray(table.column(name), dtype=float), np.array(written[title]), name)
+
+    def test_outside_curves_profile_and_draws(self):
+        with tempfile.TemporaryDirectory() as folder:
+            base = pathlib.Path(folder)
+            told("fit", case("simulated"), "--quiet", "--curves", base / "c", "--profile", base / "p", "--draws", base / "d")
+            fit = flexslip.fit(case("simulated"))
+            same = {name: name for name in ("model_force", "replay_force", "mu", "mu_error")}
+            self.same(fit.curves, (base / "c").read_text(), {"stage": "w_s", "deflection": "w", "force": "F", "length": "S", **same})
+            self.same(fit.profile, (base / "p").read_text(), {"stage": "w_s", "deflection": "w", "force": "F", "length": "S", "mu": "mu"})
+            drawn = columns((base / "d").read_text())
+            np.testing.assert_array_equal(fit.draws.length, drawn["length"])
+            self.assertEqual(fit.draws.profiles.shape, (20, len(drawn["mu"])))
+            for k in range(20):
+                np.testing.assert_array_equal(fit.draws.profiles[k], drawn[f"draw_{k + 1}"])
+
+    def test_outside_campaign_report_is_that_of_the_program_and_goes_on_from_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ours, theirs = pathlib.Path(folder) / "ours", pathlib.Path(folder) / "theirs"
+            campaign = flexslip.campaign("examples", report=ours, figures=False)
+            told("campaign", "examples", "--quiet", "--report", theirs, "--no-figures")
+            for path in sorted(theirs.rglob("*")):
+                if path.is_file() and path.suffix != ".xlsx":
+                    self.assertEqual((ours / path.relative_to(theirs)).read_bytes(), path.read_bytes(), path.name)
+            frame = campaign.to_frame()
+            written = columns((theirs / "tests.csv").read_text())
+            np.testing.assert_array_equal(frame["mu0"].to_numpy(), written["mu0"])
+            self.assertEqual(list(frame.index), written["test"])
+
+    def test_identity_a_record_of_arrays_has_the_numbers_of_its_file(self):
+        export = flexslip.read("examples/simulated/test.csv")
+        keys = {"diameter": "34.8 um", "modulus": ("29.6 GPa", "888 MPa"), "span": "1278 um", "stiffness": "90.65 N/m", "material": "glass",
+                "support_material": "steel"}
+        of_file = flexslip.fit(case("simulated")).to_dict()
+        of_arrays = flexslip.fit(stage=export.si("crosshead"), force=export.si("force"), **keys).to_dict()
+        in_units = flexslip.fit(stage=(export.si("crosshead") * 1e6, "um"), force=list(export.si("force")), **keys).to_dict()
+        for name in of_file:
+            if name not in ("name", "provenance", "preparation"):
+                self.assertEqual(json.dumps(of_file[name]), json.dumps(of_arrays[name]), name)
+        self.assertTrue(math.isclose(in_units["parameters"]["mu0"]["value"], of_file["parameters"]["mu0"]["value"], rel_tol=1e-6))
+
+
+class Spicules(unittest.TestCase):
+    """The campaign of the paper's 26 tests, in ten lines."""
+
+    @unittest.skipUnless(SPICULES.is_dir(), "no campaign data in ../shared/data/spicules")
+    def test_outside_campaign_of_the_spicules_in_ten_lines(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table, common = pathlib.Path(folder) / "cases.csv", pathlib.Path(folder) / "common.toml"
+            # The ten lines.
+            import pandas
+            rows = pandas.read_csv(SPICULES / "specimens.csv")
+            pandas.DataFrame({
+                "name": rows.test, "file": [str(SPICULES / "ss" / f"SS{int(name[2:]):02d}.csv") for name in rows.test],
+                "bending_stiffness [N m^2]": rows.EI_over_L3_N_per_m * 1278e-6**3, "bending_stiffness uncertainty": "3 %",
+                "stiffness [N/m]": rows.cantilever_stiffness_N_per_m, "until": rows.index_of_failure.astype(int)}).to_csv(table, index=False)
+            common.write_text(flexslip.Case(span=1278e-6, record=dict(file="-", stage="w_s_m [m]", force="F_N [N]")).toml.replace('file = "-"\n', ""))
+            campaign = flexslip.campaign(table, common)
+            frame = campaign.to_frame()
+            # As many.
+            self.assertEqual(len(frame), 26)
+            self.assertEqual(campaign.to_json(), told("campaign", table, "--common", common, "--json", "--quiet"))
+
+
+class Kept(unittest.TestCase):
+    def test_identity_what_is_pickled_comes_back_with_all_its_numbers(self):
+        for answer in (flexslip.fit(case("cyclic")), flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"),
+                       flexslip.friction_profile(case("simulated")), flexslip.design(DESIGN), flexslip.design(DESIGN, over={"mu0": (0, 1, 3)}),
+                       flexslip.campaign("examples"), flexslip.read("examples/simulated/test.csv")):
+            again = pickle.loads(pickle.dumps(answer))
+            self.assertEqual(again.to_json(), answer.to_json())
+            self.assertEqual(repr(again), repr(answer))
+
+
+if __name__ == "__main__":
+    unittest.main()
