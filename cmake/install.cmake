@@ -23,8 +23,8 @@ install(FILES ${PROJECT_BINARY_DIR}/completions/_flexslip
 install(FILES ${PROJECT_BINARY_DIR}/completions/flexslip.fish
   DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program OPTIONAL)
 
-# The page of the studio, where it is built, and the site of the documentation (tools/build-site), or else its sources.
-install(DIRECTORY ${PROJECT_BINARY_DIR}/studio/ DESTINATION ${CMAKE_INSTALL_DATADIR}/flexslip/studio COMPONENT program OPTIONAL)
+# The page of the studio, where tools/build-studio has built it, and the site of the documentation (tools/build-site).
+install(FILES ${PROJECT_SOURCE_DIR}/build/studio/flexslip-studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/flexslip COMPONENT program OPTIONAL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/flexslip/examples COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/site/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip/html COMPONENT program OPTIONAL)

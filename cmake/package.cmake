@@ -11,7 +11,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL program development)
-if(TARGET flexslip_python)  # python/
+if(TARGET _flexslip)  # python/
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -37,7 +37,13 @@ headers and what find_package(FlexSlip) looks for.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-flexslip)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
+if(TARGET _flexslip)
+  # The module is for one minor version of Python.
+  find_package(Python COMPONENTS Interpreter QUIET)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "What the program flexslip computes, as a Python module with NumPy arrays in
 and out, and results as objects.")
 

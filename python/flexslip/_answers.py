@@ -4,7 +4,7 @@ from __future__ import annotations
 import html
 import keyword
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Generic, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 import numpy as np
 
@@ -81,11 +81,13 @@ class Estimate:
     def interval95(self) -> tuple[float, float]:
         return self.ci95
 
-    def __getattr__(self, name: str) -> Any:
-        for entry in self.__dict__.get("_entries", ()):
-            if entry["name"] == name:
-                return _read(self._data.get(name), entry, {})
-        raise AttributeError(f"no {name!r} in this estimate")
+    if not TYPE_CHECKING:  # what else stands beside an estimate is known to its class in _fields.pyi
+
+        def __getattr__(self, name: str) -> Any:
+            for entry in self.__dict__.get("_entries", ()):
+                if entry["name"] == name:
+                    return _read(self._data.get(name), entry, {})
+            raise AttributeError(f"no {name!r} in this estimate")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(entry["name"] for entry in self._entries)]

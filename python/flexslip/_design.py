@@ -168,7 +168,7 @@ def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: 
     Examples
     --------
     >>> import flexslip
-    >>> flexslip.design("examples/design.toml").snaps
+    >>> flexslip.design("examples/design.toml").snaps > 10
     True
     >>> len(flexslip.design("examples/design.toml", over={"stiffness": (50.0, "200 N/m", 3)}))
     3

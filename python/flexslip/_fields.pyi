@@ -23,11 +23,18 @@ class FitUnits(Answer):
     def energy(self) -> str:
         """of energies"""
 
+class FitParametersMu0(Estimate):
+    """mean friction over the fibre seen"""
+
+    @property
+    def bound(self) -> bool:
+        """the record does not tell it from 0: the upper end of its interval is a limit"""
+
 class FitParameters(Answer):
     """what was fitted; those of the model that the fit is of"""
 
     @property
-    def mu0(self) -> Estimate:
+    def mu0(self) -> FitParametersMu0:
         """mean friction over the fibre seen [1]"""
     @property
     def amplitude(self) -> Estimate:
@@ -878,6 +885,13 @@ class FitReplay(Answer):
     def drops_reproduced(self) -> int:
         """of these at the same point"""
 
+class FitCyclesBendingStiffness(Estimate):
+    """EI at which friction is the same in loading and unloading"""
+
+    @property
+    def relative_to_nominal(self) -> float:
+        """over that stated, or of the initial slope [1]"""
+
 class FitCyclesCorrelation(Answer):
     """of the bumps of friction in the two directions, of all loops together"""
 
@@ -1221,7 +1235,7 @@ class FitCycles(Answer):
     def status(self) -> str:
         """ok, no_mirror (no part of the specimen slid both ways), too_few_points or not_converged"""
     @property
-    def bending_stiffness(self) -> Estimate:
+    def bending_stiffness(self) -> FitCyclesBendingStiffness:
         """EI at which friction is the same in loading and unloading [N m^2]"""
     @property
     def asymmetry(self) -> Estimate:
@@ -2305,11 +2319,18 @@ class DesignFields(Answer):
     def units(self) -> DesignUnits:
         """of plain numbers"""
 
+class CampaignTestsParametersMu0(Estimate):
+    """mean friction over the fibre seen"""
+
+    @property
+    def bound(self) -> bool:
+        """the record does not tell it from 0: the upper end of its interval is a limit"""
+
 class CampaignTestsParameters(Answer):
     """what was fitted; null what the fit has not"""
 
     @property
-    def mu0(self) -> Estimate:
+    def mu0(self) -> CampaignTestsParametersMu0:
         """mean friction over the fibre seen [1]"""
     @property
     def roughness(self) -> Estimate:
@@ -2619,6 +2640,13 @@ class CampaignCategoriesWithSuspects(Answer):
     def surface_slope(self) -> CampaignCategoriesWithSuspectsSurfaceSlope:
         """rms of the slopes that would show the friction"""
 
+class CampaignCategoriesBetweenSpecimensSpread(Estimate):
+    """between specimens"""
+
+    @property
+    def bound(self) -> bool:
+        """the records do not tell the specimens apart"""
+
 class CampaignCategoriesBetweenSpecimensSpecimens(Answer):
     """each in the light of the others"""
 
@@ -2650,7 +2678,7 @@ class CampaignCategoriesBetweenSpecimens(Answer):
     def differ_by(self) -> str:
         """what spread is: a standard deviation, or a factor either way"""
     @property
-    def spread(self) -> Estimate:
+    def spread(self) -> CampaignCategoriesBetweenSpecimensSpread:
         """between specimens [1]"""
     @property
     def specimens(self) -> CampaignCategoriesBetweenSpecimensSpecimensTable:

@@ -8,7 +8,7 @@ from . import _flexslip
 from ._answers import ANSWERS, Answer, Estimate, Table, table_of
 from ._case import Case, case_of, with_keywords
 from ._errors import one_of, wrong
-from ._fields import FitDraws, FitFields
+from ._fields import FitDraws, FitFields, FitParameters
 
 _CURVES = ANSWERS["fit --curves"]["entries"]
 
@@ -62,7 +62,7 @@ class Fit(FitFields):
         return str(self._part("why_no_answer"))
 
     @property
-    def params(self) -> Any:
+    def params(self) -> FitParameters:
         return self.parameters
 
     @property

@@ -63,7 +63,9 @@ def _axes(figure: Mapping[str, Any], ax: Any, count: int, heights: Sequence[floa
                                layout="constrained")
     else:
         _, axes = plt.subplots(1, count, figsize=size, layout="constrained")
-    return np.atleast_1d(axes)
+    axes = np.atleast_1d(axes)
+    axes[0].figure.flexslip = True
+    return axes
 
 
 def _columns(data: Columns) -> list[Any]:
@@ -81,6 +83,10 @@ def _labelled(axes: Any, x: str, y: str) -> None:
 
 
 def _above(axes: Any, columns: int) -> None:
+    """The key, above axes of our own; in those of others where there is room."""
+    if not getattr(axes.figure, "flexslip", False):
+        axes.legend(loc="best")
+        return
     axes.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncols=columns, columnspacing=1.2, handlelength=1.8, borderaxespad=0.2)
 
 

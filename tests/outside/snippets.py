@@ -4,6 +4,7 @@
 Of a page, all blocks run in their order in one folder with copies of examples/, docs/figures and the exports of the tests, and with what PREPARED adds. Blocks of TOML are cases
 (those of case-files.md are tried in outside/docs) and are read by the program; a first line "# NAME" saves one under that name."""
 import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -100,7 +101,8 @@ class Snippets(InFolder):
         scripts = {"sh": ["bash", "-euo", "pipefail", "-c", body], "bash": ["bash", "-euo", "pipefail", "-c", body], "python": ["/usr/bin/python3", "-c", body],
                    "matlab": ["octave-cli", "--quiet", "--no-init-file", "--eval", body]}
         self.assertIn(language, scripts, f"{page.name}: no way to run a block of {language}")
-        environment = {**os.environ, "PATH": f"{self.folder / 'programs'}:{os.environ['PATH']}", "FLEXSLIP": PROGRAM}
+        environment = {**os.environ, "PATH": f"{self.folder / 'programs'}:{os.environ['PATH']}", "FLEXSLIP": PROGRAM, "MPLBACKEND": "Agg",
+                       "PYTHONPATH": f"{pathlib.Path(PROGRAM).parent / 'python'}"}
         done = subprocess.run(scripts[language], cwd=folder, env=environment, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, f"{page.name}:\n{body}\n{done.stdout[-600:]}\n{done.stderr[-1500:]}")
 

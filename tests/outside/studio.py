@@ -109,14 +109,14 @@ class Studio(InFolder):
         call = [self.program, "fit", EXAMPLE / "test.csv", "--span", "1278 um", "--stiffness", "90.65 N/m", "--diameter", "34.8 um", "--modulus", "29.6 GPa",
                 "--stage", "stage", "--force", "force", "--report", self.folder / "report", "--quiet"]
         subprocess.run(call, check=True, capture_output=True)
-        self.assertIn('<a href="studio.html">', (self.folder / "report/report.html").read_text(encoding="utf-8"))
+        self.assertTrue('<a href="studio.html">' in (self.folder / "report/report.html").read_text(encoding="utf-8"))
         [(name, files)] = self.given((self.folder / "report/studio.html").read_text(encoding="utf-8"))
         self.assertEqual((name, sorted(files)), ("test/case.toml", ["test/case.toml", "test/test.csv"]))
         self.assertEqual(files["test/test.csv"], (EXAMPLE / "test.csv").read_bytes())
         (self.folder / "bin" / NAME).unlink()
         shutil.rmtree(self.folder / "report")
         subprocess.run(call, check=True, capture_output=True)
-        self.assertNotIn("studio.html", (self.folder / "report/report.html").read_text(encoding="utf-8"))
+        self.assertFalse("studio.html" in (self.folder / "report/report.html").read_text(encoding="utf-8"))
 
     def test_it_opens_the_page_by_what_the_computer_has(self):
         (self.folder / "bin" / NAME).write_text(PAGE, encoding="utf-8")

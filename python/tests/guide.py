@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""outside: every block of docs/python.md runs, one after the other, and prints what stands below it; so do the examples in docstrings."""
+import contextlib
+import doctest
+import importlib
+import io
+import os
+import pathlib
+import pkgutil
+import re
+import shutil
+import tempfile
+import unittest
+
+os.environ["MPLBACKEND"] = "Agg"
+import flexslip  # noqa: E402
+from package import SOURCE  # noqa: E402
+
+BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:```text\n(.*?)^```\n)?", re.MULTILINE | re.DOTALL)
+
+
+class Guide(unittest.TestCase):
+    maxDiff = 4000
+
+    def test_outside_every_block_prints_what_it_says(self):
+        page = (SOURCE / "docs/python.md").read_text(encoding="utf-8")
+        blocks = BLOCK.findall(page)
+        self.assertEqual(len(blocks), page.count("```python\n"))
+        self.assertGreater(len(blocks), 10)
+        names = {"__name__": "__main__"}
+        self.addCleanup(os.chdir, SOURCE)
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(SOURCE / "examples", pathlib.Path(folder) / "examples")
+            os.chdir(folder)
+            for code, printed in blocks:
+                out = io.StringIO()
+                with contextlib.redirect_stdout(out):
+                    exec(compile(code, "docs/python.md", "exec"), names)
+                with self.subTest(code):
+                    self.assertEqual(out.getvalue(), printed)
+            os.chdir(SOURCE)
+
+
+class Docstrings(unittest.TestCase):
+    def test_outside_examples_in_docstrings(self):
+        os.chdir(SOURCE)
+        tried = 0
+        for module in pkgutil.iter_modules(flexslip.__path__):
+            if module.name.startswith("_flexslip"):
+                continue
+            results = doctest.testmod(importlib.import_module(f"flexslip.{module.name}"))
+            tried += results.attempted
+            self.assertEqual(results.failed, 0, module.name)
+        self.assertEqual(doctest.testmod(flexslip).failed, 0)
+        self.assertGreater(tried, 30)
+
+    def test_outside_everything_public_says_what_it_is(self):
+        for name in flexslip.__all__:
+            thing = getattr(flexslip, name)
+            self.assertTrue(thing.__doc__ and len(thing.__doc__) > 10, name)
+            if not isinstance(thing, type):
+                self.assertIn("Examples", thing.__doc__, name)
+                continue
+            for attribute, member in vars(thing).items():
+                if not attribute.startswith("_") and callable(member):
+                    self.assertTrue(member.__doc__, f"{name}.{attribute}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,83 @@
+#!/usr/bin/python3
+"""outside: the types of the package are complete and up to date, and a user's own program is checked with them, by mypy."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import flexslip
+from package import SOURCE
+
+USER = """
+import flexslip
+import numpy as np
+
+fit = flexslip.fit("test.csv", span="1278 um", stiffness=90.65, modulus=("29.6 GPa", "3 %"), rig={"roller_radius": 0})
+mu: float = fit.params.mu0.value
+low, high = fit.parameters.mu0.ci95
+standing: str = fit.judgement.standing
+doubts: tuple[str, ...] = fit.judgement.doubts
+mean: np.float64 = fit.profile.mu[0]
+row: float = fit.profile[3].mu_error
+w, F = flexslip.elastica([1.1, 1.2], 0.3)
+try:
+    test = flexslip.simulate(diameter="34.8 um", noise="10 uN", friction={"model": "constant", "mu0": 0.5})
+    snaps: int = len(test.snaps)
+    energy: float = test.energy.friction
+except flexslip.InputError as error:
+    print(error.key, error.limit)
+over: flexslip.DesignMap = flexslip.design("case.toml", over={"mu0": (0, 1, 5)})
+answer: str = flexslip.design("case.toml").answer
+for each in flexslip.campaign("tests").tests:
+    print(each.name, each.category)
+"""
+WRONG = {
+    'flexslip.fit("test.csv", spam="1278 um")': "call-overload|call-arg",
+    'flexslip.fit("test.csv").params.mu0.valeu': "attr-defined",
+    'flexslip.fit("test.csv", span={})': "arg-type",
+    'flexslip.elastica(1.1)': "call-arg",
+    'flexslip.design("case.toml", over={"mu0": (0, 1)}).answer': "attr-defined",
+}
+
+
+def mypy(*arguments, folder):
+    settings = pathlib.Path(folder) / "mypy.ini"
+    settings.write_text("[mypy]\nstrict = True\nshow_error_codes = True\n[mypy-pandas.*,matplotlib.*]\nignore_missing_imports = True\n")
+    environment = {**os.environ, "MYPYPATH": str(SOURCE / "python")}
+    environment.pop("PYTHONPATH", None)
+    return subprocess.run([sys.executable, "-m", "mypy", "--config-file", settings, "--cache-dir", pathlib.Path(folder) / "cache", *arguments],
+                          capture_output=True, text=True, check=False, env=environment, cwd=SOURCE / "python")
+
+
+class Types(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        kept = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(kept.cleanup)
+        cls.folder = kept.name
+
+    def test_outside_package_is_typed(self):
+        checked = mypy("-p", "flexslip", folder=self.folder)
+        self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+
+    def test_outside_a_users_program(self):
+        program = pathlib.Path(self.folder) / "user.py"
+        program.write_text(USER)
+        checked = mypy(program, folder=self.folder)
+        self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+        program.write_text("import flexslip\n" + "\n".join(WRONG) + "\n")
+        checked = mypy(program, folder=self.folder)
+        for line, codes in enumerate(WRONG.values(), 2):
+            found = [told for told in checked.stdout.splitlines() if f"user.py:{line}:" in told]
+            self.assertTrue(any(code in told for told in found for code in codes.split("|")), (line, checked.stdout))
+
+    def test_outside_types_are_those_of_the_answers(self):
+        build = pathlib.Path(flexslip.__file__).parent.parent.parent
+        fresh = subprocess.run([sys.executable, SOURCE / "tools/write-python-stubs", build, "--check"], capture_output=True, text=True, check=False)
+        self.assertEqual(fresh.returncode, 0, fresh.stdout + fresh.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
