@@ -89,6 +89,11 @@ export class CardView {
           void studio.reread();
         } }] : []),
       ], separator !== undefined || decimal !== undefined]);
+      if (read.sheets && read.sheets.length > 1) lines.push(["sheet", read.sheets.map((name) => ({ words: name, change: (): void => {
+        studio.remember();
+        studio.decide({ sheet: name });
+        void studio.reread();
+      }, chosen: name === read.sheet })), settings.sheet !== undefined]);
       if (read.specimens.length > 1) lines.push(["specimen", read.specimens.map((s, i) => ({ words: `${i + 1}${s.name ? `: ${s.name}` : ""}, ${s.rows} rows`, change: (): void => {
         studio.remember();
         studio.decide({ specimen: String(i + 1) });
