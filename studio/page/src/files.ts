@@ -9,7 +9,7 @@ const MOST = 64e6;  // [bytes] of a file: more than any machine writes for one t
 /** A name that no shell, no flag and no folder can be made of; short enough to show. */
 export function harmless(name: string): string {
   const base = name.replace(/^.*[/\\]/, "").replace(/[\u0000-\u001f\u007f]/g, "").trim().slice(-120);
-  return base.replace(/^[-.]+/, "_") || "file";
+  return base.replace(/^[-.]+/, "_").replace(/^__proto__$/, "proto") || "file";
 }
 
 export const megabytes = (bytes: number): string => `${Math.round(bytes / 1e6)} MB`;
