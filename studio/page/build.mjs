@@ -22,7 +22,8 @@ const bundle = await build({
 });
 const style = await build({ entryPoints: [join(here, "src/style.css")], write: false, minify: true, charset: "utf8" });
 const inScript = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
-const example = ["case.toml", "test.csv"].map((name) => ({ name, text: readFileSync(join(root, "examples/simulated", name), "utf8") }));
+// A case's name names the test, so that of the example is the folder that it has in the repository.
+const example = [["simulated.toml", "case.toml"], ["test.csv", "test.csv"]].map(([name, file]) => ({ name, text: readFileSync(join(root, "examples/simulated", file), "utf8") }));
 const texts = options.inline.map((entry) => {
   const [id, file] = entry.split("=");
   return `<script type="text/plain" id="${id}">${readFileSync(file, "utf8").trim()}</script>`;

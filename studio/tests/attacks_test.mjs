@@ -133,7 +133,7 @@ test("states of well-formed addresses with wild contents are refused or made har
     const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
     return `#s=${btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
   }, state);
-  const tab = await open(), base = { files: null, main: "case.toml", data: "test.csv", settings: { read: {} }, values: {}, wave: null, row: 1, axis: "deflection", programme: null };
+  const tab = await open(), base = { files: null, main: "simulated.toml", data: "test.csv", settings: { read: {} }, values: {}, wave: null, row: 1, axis: "deflection", programme: null };
   const wild = [
     [], 7, "x", null, {}, { ...base, files: [{ name: BAIT, base64: btoa(`crosshead [um],force [mN]\n${rows}`) }], main: BAIT, data: BAIT }, { ...base, files: [{ name: "a.csv", base64: "!!" }], main: "a.csv", data: "a.csv" },
     { ...base, values: { L: -1, EI: 1e300, kc: 0, mu0: "x", D: null, evil: 1 } }, { ...base, values: { L: 1e-300, R: 1e9 } }, { ...base, settings: { read: { separator: "--output", decimal: BAIT }, until: 1e99, span: "x", contact: "; rm" } },

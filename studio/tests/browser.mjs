@@ -33,7 +33,7 @@ export async function open({ width = 1280, height = 800, theme = "light", hash =
   tab.on("dialog", (dialog) => said.push(`dialog: ${dialog.message()}`) && dialog.dismiss());
   if (visited) await tab.addInitScript(() => { try { localStorage.setItem("flexslip-studio-visited", "yes"); } catch {} });
   await tab.goto(pathToFileURL(page).href + hash);
-  if (wait) await tab.waitForSelector("body[data-ready]", { timeout: 60_000 });
+  if (wait) await tab.waitForSelector("body[data-ready]", { timeout: 15_000 });
   return Object.assign(tab, { said, asked, end: () => context.close() });
 }
 

@@ -7,7 +7,7 @@ import { close, drop, exported, fitted, missing, native, numbersOf, open, painte
 
 const skip = missing || false;
 after(close);
-const example = Object.fromEntries(["case.toml", "test.csv"].map((name) => [name, readFileSync(join(root, "examples/simulated", name))]));
+const example = Object.fromEntries([["simulated.toml", "case.toml"], ["test.csv", "test.csv"]].map(([name, file]) => [name, readFileSync(join(root, "examples/simulated", file))]));
 const text = (files, name) => Buffer.from(files[name]).toString("utf8");
 
 /** Estimates agree to a thousandth of their standard error. */
@@ -25,7 +25,7 @@ function sameFit(page, shell, where = "") {
 
 test("JSON and CSV are those of the command line: fits to a thousandth of the standard error, what is measured to the last bit", { skip }, async () => {
   const tab = await open();
-  const shell = native(["fit", "case.toml", "--json", "--profile", "profile.csv", "--curves", "curves.csv", "--draws", "draws.csv"], example);
+  const shell = native(["fit", "simulated.toml", "--json", "--profile", "profile.csv", "--curves", "curves.csv", "--draws", "draws.csv"], example);
   const json = JSON.parse(text(await exported(tab, "All results"), "simulated.json"));
   sameFit(json, JSON.parse(shell.out));
   const curves = text(await exported(tab, "Curves"), "simulated-curves.csv"), there = shell["curves.csv"];
@@ -75,9 +75,9 @@ test("the command at the foot, after rows and rig were changed, is what was run"
   await tab.locator("#fit").click();
   await fitted(tab);
   const command = await tab.locator("#command").innerText();
-  assert.equal(command, `flexslip fit case.toml --set 'rig.stiffness="95 N/m"' --set record.until=386`);
+  assert.equal(command, `flexslip fit simulated.toml --set 'rig.stiffness="95 N/m"' --set record.until=386`);
   const json = JSON.parse(text(await exported(tab, "All results"), "simulated.json"));
-  sameFit(json, JSON.parse(native(["fit", "case.toml", "--set", 'rig.stiffness="95 N/m"', "--set", "record.until=386", "--json"], example).out));
+  sameFit(json, JSON.parse(native(["fit", "simulated.toml", "--set", 'rig.stiffness="95 N/m"', "--set", "record.until=386", "--json"], example).out));
   await tab.end();
 });
 
@@ -115,7 +115,7 @@ test("address: a link brings the state back, of the example and of a dropped fil
   for (const dropped of [false, true]) {
     const tab = await open();
     if (dropped) {
-      await drop(tab, { name: "mine.toml", bytes: Buffer.from(example["case.toml"].toString("utf8").replace("test.csv", "mine.csv")) }, { name: "mine.csv", bytes: example["test.csv"] });
+      await drop(tab, { name: "mine.toml", bytes: Buffer.from(example["simulated.toml"].toString("utf8").replace("test.csv", "mine.csv")) }, { name: "mine.csv", bytes: example["test.csv"] });
       await tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "mine");
       await fitted(tab);
     }

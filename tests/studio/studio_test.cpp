@@ -40,8 +40,7 @@ std::string case_of(const studio::RigInput& rig, const std::string& friction, co
   std::string text = "[specimen]\n";
   text += rig.depth > 0 ? fmt::format("diameter = \"{} m\"\n", rig.depth) : "";
   text += fmt::format("bending_stiffness = \"{} N m^2\"\n[rig]\nspan = \"{} m\"\n", rig.bending_stiffness, rig.span);
-  text +=
-      std::isinf(rig.stiffness) ? "stiffness = \"infinite\"\n" : fmt::format("stiffness = \"{} N/m\"\n", rig.stiffness);
+  text += std::isinf(rig.stiffness) ? "stiffness = \"inf\"\n" : fmt::format("stiffness = \"{} N/m\"\n", rig.stiffness);
   if (rig.roller_radius > 0) text += fmt::format("roller_radius = \"{} m\"\n", rig.roller_radius);
   return text + "[friction]\n" + friction + "[stage]\n" + stage;
 }

@@ -1,5 +1,6 @@
 // Files that come in: dropped, picked, given in the page or in an address. What they are is for the program to say; here they are only paired and kept small.
 
+import { bytesOf } from "./address";
 import { Test, type Files } from "./test";
 import { sheetsToCsv } from "./workbook";
 
@@ -78,10 +79,21 @@ export async function testsOf(incoming: Incoming[], refuse: (sentence: string) =
   return tests;
 }
 
-/** Files that stand in the page: the example, or those that `flexslip studio FILE...` gave. */
+/** Tests that `flexslip studio FILE...` put into the page: a case with all that it names, in their folders, or a data file. */
+export function given(): Test[] {
+  const list = JSON.parse(document.getElementById("given")?.textContent || "[]") as { open: string; files: { name: string; data: string }[] }[];
+  return list.map(({ open, files }) => {
+    const all: Files = Object.fromEntries(files.map(({ name, data }) => [name, bytesOf(data)])), folder = open.replace(/[^/]*$/, ""), base = open.slice(folder.length);
+    if (!open.endsWith(".toml")) return new Test(stem(base), all, open, open);
+    const named = dataOfCase(new TextDecoder().decode(all[open])) ?? "";
+    const data = [folder + named, named].find((name) => name in all) ?? Object.keys(all).find((name) => name !== open && name.endsWith(named.replace(/^.*\//, ""))) ?? open;
+    return new Test(base === "case.toml" && folder ? folder.replace(/\/$/, "").replace(/^.*\//, "") : stem(base), all, open, data);
+  });
+}
+
+/** Files that stand in the page: the example. */
 export function standing(id: string): Incoming[] {
   const text = document.getElementById(id)?.textContent;
   if (!text) return [];
-  const list = JSON.parse(text) as { name: string; text?: string; base64?: string }[];
-  return list.map(({ name, text: words, base64 }) => ({ name: harmless(name), bytes: words !== undefined ? new TextEncoder().encode(words) : Uint8Array.from(atob(base64 ?? ""), (c) => c.charCodeAt(0)) }));
+  return (JSON.parse(text) as { name: string; text: string }[]).map(({ name, text: words }) => ({ name, bytes: new TextEncoder().encode(words) }));
 }

@@ -6,7 +6,7 @@ import { drawAnswer, drawMoment, momentInWords } from "./answer-view";
 import { CardView } from "./card-view";
 import { byId, el, fill, svg } from "./dom";
 import { FibreView } from "./fibre-view";
-import { harmless, readFiles, standing, testsOf, type Incoming } from "./files";
+import { given, harmless, readFiles, standing, testsOf, type Incoming } from "./files";
 import { ForceView } from "./force-view";
 import { FrictionView } from "./friction-view";
 import { closeDialog, listenToKeys, openDialog, openKeys } from "./keys";
@@ -239,10 +239,10 @@ async function start(): Promise<void> {
     }
     return true;
   };
-  const given = standing("given");
+  const tests = given();
   if (!(await openLink())) {
     const error = studio.error;
-    if (given.length) await take(given);
+    if (tests.length) for (const test of tests) await studio.open(test);
     else {
       if (remembered("visited") === null) studio.step = 0;
       await showExample();
