@@ -1,9 +1,9 @@
 // A million states in arrays, those that bench/python asks Python for.
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+#include <benchmark/benchmark.h>
 
 #include "fibre/batch.h"
 
