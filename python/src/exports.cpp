@@ -50,6 +50,7 @@ ExportWords words_of(const py::dict& given) {
   const auto take = [&](const char* name, std::string& word) {
     if (given.contains(name)) word = given[name].cast<std::string>();
   };
+  take("sheet", words.sheet);
   take("encoding", words.encoding);
   take("separator", words.separator);
   take("decimal", words.decimal);

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
+
+#include "fibre/elementary.h"
 
 namespace flexslip {
 
@@ -47,7 +48,7 @@ class Interpolant {
       const auto half_at_end = [](std::size_t i) { return i == 0 || i == degree ? 0.5 : 1.0; };
       // The cosine of π i/n, of an argument within a turn.
       const auto cosine = [&](std::size_t i) {
-        return std::cos(std::numbers::pi * real(i % (2 * degree)) / real(degree));
+        return elementary::sine_and_cosine(std::numbers::pi * real(i % (2 * degree)) / real(degree)).cosine;
       };
       for (std::size_t j = 0; j <= degree; ++j) node[j] = -cosine(j);
       for (std::size_t k = 0; k <= degree; ++k)

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include "case/case_keys.h"
@@ -26,7 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> data_endings{".csv", ".tsv", ".txt", ".dat", ".asc", ".tra"};
+constexpr std::array<std::string_view, 8> data_endings{".csv", ".tsv", ".txt",  ".dat",
+                                                       ".asc", ".tra", ".xlsx", ".xlsm"};
 
 std::string lower_case(std::string text) {
   for (char& c : text)
@@ -98,17 +100,23 @@ TableKey key_of(const std::string& title) {
   return {title, section_of(name), name, part, column.unit};
 }
 
-template <class Number>
-std::optional<Number> as(std::string_view cell) {
-  Number value{};
+std::optional<double> as_number(std::string_view cell) {
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<std::int64_t> as_whole_number(std::string_view cell) {
+  std::int64_t value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
   return value;
 }
 
 void set(toml::table& table, const std::string& key, const std::string& cell, const std::string& unit) {
-  const auto number = as<double>(cell);
-  auto whole = as<std::int64_t>(cell);
+  const auto number = as_number(cell);
+  auto whole = as_whole_number(cell);
   constexpr double largest = 1e15;  // "267.0", as spreadsheets write a count
   if (number && !whole && *number == std::floor(*number) && std::abs(*number) < largest)
     whole = static_cast<std::int64_t>(*number);
@@ -130,7 +138,11 @@ toml::table& subtable(toml::table& table, const std::string& name) {
 void say(toml::table& table, const TableKey& key, const std::string& cell) {
   toml::table& section = subtable(table, key.section);
   if (key.part.empty()) {
-    set(section, key.key, cell, key.unit);
+    const CaseKey* known = case_key(key.section, key.key);
+    if (known != nullptr && known->holds == Holds::text && key.unit.empty())
+      section.insert_or_assign(key.key, cell);  // the number of a sheet or a column is a name of it
+    else
+      set(section, key.key, cell, key.unit);
     return;
   }
   if (!section[key.key].is_table()) {  // a value becomes one with an uncertainty
@@ -262,6 +274,7 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
   for (const auto& file : files_in(folder, false)) {
     const std::string ending = lower_case(file.extension().string());
     if (std::find(data_endings.begin(), data_endings.end(), ending) == data_endings.end()) continue;
+    if (file.filename().string().starts_with("~$")) continue;  // Excel's mark that the workbook is open
     PlannedTest test{name_of_test(file.string()), file.string(), InputError({})};
     toml::table text = common;
     subtable(text, "record").insert_or_assign("file", file.string());
@@ -304,7 +317,7 @@ std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optio
       throw InputError(
           {.file = path,
            .expected =
-               common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra)" : "case files (.toml) with a [record]",
+               common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra, .xlsx)" : "case files (.toml) with a [record]",
            .found = "none",
            .remedy = common ? ""
                             : "write one for each test, pass what all data files of the folder have in common "

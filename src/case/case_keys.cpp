@@ -185,7 +185,9 @@ constexpr std::array keys{
     // record
     plain("record", "file", Holds::file, R"("ss14.csv")", "", "the measured record",
           ": CSV, or text separated by semicolons, tabs or spaces, with one header line; or an export of a testing "
-          "machine"),
+          "machine; or a workbook (.xlsx) with either"),
+    plain("record", "sheet", Holds::text, R"("Specimen 1")", "--sheet",
+          "of a workbook (.xlsx): name or number of the sheet; the first with a number, unless it is given"),
     title("record", "stage", kind::length, R"("w_s_m [m]")", R"("w_s")", "--stage",
           "title of the column of the stage (crosshead) displacement"),
     title("record", "deflection", kind::length, R"("w_m [m]")", R"("w")", "--deflection",

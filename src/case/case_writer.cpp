@@ -223,6 +223,7 @@ void write(Writer& out, const ExportColumns& columns) {
 void write(Writer& out, const RecordInput& record) {
   out.section("record");
   out.line("file", basic_string(record.file));
+  if (record.sheet) out.line("sheet", basic_string(*record.sheet));
   std::visit([&](const auto& columns) { write(out, columns); }, record.columns);
   if (record.sign != SignRule::find) out.line("sign", basic_string(name_in(sign_names, record.sign)));
   if (std::holds_alternative<ToKeep>(record.zero)) out.line("zero", "\"keep\"");

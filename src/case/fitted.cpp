@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "data/names.h"
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 #include "io/sha256.h"
 #include "io/table.h"
@@ -117,8 +118,8 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
       // What the choice of the points compared moves EI by in the authors' tests (cycles.h); the scatter is far less.
       constexpr double systematic = 0.02;
       source = StiffnessSource::mirror;
-      description.bending_stiffness = slope.value * std::exp(mirrored->log_stiffness.value);
-      description.bending_stiffness_error = std::hypot(mirrored->log_stiffness.standard_error, systematic);
+      description.bending_stiffness = slope.value * elementary::exp(mirrored->log_stiffness.value);
+      description.bending_stiffness_error = elementary::length(mirrored->log_stiffness.standard_error, systematic);
       if (measurement.contact == ContactSource::first_point && mirrored->loops.front().places > 0) {
         const Estimate& contact = mirrored->loops.front().contact;
         move_contact(measurement, normal_estimate(scales.physical_length(contact.value),

@@ -34,7 +34,7 @@ Readings readings_from(const Case& input, const TableColumns& asked) {
   Table table = [&] {
     if (input.record->given) return *input.record->given;
     try {
-      return read_table(input.record->file, wanted, asked.decimal);
+      return read_table(input.record->file, wanted, asked.decimal, input.record->sheet);
     } catch (const InputError& error) {
       InputFault fault = error.fault;
       // The titles are not on the first line: a preamble may stand there.
@@ -50,7 +50,9 @@ Readings readings_from(const Case& input, const TableColumns& asked) {
   for (std::size_t i = 0; i < columns.size(); ++i)
     words += fmt::format("{}the {} is the column '{}'", i == 0 ? "" : ", ", names[static_cast<std::size_t>(columns[i])],
                          table.columns[i].name);
-  PreparationStep step{"columns", false, words + ", as stated", {}, RowRange{1, table.rows()}, ""};
+  words += ", as stated";
+  for (const std::string& note : table.notes) words += "; " + note;
+  PreparationStep step{"columns", false, std::move(words), {}, RowRange{1, table.rows()}, ""};
   return {input, std::move(table), std::move(columns), {{std::move(step)}}};
 }
 
@@ -63,8 +65,9 @@ ColumnRole role_of(DisplacementOf displacement) {
   return displacement == DisplacementOf::crosshead ? ColumnRole::crosshead : ColumnRole::deflection;
 }
 
-ExportOptions options_for(const ExportColumns& asked) {
+ExportOptions options_for(const RecordInput& record, const ExportColumns& asked) {
   ExportOptions options;
+  options.sheet = record.sheet;
   options.decimal = asked.decimal;
   if (asked.displacement_column)
     options.columns[asked.displacement ? role_of(*asked.displacement) : ColumnRole::displacement] =
@@ -175,7 +178,7 @@ void complete(Case& input, const ExportedTest& said, Preparation& preparation) {
 }
 
 Readings readings_from(const Case& input, const ExportColumns& asked) {
-  const Export file = read_export(input.record->file, options_for(asked));
+  const Export file = read_export(input.record->file, options_for(*input.record, asked));
   const ExportedSpecimen& specimen = specimen_of(input, asked, file);
   const auto [column, kind, is_stated] = displacement_of(asked, file, specimen);
   const ExportColumn& force = only_column(file, specimen, ColumnRole::force, "force", "--force");
@@ -191,6 +194,9 @@ Readings readings_from(const Case& input, const ExportColumns& asked) {
       fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
                   file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
                   is_stated ? "stated" : "the file says", force.name);
+  if (file.sheet && file.sheets.size() > 1)
+    words += fmt::format("; the sheet is '{}', {}", *file.sheet,
+                         input.record->sheet ? "as stated" : "the first with a number of " + listed(file.sheets));
   if (file.specimens.size() > 1)
     words += fmt::format("; the specimen is number {} of {}", *asked.specimen, file.specimens.size());
   if (asked.calibration) words += fmt::format("; the force was given in volts, {} as stated", *asked.calibration);
@@ -208,7 +214,12 @@ Readings readings_from(const Case& input, const ExportColumns& asked) {
 
 Readings read_readings(const Case& input) {
   if (!input.record) throw std::invalid_argument("a case without a record has no readings");
-  return std::visit([&](const auto& columns) { return readings_from(input, columns); }, input.record->columns);
+  try {
+    return std::visit([&](const auto& columns) { return readings_from(input, columns); }, input.record->columns);
+  } catch (const InputError& error) {
+    if (error.fault.key != "record.sheet") throw;
+    throw wrong_value(input, "record.sheet", error.fault.expected, error.fault.found, error.fault.remedy);
+  }
 }
 
 }  // namespace flexslip

@@ -7,6 +7,7 @@
 
 #include "data/names.h"
 #include "data/surface_strain.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -109,8 +110,8 @@ void add_noise(std::vector<SimulatedPoint>& path, double deviation, double stiff
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
   for (SimulatedPoint& point : path) {
     // Box & Muller, because std::normal_distribution differs between libraries.
-    const double radius = std::sqrt(-2 * std::log(uniform()));
-    const double error = deviation * radius * std::cos(2 * std::numbers::pi * uniform());
+    const double radius = std::sqrt(-2 * elementary::log(uniform()));
+    const double error = deviation * radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
     point.force += error;
     point.deflection -= error / stiffness;
   }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "bending_test/stage_steps.h"
 #include "case/stiffness_used.h"
 #include "io/quantity.h"
 #include "io/table.h"
@@ -25,19 +26,6 @@ std::vector<double> written_out(const TurningPoints& programme) {
   return turns;
 }
 
-std::vector<double> stepped(const std::vector<double>& turns, double step) {
-  std::vector<double> stages{turns.front()};
-  for (std::size_t i = 1; i < turns.size(); ++i) {
-    const double from = turns[i - 1];
-    const double way = turns[i] - from;
-    // The last step may be shorter; a remainder of 1e-9 of a step is rounding.
-    const auto steps = static_cast<long>(std::ceil(std::abs(way) / step - 1e-9));
-    for (long n = 1; n < steps; ++n) stages.push_back(from + std::copysign(static_cast<double>(n) * step, way));
-    stages.push_back(turns[i]);
-  }
-  return stages;
-}
-
 StageProgramme programme_from(const Case& input, const TurningPoints& programme) {
   const auto& positions = programme.positions;
   const auto farthest = std::max_element(positions.begin(), positions.end());
@@ -51,7 +39,7 @@ StageProgramme programme_from(const Case& input, const TurningPoints& programme)
                       readable_length(input, *farthest), "check its unit");
   std::vector<double> turns = written_out(programme);
   if (!programme.step) return {std::move(turns), *farthest, false, false};
-  return {stepped(turns, *programme.step), *farthest, true, false};
+  return {stage_steps(turns, *programme.step), *farthest, true, false};
 }
 
 StageProgramme programme_from(const Case& input, const MeasuredProgramme& measured) {

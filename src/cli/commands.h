@@ -32,8 +32,10 @@ void add_campaign_command(CLI::App& app);
 void add_sweep_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_modulus_command(CLI::App& app);
+void add_studio_command(CLI::App& app);
 void add_keys_command(CLI::App& app);
 void add_results_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
+void add_cite_command(CLI::App& app);
 
 }  // namespace flexslip

@@ -20,7 +20,9 @@
 #include "report/fit_screen.h"
 #include "report/fit_text.h"
 #include "report/fit_words.h"
+#include "report/page.h"
 #include "report/report.h"
+#include "report/studio_page.h"
 
 namespace flexslip {
 namespace {
@@ -33,12 +35,25 @@ struct FitRequest {
   Output output;
 };
 
+constexpr const char* studio_name = "studio.html";
+
 // The figures' folder is FlexSlip's own.
 void announce_fit_report(const std::string& folder) {
   if (folder.empty()) return;
   const std::filesystem::path report(folder);
   files_of_this_call().writes(report / "report.html", "--report");
   files_of_this_call().writes_below(report / "figures", "--report");
+  if (built_studio_page()) files_of_this_call().writes(report / studio_name, "--report");
+}
+
+// The studio with the test inside, in the folder of its report: its name there, none where there is no built page, or the record is gone.
+std::string studio_beside(const std::string& folder, const FittedTest& test) {
+  const auto built = built_studio_page();
+  if (!built || test.measurement.file == "-") return "";
+  make_folder(folder);
+  write_studio_page((std::filesystem::path(folder) / studio_name).string(), *built,
+                    {taken_along(read_case(std::string_view(test.provenance.test), ""), test.name)});
+  return studio_name;
 }
 
 void run_fit(const FitRequest& request) {
@@ -60,7 +75,8 @@ void run_fit(const FitRequest& request) {
   if (!request.draws.empty() && !is_fitted(test))
     note(request.output,
          fmt::format("no profiles are written to {}: there is no fit to draw them from", request.draws));
-  if (!request.report.empty() && write_report(request.report, test) == DrawStatus::no_gnuplot)
+  if (!request.report.empty() &&
+      write_report(request.report, test, studio_beside(request.report, test)) == DrawStatus::no_gnuplot)
     note(request.output,
          "gnuplot is not installed: the report has the scripts and data of the pictures, but no pictures");
   if (request.output.json)

@@ -110,9 +110,11 @@ int run(int argc, char** argv) {
   add_sweep_command(app);
   add_merge_command(app);
   add_state_command(app);
+  add_studio_command(app);
   add_keys_command(app);
   add_results_command(app);
   add_completions_command(app);
+  add_cite_command(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) command->group("Commands");
 
   // Where a shell sends it to a file.

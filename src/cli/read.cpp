@@ -60,9 +60,13 @@ std::string_view words_for(char mark) {
 
 void note_decisions(const ReadRequest& request, const Export& file, const ExportedSpecimen& specimen) {
   const auto say = [&](const std::string& remark) { note(request.output, remark); };
-  say(fmt::format("{}: {}; {}{}, separated by {}, decimal {}, thousands {}", file.source, file.format,
-                  name_of(file.encoding), file.byte_order_mark ? " with byte order mark" : "",
-                  words_for(file.separator), words_for(file.decimal), words_for(file.thousands)));
+  std::string as = file.sheet ? fmt::format("the sheet {} of a workbook", in_quotes(*file.sheet)) : "";
+  if (file.has_delimiters())
+    as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.encoding),
+                      file.byte_order_mark ? " with byte order mark" : "", words_for(file.separator));
+  if (file.sheet_holds != SheetHolds::numbers)
+    as += fmt::format(", decimal {}, thousands {}", words_for(file.decimal), words_for(file.thousands));
+  say(fmt::format("{}: {}; {}", file.source, file.format, as));
   say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
                   specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));
   for (const ExportColumn& column : specimen.columns)
@@ -93,7 +97,7 @@ void add_read_command(CLI::App& app) {
   const auto request = std::make_shared<ReadRequest>();
   CLI::App* command =
       app.add_subcommand("read", "Any testing machine's export as plain CSV, and what was decided about it");
-  command->add_option("file", request->file, "Export of a testing machine; - is standard input")
+  command->add_option("file", request->file, "Export of a testing machine, or a workbook (.xlsx); - is standard input")
       ->type_name("FILE")
       ->required();
   command->add_option("--specimen", request->specimen, "Which of several specimens, counted from 1")
@@ -102,6 +106,7 @@ void add_read_command(CLI::App& app) {
   const auto text = [&](const char* name, std::string& value, const char* description, const char* type) {
     return command->add_option(name, value, description)->type_name(type);
   };
+  text("--sheet", request->words.sheet, "Of a workbook (.xlsx): the sheet, its name or number", "SHEET");
   text("--encoding", request->words.encoding, "utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
   text("--separator", request->words.separator, "Between cells: , ; tab or space", "MARK");
   text("--decimal", request->words.decimal, "Decimal mark: . or ,", "MARK");

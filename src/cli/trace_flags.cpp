@@ -9,6 +9,7 @@ namespace flexslip {
 TraceOptions options_of(const TraceFlags& flags) {
   using namespace std::string_view_literals;
   TraceOptions options;
+  if (!flags.sheet.empty()) options.file.sheet = flags.sheet;
   if (!flags.encoding.empty()) options.file.encoding = encoding_named(flags.encoding);
   if (!flags.separator.empty()) options.file.separator = mark_named(flags.separator, "--separator");
   if (!flags.decimal.empty()) options.file.decimal = mark_of(flags.decimal, "--decimal", ".,");
@@ -34,6 +35,7 @@ void add_trace_options(CLI::App& command, TraceFlags& flags) {
   text("--position-unit", flags.position_unit, "The unit of the positions", "UNIT");
   text("--height-unit", flags.height_unit, "The unit of the heights", "UNIT");
   text("--step", flags.step, "Distance of the heights, of a file without positions", "LENGTH")->excludes(position);
+  text("--sheet", flags.sheet, "Of a workbook (.xlsx): the sheet, its name or number", "SHEET");
   text("--encoding", flags.encoding, "utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
   text("--separator", flags.separator, "Between cells: , ; tab or space", "MARK");
   text("--decimal", flags.decimal, "Decimal mark: . or ,", "MARK");

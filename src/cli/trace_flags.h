@@ -11,7 +11,7 @@ namespace flexslip {
 
 struct TraceFlags {
   std::string position, height, position_unit, height_unit, step;
-  std::string encoding, separator, decimal, thousands;
+  std::string sheet, encoding, separator, decimal, thousands;
 };
 
 void add_trace_options(CLI::App& command, TraceFlags& flags);

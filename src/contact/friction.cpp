@@ -33,6 +33,7 @@ HWY_AFTER_NAMESPACE();
 #include <utility>
 
 #include "contact/two_supports.h"
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 
 namespace flexslip {
@@ -147,13 +148,16 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   std::mt19937_64 generator(seed);
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
   std::vector<double> noise(n + 2 * reach);
-  for (auto& value : noise) value = std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
+  for (auto& value : noise) {
+    const double radius = std::sqrt(-2 * elementary::log(uniform()));  // the first of two random numbers
+    value = radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
+  }
   std::vector<double> kernel(2 * reach + 1);
   double power = 0;
   for (std::size_t j = 0; j < kernel.size(); ++j) {
     const double x = (static_cast<double>(j) - static_cast<double>(reach)) / static_cast<double>(per_length);
-    kernel[j] = std::exp(-x * x);
-    power += std::exp(-2 * x * x);
+    kernel[j] = elementary::exp(-x * x);
+    power += elementary::exp(-2 * x * x);
   }
 
   FrictionTable table;
@@ -161,7 +165,7 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
     double g = 0;
     for (std::size_t j = 0; j < kernel.size(); ++j) g += kernel[j] * noise[i + j];
     table.S.push_back(1 + step * static_cast<double>(i));
-    table.mu.push_back(mu0 * std::exp(rms * g / std::sqrt(power) - 0.5 * rms * rms));
+    table.mu.push_back(mu0 * elementary::exp(rms * g / std::sqrt(power) - 0.5 * rms * rms));
   }
   return Friction(std::move(table));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "data/line.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -76,7 +77,7 @@ Contact find_contact(const Record& record) {
   if (lower.status != ContactStatus::found || upper.status != ContactStatus::found) return contact;
   constexpr double surely = 4;  // standard errors
   if (upper.offset.value - lower.offset.value <
-      surely * std::hypot(lower.offset.standard_error, upper.offset.standard_error))
+      surely * elementary::length(lower.offset.standard_error, upper.offset.standard_error))
     return contact;
   const double above = 2 * up_to - from;
   Contact settled = line_between(record, middle, above);
@@ -84,7 +85,7 @@ Contact find_contact(const Record& record) {
   if (settled.status != ContactStatus::found || farther.status != ContactStatus::found) return contact;
   const double choice = std::max(std::abs(farther.offset.value - settled.offset.value),
                                  std::abs(settled.offset.value - contact.offset.value));
-  settled.offset = student_estimate(settled.offset.value, std::hypot(settled.offset.standard_error, choice),
+  settled.offset = student_estimate(settled.offset.value, elementary::length(settled.offset.standard_error, choice),
                                     static_cast<double>(settled.last - settled.first - 2));
   settled.settles = true;
   return settled;

@@ -9,6 +9,7 @@
 
 #include "data/distributions.h"
 #include "data/line.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -117,7 +118,7 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
     if (greatest_force(loading) >= far_enough * most) least = std::min(least, greatest_force(loading));
   const Window window{loading_window_from * least, 0.5 * (loading_window_from + loading_window_up_to) * least,
                       loading_window_up_to * least};
-  const double quantile = gaussian_quantile(loading_confidence);
+  const double quantile = elementary::gaussian_quantile(loading_confidence);
 
   const MeasuredLoading reference = measure(record, loadings.front(), window);
   std::vector<LoadingStiffness> result;
@@ -142,12 +143,12 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
     if (!is_reference && stiffness.status == LoadingStatus::ok) {
       const double ratio = measured.whole.value / reference.whole.value;
       stiffness.ratio = student_estimate(ratio,
-                                         ratio * std::hypot(measured.whole.error / measured.whole.value,
-                                                            reference.whole.error / reference.whole.value),
+                                         ratio * elementary::length(measured.whole.error / measured.whole.value,
+                                                                    reference.whole.error / reference.whole.value),
                                          std::min(freedom_of(measured), freedom_of(reference)));
       stiffness.ratio_systematic =
           0.5 * std::abs(measured.upper.value / reference.upper.value - measured.lower.value / reference.lower.value);
-      const double bound = quantile * std::hypot(stiffness.ratio.standard_error, stiffness.ratio_systematic);
+      const double bound = quantile * elementary::length(stiffness.ratio.standard_error, stiffness.ratio_systematic);
       const double loss = 1 - ratio;
       stiffness.verdict = loss - bound > relevant_loss   ? DamageVerdict::damaged
                           : loss + bound < relevant_loss ? DamageVerdict::not_damaged

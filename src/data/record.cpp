@@ -11,6 +11,7 @@
 
 #include "data/line.h"
 #include "data/order.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -69,7 +70,8 @@ std::vector<StepSlope> step_slopes(const Record& record) {
 
 // The g that minimises Σ weight |slope - g|: a weighted median.
 double middle_slope(std::span<StepSlope> steps) {
-  std::sort(steps.begin(), steps.end(), [](const StepSlope& a, const StepSlope& b) { return a.slope < b.slope; });
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const StepSlope& a, const StepSlope& b) { return a.slope < b.slope; });
   const double total = std::accumulate(steps.begin(), steps.end(), 0.0,
                                        [](double sum, const StepSlope& step) { return sum + step.weight; });
   double below = 0;
@@ -109,7 +111,9 @@ double resolution_of(std::vector<double> force) {
 }
 
 // What the quietest tenth of the windows shows of the true scale, for Gaussian noise: fitted to simulations of 30 to 3000 points.
-double shown_by_quietest(std::size_t windows) { return 0.70 + 0.30 * std::exp(-0.1 * static_cast<double>(windows)); }
+double shown_by_quietest(std::size_t windows) {
+  return 0.70 + 0.30 * elementary::exp(-0.1 * static_cast<double>(windows));
+}
 
 }  // namespace
 

@@ -250,6 +250,7 @@ HWY_AFTER_NAMESPACE();
 #include <numbers>
 #include <utility>
 
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 
 namespace flexslip {
@@ -262,7 +263,9 @@ HWY_EXPORT(slopes_at_coordinates);
 constexpr std::size_t terms = CellLayout::terms;
 using Matrix = std::array<std::array<double, terms>, terms>;
 
-double node(std::size_t j) { return std::cos(std::numbers::pi * (static_cast<double>(j) + 0.5) / terms); }
+double cosine(double x) { return elementary::sine_and_cosine(x).cosine; }
+
+double node(std::size_t j) { return cosine(std::numbers::pi * (static_cast<double>(j) + 0.5) / terms); }
 
 // From values at the Chebyshev nodes to the coefficients of powers.
 Matrix powers_from_values() {
@@ -277,7 +280,7 @@ Matrix powers_from_values() {
     for (std::size_t j = 0; j < terms; ++j)
       for (std::size_t k = 0; k < terms; ++k)
         result[p][j] += chebyshev[k][p] * (k == 0 ? 1.0 : 2.0) / terms *
-                        std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) / terms);
+                        cosine(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) / terms);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fibre/elastica-inl.h"
+#include "fibre/elementary.h"
 #include "fibre/elliptic.h"
 #include "fibre/limits.h"
 
@@ -140,7 +141,7 @@ FibreState assemble(double S, double q, double u, const Line& line, const Half& 
           .q = q,
           .w = half.z / (2 * a),                       // (4.18)
           .F = 8 * a * a * std::max(half.sin_b, 0.0),  // (4.22); u = K rounds to either side of F = 0
-          .theta0 = 2 * std::atan2(half.x, half.y),
+          .theta0 = 2 * elementary::angle(half.x, half.y),
           .Pn = 4 * a * a * line.s0,  // (4.15b)
           .U = 2 * a * line.s0 * line.s0 * half.V,
           .u = u};
@@ -172,7 +173,7 @@ FibreState fibre_state(double S, double q) {
           .q = q,
           .w = w,
           .F = F,
-          .theta0 = 2 * std::atan2(half.x, half.y) + step * (bend.along + 0.5 * step * half.sin_b),
+          .theta0 = 2 * elementary::angle(half.x, half.y) + step * (bend.along + 0.5 * step * half.sin_b),
           .Pn = 4 * half_span * half_span * line.s0,  // (4.15b)
           .U = 2 * half_span * line.s0 * line.s0 * V,
           .u = u};
@@ -255,8 +256,8 @@ BranchEnd fibre_branch_end(double q) {
 
 double curvature_at_midspan(const FibreState& state) {
   if (state.status != FibreStatus::ok) throw std::invalid_argument("no curvature: the state does not exist");
-  const double half = std::sin(0.5 * state.theta0);
-  const double square = 2 * state.Pn * (std::sin(state.theta0) + 2 * state.q * half * half);
+  const double half = elementary::sine_and_cosine(0.5 * state.theta0).sine;
+  const double square = 2 * state.Pn * (elementary::sine_and_cosine(state.theta0).sine + 2 * state.q * half * half);
   return std::sqrt(std::max(square, 0.0));
 }
 
@@ -274,9 +275,8 @@ ShapePoint fibre_shape(const FibreState& state, double s) {
   const auto arc = elliptic_arc(v, {line.m, line.m1});
   const double p = line.s0 * arc.P;
   const double r = 0.5 * line.s0 * line.s0 * arc.R;
-  const double psi = 2 * std::atan2(0.5 * line.s0 * arc.one_minus_cn, line.m1 + line.m * arc.cn);
-  const double sine = std::sin(state.theta0);
-  const double cosine = std::cos(state.theta0);
+  const double psi = 2 * elementary::angle(0.5 * line.s0 * arc.one_minus_cn, line.m1 + line.m * arc.cn);
+  const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
   const double scale = state.S / (2 * state.u);  // (4.17): arc length per unit of phase
   return {.x = scale * (cosine * (v - r) + sine * p),
           .y = scale * (sine * (v - r) - cosine * p),

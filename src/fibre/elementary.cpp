@@ -50,6 +50,16 @@ double log(double x) {
   return hn::GetLane(hn::Log(tag, hn::Set(tag, x)));
 }
 
+double exp_less_one(double x) {
+  const One tag;
+  return hn::GetLane(hn::Expm1(tag, hn::Set(tag, x)));
+}
+
+double log_of_one_and(double x) {
+  const One tag;
+  return hn::GetLane(hn::Log1p(tag, hn::Set(tag, x)));
+}
+
 SineAndCosine sine_and_cosine(double x) {
   const One tag;
   const auto v = hn::Set(tag, x);

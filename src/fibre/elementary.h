@@ -13,6 +13,12 @@ double exp(double x);
 // Max error:  4 ulp.
 double log(double x);
 
+// exp(x) - 1 and ln(1 + x), also for small x.
+// Domain:     |x| < 700; x > -0.99.
+// Max error:  8 ulp.
+double exp_less_one(double x);
+double log_of_one_and(double x);
+
 // Σ ln x over many numbers, of whose product a logarithm is taken now and then.
 // Domain:     1e-100 < x < 1e100.
 // Max error:  1 ulp of 1 a number, and that of log.

@@ -51,7 +51,7 @@ class Fibre::Tables {
         sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
         contacts_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::Pn)),
         bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)),
-        by_length_(CellTable::Along::coordinate, {1.05, 44, table_q.least, table_q.greatest, 48},
+        by_length_(CellTable::Along::length, {1.05, 44, table_q.least, table_q.greatest, 48},
                    [this](std::span<const double> x, std::span<const double> q) { return pair_by_length(x, q); }) {}
 
   // [√L] From which way on (Fibre::way) by_length has states, where it has them at all: nearer, the least length of each friction disturbs.
@@ -298,32 +298,48 @@ Fibre::Contact Fibre::contact(double S, double q) const {
   return {S - rolled * theta0, 1 - rolled * theta0_w / S_w, -rolled * (theta0_q - theta0_w * S_q / S_w)};
 }
 
-SlopeArrays Fibre::slopes_by_length(const FibrePoints& points) const {
-  const std::size_t n = points.size();
-  SlopeArrays result(n);
-  std::vector<double> x(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = way(points.lengths()[i]);
-  tables_->by_length().slopes(x.data(), points.frictions(), n, result.columns());
+// Lengths as the table by length takes them: 1 for the least.
+std::vector<double> Fibre::from_the_least(const FibrePoints& points) const {
+  std::vector<double> lengths(points.lengths(), points.lengths() + points.size());
+  for (double& S : lengths) S = S - least_length_ + 1;
+  return lengths;
+}
+
+// Adds the state of the least length to what the table by length gave, and fills in what it has not.
+template <std::size_t n_columns>
+void Fibre::complete(const FibrePoints& points, const std::array<double*, n_columns>& columns) const {
+  const auto& [w, F] = std::array{columns[0], columns[1]};
   std::vector<std::size_t> others;
   std::vector<double> S, q;
-  for (std::size_t i = 0; i < n; ++i) {
-    result.w[i] += tables_->least_w();
-    result.F[i] += tables_->least_F();
-    if (x[i] >= tables_->smooth_from() && result.F[i] >= 0) {
-      result.w_S[i] /= 2 * x[i];
-      result.F_S[i] /= 2 * x[i];
-      continue;
-    }
+  const double smooth_from = least_length_ + tables_->smooth_from() * tables_->smooth_from();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    w[i] += tables_->least_w();
+    F[i] += tables_->least_F();
+    if (points.lengths()[i] >= smooth_from && F[i] >= 0) continue;
     others.push_back(i);
     S.push_back(points.lengths()[i]);
     q.push_back(points.frictions()[i]);
   }
-  if (others.empty()) return result;
+  if (others.empty()) return;
   SlopeArrays by_deflection = slopes_by_deflection(S, q);
   const auto from = by_deflection.columns();
-  const auto to = result.columns();
-  for (std::size_t k = 0; k < to.size(); ++k)
-    for (std::size_t j = 0; j < others.size(); ++j) to[k][others[j]] = from[k][j];
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (std::size_t j = 0; j < others.size(); ++j) columns[k][others[j]] = from[k][j];
+}
+
+StateArrays Fibre::states_by_length(const FibrePoints& points) const {
+  const std::vector<double> lengths = from_the_least(points);
+  StateArrays result(lengths.size());
+  tables_->by_length().values(lengths.data(), points.frictions(), lengths.size(), result.w.data(), result.F.data());
+  complete(points, std::array{result.w.data(), result.F.data()});
+  return result;
+}
+
+SlopeArrays Fibre::slopes_by_length(const FibrePoints& points) const {
+  const std::vector<double> lengths = from_the_least(points);
+  SlopeArrays result(lengths.size());
+  tables_->by_length().slopes(lengths.data(), points.frictions(), lengths.size(), result.columns());
+  complete(points, result.columns());
   return result;
 }
 
@@ -367,7 +383,7 @@ StateArrays without_slopes(SlopeArrays at) {
 }  // namespace
 
 StateArrays Fibre::tabulated_states(const FibrePoints& points) const {
-  return on_edges() ? flexslip::tabulated_states(points) : without_slopes(slopes_by_length(points));
+  return on_edges() ? flexslip::tabulated_states(points) : states_by_length(points);
 }
 
 SlopeArrays Fibre::tabulated_states_slopes(const FibrePoints& points) const {

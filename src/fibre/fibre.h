@@ -88,6 +88,10 @@ class Fibre {
 
  private:
   class Tables;
+  std::vector<double> from_the_least(const FibrePoints& points) const;
+  template <std::size_t n_columns>
+  void complete(const FibrePoints& points, const std::array<double*, n_columns>& columns) const;
+  StateArrays states_by_length(const FibrePoints& points) const;
   SlopeArrays slopes_by_length(const FibrePoints& points) const;
   SlopeArrays slopes_by_deflection(std::span<const double> S, std::span<const double> q) const;
 

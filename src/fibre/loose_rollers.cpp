@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "fibre/elementary.h"
+
 namespace flexslip {
 
 LooseState state_on_loose_rollers(double w, const Supports& supports) {
@@ -22,7 +24,8 @@ LooseState state_on_loose_rollers(double w, const Supports& supports) {
     state = state_on_supports(w / span, q, {supports.radius / span, supports.half_depth / span});
     if (state.status != FibreStatus::ok) return {state, span};
     const double nearer = 2 / (2 + state.slid);  // what a roller has come in is half of what has been drawn in over it
-    const double next = std::tan(0.5 * state.theta0);
+    const auto [sine, cosine] = elementary::sine_and_cosine(0.5 * state.theta0);
+    const double next = sine / cosine;
     const bool is_settled = std::abs(nearer - span) <= settled && std::abs(next - q) <= settled;
     span = nearer;
     q = next;

@@ -7,6 +7,7 @@
 
 #include "data/order.h"
 #include "fibre/elastica.h"
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 
 namespace flexslip {
@@ -189,7 +190,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   // A contact that settles lowers the slope through it, and raises that of the line beside it: the nearer one is the fair one.
   const double through_contact = EI / slope.value;
   const double beside = EI / (contact.slope.value * L * L * L / 48);
-  const bool contact_is_nearer = std::abs(std::log(through_contact)) < std::abs(std::log(beside));
+  const bool contact_is_nearer = std::abs(elementary::log(through_contact)) < std::abs(elementary::log(beside));
   const double ratio = !slope.found ? not_a_number : contact_is_nearer ? through_contact : beside;
   const Scales scales(L, EI);
   TestAnalysis analysis{.status = AnalysisStatus::ok,

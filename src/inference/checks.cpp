@@ -9,6 +9,7 @@
 #include "data/names.h"
 #include "data/order.h"
 #include "fibre/chi_squared.h"
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 #include "inference/prior_draw.h"
 #include "inference/process_posterior.h"
@@ -147,7 +148,7 @@ Check check_friction(const FrictionFit& fit) {
 Check check_bending_stiffness(const FrictionFit& fit, double error) {
   if (fit.model == ProfileModel::constant) return {CheckKind::stiffness, CheckOutcome::not_possible, {}};  // not fitted
   constexpr double most = 2;
-  const double errors = std::abs(std::log(fit.bending_stiffness.value)) / error;
+  const double errors = std::abs(elementary::log(fit.bending_stiffness.value)) / error;
   return {CheckKind::stiffness,
           passed_if(errors <= most),
           {{"fitted_over_nominal", fit.bending_stiffness.value, false}, {"errors", errors, false}}};

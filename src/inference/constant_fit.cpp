@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "bending_test/sliding_ladder.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -73,7 +74,7 @@ ConstantFit fit_constant(const FitProblem& problem) {
   const double deviation = problem.errors.bending_stiffness;
   const double shift =
       0.5 * (estimate_at(record, 1 + deviation, ladder).mu - estimate_at(record, 1 - deviation, ladder).mu);
-  return {.mu0 = nominal.mu, .standard_error = std::hypot(nominal.from_residuals, shift)};
+  return {.mu0 = nominal.mu, .standard_error = elementary::length(nominal.from_residuals, shift)};
 }
 
 }  // namespace flexslip

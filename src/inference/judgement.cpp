@@ -7,6 +7,7 @@
 #include "bending_test/critical_stiffness.h"
 #include "data/names.h"
 #include "data/order.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -59,7 +60,7 @@ CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* re
   if (!rises.judged) return rises.verdict;
   constexpr double one_sided = 1.645;
   const double at_most =
-      1 - reload->ratio.value + one_sided * std::hypot(reload->ratio.standard_error, reload->ratio_systematic);
+      1 - reload->ratio.value + one_sided * elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
   const double needed = 1 - std::max({rises.cracks.left, rises.cracks_constant.left, rises.cracks_running.left});
   if (needed > at_most) return CrackVerdict::not_by_cracks_alone;
   return rises.verdict;
@@ -101,7 +102,7 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   Judgement judgement{.drops = verdict_on(analysis, reload)};
   if (reload) {
     judgement.loss = 1 - reload->ratio.value;
-    judgement.loss_error = std::hypot(reload->ratio.standard_error, reload->ratio_systematic);
+    judgement.loss_error = elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
   }
   const auto doubt_if = [&](bool doubtful, Doubt doubt) {
     if (doubtful) judgement.doubts.push_back(doubt);

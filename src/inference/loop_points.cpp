@@ -113,7 +113,8 @@ void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double fo
     for (std::size_t i = first + 1; i < last; ++i) steps.push_back(std::abs(points[i].stage - points[i - 1].stage));
     const double step = median_or_zero(steps);
     // Points in a window whose slope is known to an eighth of the rate: its standard error is σ/step √(12/m³).
-    const double needed = std::cbrt(12 * std::pow(8 * force_noise * std::abs(turn.q_force) / (rate * step), 2));
+    const double ratio = 8 * force_noise * std::abs(turn.q_force) / (rate * step);
+    const double needed = std::cbrt(12 * ratio * ratio);
     const auto window =
         step > 0 ? std::max<std::size_t>(4, static_cast<std::size_t>(std::min(std::ceil(needed), 1e4))) : last - first;
     std::size_t slides_from = last;

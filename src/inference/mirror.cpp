@@ -73,7 +73,8 @@ NormalStep Estimator::estimate(const Noise& noise, Eigen::Index differences) con
   const Eigen::LDLT<Eigen::MatrixXd> factors(A);
   NormalStep result{.step = factors.solve(b), .covariance = {}, .objective = 0};
   result.covariance = factors.solve(Eigen::MatrixXd::Identity(n, n));
-  result.objective = log_determinant + squares - b.dot(result.step) + factors.vectorD().array().abs().log().sum();
+  for (Eigen::Index i = 0; i < n; ++i) log_determinant += elementary::log(std::abs(factors.vectorD()[i]));
+  result.objective = log_determinant + squares - b.dot(result.step);
   return result;
 }
 

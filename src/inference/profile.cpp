@@ -8,6 +8,7 @@
 #include "data/order.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 
 namespace flexslip {
@@ -53,7 +54,7 @@ ProfilePoint point_of(std::size_t index, const FibreState& told, double F, const
 }  // namespace
 
 double standard_error(const ProfilePoint& point) {
-  return std::hypot(point.from_force, point.from_bending_stiffness, point.from_contact);
+  return elementary::length(elementary::length(point.from_force, point.from_bending_stiffness), point.from_contact);
 }
 
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,

@@ -6,6 +6,7 @@
 
 #include "data/names.h"
 #include "data/order.h"
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 
 namespace flexslip {
@@ -37,7 +38,7 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
               after->S,
               before->mu,
               after->mu,
-              std::hypot(errors.force * before->S_force, errors.force * after->S_force)};
+              elementary::length(errors.force * before->S_force, errors.force * after->S_force)};
     constexpr double two_sided = 1.96;
     const double advance = slip.S_after - slip.S_before;
     if (advance < -two_sided * slip.advance_error)

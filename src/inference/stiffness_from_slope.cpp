@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "data/contact.h"
+#include "fibre/elementary.h"
 
 namespace flexslip {
 
@@ -17,10 +18,10 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
   }
   constexpr double bend =
       0.03;  // of the curve over these points, by friction and large deflection: the order of 2.4 q w at w = 0.03
-  return {
-      .found = work > 0,
-      .value = work / square * span * span * span / 48,
-      .relative_error = std::hypot(usual_stiffness_error, contact.slope.standard_error / contact.slope.value, bend)};
+  return {.found = work > 0,
+          .value = work / square * span * span * span / 48,
+          .relative_error = elementary::length(
+              elementary::length(usual_stiffness_error, contact.slope.standard_error / contact.slope.value), bend)};
 }
 
 }  // namespace flexslip

@@ -242,8 +242,8 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
   require(record, rig, errors, drops, options);
   const std::array<Shift, 3> shifts{Shift{.log_stiffness = errors.bending_stiffness}, Shift{.contact = errors.contact},
                                     Shift{.log_load_train = stiffness_error}};
-  const double one_sided = gaussian_quantile(tooth_confidence);
-  const double two_sided = gaussian_quantile(0.5 + 0.5 * tooth_confidence);
+  const double one_sided = elementary::gaussian_quantile(tooth_confidence);
+  const double two_sided = elementary::gaussian_quantile(0.5 + 0.5 * tooth_confidence);
 
   Teeth result;
   std::vector<Rise> rises;
@@ -288,12 +288,13 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
     const double advanced = advance(middle);
     tooth.advance = student_estimate(
         advanced,
-        std::hypot(tooth.position.standard_error / middle.G_S * rise.travel,
-                   systematic_error(shifts, advanced, [&](const Shift& shift) { return with(shift, advance); })),
+        elementary::length(
+            tooth.position.standard_error / middle.G_S * rise.travel,
+            systematic_error(shifts, advanced, [&](const Shift& shift) { return with(shift, advance); })),
         nu);
 
-    const double bound = std::hypot(student_quantile(one_sided, nu) * tooth.position.standard_error,
-                                    one_sided * tooth.position_systematic);
+    const double bound = elementary::length(student_quantile(one_sided, nu) * tooth.position.standard_error,
+                                            one_sided * tooth.position_systematic);
     const double share = 1 - tooth.position.value;
     if (share - bound > options.least_share) tooth.verdict = ToothVerdict::sliding;
     if (share + bound < options.least_share) tooth.verdict = ToothVerdict::as_if_stuck;
@@ -301,10 +302,10 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
     if (result.compliance.status == ComplianceStatus::ok) {
       tooth.compliant_position = middle.compliant_position(result.compliance.value);
       const double off = tooth.position.value - tooth.compliant_position;
-      tooth.compliant_deviation = off / std::hypot(tooth.position.standard_error, tooth.position_systematic);
+      tooth.compliant_deviation = off / elementary::length(tooth.position.standard_error, tooth.position_systematic);
       tooth.compliant_rejected =
-          std::abs(off) > std::hypot(student_quantile(two_sided, nu) * tooth.position.standard_error,
-                                     two_sided * tooth.position_systematic);
+          std::abs(off) > elementary::length(student_quantile(two_sided, nu) * tooth.position.standard_error,
+                                             two_sided * tooth.position_systematic);
     }
     result.teeth.push_back(tooth);
   }

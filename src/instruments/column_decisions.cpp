@@ -315,8 +315,13 @@ class Decisions {
              : c == ';' || c == '\'' ? fmt::format("\"{}\"", c)
                                      : std::string(1, c);
     };
-    std::string text = fmt::format("--encoding {} --separator {} --decimal {} --thousands {}", name_of(out_.encoding),
-                                   shown(out_.separator), shown(out_.decimal), shown(out_.thousands));
+    std::string text;
+    if (out_.sheet) text = "--sheet " + sheet_word();
+    if (out_.has_delimiters())
+      text += fmt::format("{}--encoding {} --separator {}", text.empty() ? "" : " ", name_of(out_.encoding),
+                          shown(out_.separator));
+    if (out_.sheet_holds != SheetHolds::numbers)
+      text += fmt::format(" --decimal {} --thousands {}", shown(out_.decimal), shown(out_.thousands));
     std::map<ColumnRole, std::vector<std::size_t>> with;
     for (const ExportColumn& column : out_.specimens.front().columns) with[column.role].push_back(column.number);
     for (const auto& [role, numbers] : with) {
@@ -326,6 +331,13 @@ class Decisions {
     for (const auto& [role, unit] : options_.units)
       text += fmt::format(" {} \"{}\"", unit.ends_with("/V") ? "--calibration" : unit_flag_of(role), unit);
     return text;
+  }
+
+  // A sheet as a shell takes it: its name, or its number where that would need more than quotes.
+  std::string sheet_word() const {
+    if (out_.sheet->find_first_of("\"$`\\!") == std::string::npos) return fmt::format("\"{}\"", *out_.sheet);
+    const auto at = std::find(out_.sheets.begin(), out_.sheets.end(), *out_.sheet);
+    return std::to_string(1 + (at - out_.sheets.begin()));
   }
 
   Export& out_;

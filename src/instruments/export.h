@@ -13,11 +13,13 @@
 #include "instruments/encoding.h"
 #include "instruments/metadata.h"
 #include "io/quantity.h"
+#include "io/workbook.h"
 
 namespace flexslip {
 
 // What a user decides about a file; all else is found.
 struct ExportOptions {
+  std::optional<std::string> sheet{};  // of a workbook: its name, or its number from 1
   std::optional<Encoding> encoding{};
   std::optional<char> separator{};              // ',', ';', '\t'; ' ' for runs of spaces and tabs
   std::optional<char> decimal{};                // '.' or ','
@@ -46,6 +48,9 @@ struct ExportedSpecimen {
 
 struct Export {
   std::string source;
+  std::optional<std::string> sheet{};  // of the workbook that it is, whose rows are the lines
+  std::vector<std::string> sheets{};   // of that workbook
+  std::optional<SheetHolds> sheet_holds{};
   std::string format;  // "Instron Bluehill", ..., "table"
   Encoding encoding;
   bool byte_order_mark;
@@ -57,6 +62,9 @@ struct Export {
   std::vector<std::string> notes;  // what was decided or left out that a reader of the numbers should know
   std::vector<std::string> asks;  // what the file does not say and an evaluation needs, each with the flag that says it
   std::string repeat_with;        // the flags that make the same decisions again
+
+  // Has it encoding, separator and quotes, or is it the sheet of a workbook, whose cells are apart?
+  bool has_delimiters() const { return !sheet_holds || *sheet_holds == SheetHolds::lines_of_text; }
 };
 
 // Reads an export from its bytes.

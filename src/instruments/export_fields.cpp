@@ -80,6 +80,8 @@ Fields<ToldExport> export_fields() {
   const auto mark = [](char Export::*part) { return [part](E told) { return text_of(told.file.*part); }; };
   return Fields<ToldExport>()
       .words("format", "Instron Bluehill, …, or table", of(&Export::format))
+      .words("sheet", "of the workbook (.xlsx) that was read; null of a text file", of(&Export::sheet))
+      .words("sheets", "of that workbook, in their order", of(&Export::sheets))
       .words("encoding", "of the text", [](E told) { return name_of(told.file.encoding); })
       .yes_no("byte_order_mark", "the file begins with one", of(&Export::byte_order_mark))
       .words("delimiter", "between columns", mark(&Export::separator))

@@ -10,6 +10,7 @@ namespace flexslip {
 
 // Empty where nothing is said.
 struct ExportWords {
+  std::string sheet;                                                    // of a workbook, its name or number
   std::string encoding, separator, decimal, thousands;                  // marks as mark_named takes them
   std::string time, crosshead, deflection, force;                       // names or numbers of columns
   std::string displacement;                                             // "crosshead" or "deflection"

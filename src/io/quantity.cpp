@@ -303,17 +303,19 @@ std::string without_trailing_zeros(std::string text) {
 
 // value 10^shift, with the fewest digits that identify the value's bits: only the decimal point moves, nothing is rounded.
 std::string exact_decimal(double value, int shift) {
-  std::array<char, 32> buffer;  // "-d.dddddddddddddddde-ddd" has 24
-  const auto written =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific);
-  const std::string_view text(buffer.data(), static_cast<std::size_t>(written.ptr - buffer.data()));
-  const std::size_t mark = text.find('e');
-  const int point = std::atoi(std::string(text.substr(mark + 1)).c_str()) + shift + 1;  // digits before the point
+  if (value == 0) return "0";
+  const std::string text = fmt::format("{}", std::abs(value));  // "0.00125", "125000", "1.25e-07"
+  const std::size_t mark = std::min(text.find('e'), text.size());
+  const std::size_t dot = std::min(text.find('.'), mark);
+  std::string digits = text.substr(0, mark);
+  std::erase(digits, '.');
+  const std::size_t zeros = digits.find_first_not_of('0');
+  digits = digits.substr(zeros, digits.find_last_not_of('0') + 1 - zeros);
+  const int exponent = mark == text.size() ? 0 : std::atoi(text.c_str() + mark + 1);
+  const int point = static_cast<int>(dot) - static_cast<int>(zeros) + exponent + shift;  // digits before the point
   const std::string sign = value < 0 ? "-" : "";
-  std::string digits;
-  for (const char c : text.substr(0, mark))
-    if (c >= '0' && c <= '9') digits += c;
-  if (point < -3 || point > 7) return fmt::format("{}e{}", text.substr(0, mark), point - 1);
+  if (point < -3 || point > 7)
+    return fmt::format("{}{}{}{}e{}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), point - 1);
   if (point <= 0) return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
   const auto whole = static_cast<std::size_t>(point);
   if (digits.size() <= whole) return sign + digits + std::string(whole - digits.size(), '0');

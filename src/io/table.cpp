@@ -19,6 +19,7 @@
 #include "io/cells.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
+#include "io/table_source.h"
 #include "io/text.h"
 
 namespace flexslip {
@@ -88,7 +89,7 @@ class TableReader {
     }
     std::vector<Unit> units;
     for (const Source& source : sources_) units.push_back(agreed_unit(source));
-    Table table{source_, {}, {}};
+    Table table{.source = source_, .columns = {}, .lines = {}, .notes = notes_};
     for (const Source& source : sources_) table.columns.push_back({header_[source.cell].title.name, {}});
     std::vector<double> row(sources_.size());
     for (; line; line = next_line()) {
@@ -204,7 +205,29 @@ class TableReader {
     });
   }
 
-  Unit agreed_unit(const Source& source) const {
+  // What stands behind the last underscore of a name that states no unit elsewhere, where it is a unit: "w_s_m".
+  static std::string_view unit_in(std::string_view name) {
+    const std::size_t at = name.rfind('_');
+    if (at == std::string_view::npos || at == 0) return {};
+    const std::string_view end = name.substr(at + 1);
+    return names_unit(end) ? end : std::string_view{};
+  }
+
+  Unit agreed_unit(const Source& source) {
+    const std::string& name = header_[source.cell].title.name;
+    if (source.units.empty() && source.kind.name != kind::number.name)
+      if (const std::string_view unit = unit_in(name); !unit.empty()) {
+        const Dimension dimension = parse_unit(unit).dimension;
+        if (dimension == source.kind.dimension) {
+          notes_.push_back(fmt::format("the unit of '{}' is the end of its name, {}", name, unit));
+          return parse_unit(unit, source.kind);
+        }
+        if (dimension == kind::length.dimension || dimension == kind::force.dimension)
+          refuse(header_line_, source.field, fmt::format("{} and its unit", source.kind.name),
+                 fmt::format("a name that ends in {}", in_quotes(unit)),
+                 fmt::format("if it is {} all the same, name it with its unit, such as \"{} [{}]\"", source.kind.name,
+                             name, source.kind.units.back()));
+      }
     try {
       const Unit unit = parse_unit(source.units.empty() ? "" : source.units.front(), source.kind);
       for (const std::string& other : source.units)
@@ -216,8 +239,7 @@ class TableReader {
       const InputError placed = located(error, source_, header_line_, source.field);
       if (!source.units.empty()) throw InputError(placed);
       InputFault fault = placed.fault;
-      fault.remedy = fmt::format("name it with its unit, such as \"{} [{}]\"", header_[source.cell].title.name,
-                                 source.kind.units.back());
+      fault.remedy = fmt::format("name it with its unit, such as \"{} [{}]\"", name, source.kind.units.back());
       throw InputError(fault);
     }
   }
@@ -282,6 +304,7 @@ class TableReader {
   std::size_t header_line_ = 0;
   std::vector<HeaderCell> header_;
   std::vector<Source> sources_;
+  std::vector<std::string> notes_;
   std::vector<std::size_t> wanted_by_;  // for each cell of a line: which source takes it, sources_.size() if none
 };
 
@@ -336,8 +359,13 @@ Table read_table(std::istream& in, std::string source, const std::vector<WantedC
   return TableReader(in, std::move(source), decimal).read(wanted);
 }
 
-Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal) {
-  return read_table(*open_to_read(path), path == "-" ? "standard input" : path, wanted, decimal);
+Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
+                 const std::optional<std::string>& sheet) {
+  const TableSource source = open_table(path, sheet);
+  const bool has_points = source.sheet && source.sheet->holds == SheetHolds::numbers;
+  Table table = read_table(*source.text, source.name, wanted, has_points ? '.' : decimal);
+  if (source.sheet) table.notes.insert(table.notes.begin(), source.sheet->notes.begin(), source.sheet->notes.end());
+  return table;
 }
 
 void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next) {

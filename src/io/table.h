@@ -8,6 +8,7 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -49,6 +50,7 @@ struct Table {
   std::string source;           // the file as the user named it
   std::vector<Column> columns;  // those wanted, in that order; all of the same length, at least 1
   std::vector<LineRun> lines;
+  std::vector<std::string> notes{};  // what was decided about it: a unit at the end of a name; of a workbook, the sheet
 
   std::size_t rows() const { return columns.front().values.size(); }
   std::size_t line_of(std::size_t row) const;  // 1-based line of a 0-based row, for messages
@@ -60,8 +62,10 @@ struct Table {
 // Cost:       10^7 rows of three columns in about 2 s; memory 8 bytes a value kept, up to twice that while reading.
 Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal = '.');
 
-// The same from a file; "-" is standard input.
-Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.');
+// The same from a file, or from a sheet of a workbook (workbook.h), whose rows are the lines; "-" is standard input. Numbers that a workbook holds as
+// such have decimal points, whatever the decimal mark.
+Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.',
+                 const std::optional<std::string>& sheet = {});
 
 // What stands in a table that is written: a number, or words.
 using Cell = std::variant<double, std::string>;

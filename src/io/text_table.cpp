@@ -9,7 +9,7 @@
 
 #include "io/cells.h"
 #include "io/input_error.h"
-#include "io/table.h"
+#include "io/table_source.h"
 
 namespace flexslip {
 namespace {
@@ -88,9 +88,9 @@ std::string printable(std::string_view text) {
 std::string without_formula(std::string_view words) { return (is_like_formula(words) ? "'" : "") + std::string(words); }
 
 TextTable read_text_table(const std::string& path) {
-  const auto in = open_to_read(path);
-  TextTable table{.source = path == "-" ? "standard input" : path, .header_line = 0, .titles = {}, .rows = {}};
-  LineReader lines(*in, table.source);
+  const TableSource source = open_table(path);
+  TextTable table{.source = source.name, .header_line = 0, .titles = {}, .rows = {}};
+  LineReader lines(*source.text, table.source);
   char delimiter = ',';
   while (const auto line = lines.next()) {
     if (is_comment_or_blank(*line)) continue;

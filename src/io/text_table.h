@@ -26,7 +26,7 @@ std::string without_formula(std::string_view words);
 // Text that every format takes: valid UTF-8 without control characters, what is neither replaced by U+FFFD or a space.
 std::string printable(std::string_view text);
 
-// Reads a table separated by commas, semicolons or tabs; comments and empty lines are left out as in read_table. A cell
+// Reads a table separated by commas, semicolons or tabs, or the first sheet with a number of a workbook; comments and empty lines are left out as in read_table. A cell
 // is what without_formula was given: '=a is =a.
 // Fails:      InputError with file and line: no header, a title that is missing or there twice, more cells than titles, a stray quote.
 TextTable read_text_table(const std::string& path);

@@ -133,11 +133,17 @@ std::string provenance_html(const FittedTest& test) {
 
 }  // namespace
 
-DrawStatus write_report(const std::string& folder, const FittedTest& test) {
+DrawStatus write_report(const std::string& folder, const FittedTest& test, const std::string& studio) {
   const fs::path base(folder);
   make_folder((base / "figures").string());
   const std::string report = (base / "report.html").string();
   const std::string title = test.name + ": friction in a bending test";
+  const std::string link =
+      studio.empty() ? ""
+                     : fmt::format(
+                           "<p class=\"files\"><a href=\"{}\">Open this test in the studio</a>: see it move, change "
+                           "it, fit it again, in this browser.</p>\n",
+                           escaped(studio));
   DrawStatus drawn = DrawStatus::drawn;
   int number = 0;
   const auto figure = [&](const Plate& plate) {
@@ -153,14 +159,15 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test) {
                    "Measured force (blue). Orange: Euler–Bernoulli (dashed) and the model without friction, both with "
                    "the bending stiffness stated, or that of the initial slope."})
             : "";
-    write_text(report, page(title, answer_of(test),
-                            picture + preparation_section(test) + section("Provenance") + provenance_html(test)));
+    write_text(report,
+               page(title, answer_of(test),
+                    link + picture + preparation_section(test) + section("Provenance") + provenance_html(test)));
     return drawn;
   }
   std::vector<std::string> figures;
   for (const auto& plate : plates_of(test)) figures.push_back(figure(plate));
 
-  std::string body = figures[0] + figures[1];
+  std::string body = link + figures[0] + figures[1];
   body += section("Friction") + paragraph(joined(caution_of(test), friction_in_words(test))) + parameter_table(test) +
           paragraph(joined(strain_in_words(test), friction_in_literature(test)));
   body += section("Does it repeat along the specimen?") +

@@ -44,4 +44,10 @@ TEST_CASE("contact_travel: on edges, of whatever thickness, it is what has been 
   }
 }
 
+TEST_CASE("contact_travel: another friction moves the point that touches by what theory.md says (0.0005 of the span)") {
+  const Fibre fibre(Supports{.08, 0});
+  const double S = 1 + state_on_supports(.3, .3, {.08, 0}).slid;
+  CHECK(fibre.contact(S, .5).length - fibre.contact(S, .3).length == doctest::Approx(.0005).epsilon(.1));
+}
+
 }  // namespace flexslip

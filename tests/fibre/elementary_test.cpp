@@ -31,6 +31,16 @@ TEST_CASE("oracle: elementary functions against 50 digits") {
   }
 }
 
+TEST_CASE("oracle: exp(x) - 1 and ln(1 + x) against 50 digits, from small x on") {
+  for (double x = 1e-18; x < 700; x *= 1.37)
+    for (const double sign : {-1.0, 1.0}) {
+      CAPTURE(sign * x);
+      CHECK(relative_error(elementary::exp_less_one(sign * x), expm1(Wide(sign * x))) < 8 * ulp);
+      if (sign * x > -0.99)
+        CHECK(relative_error(elementary::log_of_one_and(sign * x), log1p(Wide(sign * x))) < 8 * ulp);
+    }
+}
+
 TEST_CASE("identity: the logarithm of a product is the sum of the logarithms, far beyond the range of doubles") {
   elementary::LogProduct product;
   double sum = 0;

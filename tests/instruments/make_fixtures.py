@@ -4,7 +4,9 @@
 Each is written from a description of its format, which its function names. The curve is the same in all, so that a test
 knows every number: time i/10 s, displacement i/50 mm, force 40 i - i^2/10 N (a row i), rounded to the file's decimals.
 """
+import io
 import pathlib
+import zipfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent / "fixtures"
 ROWS = range(40)
@@ -119,6 +121,33 @@ def voltage():
     return ("\n".join(lines) + "\n").encode()
 
 
+def two_specimens():
+    """A workbook by hand: what was noted, and a sheet for each of two specimens."""
+    main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+    office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    package = "http://schemas.openxmlformats.org/package/2006/relationships"
+
+    def sheet(rows):
+        cells = lambda row: "".join(f'<c t="inlineStr"><is><t>{each}</t></is></c>' if isinstance(each, str) else f"<c><v>{each!r}</v></c>" for each in row)
+        return f'<worksheet xmlns="{main}"><sheetData>{"".join(f"<row>{cells(row)}</row>" for row in rows)}</sheetData></worksheet>'
+
+    titles = ["Time (s)", "Crosshead (mm)", "Force (N)"]
+    sheets = {"Notes": [["Beam test"], ["Operator", "someone"]],
+              **{f"Specimen {k}": [["Support span", "17 mm"], [], titles, *([t, d, f / k] for t, d, f in map(curve, ROWS))] for k in (1, 2)}}
+    related = lambda kind, target, name: f'<Relationship Id="{name}" Type="{office}/{kind}" Target="{target}"/>'
+    relations = "".join(related("worksheet", f"worksheets/{i}.xml", f"r{i}") for i in range(len(sheets)))
+    listed = "".join(f'<sheet name="{name}" sheetId="{i + 1}" r:id="r{i}"/>' for i, name in enumerate(sheets))
+    parts = {"_rels/.rels": f'<Relationships xmlns="{package}">{related("officeDocument", "xl/workbook.xml", "r")}</Relationships>',
+             "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{office}"><sheets>{listed}</sheets></workbook>',
+             "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{package}">{relations}</Relationships>',
+             **{f"xl/worksheets/{i}.xml": sheet(rows) for i, rows in enumerate(sheets.values())}}
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as archive:
+        for name, text in parts.items():
+            archive.writestr(zipfile.ZipInfo(name), text)  # of 1980, whenever it is made; not packed, as zlib's versions differ
+    return packed.getvalue()
+
+
 FIXTURES = {
     "shimadzu.csv": shimadzu(),
     "zwick.csv": zwick(),
@@ -136,6 +165,7 @@ FIXTURES = {
     "no_header.csv": no_header(),
     "undecidable.txt": undecidable(),
     "voltage.csv": voltage(),
+    "two_specimens.xlsx": two_specimens(),
 }
 
 if __name__ == "__main__":

@@ -120,6 +120,22 @@ TEST_CASE("table: the unit may stand in the header, in a line of units, or in wh
   CHECK(read("mu [1],s [-]\n1,2\n", {{"mu", kind::number}, {"s", kind::number}}).columns[1].values == Values{2});
 }
 
+TEST_CASE("table: a unit may be the end of a column's name, and it is said so") {
+  const Table table =
+      read("w_s_m,F_mN,n_1\n1,2,3\n", {{"w_s_m", kind::length}, {"F_mN", kind::force}, {"n_1", kind::number}});
+  CHECK(table.columns[0].values == Values{1});
+  CHECK(table.columns[1].values == Values{2e-3});
+  CHECK(table.columns[2].values == Values{3});
+  REQUIRE(table.notes.size() == 2);
+  CHECK(table.notes[1] == "the unit of 'F_mN' is the end of its name, mN");
+  CHECK(read("w_m\nmm\n1\n", {{"w_m", kind::length}}).columns[0].values == Values{1e-3});  // stated elsewhere
+  CHECK(has(complaint("w_s,F\n1,2\n", {{"w_s", kind::length}}), "expected a unit of length, found none"));
+  CHECK(complaint("F_N,w_m\n1,2\n", {{"F_N", kind::length}}) ==
+        "t.csv:1: column 'F_N': expected a length and its unit, found a name that ends in 'N'; if it is a length all "
+        "the same, "
+        "name it with its unit, such as \"F_N [m]\"");
+}
+
 TEST_CASE("table: units that are missing, wrong or at odds are refused") {
   CHECK(complaint("w,F\n1,2\n", {{"w", kind::length}}) ==
         "t.csv:1: column 'w': expected a unit of length, found none; name it with its unit, such as \"w [m]\"");

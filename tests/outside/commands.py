@@ -490,7 +490,7 @@ class Program(InFolder):
     def test_version_and_help(self):
         self.assertRegex(self.succeeds("--version"), r"^flexslip \d+\.\d+\.\d+\n$")
         text = self.succeeds("--help")
-        for command in ("fit", "campaign", "read", "modulus", "invert", "simulate", "equilibrium", "state", "completions"):
+        for command in ("fit", "campaign", "read", "modulus", "invert", "simulate", "equilibrium", "state", "completions", "cite"):
             self.assertIn(f"\n  {command} ", text)
             self.assertIn("Examples:\n  ", self.succeeds(command, "--help"))
 

@@ -105,6 +105,21 @@ def check_links():
                 fault(page, f"{name or 'the page'} has no heading for #{anchor}")
 
 
+def check_symptoms():
+    """What a reader is said to see is what the program says: each quotation, apart from its numbers and names, is in the sources."""
+    page = ROOT / "docs/symptoms.md"
+    said = " ".join(re.sub(r'"\s*\n\s*"', "", text_of(path)) for path in (ROOT / "src").rglob("*.cpp"))
+    said = re.sub(r"\\\"", '"', said)
+    quotations = [quotation for row in re.findall(r"^\| (.*?) \|", text_of(page), re.MULTILINE) for quotation in re.findall(r'"([^"]+)"', row)]
+    if len(quotations) < 15:
+        fault(page, f"only {len(quotations)} quotations: is it the pattern that finds them?")
+    for quotation in quotations:
+        for part in re.split(r"[+]?\b\d+(?: %)?|'[^']*'\?|\bexpected |\bfound |, none", quotation):
+            part = part.strip(" ,;?")
+            if len(part) > 3 and part not in said:
+                fault(page, f"the program nowhere says \"{part}\"")
+
+
 def run(*arguments):
     return subprocess.run([FLEXSLIP, *map(str, arguments)], capture_output=True, text=True, check=False)
 
@@ -197,6 +212,7 @@ def main():
     check_equations()
     check_headings()
     check_links()
+    check_symptoms()
     check_cases()
     for found in faults:
         print(found)

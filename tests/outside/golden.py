@@ -17,7 +17,7 @@ import unittest
 from program import SOURCE, WAVY, run
 
 GOLDEN = pathlib.Path(__file__).resolve().parent / "golden"
-COMMANDS = "fit", "campaign", "keys", "results", "read", "surface", "modulus", "invert", "design", "simulate", "equilibrium", "sweep", "merge", "state", "completions"
+COMMANDS = "fit", "campaign", "keys", "results", "read", "surface", "modulus", "invert", "design", "simulate", "equilibrium", "sweep", "merge", "state", "completions", "cite"
 
 ON_ROLLERS = """[specimen]
 width = "10 mm"

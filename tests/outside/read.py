@@ -8,7 +8,7 @@ from program import SOURCE, InFolder, numbers, run, table
 
 FIXTURES = SOURCE / "tests/instruments/fixtures"
 MEASURED = SOURCE / "../shared/data/instruments"
-SCHEMA = {"format", "encoding", "byte_order_mark", "delimiter", "decimal", "thousands", "quoted", "columns", "rows", "specimens",
+SCHEMA = {"format", "sheet", "sheets", "encoding", "byte_order_mark", "delimiter", "decimal", "thousands", "quoted", "columns", "rows", "specimens",
           "metadata", "test", "notes", "asks", "repeat_with"}
 
 

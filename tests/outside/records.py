@@ -156,9 +156,9 @@ class Remedies(InFolder):
         again = said.split("the same again: flexslip ")[-1].splitlines()[0]
         self.assertIn(str(export), again)
 
-    def test_a_spreadsheet_is_named_as_one(self):
+    def test_a_workbook_that_was_cut_off_is_told(self):
         (self.folder / "a.xlsx").write_bytes(b"PK\x03\x04\x14\x00\x06\x00\x08\xff\xfe")
-        self.refused("read", self.folder / "a.xlsx", says=["a spreadsheet", "save the sheet", "as CSV"])
+        self.refused("read", self.folder / "a.xlsx", says=["a.xlsx", "a whole workbook", "cut off", "download the file again"])
 
     @unittest.skipUnless((SHARED / "instruments/mts793_pla").is_dir(), "no published bars of plastic")
     def test_a_plastic_bar_is_not_sound(self):

@@ -1,0 +1,76 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "io/call_files.h"
+#include "io/child_process.h"
+#include "io/input_error.h"
+#include "report/studio_page.h"
+
+namespace flexslip {
+namespace {
+
+struct StudioRequest {
+  std::vector<std::string> files;
+  std::string output = "flexslip-studio.html";
+  bool stay_closed = false;
+};
+
+// By whichever program this computer opens files with.
+bool opened(const std::string& page) {
+  for (const std::string program : {"xdg-open", "wslview", "open"}) {
+    const ChildResult result = run_child({program, page}, ".");
+    if (result.status == ChildStatus::exited && result.exit_code == 0) return true;
+  }
+  return false;
+}
+
+void run_studio(const StudioRequest& request) {
+  const auto built = built_studio_page();
+  if (!built)
+    throw InputError({.field = "studio",
+                      .expected = "the studio's page, flexslip-studio.html, beside the program or in share/flexslip",
+                      .found = "none",
+                      .remedy =
+                          "take it from a release, or build it: tools/build-studio in FlexSlip's repository, which "
+                          "installs Emscripten and takes a few minutes"});
+  if (request.output != "-") files_of_this_call().writes(request.output, "--output");
+  std::vector<GivenTest> tests;
+  for (const std::string& file : request.files) tests.push_back(taken_along(file));
+  write_studio_page(request.output, *built, tests);
+  if (request.output == "-") return;
+  const std::string page = std::filesystem::absolute(request.output).lexically_normal().string();
+  std::cout << fmt::format("The studio: {}\n", page);
+  if (!request.stay_closed && !opened(page))
+    note(Output{}, "no browser was found to open it: open it in one, it needs no network");
+}
+
+}  // namespace
+
+void add_studio_command(CLI::App& app) {
+  const auto request = std::make_shared<StudioRequest>();
+  CLI::App* command = app.add_subcommand("studio", "One page to see and fit tests in a browser, without a network");
+  command
+      ->add_option("files", request->files,
+                   "Tests to open it with: case files, which take along the files that they name, or data files")
+      ->type_name("FILE");
+  add_output_file(*command, "-o,--output", request->output, "Write the page to this file; - is standard output")
+      ->capture_default_str();
+  command->add_flag("--no-open", request->stay_closed, "Do not open it in the browser");
+  command->footer(
+      "Writes one HTML file that holds the program as WebAssembly, and opens it. It sends nothing anywhere. The page "
+      "is\n"
+      "built by tools/build-studio, or comes with a release.\n\n"
+      "Examples:\n"
+      "  flexslip studio\n"
+      "  flexslip studio examples/simulated/case.toml --output studio.html --no-open");
+  command->callback([request] { run_studio(*request); });
+}
+
+}  // namespace flexslip

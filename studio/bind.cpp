@@ -1,0 +1,165 @@
+// The mechanics for JavaScript: the only file that knows Emscripten. Arrays are copied, since memory may move as it grows; what cannot be
+// computed is answered as a sentence.
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include "studio/studio.h"
+
+namespace flexslip::studio {
+namespace {
+
+using emscripten::val;
+
+template <class Number>
+val copied(const std::vector<Number>& column) {
+  return val(emscripten::typed_memory_view(column.size(), column.data())).template call<val>("slice");
+}
+
+std::vector<double> column(const val& numbers) { return emscripten::convertJSArrayToNumberVector<double>(numbers); }
+
+double number(const val& object, const char* name) { return object[name].as<double>(); }
+
+FrictionInput friction_from(const val& friction) {
+  if (friction["model"].as<std::string>() == "table")
+    return TabulatedFriction{column(friction["position"]), column(friction["mu"]), friction["met"].isTrue()};
+  RoughFriction rough{.mu0 = number(friction, "mu0"),
+                      .rms = number(friction, "rms"),
+                      .correlation_length = number(friction, "correlationLength"),
+                      .seed = static_cast<std::uint64_t>(number(friction, "seed")),
+                      .waves = {}};
+  if (const val wave = friction["wave"]; wave.isTrue() || wave.typeOf().as<std::string>() == "object")
+    if (!wave.isNull())
+      rough.waves.push_back({number(wave, "amplitude"), number(wave, "wavelength"), number(wave, "phase")});
+  return rough;
+}
+
+RigInput rig_from(const val& rig) {
+  return {.span = number(rig, "span"),
+          .depth = number(rig, "diameter"),
+          .bending_stiffness = number(rig, "bendingStiffness"),
+          .stiffness = number(rig, "stiffness"),
+          .roller_radius = number(rig, "tipRadius"),
+          .friction = friction_from(rig["friction"])};
+}
+
+val object_of(const State& state) {
+  val object = val::object();
+  object.set("deflection", state.deflection);
+  object.set("force", state.force);
+  object.set("drawn", state.drawn);
+  object.set("friction", state.friction);
+  return object;
+}
+
+val object_of(const Loading& loading) {
+  val object = val::object();
+  object.set("status", std::string(loading.status));
+  object.set("stage", copied(loading.stage));
+  object.set("deflection", copied(loading.deflection));
+  object.set("force", copied(loading.force));
+  object.set("drawn", copied(loading.drawn));
+  object.set("friction", copied(loading.friction));
+  object.set("motion", copied(loading.motion));
+  val snaps = val::array();
+  for (const Jump& jump : loading.snaps) {
+    val snap = val::object();
+    snap.set("stage", jump.stage);
+    snap.set("from", object_of(jump.from));
+    snap.set("to", object_of(jump.to));
+    snaps.call<void>("push", snap);
+  }
+  object.set("snaps", snaps);
+  return object;
+}
+
+val pair(const Point& point) {
+  val both = val::array();
+  both.call<void>("push", point.x);
+  both.call<void>("push", point.y);
+  return both;
+}
+
+val object_of(const Shape& shape) {
+  std::vector<double> x, y;
+  for (const Point& point : shape.axis) {
+    x.push_back(point.x);
+    y.push_back(point.y);
+  }
+  val object = val::object();
+  object.set("x", copied(x));
+  object.set("y", copied(y));
+  val contacts = val::array();
+  contacts.call<void>("push", pair(shape.left));
+  contacts.call<void>("push", pair(shape.right));
+  object.set("contact", contacts);
+  object.set("slope", shape.slope);
+  object.set("normal", shape.normal);
+  object.set("tangential", shape.tangential);
+  object.set("force", shape.force);
+  return object;
+}
+
+template <class Compute>
+val answer(const Compute& compute) {
+  val object = val::object();
+  try {
+    object.set("result", compute());
+  } catch (const std::exception& error) {
+    object.set("error", std::string(error.what()));
+  }
+  return object;
+}
+
+val simulated(const val& rig, const val& programme, double step, int points) {
+  return answer([&] {
+    return object_of(simulate(rig_from(rig), column(programme), step > 0 ? std::optional(step) : std::nullopt, points));
+  });
+}
+
+val in_equilibrium(const val& rig, double longest, int points) {
+  return answer([&] { return object_of(equilibrium(rig_from(rig), longest, points)); });
+}
+
+val shaped(const val& rig, double drawn, double friction, int points, double beyond) {
+  return answer([&] { return object_of(shape(rig_from(rig), drawn, friction, points, beyond)); });
+}
+
+val friction_along(const val& rig, const val& positions) {
+  return answer([&] { return copied(friction_at(rig_from(rig), column(positions))); });
+}
+
+val as_table(const val& rig, double farthest) {
+  return answer([&] {
+    const TabulatedFriction table = tabulated(rig_from(rig), farthest);
+    val object = val::object();
+    object.set("model", std::string("table"));
+    object.set("position", copied(table.length));
+    object.set("mu", copied(table.mu));
+    object.set("met", table.is_met);
+    return object;
+  });
+}
+
+val linear(const val& rig, double deflection) {
+  return answer([&] { return val(euler_bernoulli(rig_from(rig), deflection)); });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(mechanics) {
+  emscripten::function("simulate", &simulated);
+  emscripten::function("equilibrium", &in_equilibrium);
+  emscripten::function("shape", &shaped);
+  emscripten::function("friction", &friction_along);
+  emscripten::function("tabulated", &as_table);
+  emscripten::function("linear", &linear);
+}
+
+}  // namespace flexslip::studio

@@ -1,0 +1,28 @@
+// Commands that a page cannot run: sweeps, which take hours, threads and HDF5. They are there, and say so.
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "io/input_error.h"
+
+namespace flexslip {
+namespace {
+
+void add(CLI::App& app, const std::string& name, const std::string& description) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->allow_extras();
+  command->callback([name] {
+    throw InputError({.expected = "a command that the studio can run",
+                      .found = in_quotes(name),
+                      .remedy = "run the same command with the program flexslip, outside the studio"});
+  });
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app) { add(app, "sweep", "Many designs (outside the studio)"); }
+void add_merge_command(CLI::App& app) { add(app, "merge", "Parts of a sweep put together (outside the studio)"); }
+void add_results_command(CLI::App& app) { add(app, "results", "What every number means (outside the studio)"); }
+
+}  // namespace flexslip

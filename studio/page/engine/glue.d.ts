@@ -1,0 +1,33 @@
+// The JavaScript that Emscripten writes beside the WebAssembly.
+interface Instantiation {
+  instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void): object;
+}
+interface FileSystem {
+  mkdirTree(path: string): void;
+  chdir(path: string): void;
+  writeFile(path: string, data: Uint8Array): void;
+  readFile(path: string): Uint8Array;
+  readdir(path: string): string[];
+  stat(path: string): { mode: number };
+  isFile(mode: number): boolean;
+  isDir(mode: number): boolean;
+}
+
+declare module "program-glue" {
+  interface Running { FS: FileSystem; callMain(args: string[]): number }
+  export default function flexslipProgram(settings: Instantiation & {
+    thisProgram: string; stdin(): null; stdout(byte: number): void; stderr(byte: number): void; quit(code: number, reason: unknown): never;
+  }): Promise<Running>;
+}
+declare module "mechanics-glue" {
+  export type Answered<T> = { result: T; error?: undefined } | { result?: undefined; error: string };
+  interface Bound {
+    simulate(rig: unknown, programme: number[], step: number, points: number): Answered<import("../src/engine").Loading>;
+    equilibrium(rig: unknown, longest: number, points: number): Answered<import("../src/engine").Loading>;
+    shape(rig: unknown, drawn: number, friction: number, points: number, beyond: number): Answered<import("../src/engine").Shape>;
+    friction(rig: unknown, positions: Float64Array): Answered<Float64Array>;
+    tabulated(rig: unknown, farthest: number): Answered<Extract<import("../src/engine").Friction, { model: "table" }>>;
+    linear(rig: unknown, deflection: number): Answered<number>;
+  }
+  export default function flexslipMechanics(settings: Instantiation): Promise<Bound>;
+}

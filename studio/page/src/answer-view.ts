@@ -1,0 +1,57 @@
+// The answer above the views: what was seen, the verdict, five numbers, the checks; and the strip of the marked moment.
+
+import { answerOf, dropInWords, slipOf, type CheckLine } from "./answer";
+import { byId, el, fill, rich, svg } from "./dom";
+import { fixed, significant, unitFor } from "./quantity";
+import type { Studio } from "./studio";
+
+const glyph = (mark: CheckLine["mark"]): SVGElement =>
+  svg("svg", { class: "glyph", viewBox: "0 0 14 14", role: "img", "aria-label": { passed: "passed", warning: "look at this", cannot: "cannot tell" }[mark] },
+    ...(mark === "passed" ? [svg("path", { d: "M2 7.500 5.500 11 12 3.500", fill: "none", stroke: "currentColor", "stroke-width": 2 })]
+      : mark === "warning" ? [svg("path", { d: "M7 1.200 13.200 12.500H.8z", fill: "none", stroke: "currentColor", "stroke-width": 1.4 }), svg("path", { d: "M7 5v4M7 10.200v1.300", stroke: "currentColor", "stroke-width": 1.4 })]
+      : [svg("path", { d: "M3 7h8", stroke: "currentColor", "stroke-width": 1.6 })]));
+
+export function drawAnswer(studio: Studio): void {
+  const { fit, test } = studio, host = byId("answer");
+  if (!fit) {
+    fill(host, el("p", { class: "lead" }, test ? `${test.name}: ${test.read ? `${test.read.rows} rows read` : "read"}.` : ""), el("h1", {}, studio.fitting?.test === test ? "Fitting…" : test ? "Not fitted yet." : ""),
+      el("p", { class: "lead" }, test && !studio.fitting ? "Say what is asked at the left, then press Fit." : ""));
+    return;
+  }
+  const answer = answerOf(fit.answer, fit.text);
+  fill(host,
+    el("p", { class: "lead" }, answer.lead, studio.changed ? " The answer is that of the last fit, not of the settings by hand." : ""),
+    el("h1", {}, answer.verdict, " ", el("span", {}, answer.reservation)),
+    el("div", { class: "numbers" }, ...answer.numbers.map((n) => el("div", {}, el("div", { class: "label" }, rich(n.label)), el("div", { class: "value" }, n.value, " ", el("em", {}, rich(n.rest))), el("span", { class: "condition", title: n.condition.replace(/[*_]/g, "") }, rich(n.condition))))),
+    el("ul", { class: "checks", "aria-label": "Checks of the fit" }, ...answer.checks.map((c) => el("li", { class: c.mark, tabindex: c.reason ? 0 : null }, glyph(c.mark), el("span", {}, rich(c.words)), c.reason ? el("div", { class: "reason" }, c.reason) : null))));
+}
+
+/** One line: the row, its numbers, and what can be said of the drop. */
+export function drawMoment(studio: Studio): void {
+  const host = byId("moment"), moment = studio.moment, fit = studio.fit;
+  if (!moment || !fit) return fill(host);
+  const length = unitFor(fit.greatestStage, "length"), force = unitFor(fit.answer.drops[0]?.force_before ?? moment.force, "force");
+  const cell = (name: string, value: string, width: number, unit: string, extra = ""): HTMLElement => {
+    const b = el("b", {}, value);
+    b.style.minWidth = `${width}px`;
+    return el("span", { class: `cell ${extra}` }, el("span", {}, rich(name)), b, unit ? el("span", {}, unit) : null);
+  };
+  const number = (value: number, factor: number, digits = 1): string => (Number.isFinite(value) ? fixed(value / factor, digits) : "–");
+  const mu = Number.isFinite(moment.mu) ? `${fixed(moment.mu, 3)}${Number.isFinite(moment.muError) ? ` ± ${fixed(moment.muError, 3)}` : ""}` : "not told yet";
+  const words = moment.drop ? dropInWords(moment.drop.drop, moment.drop.number) : null;
+  fill(host, el("span", { class: "dot" }),
+    studio.tried !== null ? el("span", { class: "cell" }, el("span", {}, "tried")) : cell("row", String(moment.row), 23, ""),
+    cell("stage", number(moment.stage, length.factor), 37, length.name), cell("deflection", number(moment.deflection, length.factor), 37, length.name, "narrow-keep"),
+    cell("force", number(moment.force, force.factor, 2), 34, force.name), cell("*μ*", moment.used ? mu : "–", 78, ""),
+    cell("drawn in, each side", number(moment.drawn / 2, length.factor), 34, length.name, "wide"),
+    el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wide" }, rich(words.more)) : null, words ? null : !moment.used ? (studio.indexOf(moment.row) < 0 ? "before the rows used" : `after the rows used`) : null));
+}
+
+/** For a screen reader, when the moment was moved by a key. */
+export function momentInWords(studio: Studio): string {
+  const moment = studio.moment;
+  if (!moment) return "";
+  const drop = moment.drop ? `, ${dropInWords(moment.drop.drop, moment.drop.number).claim}` : "";
+  const force = unitFor(moment.force, "force");
+  return `Row ${moment.row}, force ${significant(moment.force / force.factor)} ${force.name}${Number.isFinite(moment.mu) ? `, friction ${fixed(moment.mu, 2)}` : ""}${drop}`;
+}

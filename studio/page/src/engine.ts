@@ -1,0 +1,62 @@
+// The engine as the page sees it: two doors. The bundle takes them from the module "engine", which is the program compiled to WebAssembly.
+
+export interface Answer { code: number; out: string; err: string; files: Record<string, Uint8Array> }
+
+/** The command line of flexslip in a Worker, with files in memory. */
+export interface Program {
+  /** Runs `flexslip ...args` in a folder of its own that holds `files` (names may have folders); answers what it printed and the files that it wrote or
+   *  changed. Runs wait for one another. `progress` is called with each line that the program shows of its progress. */
+  run(args: string[], files: Record<string, Uint8Array>, progress?: (line: string) => void): Promise<Answer>;
+  /** Ends what runs and what waits; their promises are rejected with a Cancelled. */
+  cancel(): void;
+}
+export class Cancelled extends Error {
+  constructor() {
+    super("cancelled");
+    this.name = "Cancelled";
+  }
+}
+
+/** Mechanics on the page's own thread, for what follows the pointer. In SI; arrays are copies. Each throws an Error with a sentence where it cannot compute. */
+export interface Mechanics {
+  /** A loading of the rig: what `flexslip simulate` answers, as columns; the same bits. A step of 0: continuously, 200 points on each stretch. */
+  simulate(rig: Rig, programme: number[], step: number): Loading;
+  /** The equilibrium curve of loading, whatever the rig: what `flexslip equilibrium --points` answers; up to a length between the supports, without one 1.5 spans. */
+  equilibrium(rig: Rig, points: number, longest?: number): Loading;
+  /** The fibre's axis at a state, `points` between the supports and one beyond each, where `beyond` [m] lie as it is straight (without it, 0.15 spans). */
+  shape(rig: Rig, drawnLength: number, friction: number, points: number, beyond?: number): Shape;
+  /** Friction so far past each support [m]. */
+  friction(rig: Rig, positions: Float64Array): Float64Array;
+  /** The friction of a rig as a table, for deflections up to that of a stage [m]: what a case file can name with model = "table". */
+  tabulated(rig: Rig, farthest: number): Extract<Friction, { model: "table" }>;
+  /** Euler-Bernoulli's force at a deflection. */
+  linear(rig: Rig, deflection: number): number;
+}
+export interface Rig {
+  span: number;              // [m]
+  diameter: number;          // [m] depth of the section; 0: friction acts at the axis
+  bendingStiffness: number;  // [N m²]
+  stiffness: number;         // [N/m] of the load train, Infinity allowed
+  tipRadius: number;         // [m] of the supports, 0: edges
+  friction: Friction;
+}
+export type Friction =
+  | { model: "rough"; mu0: number; rms: number; correlationLength: number; seed: number; wave?: { amplitude: number; wavelength: number; phase: number } }
+  /** position: length of the fibre between the supports [m], rising; met: over what has been drawn in, as the mean of a fit is (another one on rollers alone). */
+  | { model: "table"; position: Float64Array; mu: Float64Array; met?: boolean };
+export interface State { deflection: number; force: number; drawn: number; friction: number }
+export interface Loading {
+  status: "ok" | "slipped_through" | "contact_lost" | "branch_ended";  // otherwise the columns end early
+  stage: Float64Array; deflection: Float64Array; force: Float64Array;  // [m], [m], [N]
+  drawn: Float64Array;     // [m] over both supports
+  friction: Float64Array;  // [1] mobilised
+  motion: Uint8Array;      // by which it came here: 0 stick, 1 slip_in, 2 slip_out, 3 snap, 4 crack, 5 apart
+  snaps: { stage: number; from: State; to: State }[];
+}
+export interface Shape {
+  x: Float64Array; y: Float64Array;  // [m] from midway between the supports as first touched, upward
+  contact: [number, number][];       // of the axis: left, right
+  slope: number;                     // [rad] there
+  normal: number; tangential: number;  // [N] at each support; friction on a fibre drawn in points outwards
+  force: number;                     // [N] at midspan
+}

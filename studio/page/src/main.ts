@@ -1,0 +1,329 @@
+// Puts the page together: engine, state, views, and what comes in and goes out.
+
+import { openMechanics, openProgram } from "engine";
+import { addressOf, base64Of, bytesOf, linkOf, type Link } from "./address";
+import { drawAnswer, drawMoment, momentInWords } from "./answer-view";
+import { CardView } from "./card-view";
+import { byId, el, fill, svg } from "./dom";
+import { FibreView } from "./fibre-view";
+import { given, harmless, readFiles, standing, testsOf, type Incoming } from "./files";
+import { ForceView } from "./force-view";
+import { FrictionView } from "./friction-view";
+import { closeDialog, listenToKeys, openDialog, openKeys } from "./keys";
+import { outputsOf } from "./outputs";
+import { ParametersView } from "./parameters-view";
+import { isAllowed, type Key } from "./parameters";
+import { ProgrammeView } from "./programme-view";
+import { fixed, written } from "./quantity";
+import { RowsView } from "./rows-view";
+import { messageOf, Studio, type Topic } from "./studio";
+import { drawPins, drawTests } from "./tests-view";
+import { startTheme, turnTheme } from "./theme";
+import { drawTour } from "./tour";
+
+const remembered = (name: string): string | null => {
+  try {
+    return localStorage.getItem(`flexslip-studio-${name}`);
+  } catch {
+    return null;  // from file:// or in private a browser may keep nothing
+  }
+};
+const remember = (name: string, value: string): void => {
+  try {
+    localStorage.setItem(`flexslip-studio-${name}`, value);
+  } catch {
+    // likewise
+  }
+};
+
+async function start(): Promise<void> {
+  startTheme(remembered("theme"));
+  const program = openProgram(), studio = new Studio(program, await openMechanics());
+  const force = new ForceView(studio), rows = new RowsView(studio), friction = new FrictionView(studio), fibre = new FibreView(studio);
+  const programme = new ProgrammeView(studio), parameters = new ParametersView(studio), card = new CardView(studio);
+
+  // ---- views
+  const any = (topics: ReadonlySet<Topic>, ...of: Topic[]): boolean => of.some((topic) => topics.has(topic));
+  let changed = false;
+  studio.listen((topics) => {
+    if (topics.has("error")) drawError(studio);
+    if (any(topics, "tests", "fitting")) drawTests(studio);
+    if (any(topics, "tests", "card", "view")) drawHead(studio);
+    if (any(topics, "card", "fitting")) card.draw();
+    if (any(topics, "answer", "tests") || (any(topics, "model", "fitting") && (studio.changed !== changed || !studio.fit))) drawAnswer(studio);
+    changed = studio.changed;
+    if (any(topics, "model", "axis", "pins", "theme", "view", "rows")) force.draw(), force.drawResiduals();
+    else if (topics.has("moment")) force.mark();
+    if (any(topics, "rows", "view")) rows.draw();
+    else if (topics.has("moment")) rows.mark();
+    if (any(topics, "model", "view")) friction.draw();
+    else if (topics.has("moment")) friction.mark();
+    if (any(topics, "moment", "model", "view")) drawMoment(studio), fibre.draw();
+    if (any(topics, "model", "programme", "view")) programme.draw();
+    else if (topics.has("moment")) programme.mark();
+    if (any(topics, "model", "parameters")) parameters.draw();
+    if (any(topics, "model", "fitting", "parameters")) parameters.drawFit();
+    if (topics.has("pins")) drawPins(studio);
+    if (any(topics, "tour", "view", "answer")) drawTour(studio);
+    byId<HTMLButtonElement>("undo").disabled = !studio.canUndo;
+    byId<HTMLButtonElement>("redo").disabled = !studio.canRedo;
+    byId<HTMLButtonElement>("pin").disabled = byId<HTMLButtonElement>("export").disabled = !studio.fit;
+    const command = studio.test?.commandLine ?? "", line = byId("command");
+    if (line.textContent !== command) line.textContent = line.title = command;
+    if (any(topics, "answer", "tests")) bandWhenAtRest(studio);
+  });
+  let sized = 0;
+  const watcher = new ResizeObserver(() => {
+    cancelAnimationFrame(sized);
+    sized = requestAnimationFrame(() => studio.tell("view"));
+  });
+  for (const id of ["force-plot", "friction-plot", "programme-plot"]) watcher.observe(byId(id));
+
+  // ---- what comes in
+  const refuse = (sentence: string): void => studio.report(sentence);
+  const take = async (incoming: Incoming[], named?: string): Promise<void> => {
+    const tests = await testsOf(incoming, refuse, named), like = studio.tests.find((t) => !t.isCase && t.fit);
+    for (const test of tests) {
+      // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it, bold.
+      if (like && !test.isCase) Object.assign(test.settings, { span: like.settings.span, diameter: like.settings.diameter, stiffness: like.settings.stiffness, displacement: like.settings.displacement });
+      for (const key of Object.keys(test.settings)) if (test.settings[key as "span"] === undefined) delete test.settings[key as "span"];
+      await studio.open(test);
+    }
+  };
+  const showExample = async (): Promise<void> => take(standing("example"), EXAMPLE);
+  const picker = byId<HTMLInputElement>("picker");
+  picker.addEventListener("change", async () => {
+    const list = [...(picker.files ?? [])];
+    picker.value = "";
+    await take(await readFiles(list, refuse));
+  });
+  byId("add").addEventListener("click", () => picker.click());
+  const zone = byId("drop-here");
+  let depth = 0;
+  const isFile = (event: DragEvent): boolean => [...(event.dataTransfer?.types ?? [])].includes("Files");
+  addEventListener("dragenter", (event) => {
+    event.preventDefault();
+    if (isFile(event)) ++depth, (zone.hidden = false);
+  });
+  addEventListener("dragleave", () => {
+    if (--depth <= 0) (depth = 0), (zone.hidden = true);
+  });
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", async (event) => {
+    event.preventDefault();
+    depth = 0;
+    zone.hidden = true;
+    await take(await readFiles([...(event.dataTransfer?.files ?? [])], refuse));
+  });
+  fill(byId("empty"), el("div", {}, el("h1", {}, "Drop a test anywhere"), el("p", { class: "say" }, "A CSV, text or Excel file with force and displacement, as the machine wrote it. Nothing leaves this computer."),
+    el("p", {}, el("button", { class: "button outlined", click: () => picker.click() }, "Open a file…"), "  ", el("button", { class: "button", click: () => void showExample() }, "Show the example"))));
+
+  // ---- what goes out
+  const linkNow = async (): Promise<string | null> => {
+    const { test, fit, values } = studio;
+    if (!test) return null;
+    const changed: Link["values"] = {};
+    if (fit && values) for (const key of Object.keys(values) as Key[]) if (values[key] !== fit.fitted[key] && Number.isFinite(values[key])) changed[key] = values[key];
+    const files = isExample(test.files) ? null : Object.entries(test.files).map(([name, bytes]) => ({ name, base64: base64Of(bytes) }));
+    return addressOf({ files, main: test.main, data: test.data, settings: test.settings, values: changed, wave: fit && studio.wave !== fit.wave ? studio.wave : null, row: studio.row, axis: studio.axis, programme: studio.programme });
+  };
+  const menu = byId("menu"), opener = byId("export");
+  const closeMenu = (): boolean => {
+    if (menu.hidden) return false;
+    menu.hidden = true;
+    opener.setAttribute("aria-expanded", "false");
+    return true;
+  };
+  opener.addEventListener("click", () => {
+    if (closeMenu()) return;
+    const link = async (): Promise<void> => {
+      const address = await linkNow();
+      if (!address) return studio.report(`The files of ${studio.test?.name ?? "this test"} are too large for an address; send them with the case file.`);
+      history.replaceState(null, "", address);
+      const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+      announce(copied ? "The link is in the address and on the clipboard." : "The link is in the address.");
+      byId("fit-said").textContent = copied ? "Link copied" : "Link is in the address";
+    };
+    fill(menu, ...outputsOf(studio, link).map((output) => output === null ? el("hr") : el("button", { role: "menuitem", tabindex: -1, click: async () => {
+      closeMenu();
+      opener.focus();
+      try {
+        await output.save();
+      } catch (cause) {
+        studio.report(`${output.title}: ${messageOf(cause)}`);
+      }
+    } }, output.title, el("small", {}, output.note))), el("p", { class: "note" }, "Everything is made here. Nothing is sent."));
+    menu.hidden = false;
+    opener.setAttribute("aria-expanded", "true");
+    menu.querySelector("button")?.focus();
+  });
+  menu.addEventListener("keydown", (event) => {
+    const items = [...menu.querySelectorAll("button")], at = items.indexOf(document.activeElement as HTMLButtonElement);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: items.length - 1 }[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    items[(to + items.length) % items.length]?.focus();
+  });
+  addEventListener("click", (event) => {
+    if (!(event.target as Element).closest(".holder")) closeMenu();
+  });
+  byId("copy").addEventListener("click", async () => {
+    const copied = await navigator.clipboard?.writeText(byId("command").textContent ?? "").then(() => true, () => false);
+    if (!copied) getSelection()?.selectAllChildren(byId("command"));
+    byId("copy").textContent = copied ? "Copied" : "Selected";
+    setTimeout(() => (byId("copy").textContent = "Copy"), 1200);
+  });
+
+  // ---- keys and buttons
+  let said = 0;
+  const announce = (words: string): void => {
+    clearTimeout(said);
+    said = window.setTimeout(() => (byId("announcer").textContent = words), 500);  // at most twice a second
+  };
+  const edge = (which: "first" | "last"): void => {
+    studio.remember();
+    rows.set(which, studio.row);
+  };
+  const theme = (): void => {
+    turnTheme();
+    remember("theme", document.documentElement.dataset["theme"]!);
+    studio.tell("theme");
+  };
+  const tour = (): void => {
+    studio.step = 0;
+    studio.tell("tour");
+  };
+  listenToKeys({
+    row: (by) => (studio.tried = null, studio.setRow(studio.row + by), studio.tell("moment"), announce(momentInWords(studio))),
+    drop: (by) => (studio.tried = null, studio.toDrop(by), announce(momentInWords(studio))),
+    play: () => programme.play(), fit: () => void (studio.fitting ? undefined : studio.runFit()),
+    escape: () => {
+      if (closeDialog() || closeMenu()) return;
+      if (studio.fitting) return studio.cancelFit();
+      if (studio.error) return studio.report("");
+      if (studio.step >= 0) (studio.step = -1), studio.tell("tour");
+    },
+    reset: () => studio.reset(), pin: () => studio.pin(), first: () => edge("first"), last: () => edge("last"), test: (by) => studio.next(by), undo: () => studio.undo(), redo: () => studio.redo(),
+    theme, table: () => openTable(studio), help: () => openKeys(tour),
+  });
+  byId("undo").addEventListener("click", () => studio.undo());
+  byId("redo").addEventListener("click", () => studio.redo());
+  byId("pin").addEventListener("click", () => studio.pin());
+  byId("theme").addEventListener("click", theme);
+  byId("help").addEventListener("click", () => openKeys(tour));
+
+  // ---- the first picture
+  const openLink = async (): Promise<boolean> => {
+    const link = await linkOf(location.hash);
+    if (link === null) return false;
+    if (link === "wrong") {
+      studio.report("The address holds no state that this studio can read; it is left alone.");
+      return false;
+    }
+    const incoming = link.files ? link.files.map((f) => ({ name: harmless(f.name), bytes: bytesOf(f.base64) })) : standing("example");
+    const [test] = await testsOf(incoming, refuse, link.files ? undefined : EXAMPLE);
+    if (!test) return false;
+    test.settings = link.settings;
+    await studio.open(test);
+    if (test.fit && studio.values && studio.test === test) {
+      for (const p of test.fit.parameters) {
+        const value = link.values[p.key];
+        if (value !== undefined && isAllowed(p, value)) studio.values[p.key] = value;
+      }
+      if (link.wave !== null) studio.wave = link.wave;
+      studio.axis = link.axis;
+      const most = 3 * test.fit.greatestStage;
+      studio.programme = link.programme?.every((stage) => stage <= most) ? link.programme : null;
+      studio.tell("model", "parameters", "programme", "axis", "moment");
+      if (link.row !== null) studio.setRow(link.row);
+    }
+    return true;
+  };
+  const tests = given();
+  if (!(await openLink())) {
+    const error = studio.error;
+    if (tests.length) for (const test of tests) await studio.open(test);
+    else {
+      if (remembered("visited") === null) studio.step = 0;
+      await showExample();
+      remember("visited", "yes");
+    }
+    if (error && !studio.error) studio.report(error);
+  }
+  addEventListener("hashchange", () => void openLink());
+  document.body.dataset["ready"] = "yes";
+}
+
+const EXAMPLE = "simulated";  // the name that the example has in the repository
+const isExample = (files: Record<string, Uint8Array>): boolean => {
+  const example = standing("example");
+  return example.length === Object.keys(files).length && example.every((f) => files[f.name]?.length === f.bytes.length && f.bytes.every((b, i) => files[f.name]![i] === b));
+};
+
+function drawError(studio: Studio): void {
+  const host = byId("error");
+  host.hidden = studio.error === "";
+  if (host.hidden) return fill(host);
+  fill(host, svg("svg", { class: "glyph", viewBox: "0 0 14 14", "aria-hidden": "true" }, svg("path", { d: "M7 1.200 13.200 12.500H.8z", fill: "none", stroke: "currentColor", "stroke-width": 1.4 }), svg("path", { d: "M7 5v4M7 10.200v1.300", stroke: "currentColor", "stroke-width": 1.4 })),
+    el("span", { title: studio.error }, studio.error), el("button", { class: "link", click: () => studio.report("") }, "Close"));
+}
+
+function drawHead(studio: Studio): void {
+  const { test, fit } = studio;
+  byId("empty").hidden = test !== null || studio.fitting !== null;
+  document.body.classList.toggle("none", test === null);
+  document.title = test ? `${test.name} – FlexSlip studio` : "FlexSlip studio";
+  if (!test) return fill(byId("what"));
+  const m = fit?.answer.measurement, text = fit?.text, facts: string[] = [];
+  if (text) {
+    const span = text.quantity("rig.span"), diameter = text.quantity("specimen.diameter"), k = text.quantity("rig.stiffness");
+    if (span) facts.push(`span ${written4(span, "length")}`);
+    if (diameter) facts.push(`diameter ${written4(diameter, "length")}`);
+    if (k) facts.push(Number.isFinite(k) ? `load train ${written4(k, "stiffness")}` : "deflection imposed");
+  }
+  fill(byId("what"), el("b", {}, test.name), m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : test.read ? ` · ${test.read.rows} rows` : "", el("span", { class: "narrow-out" }, facts.length ? ` · ${facts.join(" · ")}` : ""));
+}
+const written4 = (value: number, kind: "length" | "stiffness"): string => {
+  const [, unit = ""] = written(value, kind).split(" ");
+  const factor = { nm: 1e-9, "µm": 1e-6, mm: 1e-3, m: 1, "mN/m": 1e-3, "N/m": 1, "N/mm": 1e3, "kN/mm": 1e6 }[unit] ?? 1;
+  return `${Number((value / factor).toPrecision(4))} ${unit}`;
+};
+
+/** The draws are run forward when nothing else is asked of the page. */
+let waiting = 0;
+function bandWhenAtRest(studio: Studio): void {
+  clearTimeout(waiting);
+  const fit = studio.fit;
+  studio.bandReady = false;
+  if (!fit || fit.answer.status !== "ok" || !fit.friction.draws.length) return;
+  waiting = window.setTimeout(() => {
+    const later = window.requestIdleCallback ?? ((run: () => void) => window.setTimeout(run, 0));
+    later(() => {
+      if (studio.fit !== fit) return;
+      try {
+        studio.model.band(fit, 20);
+        studio.bandReady = true;
+        studio.tell("axis");
+      } catch {
+        // a draw that slips through has no band; the curve stands without it
+      }
+    });
+  }, 250);
+}
+
+/** The rows used as a table, for those who cannot see the plots. */
+function openTable(studio: Studio): void {
+  const fit = studio.fit;
+  if (!fit) return;
+  const names = ["w_s", "w", "F", "mu", "mu_error"] as const, columns = names.map((n) => fit.curves.column(n)!), factors = [1e6, 1e6, 1e3, 1, 1];
+  const head = el("tr", {}, ...["row", "stage (µm)", "deflection (µm)", "force (mN)", "friction", "its error"].map((words) => el("th", { scope: "col" }, words)));
+  const body = el("tbody");
+  fit.rows.forEach((row, i) => body.append(el("tr", {}, el("td", {}, String(row)), ...columns.map((c, j) => el("td", {}, Number.isFinite(c[i]!) ? fixed(c[i]! * factors[j]!, 3) : "–")))));
+  openDialog(`Rows of ${fit.answer.name}`, [el("table", {}, el("thead", {}, head), body)]);
+}
+
+void start().catch((cause: unknown) => {
+  const host = byId("error");
+  host.hidden = false;
+  host.textContent = `The studio could not start: ${messageOf(cause)}`;
+});

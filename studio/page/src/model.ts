@@ -1,0 +1,98 @@
+// The mechanics behind the views: the model at the values of the sliders, the reference curves, the band of the draws.
+
+import type { Loading, Mechanics, Rig, Shape } from "./engine";
+import { frictionOf, type Values } from "./parameters";
+import type { Fit } from "./test";
+
+export interface Curve { stage: Float64Array; deflection: Float64Array; force: Float64Array }
+export interface Band { rows: Float64Array; lowForce: Float64Array; highForce: Float64Array }
+
+const STEPS = 800;  // of the stage over the record: finer than the pixels of any plot
+
+/** Friction over S for these values. The fibre keeps its friction where it is past the supports, so a changed span shifts it. */
+function tableOf(fit: Fit, values: Values, mu: Float64Array): Rig["friction"] {
+  const shift = values.L - fit.fitted.L;
+  return { model: "table", position: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu, met: true };
+}
+
+export function rigOf(fit: Fit, values: Values, mu: Float64Array): Rig {
+  return { span: values.L, diameter: values.D, bendingStiffness: values.EI, stiffness: values.kc, tipRadius: values.R, friction: tableOf(fit, values, mu) };
+}
+
+export class Model {
+  private memory = new Map<string, unknown>();  // of what does not follow the sliders
+
+  constructor(private readonly mechanics: Mechanics) {}
+
+  rig(fit: Fit, values: Values, wave: boolean): Rig {
+    return rigOf(fit, values, fit.friction.at(frictionOf(values, wave)));
+  }
+  /** The step of the stage [m] with which a programme is run through. */
+  stepOf(programme: number[]): number {
+    let way = 0;
+    for (let i = 1; i < programme.length; ++i) way += Math.abs(programme[i]! - programme[i - 1]!);
+    return way / (STEPS * Math.min(3, Math.max(1, programme.length - 1)));
+  }
+  loading(rig: Rig, programme: number[]): Loading {
+    return this.mechanics.simulate(rig, programme, this.stepOf(programme));
+  }
+  /** The record's own loading, at the values given. */
+  monotone(fit: Fit, rig: Rig): Loading {
+    return this.loading(rig, [0, fit.greatestStage]);
+  }
+  withoutFriction(rig: Rig): Loading {
+    return this.mechanics.equilibrium({ ...rig, friction: { model: "table", position: Float64Array.of(rig.span, 2 * rig.span), mu: Float64Array.of(0, 0) } }, 200);
+  }
+  linear(rig: Rig, deflection: number): number {
+    return this.mechanics.linear(rig, deflection);
+  }
+  shape(rig: Rig, drawn: number, friction: number): Shape {
+    return this.mechanics.shape(rig, drawn, friction, 81);
+  }
+
+  /** Least and greatest force of the draws of the fit at each row, along the load line of that row. Costs as many loadings as there are draws. */
+  band(fit: Fit, draws: number): Band {
+    const known = this.memory.get("band") as { fit: Fit; band: Band } | undefined;
+    if (known?.fit === fit) return known.band;
+    const stage = fit.curves.column("w_s")!, lowForce = new Float64Array(stage.length).fill(Infinity), highForce = new Float64Array(stage.length).fill(-Infinity);
+    for (const [i, draw] of fit.friction.draws.slice(0, draws).entries()) {
+      const mu = fit.friction.mean.map((mean, at) => draw[at] ?? mean);
+      const EI = fit.answer.draws?.bending_stiffness[i] ?? fit.fitted.EI;
+      const loading = this.monotone(fit, rigOf(fit, { ...fit.fitted, EI }, mu));
+      const force = forceAt(loading, stage);
+      force.forEach((f, at) => {
+        if (f < lowForce[at]!) lowForce[at] = f;
+        if (f > highForce[at]!) highForce[at] = f;
+      });
+    }
+    const band = { rows: fit.rows, lowForce, highForce };
+    this.memory.set("band", { fit, band });
+    return band;
+  }
+}
+
+/** The force of a loading at stage positions that grow; NaN beyond its end. Of a snap, the state after it. */
+export function forceAt(loading: Curve, stage: Float64Array): Float64Array {
+  const { stage: s, force: f } = loading, out = new Float64Array(stage.length).fill(NaN);
+  let j = 0;
+  for (let i = 0; i < stage.length; ++i) {
+    const at = stage[i]!;
+    while (j + 1 < s.length && s[j + 1]! <= at) ++j;
+    if (j + 1 < s.length) out[i] = f[j]! + ((f[j + 1]! - f[j]!) * (at - s[j]!)) / (s[j + 1]! - s[j]! || 1);
+    else if (s.length && Math.abs(s[j]! - at) <= 1e-9 * Math.abs(at)) out[i] = f[j]!;
+  }
+  return out;
+}
+
+/** Root mean square of data less model [N], over the rows that the model reaches. */
+export function misfit(fit: Fit, loading: Curve): { rms: number; residual: Float64Array } {
+  const stage = fit.curves.column("w_s")!, force = fit.curves.column("F")!, model = forceAt(loading, stage);
+  const residual = force.map((f, i) => f - model[i]!);
+  let sum = 0, count = 0;
+  for (const r of residual)
+    if (!Number.isNaN(r)) {
+      sum += r * r;
+      ++count;
+    }
+  return { rms: Math.sqrt(sum / Math.max(1, count)), residual };
+}

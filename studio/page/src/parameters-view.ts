@@ -1,0 +1,191 @@
+// Rows of parameters: lock, name, slider with the 95 % interval and the value of the fit, number, unit; the fit button and what it says.
+
+import { byId, el, fill, plain, rich, svg } from "./dom";
+import { isAllowed, placeOf, shown, valueAt, type Key, type Parameter } from "./parameters";
+import { parseQuantity, significant, unitFor, written } from "./quantity";
+import { inertia } from "./settings";
+import type { Studio } from "./studio";
+
+const STEPS = 1000;  // of a slider
+
+interface Row { parameter: Parameter; root: HTMLElement; range: HTMLInputElement; number: HTMLInputElement }
+
+const padlock = (held: boolean): SVGElement => held
+  ? svg("svg", { width: 12, height: 13, viewBox: "0 0 12 13", "aria-hidden": "true" }, svg("rect", { x: 1.5, y: 6, width: 9, height: 6.5, rx: 1, fill: "currentColor" }), svg("path", { d: "M3.500 6V4a2.500 2.500 0 0 1 5 0v2", fill: "none", stroke: "currentColor", "stroke-width": 1.4 }))
+  : svg("svg", { width: 12, height: 13, viewBox: "0 0 12 13", "aria-hidden": "true" }, svg("rect", { x: 2, y: 6.5, width: 8, height: 5.5, rx: 1, fill: "none", stroke: "currentColor", "stroke-width": 1.2 }), svg("path", { d: "M3.500 6V3.600a2.500 2.500 0 0 1 4.900-.7", fill: "none", stroke: "currentColor", "stroke-width": 1.2 }));
+
+export class ParametersView {
+  private rows: Row[] = [];
+  private built: unknown[] = [];
+  private modulus: HTMLElement | null = null;
+  private dragging = false;
+
+  constructor(private readonly studio: Studio) {
+    byId("fit").addEventListener("click", () => this.pressFit());
+    byId("reset").addEventListener("click", () => studio.reset());
+  }
+  pressFit(): void {
+    if (this.studio.fitting) this.studio.cancelFit();
+    else void this.studio.runFit();
+  }
+
+  draw(): void {
+    const { studio } = this, { fit, values, test } = studio, host = byId("parameters");
+    if (!fit || !values) {
+      this.built = [];
+      this.rows = [];
+      return fill(host);
+    }
+    const needed = [fit, studio.wave, test?.settings.heldStiffness !== undefined];
+    if (needed.some((value, i) => value !== this.built[i])) this.build(host, needed);
+    for (const row of this.rows) this.show(row);
+    if (this.modulus) {
+      const E = values.D > 0 ? values.EI / inertia(values.D) : NaN;
+      fill(this.modulus, Number.isFinite(E) ? rich(`*E* ${written(E, "modulus")}`) : null);
+    }
+  }
+
+  private build(host: HTMLElement, needed: unknown[]): void {
+    const { studio } = this, fit = studio.fit!;
+    const focused = (document.activeElement as HTMLElement | null)?.dataset?.["focus"];
+    this.built = needed;
+    this.rows = [];
+    const children: Node[] = [];
+    let group = "";
+    for (const parameter of fit.parameters) {
+      if (parameter.group !== group) {
+        group = parameter.group;
+        children.push(this.head(parameter.group));
+      }
+      if (parameter.group === "Wave" && !studio.wave) continue;
+      const row = this.row(parameter);
+      this.rows.push(row);
+      children.push(row.root);
+    }
+    fill(host, ...children);
+    if (focused) host.querySelector<HTMLElement>(`[data-focus="${CSS.escape(focused)}"]`)?.focus();
+  }
+
+  private head(group: Parameter["group"]): HTMLElement {
+    const { studio } = this, fit = studio.fit!;
+    const note = el("span", { class: "note" });
+    const head = el("div", { class: "group" }, group);
+    if (group === "Friction") note.textContent = "bar: 95 % interval of the fit";
+    if (group === "Wave") {
+      head.append(el("button", { class: "switch", role: "switch", "aria-checked": String(studio.wave), "aria-label": "Wave", "data-focus": "wave", click: () => studio.setWave(!studio.wave) }));
+      note.textContent = studio.wave ? (fit.wave ? "claimed by the evidence" : "tried by hand") : fit.wave ? "off: it was claimed" : "off: not needed here";
+    }
+    if (group === "Specimen") this.modulus = note;
+    if (group === "Rig") note.textContent = "held: measured";
+    head.append(note);
+    return head;
+  }
+
+  private row(p: Parameter): Row {
+    const { studio } = this, fit = studio.fit!, name = plain(p.name), held = p.lock === "measured" || (p.lock === "choice" && studio.test?.settings.heldStiffness !== undefined);
+    const lock = p.lock === "choice"
+      ? el("button", { class: "lock", "data-focus": `lock-${p.key}`, "aria-pressed": String(held), "aria-label": `Hold ${name} in the fit`, title: held ? "Held in the fit" : "Found by the fit", click: () => this.hold(p) }, padlock(held))
+      : el("span", { class: "lock", role: "img", "aria-label": held ? "held in the fit" : "found by the fit", title: held ? "Measured: the fit holds it" : "Found by the fit" }, padlock(held));
+    const slider = el("span", { class: "slider" });
+    if (p.interval) {
+      const from = placeOf(p, p.interval[0]), to = placeOf(p, p.interval[1]), bar = el("span", { class: "interval" });
+      bar.style.left = `${100 * from}%`;
+      bar.style.width = `${100 * Math.max(0.01, to - from)}%`;
+      slider.append(bar);
+    }
+    const tick = el("span", { class: "tick" });
+    tick.style.left = `${100 * placeOf(p, fit.fitted[p.key])}%`;
+    const range = el("input", { type: "range", min: 0, max: STEPS, step: 1, "data-key": p.key, "data-focus": `range-${p.key}`, "aria-label": name,
+      input: () => {
+        if (!this.dragging) studio.remember();
+        this.dragging = true;
+        studio.set(p.key, this.rounded(p, valueAt(p, Number(range.value) / STEPS)));
+      },
+      change: () => (this.dragging = false),
+      keydown: (event: KeyboardEvent) => {
+        const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+        if (!by) return;
+        event.preventDefault();
+        event.stopPropagation();
+        studio.remember();
+        const place = placeOf(p, studio.values![p.key]) + (by * (event.shiftKey ? 10 : 1)) / 100;
+        studio.set(p.key, this.rounded(p, valueAt(p, Math.max(0, Math.min(1, place)))));
+      },
+    });
+    slider.append(tick, range);
+    const number = el("input", { class: "number", inputmode: "decimal", "data-key": p.key, "data-focus": `number-${p.key}`, "aria-label": p.unitWords ? `${name} in ${plain(p.unitWords)}` : name, autocomplete: "off", spellcheck: "false",
+      change: () => this.enter(p, number),
+      keydown: (event: KeyboardEvent) => {
+        if (event.key === "Enter") this.enter(p, number);
+        if (event.key === "Escape") this.show(row);
+        const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+        if (!by) return;
+        event.preventDefault();
+        studio.remember();
+        const step = 10 ** -Math.min(p.digits, Math.max(0, p.digits)) * (event.shiftKey ? 10 : 1);
+        studio.set(p.key, this.within(p, (Number(shown(p, studio.values![p.key])) + by * step) * p.unit.factor));
+      },
+    });
+    const title = el("span", { class: "name", title: "double-click: back to the fit", dblclick: () => {
+      if (!studio.isChanged(p.key)) return;
+      studio.remember();
+      studio.set(p.key, fit.fitted[p.key]);
+    } }, rich(p.name));
+    const root = el("div", { class: `parameter${held ? " held" : ""}`, "data-parameter": p.key }, lock, title, slider, number, el("span", { class: "unit" }, rich(p.unitWords)));
+    const row: Row = { parameter: p, root, range, number };
+    return row;
+  }
+
+  private show(row: Row): void {
+    const { studio } = this, p = row.parameter, value = studio.values![p.key], words = shown(p, value);
+    const place = String(Math.round(placeOf(p, value) * STEPS));
+    if (row.range.value !== place && !(this.dragging && document.activeElement === row.range)) row.range.value = place;
+    row.range.setAttribute("aria-valuetext", `${words} ${plain(p.unitWords)}`.trim());
+    if (document.activeElement !== row.number || row.number.value === "" || parseQuantity(row.number.value, p.unit.command) !== value) row.number.value = words;
+    row.root.classList.toggle("changed", studio.isChanged(p.key));
+  }
+
+  /** To the digits that are shown; the value of the fit where it reads the same, so that a slider comes home exactly. */
+  private rounded(p: Parameter, value: number): number {
+    const fitted = this.studio.fit!.fitted[p.key], words = shown(p, value);
+    return words === shown(p, fitted) ? fitted : Number(words) * p.unit.factor;
+  }
+  private within(p: Parameter, value: number): number {
+    return isAllowed(p, value) ? this.rounded(p, value) : this.studio.values![p.key];
+  }
+
+  private enter(p: Parameter, number: HTMLInputElement): void {
+    const { studio } = this, value = parseQuantity(number.value, p.unit.command), old = studio.values![p.key];
+    if (number.value === shown(p, old)) return;
+    if (value === null || !isAllowed(p, value)) {
+      const range = p.logarithmic ? `between ${significant(p.low / 100 / p.unit.factor, 2)} and ${significant((p.high * 100) / p.unit.factor, 2)}` : p.key === "phi" ? "that is an angle" : `from 0 to ${p.key === "amp" ? 1 : p.key === "R" ? significant((p.high * 10) / p.unit.factor, 2) : 3}`;
+      studio.report(`${plain(p.name)}: “${number.value.slice(0, 40)}” is no number ${range}${p.unit.name ? ` ${p.unit.name}` : ""}. The old value stays.`);
+      number.value = shown(p, old);
+      return;
+    }
+    studio.remember();
+    studio.set(p.key, p.key === "kc" ? value : this.within(p, value));
+  }
+
+  private hold(p: Parameter): void {
+    const { studio } = this, { test, values } = studio;
+    if (!test || !values) return;
+    studio.remember();
+    studio.decide({ heldStiffness: test.settings.heldStiffness === undefined ? values[p.key as Key] : undefined });
+  }
+
+  /** Fit or Cancel in place, and what the last fit missed by. */
+  drawFit(): void {
+    const { studio } = this, { fitting, fit } = studio, button = byId<HTMLButtonElement>("fit"), said = byId("fit-said"), bar = byId("fit-bar");
+    const busy = fitting !== null && fitting.test === studio.test;
+    button.textContent = fitting ? "Cancel" : "Fit";
+    button.disabled = !studio.test;
+    byId<HTMLButtonElement>("reset").disabled = !studio.changed;
+    bar.classList.toggle("unknown", busy);
+    const off = (newtons: number): string => {
+      const u = unitFor(newtons, "force");
+      return `${significant(newtons / u.factor, 2)} ${u.name}`;
+    };
+    said.textContent = busy ? fitting.line || "Fitting" : fitting ? `Fitting ${fitting.test.name}` : !fit ? "" : fit.answer.status !== "ok" ? "No fit" : studio.changed ? `By hand: off by ${off(studio.rms)}; the fit by ${off(fit.answer.residual_rms ?? NaN)}` : studio.stale ? "Settings changed: press F to fit" : `Fitted; off by ${off(fit.answer.residual_rms ?? NaN)}`;
+  }
+}

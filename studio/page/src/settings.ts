@@ -1,0 +1,67 @@
+// What the user decided about a test, beside what its file says, as the flags of the command line.
+
+import { exactly, type Unit } from "./quantity";
+
+const micro: Unit = { name: "µm", command: "um", factor: 1e-6 };
+const perMetre: Unit = { name: "N/m", command: "N/m", factor: 1 };
+const bending: Unit = { name: "N m²", command: "N m^2", factor: 1 };
+const giga: Unit = { name: "GPa", command: "GPa", factor: 1e9 };
+
+/** How a file is read where `read` is told otherwise than it found; `fit` then takes the plain table that `read` writes. */
+export const READ_FLAGS = ["encoding", "separator", "decimal", "thousands", "time", "crosshead", "deflection", "force", "displacement-unit", "force-unit", "time-unit"] as const;
+
+export interface Settings {
+  read: Partial<Record<(typeof READ_FLAGS)[number], string>>;
+  specimen?: string; calibration?: string; forceColumn?: string; displacementColumn?: string;
+  displacement?: "crosshead" | "deflection";
+  sign?: string; zero?: string; contact?: string; failure?: string; first?: number; until?: number;
+  span?: number; diameter?: number; stiffness?: number; tipRadius?: number;  // SI
+  heldStiffness?: number;  // [N m²] EI that the fit holds
+}
+
+/** What the fit is told of EI when it is held: so sure that the record cannot move it. */
+const HELD = "0.001 %";
+
+const quoted = (value: string): string => `"${value}"`;
+
+/** The flags of `fit` on a case file: every change is a --set. A held EI is said as the modulus of a round section, where the case has one. */
+export function changesOfCase(settings: Settings, roundDiameter: number | null): string[] {
+  const set = (key: string, value: string | undefined): string[] => (value === undefined ? [] : ["--set", `${key}=${value}`]);
+  const text = (key: string, value: string | undefined): string[] => set(key, value === undefined ? undefined : quoted(value));
+  const EI = settings.heldStiffness;
+  return [
+    ...text("rig.span", length(settings.span)), ...text("specimen.diameter", length(settings.diameter)),
+    ...text("rig.stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, perMetre)),
+    ...text("rig.roller_radius", length(settings.tipRadius || undefined)),
+    ...(EI === undefined ? [] : roundDiameter !== null
+      ? set("specimen.modulus", `{ value = ${quoted(exactly(EI / inertia(roundDiameter), giga))}, uncertainty = "${HELD}" }`)
+      : set("specimen.bending_stiffness", `{ value = ${quoted(exactly(EI, bending))}, uncertainty = "${HELD}" }`)),
+    ...text("record.displacement", settings.displacement), ...text("record.sign", settings.sign), ...text("record.zero", settings.zero),
+    ...text("record.contact", settings.contact), ...text("record.failure", settings.failure),
+    ...set("record.first", settings.first?.toString()), ...set("record.until", settings.until?.toString()),
+  ];
+}
+
+/** The flags of `fit` on a data file. */
+export function flagsOfData(settings: Settings): string[] {
+  const flag = (name: string, value: string | undefined): string[] => (value === undefined ? [] : [`--${name}`, value]);
+  const EI = settings.heldStiffness;
+  return [
+    ...flag("displacement", settings.displacement), ...flag("displacement-column", settings.displacementColumn), ...flag("force", settings.forceColumn),
+    ...flag("specimen", settings.specimen), ...flag("calibration", settings.calibration),
+    ...flag("span", length(settings.span)), ...flag("diameter", length(settings.diameter)),
+    ...flag("stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, perMetre)),
+    ...(settings.tipRadius ? ["--set", `rig.roller_radius=${quoted(length(settings.tipRadius)!)}`] : []),
+    ...(EI === undefined ? [] : ["--set", `specimen.bending_stiffness={ value = ${quoted(exactly(EI, bending))}, uncertainty = "${HELD}" }`]),
+    ...flag("sign", settings.sign), ...flag("zero", settings.zero), ...flag("contact", settings.contact), ...flag("failure", settings.failure),
+    ...flag("first", settings.first?.toString()), ...flag("until", settings.until?.toString()),
+  ];
+}
+
+/** The second moment of area of a round section [m⁴]. */
+export const inertia = (diameter: number): number => (Math.PI * diameter ** 4) / 64;
+
+const length = (value: number | undefined): string | undefined => (value === undefined ? undefined : exactly(value, micro));
+
+/** An argument as a shell takes it. */
+export const shellWord = (word: string): string => (/^[\w./:=@%+,-]+$/.test(word) ? word : /["'$`\\!\n]/.test(word) ? `'${word.replaceAll("'", "'\\''")}'` : `"${word}"`);

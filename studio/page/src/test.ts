@@ -1,0 +1,125 @@
+// One test: its files, what the program read in them, what was decided, and its last fit.
+
+import { sentence, type FitAnswer, type ReadAnswer } from "./answers";
+import { CaseText } from "./case-text";
+import type { Program } from "./engine";
+import { FittedFriction } from "./friction";
+import { frictionOf, parametersOf, valuesOf, type Parameter, type Values } from "./parameters";
+import { unitFactor } from "./quantity";
+import { changesOfCase, flagsOfData, shellWord, type Settings } from "./settings";
+import { Table } from "./table";
+
+export type Files = Record<string, Uint8Array>;
+
+/** A fit, with all that the program wrote: what is shown and what is exported are the same bytes. */
+export interface Fit {
+  json: string; settings: string; answer: FitAnswer; files: Files;  // profile.csv, curves.csv, draws.csv
+  curves: Table; rows: Float64Array; text: CaseText;
+  friction: FittedFriction; fitted: Values; wave: boolean; parameters: Parameter[]; greatestStage: number;
+}
+
+/** All rows of the file, in SI: also those before contact and after failure. */
+export interface Rows { stage: Float64Array; force: Float64Array }
+
+export const OUTPUTS = { profile: "profile.csv", curves: "curves.csv", draws: "draws.csv" } as const;
+
+export class Test {
+  settings: Settings = { read: {} };
+  read: ReadAnswer | null = null;
+  rows: Rows | null = null;
+  fit: Fit | null = null;
+  asks: string[] = [];  // what must be said before there can be a fit
+
+  /** `main` is the file that `fit` is given: a case, or a data file; `data` the one with the rows. */
+  constructor(readonly name: string, readonly files: Files, readonly main: string, readonly data: string) {}
+
+  get isCase(): boolean {
+    return this.main.endsWith(".toml");
+  }
+  /** Whether `read` was told otherwise than it found, so that `fit` takes the plain table. */
+  get isPlain(): boolean {
+    return !this.isCase && Object.keys(this.settings.read).length > 0;
+  }
+  private readFlags(): string[] {
+    const { read, specimen, calibration } = this.settings;
+    return [...Object.entries(read).flatMap(([flag, value]) => [`--${flag}`, value]), ...(specimen ? ["--specimen", specimen] : []), ...(calibration ? ["--calibration", calibration] : [])];
+  }
+  /** The diameter [m] of a case that states a round section and its modulus, else null. */
+  private get roundDiameter(): number | null {
+    const text = this.fit?.text;
+    return text?.hasRoundSection && text.raw("specimen.modulus") !== null ? (this.settings.diameter ?? text.quantity("specimen.diameter")) : null;
+  }
+  private get plainName(): string {
+    return this.data.replace(/\.[^.]*$/, "") + ".plain.csv";
+  }
+  /** The commands that come to this answer, without what the page adds to see the numbers behind it. */
+  commands(): string[][] {
+    const { settings } = this;
+    if (this.isCase) return [["fit", this.main, ...changesOfCase(settings, this.roundDiameter)]];
+    if (!this.isPlain) return [["fit", this.main, ...flagsOfData(settings)]];
+    const { specimen: _, calibration: __, ...rest } = settings;
+    return [["read", this.main, ...this.readFlags(), "--output", this.plainName], ["fit", this.plainName, ...flagsOfData(rest)]];
+  }
+  get commandLine(): string {
+    return this.commands().map((args) => ["flexslip", ...args].map(shellWord).join(" ")).join(" && ");
+  }
+
+  /** Reads the rows of the data file; says in `asks` what is missing. Throws the program's sentence. */
+  async open(program: Program): Promise<void> {
+    const given = { [this.data]: this.files[this.data]! };
+    const told = await program.run(["read", this.data, ...this.readFlags(), "--json"], given);
+    if (told.code !== 0) throw new Error(sentence(told.err));
+    this.read = JSON.parse(told.out) as ReadAnswer;
+    const plain = await program.run(["read", this.data, ...this.readFlags(), "--quiet"], given);
+    this.rows = plain.code === 0 ? rowsOf(new Table(plain.out), this.read) : null;
+    this.asks = [...this.read.asks];
+  }
+
+  /** Fits, by the command of `commands`. Throws the program's sentence; the last fit stays. */
+  async analyse(program: Program, progress?: (line: string) => void): Promise<Fit> {
+    let files = this.files;
+    const settings = JSON.stringify(this.settings);
+    const commands = this.commands();
+    if (commands.length > 1) {
+      const plain = await program.run(commands[0]!, files);
+      if (plain.code !== 0) throw new Error(sentence(plain.err));
+      files = { ...files, ...plain.files };
+    }
+    const args = commands[commands.length - 1]!;
+    const outputs = Object.entries(OUTPUTS).flatMap(([flag, name]) => [`--${flag}`, name]);
+    const answer = await program.run([...args, "--json", ...outputs], files, progress);
+    if (!answer.out.trimStart().startsWith("{")) throw new Error(sentence(answer.err));
+    return fitOf(answer.out, answer.files, settings);
+  }
+}
+
+const decode = (bytes: Uint8Array | undefined): string => (bytes ? new TextDecoder().decode(bytes) : "");
+
+export function fitOf(json: string, files: Files, settings: string): Fit {
+  const answer = JSON.parse(json) as FitAnswer;
+  const text = new CaseText(answer.provenance.case), fitted = valuesOf(answer, text);
+  const wave = !!answer.wave?.claimed && answer.model === "roughness";
+  const curves = new Table(decode(files[OUTPUTS.curves]));
+  const stage = curves.column("w_s") ?? new Float64Array(0);
+  return {
+    json, settings, answer, files, curves, rows: curves.column("row") ?? new Float64Array(0), text, fitted, wave,
+    friction: new FittedFriction(answer, new Table(decode(files[OUTPUTS.draws])), frictionOf(fitted, wave)),
+    parameters: parametersOf(answer, fitted), greatestStage: stage.reduce((a, b) => Math.max(a, b), 0),
+  };
+}
+
+function rowsOf(table: Table, read: ReadAnswer): Rows | null {
+  const column = (roles: string[]): Float64Array | null => {
+    for (const role of roles) {
+      const at = read.columns.findIndex((c) => c.role === role);
+      const title = at < 0 ? "" : read.columns[at]!.name;
+      const index = table.titles.findIndex((t) => t.replace(/ \[[^\]]*\]$/, "") === title);
+      if (index < 0) continue;
+      const factor = unitFactor(table.unitOf(index)) ?? 1;
+      return table.at(index).map((value) => value * factor);
+    }
+    return null;
+  };
+  const stage = column(["crosshead", "displacement", "deflection"]), force = column(["force"]);
+  return stage && force ? { stage, force } : null;
+}

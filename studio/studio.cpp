@@ -1,0 +1,246 @@
+#include "studio/studio.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "bending_test/equilibrium.h"
+#include "bending_test/history.h"
+#include "bending_test/stage_steps.h"
+#include "data/names.h"
+#include "data/scales.h"
+#include "fibre/elementary.h"
+
+namespace flexslip::studio {
+namespace {
+
+Scales scales_of(const RigInput& rig) { return {rig.span, rig.bending_stiffness}; }
+
+Supports supports_of(const RigInput& rig, const Scales& scales) {
+  const Supports supports{scales.reduced_length(rig.roller_radius), 0.5 * scales.reduced_length(rig.depth)};
+  if (!(supports.radius + supports.half_depth < widest_supports))
+    throw std::invalid_argument("the rollers, with half of the specimen's thickness, leave no span between them");
+  return supports;
+}
+
+FrictionWaves waves_of(const RoughFriction& rough, const Scales& scales) {
+  FrictionWaves waves{rough.mu0, 0, {}};
+  for (const Wave& wave : rough.waves)
+    waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
+  return waves;
+}
+
+// A random profile with waves on it, as a table fine enough for both.
+Friction rough_with_waves(const RoughFriction& rough, const Scales& scales, double S_max) {
+  constexpr double points_a_period = 24;
+  const double correlation_length = scales.reduced_length(rough.correlation_length);
+  const Friction random = Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
+  if (rough.waves.empty()) return random;
+  const Friction waves = Friction::waves(waves_of(rough, scales));
+  double step = 0.25 * correlation_length;
+  for (const Wave& wave : rough.waves)
+    step = std::min(step, 2 * scales.reduced_length(wave.wavelength) / points_a_period);
+  constexpr double most_knots = 1e6;
+  if (!((S_max - 1) / step < most_knots))
+    throw std::invalid_argument("the wavelength is too short for the length that is drawn in");
+  const auto n = static_cast<std::size_t>(std::ceil((S_max - 1) / step)) + 1;
+  FrictionTable table;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double S = 1 + step * static_cast<double>(i);
+    table.S.push_back(S);
+    table.mu.push_back(std::max(random.at(S).mu + (waves.at(S).mu - rough.mu0), 0.0));
+  }
+  return Friction::table(std::move(table));
+}
+
+Friction friction_of(const RoughFriction& rough, const Scales& scales, double S_max) {
+  if (rough.rms > 0) return rough_with_waves(rough, scales, S_max);
+  return Friction::waves(waves_of(rough, scales));
+}
+
+Friction friction_of(const TabulatedFriction& tabulated, const Scales& scales, double) {
+  FrictionTable table{{}, tabulated.mu};
+  table.S.reserve(tabulated.length.size());
+  for (const double length : tabulated.length) table.S.push_back(scales.reduced_length(length));
+  return tabulated.is_met ? Friction::as_met(std::move(table)) : Friction::table(std::move(table));
+}
+
+Friction friction_of(const RigInput& rig, const Scales& scales, double S_max) {
+  return std::visit([&](const auto& friction) { return friction_of(friction, scales, S_max); }, rig.friction);
+}
+
+// As bending_test_of of a case.
+void require_covered(const Friction& friction, const Fibre& fibre, double S_max) {
+  if (friction.most_up_to(S_max) > fibre.most_friction())
+    throw std::invalid_argument("friction of up to " + std::to_string(friction.most_up_to(S_max)) + ", where at most " +
+                                std::to_string(fibre.most_friction()) + " is computed");
+}
+
+double drawn_in(const Scales& scales, double S) { return scales.physical_length(S - 1); }
+
+void add(Loading& loading, const Scales& scales, double w, double F, double S, double q) {
+  loading.deflection.push_back(scales.physical_length(w));
+  loading.force.push_back(scales.physical_force(F));
+  loading.drawn.push_back(drawn_in(scales, S));
+  loading.friction.push_back(q);
+}
+
+State told(const PathPoint& point, const Scales& scales) {
+  return {scales.physical_length(point.w), scales.physical_force(point.F), drawn_in(scales, point.S), point.q};
+}
+
+// The way along the axis from where it touches to midspan, by its curvature, which is the moment of the forces at the support: Runge and Kutta.
+std::vector<Point> half_axis(const FibreState& state, double half_depth, double length, Point from, int points) {
+  constexpr int steps_a_point = 4;
+  const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
+  const double upward = 0.5 * state.F;                         // on the left support
+  const double inward = state.Pn * (sine - state.q * cosine);  // likewise
+  const double couple = state.q * state.Pn * half_depth;       // of friction at the surface
+  struct Here {
+    double x, y, slope;  // downward
+  };
+  const auto rate = [&](const Here& at) {
+    const auto direction = elementary::sine_and_cosine(at.slope);
+    const double moment = upward * (at.x - from.x) + inward * (from.y - at.y) + couple;
+    return Here{direction.cosine, -direction.sine, -moment};
+  };
+  const auto moved = [](const Here& at, const Here& by, double h) {
+    return Here{at.x + h * by.x, at.y + h * by.y, at.slope + h * by.slope};
+  };
+  Here at{from.x, from.y, state.theta0};
+  std::vector<Point> axis{from};
+  const double h = 0.5 * length / (points * steps_a_point);
+  for (int i = 0; i < points; ++i) {
+    for (int j = 0; j < steps_a_point; ++j) {
+      const Here a = rate(at), b = rate(moved(at, a, 0.5 * h)), c = rate(moved(at, b, 0.5 * h)),
+                 d = rate(moved(at, c, h));
+      at = moved(moved(moved(at, a, h / 6), b, h / 3), c, h / 3);
+      at = moved(at, d, h / 6);
+    }
+    axis.push_back({at.x, at.y});
+  }
+  return axis;
+}
+
+}  // namespace
+
+Loading simulate(const RigInput& input, std::span<const double> programme, std::optional<double> step, int points) {
+  constexpr int fewest = 2;
+  if (programme.empty()) throw std::invalid_argument("a programme of the stage without positions");
+  const Scales scales = scales_of(input);
+  const double farthest = scales.reduced_length(*std::max_element(programme.begin(), programme.end()));
+  const double S_max = longest_at_stage(farthest);
+  const Rig rig{scales.reduced_stiffness(input.stiffness), Fibre(supports_of(input, scales))};
+  const Friction friction = friction_of(input, scales, S_max);
+  require_covered(friction, rig.fibre, S_max);
+  const BendingTest test{{friction, Friction::constant(0)}, rig};
+
+  const std::vector<double> positions =
+      step ? stage_steps(programme, *step) : std::vector<double>(programme.begin(), programme.end());
+  std::vector<double> stages;
+  stages.reserve(positions.size());
+  for (const double position : positions) stages.push_back(scales.reduced_length(position));
+  const History history =
+      step ? follow_in_steps(test, stages) : follow_continuously(test, stages, std::max(points, fewest));
+
+  Loading loading;
+  loading.status =
+      name_in_order<HistoryStatus::contact_lost>(history.status, {"ok", "slipped_through", "contact_lost"});
+  for (std::size_t i = 0; i < history.path.size(); ++i) {
+    const PathPoint& point = history.path[i];
+    loading.stage.push_back(step ? positions[i] : scales.physical_length(point.stage));
+    add(loading, scales, point.w, point.F, point.S, point.q);
+    loading.motion.push_back(static_cast<std::uint8_t>(point.motion));
+  }
+  for (const Snap& snap : history.snaps)
+    loading.snaps.push_back({scales.physical_length(snap.stage), told(snap.before, scales), told(snap.after, scales)});
+  return loading;
+}
+
+Loading equilibrium(const RigInput& rig, double longest, int points) {
+  const Scales scales = scales_of(rig);
+  const double S_max = scales.reduced_length(longest);
+  const Fibre fibre(supports_of(rig, scales));
+  const Friction friction = friction_of(rig, scales, S_max);
+  require_covered(friction, fibre, S_max);
+  const EquilibriumCurve curve = equilibrium_curve(friction, Sliding::in, S_max, points, fibre);
+  Loading loading;
+  loading.status = name_in_order<EquilibriumStatus::branch_ended>(curve.status, {"ok", "branch_ended"});
+  for (const EquilibriumPoint& point : curve.points) {
+    add(loading, scales, point.w, point.F, point.S, point.q);
+    loading.stage.push_back(loading.deflection.back() + loading.force.back() / rig.stiffness);
+    loading.motion.push_back(static_cast<std::uint8_t>(Motion::slip_in));
+  }
+  return loading;
+}
+
+Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond) {
+  if (points < 2) throw std::invalid_argument("a shape of fewer than two points");
+  const Scales scales = scales_of(rig);
+  const Fibre fibre(supports_of(rig, scales));
+  const FibreState state = fibre.state(1 + scales.reduced_length(drawn), friction);
+  if (state.status != FibreStatus::ok) throw std::invalid_argument("there is no such state of the fibre");
+  const Supports& supports = fibre.supports();
+  const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
+  const double radius = supports.radius + supports.half_depth;  // about which the axis turns
+  const Point left{-0.5 + radius * sine, -radius * (1 - cosine)};
+  const std::vector<Point> half =
+      half_axis(state, supports.half_depth, fibre.length_between_contacts(state), left, (points + 1) / 2);
+
+  const auto at = [&](double x, double y) { return Point{scales.physical_length(x), scales.physical_length(y)}; };
+  const double rest = std::max(scales.reduced_length(beyond - 0.5 * drawn), 0.0);
+  const Point end{left.x - rest * cosine, left.y + rest * sine};
+  Shape result;
+  result.axis.push_back(at(end.x, end.y));
+  for (const Point& point : half) result.axis.push_back(at(point.x, point.y));
+  for (auto point = half.rbegin() + 1; point != half.rend(); ++point) result.axis.push_back(at(-point->x, point->y));
+  result.axis.push_back(at(-end.x, end.y));
+  result.left = at(left.x, left.y);
+  result.right = at(-left.x, left.y);
+  result.slope = state.theta0;
+  result.normal = scales.physical_force(state.Pn);
+  result.tangential = scales.physical_force(state.q * state.Pn);
+  result.force = scales.physical_force(state.F);
+  return result;
+}
+
+std::vector<double> friction_at(const RigInput& rig, std::span<const double> positions) {
+  const Scales scales = scales_of(rig);
+  double farthest = 1e-3;  // of a profile without extent
+  for (const double position : positions) farthest = std::max(farthest, scales.reduced_length(position));
+  const Friction friction = friction_of(rig, scales, 1 + 2 * farthest);
+  std::vector<double> mu;
+  mu.reserve(positions.size());
+  for (const double position : positions) mu.push_back(friction.at(1 + 2 * scales.reduced_length(position)).mu);
+  return mu;
+}
+
+TabulatedFriction tabulated(const RigInput& rig, double farthest) {
+  constexpr std::size_t points = 2000;  // of waves, where a table has none of its own
+  const Scales scales = scales_of(rig);
+  const double S_max = longest_at_stage(scales.reduced_length(farthest));
+  const Friction friction = friction_of(rig, scales, S_max);
+  TabulatedFriction table;
+  table.is_met = friction.is_met();
+  if (const auto* knots = std::get_if<FrictionTable>(&friction.form())) {
+    for (const double S : knots->S) table.length.push_back(scales.physical_length(S));
+    table.mu = knots->mu;
+    return table;
+  }
+  for (std::size_t i = 0; i <= points; ++i) {
+    const double S = 1 + (S_max - 1) * static_cast<double>(i) / static_cast<double>(points);
+    table.length.push_back(scales.physical_length(S));
+    table.mu.push_back(friction.at(S).mu);
+  }
+  return table;
+}
+
+double euler_bernoulli(const RigInput& rig, double deflection) {
+  const Scales scales = scales_of(rig);
+  return scales.physical_force(48 * scales.reduced_length(deflection));
+}
+
+}  // namespace flexslip::studio

@@ -1,0 +1,108 @@
+// What the page computes as the pointer moves: numbers in SI in, columns of numbers in SI out. Pure: no files, no JavaScript.
+//
+// The same arithmetic as the program's, in the same order: what `flexslip simulate` and `flexslip equilibrium` answer to a case is what
+// these answer to its numbers, to the last bit (tests/studio/studio_test.cpp).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "contact/friction.h"
+#include "fibre/fibre.h"
+
+namespace flexslip::studio {
+
+struct Wave {
+  double amplitude;   // [1] of mu0
+  double wavelength;  // [m] along the fibre
+  double phase;       // [rad]
+};
+
+// mu0 (1 + Σ waves), and at random by rms over correlation_length, if rms > 0: then the random profile plus the waves, as a table.
+struct RoughFriction {
+  double mu0;                 // [1] the mean
+  double rms;                 // [1] standard deviation, of ln μ
+  double correlation_length;  // [m] along the fibre; only where rms > 0
+  std::uint64_t seed;
+  std::vector<Wave> waves;
+};
+
+struct TabulatedFriction {
+  std::vector<double> length;  // [m] of the fibre between the supports, rising
+  std::vector<double> mu;
+  bool is_met;  // over what has been drawn in, as the mean of a fit is: another one on rollers alone
+};
+
+using FrictionInput = std::variant<RoughFriction, TabulatedFriction>;
+
+struct RigInput {
+  double span;               // [m]
+  double depth;              // [m] of the section; 0: friction acts at the axis
+  double bending_stiffness;  // [N m²]
+  double stiffness;          // [N/m] of the load train; may be infinite
+  double roller_radius;      // [m] 0: edges
+  FrictionInput friction;
+};
+
+struct State {
+  double deflection;  // [m]
+  double force;       // [N]
+  double drawn;       // [m] over both supports
+  double friction;    // [1] mobilised
+};
+
+struct Jump {
+  double stage;  // [m]
+  State from, to;
+};
+
+struct Loading {
+  std::string_view status;  // ok, slipped_through, contact_lost, branch_ended: why the columns end early
+  std::vector<double> stage;
+  std::vector<double> deflection, force, drawn, friction;  // as in State
+  std::vector<std::uint8_t> motion;  // stick, slip_in, slip_out, snap, crack, apart: by which it came here
+  std::vector<Jump> snaps;
+};
+
+// What `flexslip simulate` answers, in steps, or where there is no step at so many points on each stretch.
+// Domain:     a programme as [stage] program of docs/case-files.md; std::invalid_argument, also for all that the mechanics cannot compute.
+Loading simulate(const RigInput& rig, std::span<const double> programme, std::optional<double> step, int points);
+
+// The equilibrium curve of loading, whatever the rig, up to a length between the supports [m]: what `flexslip equilibrium` answers.
+// Domain:     longest > span, points >= 2; else as above.
+Loading equilibrium(const RigInput& rig, double longest, int points);
+
+struct Point {
+  double x, y;  // [m] from midway between the supports as they are first touched, upward
+};
+
+// The axis of the fibre at a state, and what holds it.
+struct Shape {
+  std::vector<Point> axis;    // from its one end to the other
+  Point left, right;          // of the axis, where it touches
+  double slope;               // [rad] there
+  double normal, tangential;  // [N] at each support; friction on a fibre drawn in points outwards
+  double force;               // [N] at midspan
+};
+
+// Of a fibre so much of which [m, over both supports] has been drawn in, with a mobilised friction; `beyond` [m] of it lie past each support as it is
+// straight. Where a thick fibre, hardly bent, has two states of a length: the more bent one.
+// Domain:     points >= 2 between the supports; a state that exists; std::invalid_argument otherwise.
+// Max error:  1e-6 of the span.
+Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond);
+
+// The coefficient of friction so far past each support [m].
+// Domain:     positions >= 0.
+std::vector<double> friction_at(const RigInput& rig, std::span<const double> positions);
+
+// The friction of a rig as a table that a case file can name, for deflections up to that of a stage [m]: lengths [m] and μ.
+TabulatedFriction tabulated(const RigInput& rig, double farthest);
+
+// [N] 48 EI/L³ times a deflection [m].
+double euler_bernoulli(const RigInput& rig, double deflection);
+
+}  // namespace flexslip::studio

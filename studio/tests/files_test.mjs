@@ -1,0 +1,146 @@
+// What comes in: each instrument's format, spicules as they were measured, cases, workbooks; the card, and what it changes.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { close, data, drop, errorOf, fitted, missing, native, open, painted, program, RIG, root, say } from "./browser.mjs";
+
+const skip = missing || false;
+after(close);
+const fixtures = join(root, "tests/instruments/fixtures");
+const heights = /gwyddion|heights|profilometer/;  // of surfaces, not of tests
+
+/** What the program itself makes of a file: its JSON, or its sentence. */
+const readNatively = (folder, name) => {
+  try {
+    return JSON.parse(execFileSync(program, ["read", name, "--json"], { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] }));
+  } catch (cause) {
+    return cause.stderr.trim().split("\n").pop().replace(/^flexslip: /, "");
+  }
+};
+
+test("each instrument's format, dropped: the card shows what `flexslip read` decides, or the line says its sentence", { skip }, async () => {
+  const tab = await open();
+  const names = readdirSync(fixtures).filter((name) => !heights.test(name));
+  assert.ok(names.length > 10);
+  for (const name of names) {
+    const told = readNatively(fixtures, name), before = await tab.locator("#tests li").count();
+    await tab.keyboard.press("Escape");
+    await painted(tab);
+    await drop(tab, join(fixtures, name));
+    await tab.waitForFunction((n) => !document.querySelector("#error").hidden || document.querySelectorAll("#tests li").length > n, before);
+    await painted(tab);
+    if (typeof told === "string") {
+      assert.ok((await tab.locator("#error span").getAttribute("title")).includes(told), `${name}: ${told}`);
+      assert.equal(await tab.locator("#tests li").count(), before, `${name} is not in the list`);
+      continue;
+    }
+    await tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit");
+    const card = await tab.locator("#card").evaluate((e) => [...e.querySelectorAll("dt")].map((dt) => [dt.textContent, dt.nextElementSibling.querySelector("select") ? dt.nextElementSibling.querySelector("select").selectedOptions[0]?.textContent : dt.nextElementSibling.querySelector("input").value]));
+    const shown = Object.fromEntries(card), force = told.columns.find((c) => c.role === "force"), marks = { ",": "comma", ";": "semicolon", "\t": "tab", tab: "tab", " ": "blanks", space: "blanks" };
+    assert.ok(shown.format.includes(marks[told.delimiter] ?? told.delimiter), `${name}: ${shown.format}`);
+    assert.equal(shown.force, force ? `${force.name}${force.unit ? `, in ${force.unit}` : ""}` : "not found: choose", name);
+    assert.match(await tab.locator("#what").innerText(), new RegExp(`${told.rows} rows|of ${told.rows}`), name);
+  }
+  assert.deepEqual(tab.said, []);
+  await tab.end();
+});
+
+for (const name of ["SS14", "SS36"])
+  test(`a spicule as it was measured: ${name} is asked its rig, fitted, and has the verdict of the command line`, { skip: skip || (!existsSync(join(data, "spicules/ss")) && "no ../shared/data") }, async () => {
+    const tab = await open(), file = join(data, `spicules/ss/${name}.csv`);
+    await drop(tab, file);
+    await tab.waitForFunction((n) => document.querySelector("#tests li[aria-selected=true] b")?.textContent === n, name);
+    assert.match(await errorOf(tab), /does not say the support span and the stiffness of the load train\. Enter them under/);
+    await say(tab, RIG);
+    await tab.keyboard.press("Escape");
+    await tab.locator("#fit").click();
+    await fitted(tab);
+    const { out } = native(["fit", `${name}.csv`, "--span", "1278 um", "--diameter", "34.8 um", "--stiffness", "90.65 N/m", "--json"], { [`${name}.csv`]: readFileSync(file) }), told = JSON.parse(out);
+    const possible = told.drops.filter((d) => d.slip === "possible").length;
+    assert.match(await tab.locator("#tests li[aria-selected=true] .badge").innerText(), new RegExp(`${possible} of ${told.drops.length}`));
+    assert.match(await tab.locator("#what").innerText(), new RegExp(`rows ${told.measurement.first_row}–${told.measurement.last_row} of ${told.measurement.rows}`));
+    assert.equal(await tab.locator("#command").innerText(), `flexslip fit ${name}.csv --span "1278 um" --diameter "34.8 um" --stiffness "90.65 N/m"`);
+    assert.deepEqual(tab.said, []);
+    await tab.end();
+  });
+
+test("a case with its data, dropped together; alone it is asked for its data", { skip }, async () => {
+  const tab = await open(), folder = join(root, "examples/cracked");
+  await drop(tab, join(folder, "case.toml"));
+  await tab.waitForFunction(() => !document.querySelector("#error").hidden);
+  assert.match(await errorOf(tab), /case\.toml names test\.csv: drop both together\./);
+  await tab.keyboard.press("Escape");
+  await drop(tab, join(folder, "case.toml"), join(folder, "test.csv"));
+  await tab.waitForFunction(() => document.querySelectorAll("#tests li").length === 2);
+  await fitted(tab);
+  const told = JSON.parse(native(["fit", "case.toml", "--json"], { "case.toml": readFileSync(join(folder, "case.toml")), "test.csv": readFileSync(join(folder, "test.csv")) }).out);
+  const lead = await tab.locator("#answer .lead").innerText();
+  assert.ok(told.drops.length === 0 ? /never drops/.test(lead) : lead.startsWith(`${told.drops.length} drop`), lead);
+  if (told.judgement.drops === "cracks" || told.judgement.standing === "suspect") assert.doesNotMatch(await tab.locator("#answer h1").innerText(), /Cracks alone do not explain/);
+  assert.deepEqual(tab.said, []);
+  await tab.end();
+});
+
+test("the card: a column chosen otherwise turns bold, and the command says it", { skip }, async () => {
+  const tab = await open();
+  const rows = Array.from({ length: 120 }, (_, i) => `${i * 2},${(i * 0.1).toFixed(3)},${(i * 0.2).toFixed(3)}`);
+  await drop(tab, { name: "two forces.csv", bytes: Buffer.from(["crosshead [um],force [mN],second force [mN]", ...rows].join("\n")) });
+  await tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "two forces");
+  await tab.locator("#card select[aria-label=force]").selectOption({ label: "second force, in mN" });
+  await tab.waitForFunction(() => document.querySelector("#card select[aria-label=force]")?.classList.contains("yours"));
+  await painted(tab);
+  assert.match(await tab.locator("#command").innerText(), /^flexslip read "two forces\.csv" --force 3 --output "two forces\.plain\.csv" && flexslip fit "two forces\.plain\.csv"/);
+  await tab.keyboard.press("Control+z");
+  await painted(tab);
+  assert.match(await tab.locator("#command").innerText(), /^flexslip fit "two forces\.csv"/);
+  assert.deepEqual(tab.said, []);
+  await tab.end();
+});
+
+test("no drops: the page says that there is nothing to explain, or that there is no answer", { skip }, async () => {
+  const tab = await open();
+  const rows = Array.from({ length: 200 }, (_, i) => `${i * 2},${(50 * i * 2e-3).toFixed(4)}`);
+  await drop(tab, { name: "smooth.csv", bytes: Buffer.from(["crosshead [um],force [mN]", ...rows].join("\n")) });
+  await tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "smooth");
+  await say(tab, RIG);
+  await tab.keyboard.press("Escape");
+  await tab.locator("#fit").click();
+  await tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit" && (!document.querySelector("#error").hidden || document.querySelector("#fit-said").textContent !== ""));
+  assert.match(`${await tab.locator("#answer").innerText()} ${await errorOf(tab).catch(() => "")}`, /never drops|No answer|suspect|cannot tell/);
+  assert.deepEqual(tab.said, []);
+  await tab.end();
+});
+
+test("an Excel workbook gives the same rows as its CSV", { skip }, async () => {
+  const folder = mkdtempSync(join(tmpdir(), "studio-book-"));
+  const rows = readFileSync(join(root, "examples/simulated/test.csv"), "utf8").trim().split("\n").filter((line) => !line.startsWith("#"));
+  const cell = (column, row, value) => (row === 1 ? `<c r="${column}${row}" t="inlineStr"><is><t>${value}</t></is></c>` : `<c r="${column}${row}"><v>${value}</v></c>`);
+  const sheet = `<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData>${rows.map((line, i) => `<row r="${i + 1}">${line.split(",").map((value, j) => cell("AB"[j], i + 1, value)).join("")}</row>`).join("")}</sheetData></worksheet>`;
+  const script = `import sys, zipfile
+with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as z:
+    z.writestr("[Content_Types].xml", '<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="xml" ContentType="application/xml"/><Override PartName="/xl/workbook.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/><Override PartName="/xl/worksheets/sheet1.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.worksheet+xml"/></Types>')
+    z.writestr("_rels/.rels", '<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>')
+    z.writestr("xl/_rels/workbook.xml.rels", '<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>')
+    z.writestr("xl/workbook.xml", '<?xml version="1.0"?><workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets><sheet name="Specimen 1" sheetId="1" r:id="rId1"/></sheets></workbook>')
+    z.writestr("xl/worksheets/sheet1.xml", sys.stdin.read())
+`;
+  try {
+    execFileSync("/usr/bin/python3", ["-c", script, join(folder, "book.xlsx")], { input: `<?xml version="1.0"?>${sheet}` });
+    const tab = await open();
+    await drop(tab, join(folder, "book.xlsx"));
+    await tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "book");
+    assert.match(await tab.locator("#what").innerText(), /426 rows/);
+    await say(tab, RIG);
+    await tab.keyboard.press("Escape");
+    await tab.locator("#fit").click();
+    await fitted(tab);
+    assert.match(await tab.locator("#answer .lead").innerText(), /^35 drops of force/);
+    assert.deepEqual(tab.said, []);
+    await tab.end();
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+});

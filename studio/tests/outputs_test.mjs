@@ -1,0 +1,145 @@
+// What can be taken out, held against the command line: the command at the foot, run natively on the same files, writes the same.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { close, drop, exported, fitted, missing, native, numbersOf, open, painted, root } from "./browser.mjs";
+
+const skip = missing || false;
+after(close);
+const example = Object.fromEntries([["simulated.toml", "case.toml"], ["test.csv", "test.csv"]].map(([name, file]) => [name, readFileSync(join(root, "examples/simulated", file))]));
+const text = (files, name) => Buffer.from(files[name]).toString("utf8");
+
+/** Estimates agree to a thousandth of their standard error. */
+function sameFit(page, shell, where = "") {
+  for (const [name, told] of Object.entries(shell.parameters)) {
+    const shown = page.parameters[name];
+    assert.ok(shown, `${where}${name}`);
+    if (told.standard_error > 0) assert.ok(Math.abs(shown.value - told.value) <= 1e-3 * told.standard_error, `${where}${name}: ${shown.value}, natively ${told.value} ± ${told.standard_error}`);
+  }
+  assert.equal(page.drops.length, shell.drops.length);
+  assert.deepEqual(page.drops.map((d) => [d.row_before, d.row_after, d.slip]), shell.drops.map((d) => [d.row_before, d.row_after, d.slip]));
+  assert.deepEqual(page.judgement.standing, shell.judgement.standing);
+  assert.deepEqual(page.checks.map((c) => [c.name, c.passed]), shell.checks.map((c) => [c.name, c.passed]));
+}
+
+test("JSON and CSV are those of the command line: fits to a thousandth of the standard error, what is measured to the last bit", { skip }, async () => {
+  const tab = await open();
+  const shell = native(["fit", "simulated.toml", "--json", "--profile", "profile.csv", "--curves", "curves.csv", "--draws", "draws.csv"], example);
+  const json = JSON.parse(text(await exported(tab, "All results"), "simulated.json"));
+  sameFit(json, JSON.parse(shell.out));
+  const curves = text(await exported(tab, "Curves"), "simulated-curves.csv"), there = shell["curves.csv"];
+  assert.equal(curves.split("\n")[0], there.split("\n")[0]);
+  const [a, b] = [numbersOf(curves), numbersOf(there)];
+  assert.equal(a.length, b.length);
+  a.forEach((line, i) => assert.deepEqual(line.slice(0, 4), b[i].slice(0, 4), "row, w_s, w and F are measured: the same bits"));
+  const se = json.parameters.bending_stiffness.standard_error / json.parameters.bending_stiffness.value, profile = text(await exported(tab, "Profile of friction"), "simulated-profile.csv");
+  const [p, q] = [numbersOf(profile), numbersOf(shell["profile.csv"])], mu = profile.split("\n")[0].split(",").indexOf("mu");
+  assert.equal(p.length, q.length);
+  p.forEach((line, i) => assert.ok(Math.abs(line[mu] - q[i][mu]) <= 1e-3 * q[i][mu + 1], `friction of row ${line[0]} (EI known to ${se})`));
+  const [d, e] = [text(await exported(tab, "Mean and draws"), "simulated-draws.csv"), shell["draws.csv"]].map(numbersOf);
+  assert.equal(d.length, e.length);
+  d.forEach((line, i) => assert.ok(Math.abs(line[1] - e[i][1]) <= 1e-2 * Math.max(e[i][2], 1e-6), `mean of the fit at ${line[0]}`));
+  await tab.end();
+});
+
+test("the case file runs in a shell and gives the same fit", { skip }, async () => {
+  const tab = await open();
+  const toml = text(await exported(tab, "Case file"), "simulated.toml"), json = JSON.parse(text(await exported(tab, "All results"), "simulated.json"));
+  sameFit(json, JSON.parse(native(["fit", "simulated.toml", "--json"], { "simulated.toml": toml, "test.csv": example["test.csv"] }).out));
+  await tab.end();
+});
+
+test("mechanics: the model by hand is what `flexslip simulate` answers to the exported case, to the last bit", { skip }, async () => {
+  const tab = await open();
+  for (const [key, value] of [["kc", "300"], ["EI", "2.4"], ["amp", "0.3"], ["R", "0"]]) {
+    const box = tab.locator(`.parameter[data-parameter=${key}] input.number`);
+    await box.fill(value);
+    await box.press("Enter");
+    await painted(tab);
+    const files = await exported(tab, "Model as it stands");
+    const out = numbersOf(native(["simulate", "simulated-model.toml"], files).out), shown = numbersOf(text(files, "simulated-model.csv"));
+    assert.equal(shown.length, out.length, key);
+    shown.forEach((line, i) => assert.deepEqual(line, out[i].slice(0, 3), `${key}, point ${i}`));
+  }
+  await tab.end();
+});
+
+test("the command at the foot, after rows and rig were changed, is what was run", { skip }, async () => {
+  const tab = await open();
+  const box = tab.locator(".parameter[data-parameter=kc] input.number");
+  await box.fill("95");
+  await box.press("Enter");
+  await tab.locator("[data-handle=last]").focus();
+  for (let i = 0; i < 4; ++i) await tab.keyboard.press("Shift+ArrowLeft"), await painted(tab);
+  await tab.locator("#fit").click();
+  await fitted(tab);
+  const command = await tab.locator("#command").innerText();
+  assert.equal(command, `flexslip fit simulated.toml --set 'rig.stiffness="95 N/m"' --set record.until=386`);
+  const json = JSON.parse(text(await exported(tab, "All results"), "simulated.json"));
+  sameFit(json, JSON.parse(native(["fit", "simulated.toml", "--set", 'rig.stiffness="95 N/m"', "--set", "record.until=386", "--json"], example).out));
+  await tab.end();
+});
+
+test("report: one HTML file with the answer, that asks for nothing", { skip }, async () => {
+  const tab = await open();
+  const html = text(await exported(tab, "Report"), "simulated-report.html");
+  assert.match(html, /<html/i);
+  assert.match(html, /cracks alone/i);
+  assert.doesNotMatch(html, /<(script|link|img|iframe)[^>]+(src|href)=["']https?:/i);
+  await tab.end();
+});
+
+test("figures: SVG without colours of the page's own names, PNG of 170 mm at 300 dpi", { skip }, async () => {
+  const tab = await open({ theme: "dark" });
+  const drawn = await exported(tab, "Figures", "SVG");
+  assert.deepEqual(Object.keys(drawn).sort(), ["simulated-fibre.svg", "simulated-force.svg", "simulated-friction.svg"]);
+  for (const [name, bytes] of Object.entries(drawn)) {
+    const svg = Buffer.from(bytes).toString("utf8");
+    assert.match(svg, /^<svg[^>]+width="170mm"/, name);
+    assert.doesNotMatch(svg, /var\(--/, `${name}: colours are resolved`);
+    assert.doesNotMatch(svg, /#191c20/i, `${name}: exported light`);
+    const parsed = await tab.evaluate((words) => new DOMParser().parseFromString(words, "image/svg+xml").querySelectorAll("parsererror").length, svg);
+    assert.equal(parsed, 0, name);
+  }
+  for (const [name, bytes] of Object.entries(await exported(tab, "Figures", "PNG"))) {
+    assert.deepEqual([...bytes.subarray(1, 4)], [...Buffer.from("PNG")], name);
+    assert.equal(bytes.readUInt32BE(16), Math.round((170 / 25.4) * 300), name);
+  }
+  assert.deepEqual(tab.said, []);
+  await tab.end();
+});
+
+test("address: a link brings the state back, of the example and of a dropped file", { skip }, async () => {
+  const stateOf = (tab) => tab.evaluate(() => ({ values: [...document.querySelectorAll(".parameter input.number")].map((e) => e.value), command: document.querySelector("#command").textContent, row: document.querySelector("#moment .cell b").textContent, axis: document.querySelector("#axis-stage").getAttribute("aria-pressed"), head: document.querySelector("#what").textContent, programme: document.querySelectorAll("[data-knob]").length }));
+  for (const dropped of [false, true]) {
+    const tab = await open();
+    if (dropped) {
+      await drop(tab, { name: "mine.toml", bytes: Buffer.from(example["simulated.toml"].toString("utf8").replace("test.csv", "mine.csv")) }, { name: "mine.csv", bytes: example["test.csv"] });
+      await tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "mine");
+      await fitted(tab);
+    }
+    const box = tab.locator(".parameter[data-parameter=EI] input.number");
+    await box.fill("2.3");
+    await box.press("Enter");
+    await tab.locator("#axis-stage").click();
+    await tab.locator("#add-cycle").click();
+    await tab.locator("#force-plot").focus();
+    await tab.keyboard.press("Shift+ArrowRight");
+    await painted(tab);
+    const before = await stateOf(tab);
+    await tab.click("#export");
+    await tab.locator("#menu button", { hasText: "Link to this state" }).click();
+    await tab.waitForFunction(() => location.hash.startsWith("#s="));
+    const hash = await tab.evaluate(() => location.hash), again = await open({ hash });
+    await painted(again);
+    assert.deepEqual(await stateOf(again), before, dropped ? "a dropped file" : "the example");
+    await again.reload();
+    await again.waitForSelector("body[data-ready]");
+    await painted(again);
+    assert.deepEqual(await stateOf(again), before, "reloaded");
+    assert.deepEqual(again.said, []);
+    await again.end();
+    await tab.end();
+  }
+});

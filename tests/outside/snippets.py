@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+"""outside: every command and code block of the documentation runs as it stands, page by page, in a folder of its own; which do not, and why, is listed here.
+
+Of a page, all blocks run in their order in one folder with copies of examples/, docs/figures and the exports of the tests, and with what PREPARED adds. Blocks of TOML are cases
+(those of case-files.md are tried in outside/docs) and are read by the program; a first line "# NAME" saves one under that name."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+import unittest
+
+from program import PROGRAM, SOURCE, InFolder, numbers, run
+
+FENCE = re.compile(r"^( *)```(\w*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
+PAGES = sorted(path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *(SOURCE / "docs").glob("*.md")] if path.name != "case-files.md")
+# A block is named by its page and the words that it begins with.
+NOT_RUN = {
+    ("performance.md", "cmake --preset release"): "builds the benchmarks and measures for an hour",
+    ("sweeps.md", "parallel flexslip"): "outside/sweep runs it on a smaller sweep",
+    ("sweeps.md", "flexslip sweep map.toml --slurm"): "outside/slurm runs it on a Slurm of its own",
+    ("sweeps.md", "flexslip merge here"): "outside/sweep joins parts of two folders",
+    ("sweeps.md", "shape = double(h5readatt"): "MATLAB's own reader of HDF5; outside/octave reads the same file",
+    ("sweeps.md", "import h5py\nwith h5py.File(\"sample.h5\")"): "outside/sweep runs it on a sample",
+    ("install.md", "sudo "): "installs on this machine; tools/try-package does it in a tree of its own",
+    ("install.md", "tools/"): "./check --all runs them",
+    ("install.md", "cmake --preset release"): "outside/library does the same from the build that is tested",
+}
+NO_CODE = {"", "text", "csv", "json", "latex", "html"}  # output, data, formulas; latex: two lines of a document, which outside/cite's bibtex and campaign's tables test
+WITHOUT = {"matlab": "octave-cli"}  # languages whose program may be missing
+
+
+def blocks(page):
+    return [(language, re.sub(rf"^{indent}", "", body, flags=re.MULTILINE)) for indent, language, body in FENCE.findall(page.read_text(encoding="utf-8"))]
+
+
+def reason_not_to(page, body):
+    return next((reason for (name, words), reason in NOT_RUN.items() if page.name == name and body.startswith(words)), None)
+
+
+def prepare(page, folder):
+    """What a page takes for granted."""
+    example = SOURCE / "examples/simulated"
+    if page.name == "campaign.md":
+        shutil.rmtree(folder / "tests")
+        shutil.copytree(SOURCE / "examples", folder / "tests")
+    if page.name == "rig-design.md":
+        shutil.copy(SOURCE / "examples/design.toml", folder / "case.toml")
+    if page.name == "README.md":
+        bar = self_made("17 mm", "2 mm", "900 N/mm")
+        (folder / "export.csv").write_text("Extension (mm),Load (N)\n" + "".join(f"{1e3 * x:.6f},{force:.6f}\n" for x, force in bar), encoding="utf-8")
+        shutil.copy(example / "test.csv", folder / "my-test.csv")
+        shutil.copytree(SOURCE / "examples", folder / "my-tests")
+    if page.name == "sweeps.md":  # the case of the page, which stands below its call; coarser, as the same answers take a minute
+        case = next(body for language, body in blocks(page) if language == "toml" and "[rig]" in body)
+        (folder / "map.toml").write_text(case.replace("points = 50", "points = 5").replace("points = 40", "points = 4"), encoding="utf-8")
+    if page.name == "tutorial.md":
+        shutil.copy(example / "test.csv", folder / "test.csv")
+
+
+def self_made(span, diameter, stiffness):
+    """Stage [m] and force [N] of a simulated bar."""
+    case = f"""[specimen]\ndiameter = "{diameter}"\nmodulus = "3 GPa"\n[rig]\nspan = "{span}"\nstiffness = "{stiffness}"
+[friction]\nmodel = "rough"\nmu0 = 0.4\nrms = 0.1\ncorrelation_length = "30 um"\nseed = 1\n[stage]\nprogram = ["0 mm", "8 mm"]\nstep = "20 um"\n"""
+    text = run("simulate", "-", stdin=case).stdout
+    return list(zip(numbers(text, "w_s [m]"), numbers(text, "F [N]")))
+
+
+class Snippets(InFolder):
+    def page_folder(self, page):
+        folder = self.folder / page.stem
+        (folder / "tests/instruments").mkdir(parents=True)
+        shutil.copytree(SOURCE / "examples", folder / "examples")
+        shutil.copytree(SOURCE / "tests/instruments/fixtures", folder / "tests/instruments/fixtures")
+        (folder / "docs").mkdir()
+        shutil.copytree(SOURCE / "docs/figures", folder / "docs/figures")
+        programs = self.folder / "programs"
+        programs.mkdir(exist_ok=True)
+        if not (programs / "flexslip").exists():
+            (programs / "flexslip").symlink_to(PROGRAM)
+            (programs / "python3").symlink_to("/usr/bin/python3")
+        # ./run is the program, and without arguments a fit of the example: outside/example has the script itself.
+        (folder / "run").write_text(f'#!/bin/sh\nif [ $# -eq 0 ]; then exec "{PROGRAM}" fit examples/simulated/case.toml --report flexslip-report; fi\nexec "{PROGRAM}" "$@"\n')
+        (folder / "run").chmod(0o755)
+        prepare(page, folder)
+        return folder
+
+    def ran(self, page, folder, language, body):
+        """Runs a block; nothing if its program is missing."""
+        if language == "toml":
+            name = re.match(r"# (\S+\.toml)\n", body)
+            case = tomllib.loads(body)
+            if name:
+                (folder / name.group(1)).write_text(body, encoding="utf-8")
+            elif page.name == "tutorial.md":
+                (folder / "my-case.toml").write_text(body, encoding="utf-8")
+                self.assertEqual(run("fit", folder / "my-case.toml").returncode, 0)
+            return
+        scripts = {"sh": ["bash", "-euo", "pipefail", "-c", body], "bash": ["bash", "-euo", "pipefail", "-c", body], "python": ["/usr/bin/python3", "-c", body],
+                   "matlab": ["octave-cli", "--quiet", "--no-init-file", "--eval", body]}
+        self.assertIn(language, scripts, f"{page.name}: no way to run a block of {language}")
+        environment = {**os.environ, "PATH": f"{self.folder / 'programs'}:{os.environ['PATH']}", "FLEXSLIP": PROGRAM, "MPLBACKEND": "Agg",
+                       "PYTHONPATH": f"{pathlib.Path(PROGRAM).parent / 'python'}"}
+        done = subprocess.run(scripts[language], cwd=folder, env=environment, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, f"{page.name}:\n{body}\n{done.stdout[-600:]}\n{done.stderr[-1500:]}")
+
+    def test_every_block_runs(self):
+        counted = {"run": 0, "not run": 0}
+        for page in PAGES:
+            code = [(language, body) for language, body in blocks(page) if language not in NO_CODE]
+            if not code:
+                continue
+            with self.subTest(page.name):
+                folder = self.page_folder(page)
+                for i, (language, body) in enumerate(code):
+                    reason = reason_not_to(page, body)
+                    if not reason and shutil.which(WITHOUT.get(language, "sh")) is None:
+                        reason = f"there is no {WITHOUT[language]} here"
+                    if reason:
+                        print(f"not run: {page.name}: {body.splitlines()[0][:60]}: {reason}", file=sys.stderr)
+                        counted["not run"] += 1
+                        continue
+                    before = "" if language in ("sh", "toml") else "".join(each for other, each in code[:i] if other == language and not reason_not_to(page, each))
+                    self.ran(page, folder, language, before + body)
+                    counted["run"] += 1
+        print(counted, file=sys.stderr)
+        self.assertGreater(counted["run"], 25)
+
+    def test_what_is_not_run_is_there(self):
+        for (name, words), _ in NOT_RUN.items():
+            page = next((page for page in PAGES if page.name == name), None)
+            if page is not None:
+                self.assertTrue(any(body.startswith(words) for _, body in blocks(page)), (name, words))
+
+
+if __name__ == "__main__":
+    if os.environ.get("FLEXSLIP_CONFIG") not in (None, "Release"):
+        sys.exit(77)
+    unittest.main()

@@ -1,0 +1,198 @@
+#include "studio/studio.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "bending_test/stage_steps.h"
+#include "case/problem.h"
+#include "case/simulation.h"
+#include "fibre/elastica.h"
+#include "tests/unit.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+studio::RigInput rig_with(studio::FrictionInput friction, double stiffness = 90.65, double roller_radius = 0,
+                          double depth = 0) {
+  return {.span = 1278e-6,
+          .depth = depth,
+          .bending_stiffness = 2.13e-9,
+          .stiffness = stiffness,
+          .roller_radius = roller_radius,
+          .friction = std::move(friction)};
+}
+
+studio::RoughFriction sinusoid(double amplitude) {
+  return {.mu0 = 0.5, .rms = 0, .correlation_length = 0, .seed = 0, .waves = {{amplitude, 11e-6, 0.7}}};
+}
+
+const studio::RoughFriction rough{.mu0 = 0.4, .rms = 0.15, .correlation_length = 8e-6, .seed = 7, .waves = {}};
+
+// The case file that says the same, its numbers to the last bit.
+std::string case_of(const studio::RigInput& rig, const std::string& friction, const std::string& stage) {
+  std::string text = "[specimen]\n";
+  text += rig.depth > 0 ? fmt::format("diameter = \"{} m\"\n", rig.depth) : "";
+  text += fmt::format("bending_stiffness = \"{} N m^2\"\n[rig]\nspan = \"{} m\"\n", rig.bending_stiffness, rig.span);
+  text += std::isinf(rig.stiffness) ? "stiffness = \"inf\"\n" : fmt::format("stiffness = \"{} N/m\"\n", rig.stiffness);
+  if (rig.roller_radius > 0) text += fmt::format("roller_radius = \"{} m\"\n", rig.roller_radius);
+  return text + "[friction]\n" + friction + "[stage]\n" + stage;
+}
+
+Simulation simulated_by_case(const std::string& text) {
+  const Case input = read_case(std::string_view(text), "case.toml");
+  const Scales scales = scales_of(input, bending_stiffness_of(input));
+  const StageProgramme programme = programme_of(input);
+  const BendingTest test = bending_test_of(input, scales, scales.reduced_length(programme.farthest));
+  std::vector<double> stages;
+  for (const double position : programme.positions) stages.push_back(scales.reduced_length(position));
+  const History history = programme.in_steps ? follow_in_steps(test, stages) : follow_continuously(test, stages, 200);
+  return simulated(input, history, test.rig.fibre, scales, {1e-9});
+}
+
+struct Asked {
+  std::string name;
+  studio::RigInput rig;
+  std::string friction;  // the same for a case file
+};
+
+const std::vector<Asked> many{
+    {"wave", rig_with(sinusoid(0.15)),
+     "model = \"sinusoid\"\nmu0 = 0.5\namplitude = 0.15\nwavelength = \"11e-6 m\"\nphase = \"0.7 rad\"\n"},
+    {"rough", rig_with(rough), "model = \"rough\"\nmu0 = 0.4\nrms = 0.15\ncorrelation_length = \"8e-6 m\"\nseed = 7\n"},
+    {"on rollers, thick", rig_with(sinusoid(0.02), 400, 60e-6, 34.8e-6),
+     "model = \"sinusoid\"\nmu0 = 0.5\namplitude = 0.02\nwavelength = \"11e-6 m\"\nphase = \"0.7 rad\"\n"},
+    {"displacement controlled", rig_with(sinusoid(0.15), infinity),
+     "model = \"sinusoid\"\nmu0 = 0.5\namplitude = 0.15\nwavelength = \"11e-6 m\"\nphase = \"0.7 rad\"\n"},
+};
+
+void check_same(const studio::Loading& loading, const Simulation& test, bool in_steps) {
+  REQUIRE(loading.force.size() == test.path.size());
+  REQUIRE(loading.status == test.status);
+  REQUIRE(loading.snaps.size() == test.snaps.size());
+  for (std::size_t i = 0; i < test.path.size(); ++i) {
+    CAPTURE(i);
+    if (!in_steps) CHECK(loading.stage[i] == test.path[i].stage);
+    CHECK(loading.deflection[i] == test.path[i].deflection);
+    CHECK(loading.force[i] == test.path[i].force);
+    CHECK(loading.drawn[i] == test.path[i].drawn_in);
+    CHECK(loading.friction[i] == test.path[i].q);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("studio: a loading has the bits of the case that says the same (oracle: the program's own way)") {
+  const std::vector<double> programme{0, 5e-4, 2e-4, 6e-4};
+  for (const Asked& asked : many) {
+    CAPTURE(asked.name);
+    const std::string turns = "program = [\"0 m\", \"5e-4 m\", \"2e-4 m\", \"6e-4 m\"]\n";
+    const auto stepped = studio::simulate(asked.rig, programme, 2e-6, 0);
+    const auto by_case = simulated_by_case(case_of(asked.rig, asked.friction, turns + "step = \"2e-6 m\"\n"));
+    check_same(stepped, by_case, true);
+    CHECK(stepped.stage == stage_steps(programme, 2e-6));
+    const auto continuous = studio::simulate(asked.rig, programme, std::nullopt, 200);
+    check_same(continuous, simulated_by_case(case_of(asked.rig, asked.friction, turns + "step = \"continuous\"\n")),
+               false);
+  }
+}
+
+TEST_CASE("studio: the rough and wavy friction of the sliders is the table that it says it is") {
+  studio::RoughFriction both = rough;
+  both.waves = sinusoid(0.15).waves;
+  const auto rig = rig_with(both);
+  const std::vector<double> programme{0, 6e-4};
+  const auto table = studio::tabulated(rig, 6e-4);
+  const auto loading = studio::simulate(rig, programme, 2e-6, 0);
+  const auto by_table = studio::simulate(rig_with(table), programme, 2e-6, 0);
+  CHECK(loading.force == by_table.force);
+  CHECK(loading.deflection == by_table.deflection);
+  CHECK(loading.snaps.size() > 3);
+}
+
+TEST_CASE("studio: the equilibrium curve passes through every sliding state of a stiff rig") {
+  const auto rig = rig_with(sinusoid(0.05), infinity);
+  const auto curve = studio::equilibrium(rig, 1.2 * rig.span, 50);
+  REQUIRE(curve.status == "ok");
+  const std::vector<double> programme{0, curve.deflection[20], curve.deflection[40]};
+  const auto loading = studio::simulate(rig, programme, 1.0, 0);
+  for (const std::size_t i : {1, 2}) CHECK(loading.force[i] == doctest::Approx(curve.force[20 * i]).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "studio: the shape ends level at midspan, bent by the deflection (identity), and is the elastica's on edges "
+    "(oracle: fibre_shape)") {
+  for (const double depth : {0.0, 34.8e-6})
+    for (const double radius : {0.0, 80e-6})
+      for (const double friction : {-0.3, 0.0, 0.5})
+        for (const double drawn : {0.02, 0.2, 0.6}) {
+          CAPTURE(depth);
+          CAPTURE(radius);
+          CAPTURE(friction);
+          CAPTURE(drawn);
+          auto rig = rig_with(sinusoid(0), infinity, radius, depth);
+          const double length = drawn * rig.span;
+          studio::Shape shape;
+          try {
+            shape = studio::shape(rig, length, friction, 100, 2e-4 + 0.5 * length);
+          } catch (const std::invalid_argument&) {
+            CHECK(drawn > 0.5);  // beyond the branch
+            continue;
+          }
+          const std::size_t middle = shape.axis.size() / 2;
+          CHECK(std::abs(shape.axis[middle].x) < 1e-6 * rig.span);
+          const double w = -shape.axis[middle].y;
+          // The force that this deflection and friction have, by the equilibrium of the forces at the supports.
+          CHECK(shape.force ==
+                doctest::Approx(2 * (shape.normal * std::cos(shape.slope) + shape.tangential * std::sin(shape.slope)))
+                    .epsilon(1e-9));
+          CHECK(shape.axis[middle - 1].y - shape.axis[middle].y < 1e-3 * rig.span);
+          if (depth == 0 && radius == 0) {
+            const FibreState state = fibre_state(1 + drawn, friction);
+            CHECK(std::abs(w / rig.span - state.w) < 1e-6);
+            for (std::size_t i = 1; i <= 101; ++i) {
+              const ShapePoint exact = fibre_shape(state, static_cast<double>(i - 1) / 100);
+              CHECK(std::abs(shape.axis[i].x / rig.span + 0.5 - exact.x) < 1e-6);
+              CHECK(std::abs(shape.axis[i].y / rig.span + exact.y) < 1e-6);
+            }
+          } else {
+            const auto given = Fibre({radius / rig.span, 0.5 * depth / rig.span}).state(1 + drawn, friction);
+            CHECK(std::abs(w / rig.span - given.w) < 1e-6);
+          }
+        }
+}
+
+TEST_CASE("studio: Euler and Bernoulli are the limit of a small deflection without friction") {
+  auto rig = rig_with(sinusoid(0), infinity);
+  std::get<studio::RoughFriction>(rig.friction).mu0 = 0;
+  const std::vector<double> programme{0, 1e-4 * rig.span};
+  const auto loading = studio::simulate(rig, programme, 1.0, 0);
+  CHECK(loading.force.back() == doctest::Approx(studio::euler_bernoulli(rig, 1e-4 * rig.span)).epsilon(1e-6));
+}
+
+TEST_CASE("studio: what cannot be computed is refused with a sentence") {
+  CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(0.1)), {}, 1e-6, 0), std::invalid_argument);
+  const std::vector<double> programme{0, 5e-4};
+  CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(0.1)), programme, -1e-6, 0), std::invalid_argument);
+  CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(1.5)), programme, 1e-6, 0), std::invalid_argument);
+  CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(0.1), 90, 0.6e-3), programme, 1e-6, 0), std::invalid_argument);
+  CHECK_THROWS_AS(studio::shape(rig_with(sinusoid(0.1)), 1, -5, 10, 0), std::invalid_argument);
+}
+
+TEST_CASE("studio: friction past the supports is that of the profile at the length drawn in over both") {
+  const auto rig = rig_with(sinusoid(0.15));
+  const std::vector<double> positions{0, 3e-6, 1e-4};
+  const auto mu = studio::friction_at(rig, positions);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const double S = rig.span + 2 * positions[i];
+    CHECK(mu[i] == doctest::Approx(0.5 * (1 + 0.15 * std::cos(3.141592653589793 * S / 11e-6 + 0.7))).epsilon(1e-10));
+  }
+}
+
+}  // namespace flexslip
