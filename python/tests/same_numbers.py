@@ -177,6 +177,40 @@ class Kept(unittest.TestCase):
             self.assertEqual(repr(again), repr(answer))
 
 
+REDUCED = """reduced = true
+[rig]
+stiffness = 30
+[friction]
+model = "rough"
+mu0 = 0.6
+rms = 0.1
+correlation_length = 0.01
+seed = 3
+[stage]
+program = [0, 0.5, 0.2]
+step = 0.002
+"""
+
+
+class Reduced(unittest.TestCase):
+    """Cases in the model's own variables."""
+
+    def test_outside_a_reduced_case_of_keywords_is_that_of_its_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "reduced.toml"
+            path.write_text(REDUCED)
+            of_file = flexslip.simulate(path)
+            self.assertEqual(of_file.to_json(), told("simulate", path, "--json"))
+        of_keywords = flexslip.simulate(reduced=True, stiffness=30, friction={"model": "rough", "mu0": 0.6, "rms": 0.1, "correlation_length": 0.01, "seed": 3},
+                                        stage={"program": [0, 0.5, 0.2], "step": 0.002})
+        self.assertEqual(of_keywords.to_json(), of_file.to_json())
+        self.assertEqual(of_file.to_frame().attrs["units"]["force"], "EI/L^2")
+        self.assertIn("EI/L^2", str(of_file.path.describe()))
+        fit = flexslip.fit(reduced=True, stiffness=30, bending_stiffness=("fit"), stage=of_file.path.stage[:250], force=of_file.path.force[:250])
+        self.assertTrue(fit.success, fit.message)
+        self.assertEqual(fit.params["wavelength"].unit if "wavelength" in fit.params else fit.params["correlation_length"].unit, "L")
+
+
 class Running(unittest.TestCase):
     """Beside other work."""
 
