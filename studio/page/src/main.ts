@@ -66,7 +66,7 @@ async function start(): Promise<void> {
     if (any(topics, "answer", "programme", "view", "card")) programme.draw();
     else if (topics.has("moment")) programme.mark();
     if (any(topics, "model", "parameters")) parameters.draw();
-    if (any(topics, "model", "fitting", "parameters")) parameters.drawFit();
+    if (any(topics, "model", "fitting", "progress", "parameters")) parameters.drawFit();
     if (topics.has("pins")) drawPins(studio);
     if (any(topics, "tour", "view", "answer")) drawTour(studio);
     byId<HTMLButtonElement>("undo").disabled = !studio.canUndo;
