@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """outside: every command and code block of the documentation runs as it stands, page by page, in a folder of its own; which do not, and why, is listed here.
 
-Of a page, all blocks run in their order in one folder with copies of examples/, docs/figures and the exports of the tests, and with what PREPARED adds. Blocks of TOML are cases
-(those of case-files.md are tried in outside/docs) and are read by the program; a first line "# NAME" saves one under that name."""
+Of a page, all blocks run in their order in one folder (those of Python and Octave as one session, after the commands) with copies of examples/, docs/figures and the exports of the tests, and with what PREPARED adds. Blocks of TOML are cases
+(those of case-files.md are tried in outside/docs; python.md as a whole is tried in python/guide) and are read by the program; a first line "# NAME" saves one under that name."""
 import os
 import pathlib
 import re
@@ -15,7 +15,7 @@ import unittest
 from program import PROGRAM, SOURCE, InFolder, numbers, run
 
 FENCE = re.compile(r"^( *)```(\w*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
-PAGES = sorted(path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *(SOURCE / "docs").glob("*.md")] if path.name != "case-files.md")
+PAGES = sorted(path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *(SOURCE / "docs").glob("*.md")] if path.name not in ("case-files.md", "python.md"))
 # A block is named by its page and the words that it begins with.
 NOT_RUN = {
     ("performance.md", "cmake --preset release"): "builds the benchmarks and measures for an hour",
@@ -114,7 +114,8 @@ class Snippets(InFolder):
                 continue
             with self.subTest(page.name):
                 folder = self.page_folder(page)
-                for i, (language, body) in enumerate(code):
+                sessions = {}  # of languages whose later blocks go on with what earlier ones made
+                for language, body in code:
                     reason = reason_not_to(page, body)
                     if not reason and shutil.which(WITHOUT.get(language, "sh")) is None:
                         reason = f"there is no {WITHOUT[language]} here"
@@ -122,9 +123,13 @@ class Snippets(InFolder):
                         print(f"not run: {page.name}: {body.splitlines()[0][:60]}: {reason}", file=sys.stderr)
                         counted["not run"] += 1
                         continue
-                    before = "" if language in ("sh", "toml") else "".join(each for other, each in code[:i] if other == language and not reason_not_to(page, each))
-                    self.ran(page, folder, language, before + body)
                     counted["run"] += 1
+                    if language in ("sh", "toml"):
+                        self.ran(page, folder, language, body)
+                    else:
+                        sessions[language] = sessions.get(language, "") + body
+                for language, body in sessions.items():
+                    self.ran(page, folder, language, body)
         print(counted, file=sys.stderr)
         self.assertGreater(counted["run"], 25)
 

@@ -12,7 +12,7 @@ const STEPS = 800;  // of the stage over the record: finer than the pixels of an
 /** Friction over S for these values. The fibre keeps its friction where it is past the supports, so a changed span shifts it. */
 function tableOf(fit: Fit, values: Values, mu: Float64Array): Rig["friction"] {
   const shift = values.L - fit.fitted.L;
-  return { model: "table", position: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu, met: true };
+  return { model: "table", position: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu, met: values.R > 0 };  // on edges it is the same friction, and then bit by bit that of a case file
 }
 
 export function rigOf(fit: Fit, values: Values, mu: Float64Array): Rig {
@@ -54,6 +54,10 @@ export class Model {
   }
   withoutFriction(rig: Rig): Loading {
     return this.mechanics.equilibrium({ ...rig, friction: { model: "table", position: Float64Array.of(rig.span, 2 * rig.span), mu: Float64Array.of(0, 0) } }, 200);
+  }
+  /** The friction of a rig as a case file takes it: on rollers it is looked up where the axis touches, and so by another length. */
+  tableFor(rig: Rig, farthest: number): Extract<Rig["friction"], { model: "table" }> {
+    return rig.friction.model === "table" && !rig.friction.met ? rig.friction : this.mechanics.tabulated(rig, farthest);
   }
   linear(rig: Rig, deflection: number): number {
     return this.mechanics.linear(rig, deflection);
