@@ -112,7 +112,11 @@ def _attribute(name: str) -> str:
     return name + "_" if keyword.iskeyword(name) else name
 
 
-def _read(value: Any, entry: Mapping[str, Any], classes: Mapping[str, type]) -> Any:
+def unit_of(entry: Mapping[str, Any], reduced: bool) -> str:
+    return str(entry["reduced_unit" if reduced else "unit"])
+
+
+def _read(value: Any, entry: Mapping[str, Any], classes: Mapping[str, type], reduced: bool = False) -> Any:
     """A value of an answer's data as what a user meets."""
     shape = entry["shape"]
     if shape == "number":
@@ -124,11 +128,11 @@ def _read(value: Any, entry: Mapping[str, Any], classes: Mapping[str, type]) -> 
     if shape == "quantity":
         return Quantity(_float(value["value"]), value["unit"])
     if shape == "group":
-        return classes[entry["name"]](value)
+        return classes[entry["name"]](value, reduced)
     if shape == "list":
-        return Table(value, classes[entry["name"]])
+        return Table(value, classes[entry["name"]], reduced=reduced)
     if shape == "by_name":
-        return {name: classes[entry["name"]](part) for name, part in value.items()}
+        return {name: classes[entry["name"]](part, reduced) for name, part in value.items()}
     if shape == "words" and isinstance(value, list):
         return tuple(value)
     return value
@@ -144,24 +148,25 @@ class Answer:
     _classes: Mapping[str, type] = {}
     _title = ""
 
-    def __init__(self, data: Mapping[str, Any]) -> None:
+    def __init__(self, data: Mapping[str, Any], reduced: bool = False) -> None:
         self._data = data
+        self._reduced = reduced  # are its numbers in reduced variables?
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _made, (type(self)._path, self._data)
+        return _made, (type(self)._path, self._data, self._reduced)
 
     _path: tuple[str, ...] = ()
 
     def __getitem__(self, name: str) -> Any:
         for entry in self._entries:
             if entry["name"] == name and (name in self._data):
-                return _read(self._data[name], entry, self._classes)
+                return _read(self._data[name], entry, self._classes, self._reduced)
         raise KeyError(name)
 
     def _of(self, entry: Mapping[str, Any]) -> Any:
         if entry["name"] not in self._data:
             raise AttributeError(f"this answer has no {entry['name']!r}; it has {', '.join(self._data)}")
-        return _read(self._data[entry["name"]], entry, self._classes)
+        return _read(self._data[entry["name"]], entry, self._classes, self._reduced)
 
     def __contains__(self, name: object) -> bool:
         return name in self._data
@@ -194,7 +199,7 @@ class Answer:
 
     def describe(self) -> Description:
         """What each number is, line by line: name, unit, meaning."""
-        return Description(self._entries)
+        return Description(self._entries, self._reduced)
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame with a row for each number or estimate."""
@@ -207,7 +212,7 @@ class Answer:
                 rows.append({"name": entry["name"], "value": value.value, "stderr": value.stderr, "low95": value.ci95[0],
                              "high95": value.ci95[1], "unit": value.unit, "meaning": entry["meaning"]})
             elif isinstance(value, (bool, int, float, str)):
-                rows.append({"name": entry["name"], "value": value, "unit": getattr(value, "unit", entry["unit"] or ""),
+                rows.append({"name": entry["name"], "value": value, "unit": getattr(value, "unit", unit_of(entry, self._reduced)),
                              "meaning": entry["meaning"]})
         return pandas.DataFrame(rows).set_index("name") if rows else pandas.DataFrame()
 
@@ -280,15 +285,16 @@ class Table(Sequence[Row], Generic[Row]):
     True
     """
 
-    def __init__(self, data: Mapping[str, Any], of: Any, entries: Sequence[Mapping[str, Any]] | None = None) -> None:
+    def __init__(self, data: Mapping[str, Any], of: Any, entries: Sequence[Mapping[str, Any]] | None = None, reduced: bool = False) -> None:
         self._data = data
+        self._reduced = reduced
         self._of = of
         self._entries: Sequence[Mapping[str, Any]] = of._entries if entries is None else entries
 
     def __reduce__(self) -> tuple[Any, ...]:
         if not self._of._path:
-            return _plain_table, (self._data, self._entries)
-        return _table_of, (self._data, self._of._path)
+            return table_of, (self._data, self._entries, self._reduced)
+        return _table_of, (self._data, self._of._path, self._reduced)
 
     def keys(self) -> list[str]:
         """The names of its columns."""
@@ -302,7 +308,7 @@ class Table(Sequence[Row], Generic[Row]):
         entry = self._entry(name)
         out = np.empty(len(values), dtype=object)
         for i, value in enumerate(values):
-            out[i] = _read(value, entry, getattr(self._of, "_classes", {}))
+            out[i] = _read(value, entry, getattr(self._of, "_classes", {}), self._reduced)
         return out
 
     def _entry(self, name: str) -> Mapping[str, Any]:
@@ -348,7 +354,7 @@ class Table(Sequence[Row], Generic[Row]):
         if isinstance(at, slice):
             return [self[i] for i in range(*at.indices(len(self)))]
         i = range(len(self))[at]
-        return self._of({name: _none_of(value) for name, value in self._row(i).items()})
+        return self._of({name: _none_of(value) for name, value in self._row(i).items()}, self._reduced)
 
     def to_dicts(self) -> list[dict[str, Any]]:
         """The rows as JSON has them."""
@@ -364,7 +370,7 @@ class Table(Sequence[Row], Generic[Row]):
 
     def describe(self) -> Description:
         """What each column is, line by line: name, unit, meaning."""
-        return Description(self._entries)
+        return Description(self._entries, self._reduced)
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame: an estimate takes four columns, NAME, NAME_standard_error, NAME_low and NAME_high; `attrs["units"]` has the units."""
@@ -383,7 +389,7 @@ class Table(Sequence[Row], Generic[Row]):
                 continue
             columns[name] = values if isinstance(values, np.ndarray) else self.column(name)
             if entry["unit"]:
-                units[name] = entry["unit"]
+                units[name] = unit_of(entry, self._reduced)
         frame = pandas.DataFrame(columns, index=pandas.RangeIndex(len(self)))
         frame.attrs["units"] = units
         return frame
@@ -398,13 +404,13 @@ class Table(Sequence[Row], Generic[Row]):
 class Description(Sequence[Any]):
     """What an answer holds: a line for each number, its name, unit and meaning."""
 
-    def __init__(self, entries: Sequence[Mapping[str, Any]], above: str = "") -> None:
+    def __init__(self, entries: Sequence[Mapping[str, Any]], reduced: bool = False, above: str = "") -> None:
         self._lines: list[tuple[str, str, str, str]] = []
         for entry in entries:
             name = above + entry["name"]
-            self._lines.append((name, entry["shape"], entry["unit"], entry["meaning"]))
+            self._lines.append((name, entry["shape"], unit_of(entry, reduced), entry["meaning"]))
             below = {"list": "[].", "by_name": ".*."}.get(entry["shape"], ".")
-            self._lines += Description(entry["entries"], name + below)._lines
+            self._lines += Description(entry["entries"], reduced, name + below)._lines
 
     def __len__(self) -> int:
         return len(self._lines)
@@ -471,21 +477,17 @@ def made_classes() -> list[type]:
     return list(_MADE.values())
 
 
-def _made(path: tuple[str, ...], data: Mapping[str, Any]) -> Any:
-    return _MADE[path](data)
+def _made(path: tuple[str, ...], data: Mapping[str, Any], reduced: bool) -> Any:
+    return _MADE[path](data, reduced)
 
 
-def _table_of(data: Mapping[str, Any], path: tuple[str, ...]) -> Table[Any]:
-    return Table(data, _MADE[path])
+def _table_of(data: Mapping[str, Any], path: tuple[str, ...], reduced: bool) -> Table[Any]:
+    return Table(data, _MADE[path], reduced=reduced)
 
 
-def _plain_table(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]]) -> Table[Any]:
-    return table_of(data, entries)
-
-
-def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]]) -> Table[Any]:
+def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]], reduced: bool = False) -> Table[Any]:
     """A table of an answer that is one itself."""
     row = type("Row", (Answer,), {"_entries": entries, "_title": "Row"})
     for entry in entries:
         setattr(row, _attribute(entry["name"]), _property_of(entry))
-    return Table(data, row)
+    return Table(data, row, reduced=reduced)

@@ -46,7 +46,7 @@ class Design(_Kept, DesignFields):
     _title = "Design"
 
     def __init__(self, data: Mapping[str, Any], case: Case, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
-        super().__init__(data)
+        super().__init__(data, case.reduced)
         self.case, self._test, self._kept = case, test, dict(kept or {})
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -87,7 +87,7 @@ class DesignMap(_Kept):
 
     @property
     def designs(self) -> Any:
-        return table_of(self._data["designs"], next(e for e in self._entries if e["name"] == "designs")["entries"])
+        return table_of(self._data["designs"], next(e for e in self._entries if e["name"] == "designs")["entries"], self.case.reduced)
 
     def to_dict(self) -> dict[str, Any]:
         """As JSON has it."""

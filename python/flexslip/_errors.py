@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -33,7 +34,7 @@ class InputError(ValueError):
     ...     flexslip.Case(rig={"span": "1278"})
     ... except flexslip.InputError as error:
     ...     print(error.key, "|", error.found)
-    rig.span | '1278', no unit
+    rig.span | the bare number '1278'
     """
 
     file: str | None = None
@@ -82,8 +83,22 @@ _OF_SYSTEM = {
 }
 
 
+_FLAG = re.compile(r'--([a-z][a-z-]*)(?: ("[^"]*"|[0-9]+\b|crosshead\b|deflection\b))?')
+
+
+def _in_python(text: str) -> str:
+    """Flags of the command line as arguments: --displacement crosshead is displacement="crosshead"."""
+    def argument(found: re.Match[str]) -> str:
+        value = found.group(2) or ""
+        return found.group(1).replace("-", "_") + "=" + (f'"{value}"' if value[:1].isalpha() else value)
+
+    return _FLAG.sub(argument, text)
+
+
 def error_of(message: str, **parts: Any) -> InputError:
     """The exception for a fault; of a file that is not there, one that is a FileNotFoundError as well."""
+    message = _in_python(message)
+    parts |= {name: _in_python(parts[name]) for name in ("field", "remedy") if parts.get(name)}
     error = _OF_SYSTEM.get(parts.get("found") or "", InputError)(message)
     for name, value in parts.items():
         setattr(error, name, value)

@@ -37,7 +37,7 @@ class Fit(FitFields):
     _title = "Fit"
 
     def __init__(self, data: Mapping[str, Any], case: Case, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
-        super().__init__(data)
+        super().__init__(data, case.reduced)
         self.case = case
         self._test = test
         self._kept: dict[str, Any] = dict(kept or {})
@@ -67,13 +67,13 @@ class Fit(FitFields):
 
     @property
     def curves(self) -> Table[Any]:
-        return table_of(self._part("curves"), _CURVES)
+        return table_of(self._part("curves"), _CURVES, self._reduced)
 
     @property
     def draws(self) -> Draws:
         if not self.success:
             raise ValueError(f"there is no fit to draw profiles from: {self.message}")
-        return Draws(self._data["draws"], self._part("draws"))
+        return Draws(self._data["draws"], self._part("draws"), self._reduced)
 
     def summary(self, full: bool = False) -> str:
         """The answer in words, as the program prints it; `full`: every slip and table."""
@@ -154,17 +154,17 @@ class Draws(FitDraws):
 
     _title = "Draws"
 
-    def __init__(self, data: Mapping[str, Any], table: Mapping[str, Any]) -> None:
+    def __init__(self, data: Mapping[str, Any], table: Mapping[str, Any], reduced: bool) -> None:
         import numpy as np
 
-        super().__init__(data)
+        super().__init__(data, reduced)
         self._table = table
         columns = table["columns"]
         self.length, self.mu, self.deviation = columns["length"], columns["mu"], columns["deviation"]
         self.profiles = np.array([values for name, values in columns.items() if name.startswith("draw_")])
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Draws, (self._data, self._table)
+        return Draws, (self._data, self._table, self._reduced)
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame as ``flexslip fit --draws`` writes it."""

@@ -62,7 +62,7 @@ class Export(ExportFields):
         return f"<Export, {self.format}, {self.rows} rows: {names}>"
 
 
-def read(file: Any, *, specimen: int | None = None, encoding: str | None = None, separator: str | None = None, decimal: str | None = None,
+def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = None, encoding: str | None = None, separator: str | None = None, decimal: str | None = None,
          thousands: str | None = None, time: str | int | None = None, crosshead: str | int | None = None, deflection: str | int | None = None,
          force: str | int | None = None, displacement: str | None = None, time_unit: str | None = None, displacement_unit: str | None = None,
          force_unit: str | None = None, calibration: str | None = None) -> Export:
@@ -73,6 +73,8 @@ def read(file: Any, *, specimen: int | None = None, encoding: str | None = None,
     file : path
     specimen : int, optional
         Which of several specimens, counted from 1; the first.
+    sheet : str or int, optional
+        Of a workbook (.xlsx): its name or number; the first with numbers.
     encoding, separator, decimal, thousands : str, optional
         Found, unless they are given: ``"cp1252"``, ``";"``, ``","``, ``"."``.
     time, crosshead, deflection, force : str or int, optional
@@ -96,14 +98,14 @@ def read(file: Any, *, specimen: int | None = None, encoding: str | None = None,
     >>> export.rows, export.data["force"].dtype
     (426, dtype('float64'))
     """
-    given = {"encoding": encoding, "separator": separator, "decimal": decimal, "thousands": thousands, "time": time, "crosshead": crosshead,
+    given = {"sheet": sheet, "encoding": encoding, "separator": separator, "decimal": decimal, "thousands": thousands, "time": time, "crosshead": crosshead,
              "deflection": deflection, "force": force, "displacement": displacement, "time_unit": time_unit,
              "displacement_unit": displacement_unit, "force_unit": force_unit, "calibration": calibration}
     words = {}
     for name, value in given.items():
         if value is None:
             continue
-        if name in _ROLES[:1] + _ROLES[2:] and isinstance(value, int) and not isinstance(value, bool):
+        if name in ("sheet", *_ROLES[:1], *_ROLES[2:]) and isinstance(value, int) and not isinstance(value, bool):
             value = str(value)
         if not isinstance(value, str):
             raise wrong(name, "text", value)

@@ -28,7 +28,7 @@ class Simulation(SimulationFields):
     _title = "Simulation"
 
     def __init__(self, data: Mapping[str, Any], case: Case, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
-        super().__init__(data)
+        super().__init__(data, case.reduced)
         self.case = case
         self._test = test
         self._kept: dict[str, Any] = dict(kept or {})
@@ -90,7 +90,7 @@ class Profile(ProfileFields):
     _title = "Profile"
 
     def __init__(self, data: Mapping[str, Any], case: Case, remarks: tuple[str, ...], message: str) -> None:
-        super().__init__(data)
+        super().__init__(data, case.reduced)
         self.case, self.remarks, self.message = case, remarks, message
 
     def __reduce__(self) -> tuple[Any, ...]:

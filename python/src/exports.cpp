@@ -51,6 +51,7 @@ ExportWords words_of(const py::dict& given) {
     if (given.contains(name)) word = given[name].cast<std::string>();
   };
   take("sheet", words.sheet);
+  take("sheet", words.sheet);
   take("encoding", words.encoding);
   take("separator", words.separator);
   take("decimal", words.decimal);

@@ -3,6 +3,7 @@
 import math
 import os
 import pickle
+import tempfile
 import unittest
 
 import hypothesis
@@ -153,6 +154,17 @@ class Faults(unittest.TestCase):
             self.assertIn("nothing", error.filename)
             self.assertIn("nothing", str(error))
         self.assertIsInstance(self.fault(lambda: flexslip.read("examples")), IsADirectoryError)
+
+    def test_outside_remedies_are_in_words_of_python(self):
+        table = "Weg (mm);Kraft (N)\n" + "".join(f"{i / 10};{i / 7:.4f}\n" for i in range(40))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "export.csv")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(table)
+            error = self.fault(lambda: flexslip.fit(path, **SPECIMEN))
+        self.assertIn('displacement="crosshead"', error.remedy)
+        self.assertIn('displacement="crosshead"', str(error))
+        self.assertNotIn("--", str(error))
 
     def test_outside_keywords_that_are_none(self):
         for call in (lambda: flexslip.fit(CASE, spam=3), lambda: flexslip.simulate(CASE, diametre="3 um"), lambda: flexslip.Case(span="1 mm", spam=3)):

@@ -41,6 +41,20 @@ class Guide(unittest.TestCase):
             os.chdir(SOURCE)
 
 
+    def test_outside_the_block_of_the_readme(self):
+        (code,) = re.findall(r"^```python\n(.*?)^```$", (SOURCE / "README.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+        self.addCleanup(os.chdir, SOURCE)
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            shutil.copy(SOURCE / "examples/simulated/test.csv", "my-test.csv")
+            out = io.StringIO()
+            with contextlib.redirect_stdout(out):
+                exec(compile(code, "README.md", "exec"), {"flexslip": flexslip})
+            os.chdir(SOURCE)
+        value, interval = out.getvalue().split(" ", 1)
+        self.assertTrue(0.45 < float(value) < 0.55 and interval.startswith("("))
+
+
 class Docstrings(unittest.TestCase):
     def test_outside_examples_in_docstrings(self):
         os.chdir(SOURCE)

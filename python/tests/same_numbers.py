@@ -1,13 +1,18 @@
 #!/usr/bin/python3
 """outside: every number in Python is that of the command line's JSON and CSV, to the last bit, for the shipped examples and the spicules."""
+import concurrent.futures
 import csv
 import io
 import json
 import math
+import multiprocessing
 import os
 import pathlib
 import pickle
+import subprocess
+import sys
 import tempfile
+import threading
 import unittest
 
 import numpy as np
@@ -170,6 +175,79 @@ class Kept(unittest.TestCase):
             again = pickle.loads(pickle.dumps(answer))
             self.assertEqual(again.to_json(), answer.to_json())
             self.assertEqual(repr(again), repr(answer))
+
+
+REDUCED = """reduced = true
+[rig]
+stiffness = 30
+[friction]
+model = "rough"
+mu0 = 0.6
+rms = 0.1
+correlation_length = 0.01
+seed = 3
+[stage]
+program = [0, 0.5, 0.2]
+step = 0.002
+"""
+
+
+class Reduced(unittest.TestCase):
+    """Cases in the model's own variables."""
+
+    def test_outside_a_reduced_case_of_keywords_is_that_of_its_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "reduced.toml"
+            path.write_text(REDUCED)
+            of_file = flexslip.simulate(path)
+            self.assertEqual(of_file.to_json(), told("simulate", path, "--json"))
+        of_keywords = flexslip.simulate(reduced=True, stiffness=30, friction={"model": "rough", "mu0": 0.6, "rms": 0.1, "correlation_length": 0.01, "seed": 3},
+                                        stage={"program": [0, 0.5, 0.2], "step": 0.002})
+        self.assertEqual(of_keywords.to_json(), of_file.to_json())
+        self.assertEqual(of_file.to_frame().attrs["units"]["force"], "EI/L^2")
+        self.assertIn("EI/L^2", str(of_file.path.describe()))
+        fit = flexslip.fit(reduced=True, stiffness=30, bending_stiffness=("fit"), stage=of_file.path.stage[:250], force=of_file.path.force[:250])
+        self.assertTrue(fit.success, fit.message)
+        self.assertEqual(fit.params["wavelength"].unit if "wavelength" in fit.params else fit.params["correlation_length"].unit, "L")
+
+
+class Running(unittest.TestCase):
+    """Beside other work."""
+
+    def test_identity_processes_give_the_same(self):
+        with concurrent.futures.ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
+            for name, fit in zip(EXAMPLES, pool.map(flexslip.fit, map(case, EXAMPLES))):
+                self.assertEqual(fit.to_json(), flexslip.fit(case(name)).to_json())
+
+    def test_identity_threads_give_the_same(self):
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            for name, fit in zip(EXAMPLES * 2, pool.map(flexslip.fit, map(case, EXAMPLES * 2))):
+                self.assertEqual(fit.to_json(), flexslip.fit(case(name)).to_json())
+
+    def test_outside_other_threads_run_during_a_fit(self):
+        begun, done = threading.Event(), threading.Event()
+
+        def work():
+            begun.set()
+            flexslip.fit(case("simulated"))
+            done.set()
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        begun.wait()
+        turns = 0
+        while not done.is_set():
+            turns += 1
+        thread.join()
+        self.assertGreater(turns, 100)  # a handful, where the lock is held: a turn takes microseconds, the fit a tenth of a second
+
+    def test_outside_ctrl_c_ends_a_campaign(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = ("import flexslip, os, signal, threading\n"
+                       "threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+                       "while True: flexslip.campaign('examples', jobs=1)\n")
+            ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, env={**os.environ, "TMPDIR": folder})
+        self.assertIn("KeyboardInterrupt", ended.stderr)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 """outside: every command and code block of the documentation runs as it stands, page by page, in a folder of its own; which do not, and why, is listed here.
 
 Of a page, all blocks run in their order in one folder (those of Python and Octave as one session, after the commands) with copies of examples/, docs/figures and the exports of the tests, and with what PREPARED adds. Blocks of TOML are cases
-(those of case-files.md are tried in outside/docs) and are read by the program; a first line "# NAME" saves one under that name."""
+(those of case-files.md are tried in outside/docs; python.md as a whole is tried in python/guide) and are read by the program; a first line "# NAME" saves one under that name."""
 import os
 import pathlib
 import re
@@ -15,7 +15,7 @@ import unittest
 from program import PROGRAM, SOURCE, InFolder, numbers, run
 
 FENCE = re.compile(r"^( *)```(\w*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
-PAGES = sorted(path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *(SOURCE / "docs").glob("*.md")] if path.name != "case-files.md")
+PAGES = sorted(path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *(SOURCE / "docs").glob("*.md")] if path.name not in ("case-files.md", "python.md"))
 # A block is named by its page and the words that it begins with.
 NOT_RUN = {
     ("performance.md", "cmake --preset release"): "builds the benchmarks and measures for an hour",

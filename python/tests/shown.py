@@ -1,0 +1,177 @@
+#!/usr/bin/python3
+"""outside: figures, frames and words: what is drawn is what the answer holds, with the report's labels; nothing is warned of."""
+import html.parser
+import os
+import pathlib
+import pickle
+import re
+import subprocess
+import tempfile
+import unittest
+import warnings
+
+os.environ["MPLBACKEND"] = "Agg"
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+import pandas  # noqa: E402
+
+import flexslip  # noqa: E402
+from package import EXAMPLES, PROGRAM, SOURCE  # noqa: E402
+
+os.chdir(SOURCE)
+DESIGN = "examples/design.toml"
+
+
+def case(name):
+    return f"examples/{name}/case.toml"
+
+
+def drawn():
+    """Every kind of figure: its name, and the axes."""
+    for name in EXAMPLES:
+        fit = flexslip.fit(case(name))
+        for figure in fit._part("figures"):
+            yield f"{name} {figure['name']}", fit.plot(figure["name"])
+    for name in "simulated", "cyclic", "cracked":
+        yield f"simulate {name}", flexslip.simulate(f"examples/{name}/truth.toml").plot()
+    yield "design", flexslip.design(DESIGN).plot()
+    yield "design over one", flexslip.design(DESIGN, over={"stiffness": ("10 N/m", "1000 N/m", 5)}).plot()
+    yield "design over two", flexslip.design(DESIGN, over={"stiffness": ("10 N/m", "1000 N/m", 5), "mu0": (0.1, 0.9, 4)}).plot()
+    campaign = flexslip.campaign("examples")
+    for figure in campaign._part("figures"):
+        yield f"campaign {figure['name']}", campaign.plot(figure["name"])
+    not_explained = flexslip.fit(case("simulated"), modulus="1 GPa")
+    yield "no answer", not_explained.plot("record")
+
+
+class Figures(unittest.TestCase):
+    def tearDown(self):
+        plt.close("all")
+
+    def test_outside_every_figure_is_drawn_with_labels_and_without_a_warning(self):
+        count = 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for name, axes in drawn():
+                with self.subTest(name):
+                    each = np.atleast_1d(np.asarray(axes, dtype=object)).ravel()
+                    with tempfile.TemporaryFile() as file:
+                        each[0].figure.savefig(file, format="svg")
+                    labels = [ax.get_xlabel() + ax.get_ylabel() + each[0].figure.get_supxlabel() if hasattr(each[0].figure, "get_supxlabel") else
+                              ax.get_xlabel() + ax.get_ylabel() + "".join(text.get_text() for text in each[0].figure.texts) for ax in each]
+                    self.assertTrue(all(labels), labels)
+                    self.assertTrue(any(np.isfinite(line.get_xdata()).any() for ax in each for line in ax.lines))
+                    plt.close(each[0].figure)
+                    count += 1
+        self.assertGreater(count, 18)
+
+    def test_outside_units_on_the_axes_are_those_of_the_report(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet", "--report", folder], check=True, capture_output=True)
+            script = pathlib.Path(folder, "figures/force.gp").read_text(encoding="utf-8")
+        units = re.findall(r"set [xy]label '[^']*\(([^)]*)\)'", script)
+        axes = flexslip.fit(case("simulated")).plot()
+        self.assertEqual(sorted(re.findall(r"\(([^)]*)\)$", label)[0] for label in (axes[0].get_ylabel(), axes[1].get_xlabel())), sorted(units))
+
+    def test_identity_measured_points_are_those_of_the_curves(self):
+        fit = flexslip.fit(case("simulated"))
+        line = next(line for line in fit.plot()[0].lines if line.get_label() == "Measured")
+        np.testing.assert_allclose(line.get_xdata(), 1e6 * fit.curves.deflection, rtol=1e-12)  # µm; the products round
+        np.testing.assert_allclose(line.get_ydata(), 1e3 * fit.curves.force, rtol=1e-12)
+
+    def test_outside_axes_of_ones_own(self):
+        fit = flexslip.fit(case("simulated"))
+        figure, axes = plt.subplots(1, 2)
+        self.assertIs(fit.plot("force", ax=axes[0]), axes[0])
+        self.assertIs(fit.plot("profile", ax=axes[1]), axes[1])
+        both = fit.plot(ax=axes)
+        self.assertEqual(list(both), list(axes))
+        before = plt.rcParams["font.size"]
+        self.assertEqual(before, plt.rcParamsDefault["font.size"])  # a figure changes no settings of others
+        self.assertRaises(flexslip.InputError, fit.plot, "spam")
+        self.assertRaises(flexslip.InputError, fit.plot, "profile", ax=axes)
+        self.assertRaises(TypeError, fit.plot, "profile", ax=3)
+        again = pickle.loads(pickle.dumps(fit))
+        self.assertEqual(len(again.plot()[0].lines), len(fit.plot()[0].lines))
+
+
+class Parser(html.parser.HTMLParser):
+    """Counts tags that are open."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in ("br", "hr", "img", "meta", "input"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+
+class Words(unittest.TestCase):
+    def answers(self):
+        fit = flexslip.fit(case("cyclic"))
+        yield from (fit, fit.parameters, fit.profile, fit.drops, fit.judgement, fit.params.mu0, fit.describe(), fit.draws, fit.curves, fit.case,
+                    flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"), flexslip.design(DESIGN),
+                    flexslip.design(DESIGN, over={"mu0": (0.1, 0.9, 3)}), flexslip.friction_profile(case("simulated")),
+                    flexslip.read("examples/simulated/test.csv"), flexslip.campaign("examples"), flexslip.campaign("examples").tests)
+
+    def test_outside_everything_is_shown(self):
+        for answer in self.answers():
+            with self.subTest(type(answer).__name__):
+                self.assertTrue(repr(answer))
+                self.assertNotIn("object at 0x", repr(answer))
+                if hasattr(answer, "_repr_html_"):
+                    self.assertEqual(Parser(answer._repr_html_()).open, [])
+                dir(answer)
+
+    def test_outside_words_are_those_of_the_program(self):
+        fit = flexslip.fit(case("simulated"))
+        printed = subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet"], capture_output=True, text=True, check=True).stdout
+        full = subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet", "--full"], capture_output=True, text=True, check=True).stdout
+        self.assertEqual((fit.summary(), fit.summary(full=True)), (printed, full))
+        printed = subprocess.run([PROGRAM, "design", DESIGN, "--quiet"], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(flexslip.design(DESIGN).summary(), printed)
+
+    def test_outside_every_number_has_its_meaning(self):
+        fit = flexslip.fit(case("simulated"))
+        told = {line[0] for line in fit.describe()}
+        page = (SOURCE / "docs/results.md").read_text(encoding="utf-8")
+        for name in "parameters.mu0", "profile[].mu_error", "energy.friction_share":
+            self.assertIn(name, told)
+            self.assertIn(f"`{name}`", page)
+        self.assertIn("mean friction", type(fit.parameters).mu0.__doc__)
+
+
+class Frames(unittest.TestCase):
+    def test_identity_frames_hold_the_columns(self):
+        fit = flexslip.fit(case("simulated"))
+        for table in fit.profile, fit.curves, fit.drops, fit.scan:
+            frame = table.to_frame()
+            self.assertIsInstance(frame, pandas.DataFrame)
+            self.assertEqual(len(frame), len(table))
+            for name in table.keys():
+                values = table[name]
+                if values.dtype == object and isinstance(values[0], flexslip.Estimate):
+                    values = [each.value for each in values]
+                np.testing.assert_array_equal(frame[name].to_numpy(), values)
+        frame = fit.to_frame()
+        self.assertEqual(frame.loc["mu0", "value"], fit.params.mu0.value)
+        self.assertEqual((frame.loc["wavelength", "low95"], frame.loc["wavelength", "high95"]), fit.params.wavelength.ci95)
+
+    def test_identity_rows_hold_the_columns(self):
+        fit = flexslip.fit(case("simulated"))
+        self.assertEqual([row.mu for row in fit.profile], fit.profile.mu.tolist())
+        self.assertEqual(fit.profile[-1].mu, fit.profile.mu[-1])
+        self.assertEqual([row.mu for row in fit.profile[2:9:3]], fit.profile.mu[2:9:3].tolist())
+        self.assertRaises(IndexError, lambda: fit.profile[len(fit.profile)])
+        self.assertRaises(AttributeError, lambda: fit.profile.spam)
+        self.assertRaises(AttributeError, lambda: fit.spam)
+        self.assertRaises(KeyError, lambda: fit["spam"])
+
+
+if __name__ == "__main__":
+    unittest.main()
