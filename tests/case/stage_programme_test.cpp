@@ -15,7 +15,7 @@ namespace {
 StageProgramme programme(const std::string& stage, const std::string& path = "case.toml") {
   return programme_of(read_case(
       "[specimen]\ndiameter = \"40 um\"\nmodulus = \"30 GPa\"\n[rig]\nspan = \"1 mm\"\nstiffness = \"90 N/m\"\n"
-      "[friction]\nmu0 = 0.5\n[stage]\n" +
+      "[friction]\nmodel = \"constant\"\nmu0 = 0.5\n[stage]\n" +
           stage + "\n",
       path));
 }

@@ -14,7 +14,7 @@ namespace {
 
 Case rod(const std::string& modulus, const std::string& rig = "") {
   return read_case("[specimen]\ndiameter = \"40 um\"\n" + modulus + "\n[rig]\nspan = \"1.2 mm\"\n" + rig +
-                       "\n[friction]\nmu0 = 0.5\n[stage]\nprogram = [\"0 um\", \"100 um\"]\n",
+                       "\n[friction]\nmodel = \"constant\"\nmu0 = 0.5\n[stage]\nprogram = [\"0 um\", \"100 um\"]\n",
                    "rod.toml");
 }
 

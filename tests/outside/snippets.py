@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """outside: every command and code block of the documentation runs as it stands, page by page, in a folder of its own; which do not, and why, is listed here.
 
-Of a page, all blocks run in their order in one folder with copies of examples/, docs/figures and the exports of the tests, and with what PREPARED adds. Blocks of TOML are cases
+Of a page, all blocks run in their order in one folder (those of Python and Octave as one session, after the commands) with copies of examples/, docs/figures and the exports of the tests, and with what PREPARED adds. Blocks of TOML are cases
 (those of case-files.md are tried in outside/docs; python.md as a whole is tried in python/guide) and are read by the program; a first line "# NAME" saves one under that name."""
 import os
 import pathlib
@@ -114,7 +114,8 @@ class Snippets(InFolder):
                 continue
             with self.subTest(page.name):
                 folder = self.page_folder(page)
-                for i, (language, body) in enumerate(code):
+                sessions = {}  # of languages whose later blocks go on with what earlier ones made
+                for language, body in code:
                     reason = reason_not_to(page, body)
                     if not reason and shutil.which(WITHOUT.get(language, "sh")) is None:
                         reason = f"there is no {WITHOUT[language]} here"
@@ -122,9 +123,13 @@ class Snippets(InFolder):
                         print(f"not run: {page.name}: {body.splitlines()[0][:60]}: {reason}", file=sys.stderr)
                         counted["not run"] += 1
                         continue
-                    before = "" if language in ("sh", "toml") else "".join(each for other, each in code[:i] if other == language and not reason_not_to(page, each))
-                    self.ran(page, folder, language, before + body)
                     counted["run"] += 1
+                    if language in ("sh", "toml"):
+                        self.ran(page, folder, language, body)
+                    else:
+                        sessions[language] = sessions.get(language, "") + body
+                for language, body in sessions.items():
+                    self.ran(page, folder, language, body)
         print(counted, file=sys.stderr)
         self.assertGreater(counted["run"], 25)
 

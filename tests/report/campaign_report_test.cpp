@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "campaign/campaign_plan.h"
 #include "io/child_process.h"
 #include "io/text_file.h"
 #include "report/page.h"
@@ -14,12 +15,13 @@ namespace fs = std::filesystem;
 
 TEST_CASE("outside: the report is well-formed, needs no other file, and links to what exists") {
   const Folder folder;
-  make_folder(folder.path + "/tests/" + awkward_name);
-  write_text(folder.path + "/tests/" + awkward_name + "/report.html", "");
+  const std::string of_test = folder.path + "/tests/" + folder_name(awkward_name);
+  make_folder(of_test);
+  write_text(of_test + "/report.html", "");
   const DrawStatus drawn = write_campaign_report(folder.path, some_campaign());
   const std::string html = text_of(folder.path + "/report.html");
   CHECK(html.find("A &lt;b&gt; &amp; 50%_ü") != std::string::npos);
-  CHECK(html.find("href=\"tests/A%20%3Cb%3E%20%26%2050%25_%C3%BC%20%22x%22/report.html\"") != std::string::npos);
+  CHECK(html.find("href=\"tests/A%20_b_%20%26%2050%25_%C3%BC%20_x_/report.html\"") != std::string::npos);
   CHECK(html.find("href=\"tests/SS4/") == std::string::npos);
   CHECK(html.find("<script") == std::string::npos);
   CHECK(html.find("<img") == std::string::npos);
