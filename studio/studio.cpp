@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -24,6 +25,20 @@ Supports supports_of(const RigInput& rig, const Scales& scales) {
   if (!(supports.radius + supports.half_depth < widest_supports))
     throw std::invalid_argument("the rollers, with half of the specimen's thickness, leave no span between them");
   return supports;
+}
+
+// The fibre on its supports. Its tables cost more than a curve, and depend on span, thickness and rollers alone: those of the supports asked for last
+// are kept, so that what follows a slider of friction or stiffness does not build them anew. The answers are the same bits.
+const Fibre& fibre_on(const RigInput& rig, const Scales& scales) {
+  struct Kept {
+    Supports supports;
+    Fibre fibre;
+  };
+  thread_local std::optional<Kept> kept;
+  const Supports supports = supports_of(rig, scales);
+  if (!kept || kept->supports.radius != supports.radius || kept->supports.half_depth != supports.half_depth)
+    kept = Kept{supports, Fibre(supports)};
+  return kept->fibre;
 }
 
 FrictionWaves waves_of(const RoughFriction& rough, const Scales& scales) {
@@ -133,7 +148,7 @@ Loading simulate(const RigInput& input, std::span<const double> programme, std::
   const Scales scales = scales_of(input);
   const double farthest = scales.reduced_length(*std::max_element(programme.begin(), programme.end()));
   const double S_max = longest_at_stage(farthest);
-  const Rig rig{scales.reduced_stiffness(input.stiffness), Fibre(supports_of(input, scales))};
+  const Rig rig{scales.reduced_stiffness(input.stiffness), fibre_on(input, scales)};
   const Friction friction = friction_of(input, scales, S_max);
   require_covered(friction, rig.fibre, S_max);
   const BendingTest test{{friction, Friction::constant(0)}, rig};
@@ -163,7 +178,7 @@ Loading simulate(const RigInput& input, std::span<const double> programme, std::
 Loading equilibrium(const RigInput& rig, double longest, int points) {
   const Scales scales = scales_of(rig);
   const double S_max = scales.reduced_length(longest);
-  const Fibre fibre(supports_of(rig, scales));
+  const Fibre fibre = fibre_on(rig, scales);
   const Friction friction = friction_of(rig, scales, S_max);
   require_covered(friction, fibre, S_max);
   const EquilibriumCurve curve = equilibrium_curve(friction, Sliding::in, S_max, points, fibre);
@@ -180,7 +195,7 @@ Loading equilibrium(const RigInput& rig, double longest, int points) {
 Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond) {
   if (points < 2) throw std::invalid_argument("a shape of fewer than two points");
   const Scales scales = scales_of(rig);
-  const Fibre fibre(supports_of(rig, scales));
+  const Fibre fibre = fibre_on(rig, scales);
   const FibreState state = fibre.state(1 + scales.reduced_length(drawn), friction);
   if (state.status != FibreStatus::ok) throw std::invalid_argument("there is no such state of the fibre");
   const Supports& supports = fibre.supports();

@@ -97,7 +97,7 @@ class NothingLost(InFolder):
         tried = {(call[0], option) for call, _, options in self.calls() for option in options}
         tried |= {("fit", "--report"), ("campaign", "--report")}  # below
         tried |= {(command, "--figure") for command in ("design", "simulate", "equilibrium", "surface")}  # below
-        tried |= {("studio", "--output")}  # outside/studio
+        tried |= {("studio", "--output")}  # outside/studio_command
         tried |= {("merge", "--output"), ("completions", "--output"), ("keys", "--output"), ("results", "--output"), ("cite", "--output")}  # which read no file of the user's
         commands = re.findall(r"^  (\w+) ", run("--help").stdout.split("Commands:")[1], re.MULTILINE)
         self.assertGreaterEqual(len(commands), 12)

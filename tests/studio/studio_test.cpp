@@ -176,6 +176,19 @@ TEST_CASE("studio: Euler and Bernoulli are the limit of a small deflection witho
   CHECK(loading.force.back() == doctest::Approx(studio::euler_bernoulli(rig, 1e-4 * rig.span)).epsilon(1e-6));
 }
 
+TEST_CASE("identity: studio: what was asked before changes no bit of an answer") {
+  const std::vector<double> programme{0, 4e-4, 1e-4};
+  const auto asked = rig_with(sinusoid(0.15), 90.65, 0, 34.8e-6);
+  const auto first = studio::simulate(asked, programme, 2e-6, 0);
+  for (const auto& [radius, depth] : {std::pair{0.0, 30e-6}, {20e-6, 34.8e-6}, {0.0, 0.0}}) {
+    studio::simulate(rig_with(sinusoid(0.3), 40, radius, depth), programme, 1e-6, 0);
+    studio::shape(rig_with(sinusoid(0.3), 40, 0, 34.8e-6), 1e-4, 0.7, 20, 0);
+    const auto again = studio::simulate(asked, programme, 2e-6, 0);
+    CHECK(again.force == first.force);
+    CHECK(again.drawn == first.drawn);
+  }
+}
+
 TEST_CASE("studio: what cannot be computed is refused with a sentence") {
   CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(0.1)), {}, 1e-6, 0), std::invalid_argument);
   const std::vector<double> programme{0, 5e-4};

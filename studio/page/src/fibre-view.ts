@@ -29,7 +29,8 @@ export class FibreView {
     const { studio } = this, fit = studio.fit, { values } = studio, moment = studio.moment;
     const width = this.host.clientWidth, height = this.host.clientHeight;
     if (!fit || !values || !moment || width < 40) return sized(this.drawing, this.host, svg("g"));
-    const rig = studio.model.rig(fit, values, studio.wave);
+    const { rig } = studio;
+    if (!rig) return sized(this.drawing, this.host, svg("g"));
     const friction = Number.isFinite(moment.mu) ? Math.max(0, moment.mu) : 0;
     // Where friction does not show yet, the length follows from the deflection: of a shallow arc, 12/5 of its rise squared over the span.
     const deflection = Number.isFinite(moment.deflection) ? Math.max(0, moment.deflection) : 0;

@@ -19,7 +19,9 @@ export class ForceView {
   private readonly drawing = svg("svg", { role: "img", "aria-hidden": "true" });
   private readonly marker = svg("g", { class: "marker" });
   private frame: Frame | null = null;
-  private full: { x: [number, number]; y: [number, number] } = { x: [0, 1], y: [0, 1] };
+  private readonly references = svg("g");
+  private readonly model = svg("g");
+  private still: { fit: Fit; key: string } | null = null;  // what was drawn that does not follow the sliders
   private transform: ZoomTransform = zoomIdentity;
   private reference: { fit: Fit; key: string; plain: Curve } | null = null;
   units: { x: Unit; y: Unit } = { x: unitFor(1e-4, "length"), y: unitFor(1e-2, "force") };
@@ -56,12 +58,12 @@ export class ForceView {
 
   /** The curve without friction, computed anew only where it changes. */
   private withoutFriction(fit: Fit): Curve | null {
-    const { values, wave, model } = this.studio;
-    if (!values) return null;
+    const { values, rig, model } = this.studio;
+    if (!values || !rig) return null;
     const key = [values.L, values.EI, values.D, values.R, values.kc].join();
     if (this.reference?.fit !== fit || this.reference.key !== key) {
       try {
-        this.reference = { fit, key, plain: model.withoutFriction(model.rig(fit, values, wave)) };
+        this.reference = { fit, key, plain: model.withoutFriction(rig) };
       } catch {
         return null;
       }
@@ -74,46 +76,55 @@ export class ForceView {
     for (const axis of ["deflection", "stage"] as const) byId(`axis-${axis}`).setAttribute("aria-pressed", String(studio.axis === axis));
     if (!fit || !studio.values || fit.rows.length === 0) {
       sized(this.drawing, this.host, svg("g"));
+      this.still = null;
       this.host.setAttribute("aria-label", "Force against deflection: nothing to show yet");
       return this.drawRaw();
     }
     const xs = this.abscissa(fit), force = fit.curves.column("F")!;
-    const mostX = greatest(xs), mostF = greatest(force);
-    const programmed = studio.programmed;
-    const farthest = Math.max(mostX, programmed ? greatest(this.of(programmed)) : 0, studio.loading ? Math.min(2 * mostX, greatest(this.of(studio.loading))) : 0);
-    const highest = Math.max(mostF, studio.loading ? Math.min(3 * mostF, greatest(studio.loading.force)) : 0);
+    const mostX = greatest(xs), mostF = greatest(force), { programmed } = studio;
+    // The frame is that of the data; where the model leaves it, it grows in steps, so that it holds still while a slider moves.
+    const room = (data: number, model: number, most: number): number => data * Math.max(1, Math.min(most, Math.ceil((8 * model) / data - 0.16) / 8));
+    const farthest = room(mostX, Math.max(programmed ? greatest(this.of(programmed)) : 0, studio.loading ? greatest(this.of(studio.loading)) : 0), 2);
+    const highest = room(mostF, studio.loading ? greatest(studio.loading.force) : 0, 3);
     this.units = { x: unitFor(mostX, "length"), y: unitFor(mostF, "force") };
-    this.full = { x: [0, farthest * 1.06], y: [0, highest * 1.16] };
     const base = frameOf(this.host, MARGINS, [0, 1], [0, 1]);
-    const sx = base.x.copy().domain([0, this.full.x[1] / this.units.x.factor]), sy = base.y.copy().domain([0, this.full.y[1] / this.units.y.factor]);
+    const sx = base.x.copy().domain([0, (farthest * 1.06) / this.units.x.factor]), sy = base.y.copy().domain([0, (highest * 1.16) / this.units.y.factor]);
     const { transform: t } = this;
     const dx = t.rescaleX(sx).domain() as [number, number], dy = t.rescaleY(sy).domain() as [number, number];
     this.frame = { ...base, x: sx.domain(dx), y: sy.domain(dy) };
-    byId("force-unit").textContent = `(${this.units.y.name})`;
     const { x, y } = this.si();
-    const title = studio.axis === "stage" ? `stage displacement (${this.units.x.name})` : `deflection at midspan *δ* (${this.units.x.name})`;
-    const clip = svg("clipPath", { id: "force-clip" }, svg("rect", { x: MARGINS.left, y: 0, width: Math.max(0, base.width - MARGINS.left - MARGINS.right + 1), height: Math.max(0, base.height - MARGINS.bottom) }));
-    const inside = svg("g", { "clip-path": "url(#force-clip)" });
-    this.drawBand(inside, fit, x, y);
-    this.drawReferences(inside, fit, x, y);
+    const key = JSON.stringify([studio.axis, base.width, base.height, dx, dy, studio.bandReady && !studio.changed, farthest]);
+    if (this.still?.fit !== fit || this.still.key !== key || !this.drawing.contains(this.model)) {
+      this.still = { fit, key };
+      byId("force-unit").textContent = `(${this.units.y.name})`;
+      const title = studio.axis === "stage" ? `stage displacement (${this.units.x.name})` : `deflection at midspan *δ* (${this.units.x.name})`;
+      const clip = svg("clipPath", { id: "force-clip" }, svg("rect", { x: MARGINS.left, y: 0, width: Math.max(0, base.width - MARGINS.left - MARGINS.right + 1), height: Math.max(0, base.height - MARGINS.bottom) }));
+      const band = svg("g"), data = svg("g"), drops = svg("g");
+      this.drawBand(band, fit, x, y);
+      data.append(dotted(dots(xs, force, x, y), "var(--data)", xs.length > 900 ? 2 : 2.6));
+      this.drawDrops(drops, fit, x, y);
+      sized(this.drawing, this.host, svg("defs", {}, clip), axes(this.frame, title, { x: Math.max(3, Math.round(base.width / 150)), y: Math.max(3, Math.round(base.height / 48)) }),
+        svg("g", { "clip-path": "url(#force-clip)" }, band, this.references, data, this.model, drops), this.marker);
+      this.host.setAttribute("aria-label", `Force against ${studio.axis} of ${fit.answer.name}, ${fit.rows.length} rows, ${fit.answer.drops.length} drops. Arrow keys move row by row, with Shift from drop to drop, T shows the table.`);
+      this.drawKeys(fit);
+    }
+    fill(this.references);
+    this.drawReferences(this.references, fit, x, y);
     for (const pin of studio.pins)
       if (pin.on) {
-        inside.append(path(lineThrough(this.of(pin.curve), pin.curve.force, x, y), "var(--pin)", 1.3));
+        this.references.append(path(lineThrough(this.of(pin.curve), pin.curve.force, x, y), "var(--pin)", 1.3));
         const at = Math.floor(pin.curve.force.length * 0.86);
-        inside.append(haloed(pin.name, x(this.of(pin.curve)[at] ?? 0), y(pin.curve.force[at] ?? 0) + 16, "middle", "var(--pin)"));
+        this.references.append(haloed(pin.name, x(this.of(pin.curve)[at] ?? 0), y(pin.curve.force[at] ?? 0) + 16, "middle", "var(--pin)"));
       }
-    if (programmed) inside.append(path(lineThrough(this.of(programmed), programmed.force, x, y), "var(--model)", 1.2, { "stroke-dasharray": "5 3" }));
-    inside.append(dotted(dots(xs, force, x, y), "var(--data)", xs.length > 900 ? 2 : 2.6));
-    if (studio.loading) inside.append(path(lineThrough(this.of(studio.loading), studio.loading.force, x, y), "var(--model)", 1.6));
-    this.drawDrops(inside, fit, x, y);
-    const ended = studio.loading, end = ended ? ended.force.length - 1 : -1;
-    if (ended && end >= 0 && ended.status !== "ok") {
-      const words = { slipped_through: "slips through the supports", contact_lost: "contact is lost", branch_ended: "no state beyond" }[ended.status] ?? "";
-      inside.append(haloed(words, Math.min(x(this.of(ended)[end]!) + 4, base.width - MARGINS.right - 4), y(ended.force[end]!) - 6, x(this.of(ended)[end]!) > base.width - 220 ? "end" : "start", "var(--model)"));
+    fill(this.model);
+    if (programmed) this.model.append(path(lineThrough(this.of(programmed), programmed.force, x, y), "var(--model)", 1.2, { "stroke-dasharray": "5 3" }));
+    const ended = studio.loading;
+    if (ended) {
+      this.model.append(path(lineThrough(this.of(ended), ended.force, x, y), "var(--model)", 1.6));
+      const end = ended.force.length - 1, ex = x(this.of(ended)[end] ?? 0);
+      const words = ended.status === "ok" || end < 0 ? "" : { slipped_through: "slips through the supports", contact_lost: "contact is lost", branch_ended: "no state beyond" }[ended.status];
+      if (words) this.model.append(haloed(words, Math.min(ex + 4, base.width - MARGINS.right - 4), y(ended.force[end]!) - 6, ex > base.width - 220 ? "end" : "start", "var(--model)"));
     }
-    sized(this.drawing, this.host, svg("defs", {}, clip), axes(this.frame, title, { x: Math.max(3, Math.round(base.width / 150)), y: Math.max(3, Math.round(base.height / 48)) }), inside, this.marker);
-    this.host.setAttribute("aria-label", `Force against ${studio.axis} of ${fit.answer.name}, ${fit.rows.length} rows, ${fit.answer.drops.length} drops. Arrow keys move row by row, with Shift from drop to drop, T shows the table.`);
-    this.drawKeys(fit);
     this.mark();
   }
 
@@ -156,11 +167,11 @@ export class ForceView {
   }
 
   private drawReferences(inside: SVGGElement, fit: Fit, x: Scale, y: Scale): void {
-    const { studio } = this, { values } = studio;
-    if (!values) return;
+    const { studio } = this, { values, rig } = studio;
+    if (!values || !rig) return;
     const { margins, width } = this.frame!, right = width - margins.right;
     const toX = (w: number, f: number): number => (studio.axis === "stage" ? w + f / values.kc : w);
-    const end = x.domain()[1]!, force = studio.model.linear(studio.model.rig(fit, values, studio.wave), end);
+    const end = x.domain()[1]!, force = studio.model.linear(rig, end);
     const slope = force / end;
     const top = y.domain()[1]! * 0.995, w1 = Math.min(end, top / slope);
     inside.append(path(`M${x(0)} ${y(0)}L${x(toX(w1, slope * w1))} ${y(slope * w1)}`, "var(--ref)", 1.1, { "stroke-dasharray": "7 4" }));

@@ -14,6 +14,7 @@ export class FrictionView {
   private readonly drawing = svg("svg", { role: "img", "aria-hidden": "true" });
   private readonly marker = svg("g", { class: "marker" });
   private frame: Frame | null = null;
+  private still: { fit: Fit; key: string } | null = null;
   private unit: Unit = unitFor(1e-4, "length");
 
   constructor(private readonly studio: Studio) {
@@ -29,7 +30,10 @@ export class FrictionView {
   }
 
   draw(): void {
-    const { studio } = this, fit = studio.fit;
+    const { studio } = this, fit = studio.fit, reach = this.reach();
+    const v = studio.values, key = JSON.stringify([this.host.clientWidth, this.host.clientHeight, reach, studio.wave, v && [v.mu0, v.rms, v.len, v.amp, v.lam, v.phi]]);
+    if (this.frame && this.still?.fit === fit && this.still?.key === key) return this.mark();
+    this.still = fit ? { fit, key } : null;
     this.frame = null;
     if (!fit || !fit.friction.length.length) {
       this.host.setAttribute("aria-label", "Friction along the fibre: nothing to show yet");
@@ -39,7 +43,7 @@ export class FrictionView {
     const px = Float64Array.from(points, (p) => (p.length - fit.fitted.L) / 2), mu = Float64Array.from(points, (p) => p.mu);
     const seen = fit.friction.seen, bandX = this.past(fit, fit.friction.length.subarray(0, seen)), mean = fit.friction.mean.subarray(0, seen), { deviation } = fit.friction;
     const hand = studio.frictionByHand(), farthest = Math.max(greatest(px), greatest(bandX));
-    const changedReach = studio.changed && studio.loading ? Math.max(farthest, Math.min(1.4 * farthest, greatest(studio.loading.drawn) / 2)) : farthest;
+    const changedReach = farthest * reach;
     const unit = (this.unit = unitFor(farthest, "length")), sorted = [...mu].sort((a, b) => a - b);
     const most = Math.max(1, (sorted[Math.floor(sorted.length * 0.98)] ?? 1) * 1.15, hand ? greatest(hand.mu.subarray(0, seen)) * 1.1 : 0);
     const frame = (this.frame = frameOf(this.host, MARGINS, [0, (changedReach * 1.01) / unit.factor], [0, Math.min(3, most)]));
@@ -67,6 +71,13 @@ export class FrictionView {
     this.mark();
   }
 
+  /** How much farther than the record the fibre is drawn in by the sliders, in steps of an eighth. */
+  private reach(): number {
+    const { loading, fit, changed } = this.studio;
+    if (!changed || !loading || !fit || !fit.friction.seen) return 1;
+    const seen = (fit.friction.length[fit.friction.seen - 1]! - fit.fitted.L) / 2;
+    return Math.max(1, Math.min(1.375, Math.ceil((8 * greatest(loading.drawn)) / 2 / seen - 0.4) / 8));
+  }
   private slips(fit: Fit): [number, number][] {
     return (fit.answer.slips?.slips ?? []).map((s) => [s.length_before, s.length_after]);
   }

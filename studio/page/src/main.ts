@@ -44,7 +44,7 @@ async function start(): Promise<void> {
 
   // ---- views
   const any = (topics: ReadonlySet<Topic>, ...of: Topic[]): boolean => of.some((topic) => topics.has(topic));
-  let changed = false;
+  let changed = false, analysed = false;
   studio.listen((topics) => {
     if (topics.has("error")) drawError(studio);
     if (any(topics, "tests", "fitting")) drawTests(studio);
@@ -52,6 +52,10 @@ async function start(): Promise<void> {
     if (any(topics, "card", "fitting")) card.draw();
     if (any(topics, "answer", "tests") || (any(topics, "model", "fitting") && (studio.changed !== changed || !studio.fit))) drawAnswer(studio);
     changed = studio.changed;
+    if (studio.fit && !analysed) {
+      analysed = true;
+      requestAnimationFrame(() => performance.mark("analysed"));  // for the benchmark
+    }
     if (any(topics, "model", "axis", "pins", "theme", "view", "rows")) force.draw(), force.drawResiduals();
     else if (topics.has("moment")) force.mark();
     if (any(topics, "rows", "view")) rows.draw();
@@ -59,7 +63,7 @@ async function start(): Promise<void> {
     if (any(topics, "model", "view")) friction.draw();
     else if (topics.has("moment")) friction.mark();
     if (any(topics, "moment", "model", "view")) drawMoment(studio), fibre.draw();
-    if (any(topics, "model", "programme", "view")) programme.draw();
+    if (any(topics, "answer", "programme", "view", "card")) programme.draw();
     else if (topics.has("moment")) programme.mark();
     if (any(topics, "model", "parameters")) parameters.draw();
     if (any(topics, "model", "fitting", "parameters")) parameters.drawFit();

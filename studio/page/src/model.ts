@@ -12,11 +12,22 @@ const STEPS = 800;  // of the stage over the record: finer than the pixels of an
 /** Friction over S for these values. The fibre keeps its friction where it is past the supports, so a changed span shifts it. */
 function tableOf(fit: Fit, values: Values, mu: Float64Array): Rig["friction"] {
   const shift = values.L - fit.fitted.L;
-  return { model: "table", position: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu, met: true };
+  return { model: "table", position: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu, met: values.R > 0 };  // on edges it is the same friction, and then bit by bit that of a case file
 }
 
 export function rigOf(fit: Fit, values: Values, mu: Float64Array): Rig {
   return { span: values.L, diameter: values.D, bendingStiffness: values.EI, stiffness: values.kc, tipRadius: values.R, friction: tableOf(fit, values, mu) };
+}
+
+const LIVE_KNOTS = 280;  // of friction while a slider moves: a curve costs by the knots that it passes
+
+/** Every few of the knots, the last one among them. */
+function thinned(friction: Rig["friction"]): Rig["friction"] {
+  if (friction.model !== "table" || friction.position.length <= LIVE_KNOTS) return friction;
+  const { position, mu } = friction, n = position.length, every = Math.ceil(n / LIVE_KNOTS);
+  const kept = Array.from({ length: Math.ceil(n / every) }, (_, i) => i * every);
+  if (kept[kept.length - 1] !== n - 1) kept.push(n - 1);
+  return { ...friction, position: Float64Array.from(kept, (i) => position[i]!), mu: Float64Array.from(kept, (i) => mu[i]!) };
 }
 
 export class Model {
@@ -33,15 +44,20 @@ export class Model {
     for (let i = 1; i < programme.length; ++i) way += Math.abs(programme[i]! - programme[i - 1]!);
     return way / (STEPS * Math.min(3, Math.max(1, programme.length - 1)));
   }
-  loading(rig: Rig, programme: number[]): Loading {
-    return this.mechanics.simulate(rig, programme, this.stepOf(programme));
+  /** While a slider moves (`live`) with fewer knots of friction and steps of the stage: what is shown at rest, and exported, has them all. */
+  loading(rig: Rig, programme: number[], live = false): Loading {
+    return live ? this.mechanics.simulate({ ...rig, friction: thinned(rig.friction) }, programme, 2 * this.stepOf(programme)) : this.mechanics.simulate(rig, programme, this.stepOf(programme));
   }
   /** The record's own loading, at the values given. */
-  monotone(fit: Fit, rig: Rig): Loading {
-    return this.loading(rig, [0, fit.greatestStage]);
+  monotone(fit: Fit, rig: Rig, live = false): Loading {
+    return this.loading(rig, [0, fit.greatestStage], live);
   }
   withoutFriction(rig: Rig): Loading {
     return this.mechanics.equilibrium({ ...rig, friction: { model: "table", position: Float64Array.of(rig.span, 2 * rig.span), mu: Float64Array.of(0, 0) } }, 200);
+  }
+  /** The friction of a rig as a case file takes it: on rollers it is looked up where the axis touches, and so by another length. */
+  tableFor(rig: Rig, farthest: number): Extract<Rig["friction"], { model: "table" }> {
+    return rig.friction.model === "table" && !rig.friction.met ? rig.friction : this.mechanics.tabulated(rig, farthest);
   }
   linear(rig: Rig, deflection: number): number {
     return this.mechanics.linear(rig, deflection);

@@ -99,9 +99,12 @@ export class ParametersView {
       input: () => {
         if (!this.dragging) studio.remember();
         this.dragging = true;
-        studio.set(p.key, this.rounded(p, valueAt(p, Number(range.value) / STEPS)));
+        studio.set(p.key, this.rounded(p, valueAt(p, Number(range.value) / STEPS)), true);
       },
-      change: () => (this.dragging = false),
+      change: () => {
+        this.dragging = false;
+        studio.settle();
+      },
       keydown: (event: KeyboardEvent) => {
         const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
         if (!by) return;

@@ -1,6 +1,6 @@
 // The state of the studio and what may be done to it. Knows no elements: views listen and draw.
 
-import type { Loading, Mechanics, Program } from "./engine";
+import type { Loading, Mechanics, Program, Rig } from "./engine";
 import type { Drop } from "./answers";
 import { History } from "./history";
 import { forceAt, misfit, Model, type Curve } from "./model";
@@ -13,6 +13,8 @@ export interface Pin { name: string; on: boolean; curve: Curve }
 interface State { test: Test; values: Values | null; wave: boolean; settings: Settings; programme: number[] | null; fit: Fit | null }
 
 export interface Moment { row: number; stage: number; deflection: number; force: number; mu: number; muError: number; drawn: number; used: boolean; drop: { drop: Drop; number: number } | null }
+
+const REST = 250;  // [ms] after which a slider that is held still is taken to rest
 
 export class Studio {
   readonly tests: Test[] = [];
@@ -29,6 +31,7 @@ export class Studio {
   bandReady = false;  // the band of the draws is computed once the page is at rest
   tried: number | null = null;  // a state of the programme that is marked instead of a row
   readonly model: Model;
+  rig: Rig | null = null;            // at the values of the sliders
   loading: Loading | null = null;    // the model over the record
   programmed: Loading | null = null; // and over the programme, if there is one
   residual: Float64Array = new Float64Array(0);
@@ -60,14 +63,15 @@ export class Studio {
   }
   private recompute(): void {
     const fit = this.fit, { values } = this;
-    this.loading = this.programmed = null;
+    this.loading = this.programmed = this.rig = null;
     this.residual = new Float64Array(0);
     if (!fit || !values || fit.answer.status !== "ok") return;
     try {
       const rig = this.model.rig(fit, values, this.wave);
-      this.loading = this.model.monotone(fit, rig);
+      this.rig = rig;
+      this.loading = this.model.monotone(fit, rig, this.live);
       ({ rms: this.rms, residual: this.residual } = misfit(fit, this.loading));
-      if (this.programme) this.programmed = this.model.loading(rig, this.programme);
+      if (this.programme) this.programmed = this.model.loading(rig, this.programme, this.live);
     } catch (cause) {
       this.report(`The model has no curve at these values: ${messageOf(cause)}`);
     }
@@ -167,12 +171,24 @@ export class Studio {
   get canRedo(): boolean {
     return this.history.canRedo;
   }
-  set(key: Key, value: number): void {
+  set(key: Key, value: number, live = false): void {
     if (!this.values) return;
     this.cancelFit();
     this.values[key] = value;
+    this.live = live;
+    clearTimeout(this.resting);
+    if (live) this.resting = window.setTimeout(() => this.settle(), REST);
     this.tell("model", "parameters", "moment");
   }
+  /** A slider was let go: the model in full. */
+  settle(): void {
+    clearTimeout(this.resting);
+    if (!this.live) return;
+    this.live = false;
+    this.tell("model");
+  }
+  private live = false;
+  private resting = 0;
   setWave(on: boolean): void {
     this.remember();
     this.wave = on;
