@@ -51,10 +51,14 @@ export const fitted = (tab) => tab.waitForFunction(() => document.querySelector(
 export const errorOf = (tab) => tab.locator("#error").innerText();
 export const painted = (tab) => tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/** Says the numbers of the rig that a data file does not. */
+/** Says the numbers of the rig that a data file does not, by the keys alone: one box after the other. */
 export async function say(tab, rig) {
+  await tab.locator(`#card [aria-label="${Object.keys(rig)[0]}"]`).focus();
   for (const [name, value] of Object.entries(rig)) {
-    await tab.locator(`#card [aria-label="${name}"]`).fill(value);
+    const at = await tab.evaluate(() => document.activeElement.getAttribute("aria-label"));
+    if (at !== name) throw new Error(`the focus is at ${at}, not at ${name}`);
+    await tab.keyboard.press("Control+a");
+    await tab.keyboard.type(value);
     await tab.keyboard.press("Tab");
     await painted(tab);
   }

@@ -81,7 +81,7 @@ function checked(value: unknown): Link {
     const words = text(read[flag], 80);
     if (words !== null) settings.read[flag] = words;
   }
-  for (const name of ["specimen", "calibration", "forceColumn", "displacementColumn", "sign", "zero", "contact", "failure"] as const) {
+  for (const name of ["specimen", "sheet", "calibration", "forceColumn", "displacementColumn", "sign", "zero", "contact", "failure"] as const) {
     const words = text(given[name], 80);
     if (words !== null) settings[name] = words;
   }

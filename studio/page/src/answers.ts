@@ -36,6 +36,7 @@ export interface FitAnswer {
 export interface ReadColumn { number: number; name: string; unit: string | null; role: string }
 export interface ReadAnswer {
   format: string; encoding: string; delimiter: string; decimal: string; thousands: string | null; columns: ReadColumn[]; rows: number;
+  sheet?: string | null; sheets?: string[] | null;  // of a workbook
   specimens: { name: string; rows: number }[]; test: { span: number | null; diameter: number | null; width: number | null; thickness: number | null };
   notes: string[]; asks: string[]; repeat_with: string;
 }

@@ -25,7 +25,12 @@ export class CardView {
     if (!test.isCase) for (const entry of this.entries(test)) list.append(...entry);
     const decided = Object.keys(test.settings.read).length > 0 || Object.keys(test.settings).length > 1;
     const words = this.studio.stale ? "Bold: decided by you. Press F to fit again." : decided ? "Bold: decided by you." : "Found by the program. Click a line to decide otherwise, then fit.";
+    const focused = host.contains(document.activeElement) ? document.activeElement!.getAttribute("aria-label") : null;
     fill(host, el("div", { class: "head" }, el("h2", {}, `How ${test.data} was read`)), list, el("p", { class: "said" }, words));
+    if (focused === null) return;
+    const again = [...host.querySelectorAll<HTMLElement>("input, select")].find((e) => e.getAttribute("aria-label") === focused);
+    again?.focus();
+    if (again instanceof HTMLInputElement) again.select();
   }
 
   private line(list: HTMLElement, name: string, choices: Choice[], yours: boolean): void {
@@ -89,6 +94,11 @@ export class CardView {
           void studio.reread();
         } }] : []),
       ], separator !== undefined || decimal !== undefined]);
+      if (read.sheets && read.sheets.length > 1) lines.push(["sheet", read.sheets.map((name) => ({ words: name, change: (): void => {
+        studio.remember();
+        studio.decide({ sheet: name });
+        void studio.reread();
+      }, chosen: name === read.sheet })), settings.sheet !== undefined]);
       if (read.specimens.length > 1) lines.push(["specimen", read.specimens.map((s, i) => ({ words: `${i + 1}${s.name ? `: ${s.name}` : ""}, ${s.rows} rows`, change: (): void => {
         studio.remember();
         studio.decide({ specimen: String(i + 1) });

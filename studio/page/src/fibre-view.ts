@@ -124,7 +124,7 @@ export class FibreView {
       arrow(x + ox * 4, y - oy * 4, ox * length(Math.abs(shape.tangential)) * Math.sign(shape.tangential || 1), -oy * length(Math.abs(shape.tangential)) * Math.sign(shape.tangential || 1), "var(--model)");
       if (side < 0) {
         g.append(haloed(`normal ${written(shape.normal, "force")}`, x + nx * length(shape.normal) + 8, y - ny * length(shape.normal) + 2, "start"));
-        const fx = Math.max(62, x - 14);
+        const fx = Math.max(62, x - 16 - Math.max(6, 2 * this.studio.values!.R * this.scale));
         g.append(haloed("friction", fx, y + 26, "end", "var(--model)"), haloed(written(Math.abs(shape.tangential), "force"), fx, y + 39, "end", "var(--model)"));
       }
     }

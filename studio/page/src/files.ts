@@ -2,7 +2,6 @@
 
 import { bytesOf } from "./address";
 import { Test, type Files } from "./test";
-import { sheetsToCsv } from "./workbook";
 
 export interface Incoming { name: string; bytes: Uint8Array }
 const MOST = 64e6;  // [bytes] of a file: more than any machine writes for one test, and what the page reads without stalling
@@ -10,7 +9,7 @@ const MOST = 64e6;  // [bytes] of a file: more than any machine writes for one t
 /** A name that no shell, no flag and no folder can be made of; short enough to show. */
 export function harmless(name: string): string {
   const base = name.replace(/^.*[/\\]/, "").replace(/[\u0000-\u001f\u007f]/g, "").trim().slice(-120);
-  return base.replace(/^[-.]+/, "_") || "file";
+  return base.replace(/^[-.]+/, "_").replace(/^__proto__$/, "proto") || "file";
 }
 
 export const megabytes = (bytes: number): string => `${Math.round(bytes / 1e6)} MB`;
@@ -42,22 +41,9 @@ export function dataOfCase(text: string): string | null {
 const stem = (name: string): string => name.replace(/\.[^.]+$/, "");
 
 /** Tests of these files: a case with its data, or a data file alone. */
-export async function testsOf(incoming: Incoming[], refuse: (sentence: string) => void, named?: string): Promise<Test[]> {
+export function testsOf(incoming: Incoming[], refuse: (sentence: string) => void, named?: string): Test[] {
   const tests: Test[] = [], taken = new Set<string>(), byName = new Map<string, Incoming>();
-  for (const file of incoming) {
-    if (!/\.xlsx$/i.test(file.name)) {
-      byName.set(file.name, file);
-      continue;
-    }
-    try {
-      for (const sheet of await sheetsToCsv(file.bytes)) {
-        const name = harmless(`${stem(file.name)}${sheet.name ? ` ${sheet.name}` : ""}.csv`);
-        byName.set(name, { name, bytes: new TextEncoder().encode(sheet.csv) });
-      }
-    } catch (cause) {
-      refuse(`${file.name}: ${cause instanceof Error ? cause.message : "no workbook"}. Save the sheet as CSV and drop that.`);
-    }
-  }
+  for (const file of incoming) byName.set(file.name, file);
   for (const file of byName.values()) {
     if (!/\.toml$/i.test(file.name)) continue;
     const text = new TextDecoder().decode(file.bytes), stated = dataOfCase(text);

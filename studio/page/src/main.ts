@@ -66,7 +66,7 @@ async function start(): Promise<void> {
     if (any(topics, "answer", "programme", "view", "card")) programme.draw();
     else if (topics.has("moment")) programme.mark();
     if (any(topics, "model", "parameters")) parameters.draw();
-    if (any(topics, "model", "fitting", "parameters")) parameters.drawFit();
+    if (any(topics, "model", "fitting", "progress", "parameters")) parameters.drawFit();
     if (topics.has("pins")) drawPins(studio);
     if (any(topics, "tour", "view", "answer")) drawTour(studio);
     byId<HTMLButtonElement>("undo").disabled = !studio.canUndo;
@@ -86,7 +86,7 @@ async function start(): Promise<void> {
   // ---- what comes in
   const refuse = (sentence: string): void => studio.report(sentence);
   const take = async (incoming: Incoming[], named?: string): Promise<void> => {
-    const tests = await testsOf(incoming, refuse, named), like = studio.tests.find((t) => !t.isCase && t.fit);
+    const tests = testsOf(incoming, refuse, named), like = studio.tests.find((t) => !t.isCase && t.fit);
     for (const test of tests) {
       // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it, bold.
       if (like && !test.isCase) Object.assign(test.settings, { span: like.settings.span, diameter: like.settings.diameter, stiffness: like.settings.stiffness, displacement: like.settings.displacement });
@@ -225,7 +225,7 @@ async function start(): Promise<void> {
       return false;
     }
     const incoming = link.files ? link.files.map((f) => ({ name: harmless(f.name), bytes: bytesOf(f.base64) })) : standing("example");
-    const [test] = await testsOf(incoming, refuse, link.files ? undefined : EXAMPLE);
+    const [test] = testsOf(incoming, refuse, link.files ? undefined : EXAMPLE);
     if (!test) return false;
     test.settings = link.settings;
     await studio.open(test);

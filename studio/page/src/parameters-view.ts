@@ -184,11 +184,12 @@ export class ParametersView {
     button.textContent = fitting ? "Cancel" : "Fit";
     button.disabled = !studio.test;
     byId<HTMLButtonElement>("reset").disabled = !studio.changed;
-    bar.classList.toggle("unknown", busy);
+    const passed = fitting ? performance.now() - fitting.since : 0;
+    (bar.firstElementChild as HTMLElement).style.width = busy ? `${Math.min(95, (100 * passed) / studio.lastFit)}%` : "0";
     const off = (newtons: number): string => {
       const u = unitFor(newtons, "force");
       return `${significant(newtons / u.factor, 2)} ${u.name}`;
     };
-    said.textContent = busy ? fitting.line || "Fitting" : fitting ? `Fitting ${fitting.test.name}` : !fit ? "" : fit.answer.status !== "ok" ? "No fit" : studio.changed ? `By hand: off by ${off(studio.rms)}; the fit by ${off(fit.answer.residual_rms ?? NaN)}` : studio.stale ? "Settings changed: press F to fit" : `Fitted; off by ${off(fit.answer.residual_rms ?? NaN)}`;
+    said.textContent = busy ? fitting.line || `Fitting: ${Math.floor(passed / 1000)} s` : fitting ? `Fitting ${fitting.test.name}` : !fit ? "" : fit.answer.status !== "ok" ? "No fit" : studio.changed ? `By hand: off by ${off(studio.rms)}; the fit by ${off(fit.answer.residual_rms ?? NaN)}` : studio.stale ? "Settings changed: press F to fit" : `Fitted; off by ${off(fit.answer.residual_rms ?? NaN)}`;
   }
 }

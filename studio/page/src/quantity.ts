@@ -1,16 +1,15 @@
 // Numbers with units: read as people write them, shown with as many digits as their error allows.
 
 const PREFIXES: Record<string, number> = { f: 1e-15, p: 1e-12, n: 1e-9, u: 1e-6, "µ": 1e-6, "μ": 1e-6, m: 1e-3, c: 1e-2, d: 1e-1, k: 1e3, M: 1e6, G: 1e9, T: 1e12 };
-const BASES: Record<string, [number, string]> = {
-  m: [1, "m"], N: [1, "N"], Pa: [1, "N m^-2"], J: [1, "N m"], rad: [1, ""], deg: [Math.PI / 180, ""], "%": [0.01, ""],
-  micron: [1e-6, "m"], in: [0.0254, "m"], lbf: [4.4482216152605, "N"], psi: [6894.757293168361, "N m^-2"],
-};
+const BASES: Record<string, number> = { m: 1, N: 1, Pa: 1, J: 1, rad: 1, deg: Math.PI / 180, "%": 0.01, micron: 1e-6, in: 0.0254, lbf: 4.4482216152605, psi: 6894.757293168361 };
 const SUPERSCRIPTS: Record<string, string> = { "⁰": "0", "¹": "1", "²": "2", "³": "3", "⁴": "4", "⁻": "-" };
 
 function factorOf(symbol: string): number | null {
-  if (BASES[symbol]) return BASES[symbol][0];
-  const base = BASES[symbol.slice(1)], prefix = PREFIXES[symbol[0] ?? ""];
-  return base && prefix !== undefined && /^[a-zA-Z]+$/.test(symbol.slice(1)) ? prefix * base[0] : null;
+  const known = (name: string): number | undefined => (Object.hasOwn(BASES, name) ? BASES[name] : undefined);
+  const whole = known(symbol);
+  if (whole !== undefined) return whole;
+  const base = known(symbol.slice(1)), prefix = PREFIXES[symbol[0] ?? ""];
+  return base !== undefined && prefix !== undefined && /^[a-zA-Z]+$/.test(symbol.slice(1)) ? prefix * base : null;
 }
 
 /** The factor from a unit such as "mN mm²" or "N/m" to SI; null if it is none. */

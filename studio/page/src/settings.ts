@@ -12,7 +12,7 @@ export const READ_FLAGS = ["encoding", "separator", "decimal", "thousands", "tim
 
 export interface Settings {
   read: Partial<Record<(typeof READ_FLAGS)[number], string>>;
-  specimen?: string; calibration?: string; forceColumn?: string; displacementColumn?: string;
+  specimen?: string; sheet?: string; calibration?: string; forceColumn?: string; displacementColumn?: string;
   displacement?: "crosshead" | "deflection";
   sign?: string; zero?: string; contact?: string; failure?: string; first?: number; until?: number;
   span?: number; diameter?: number; stiffness?: number; tipRadius?: number;  // SI
@@ -48,7 +48,7 @@ export function flagsOfData(settings: Settings): string[] {
   const EI = settings.heldStiffness;
   return [
     ...flag("displacement", settings.displacement), ...flag("displacement-column", settings.displacementColumn), ...flag("force", settings.forceColumn),
-    ...flag("specimen", settings.specimen), ...flag("calibration", settings.calibration),
+    ...flag("sheet", settings.sheet), ...flag("specimen", settings.specimen), ...flag("calibration", settings.calibration),
     ...flag("span", length(settings.span)), ...flag("diameter", length(settings.diameter)),
     ...flag("stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, perMetre)),
     ...(settings.tipRadius ? ["--set", `rig.roller_radius=${quoted(length(settings.tipRadius)!)}`] : []),

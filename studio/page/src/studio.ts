@@ -8,7 +8,7 @@ import { frictionOf, type Key, type Values } from "./parameters";
 import type { Settings } from "./settings";
 import type { Fit, Test } from "./test";
 
-export type Topic = "tests" | "card" | "answer" | "moment" | "model" | "parameters" | "rows" | "programme" | "pins" | "fitting" | "tour" | "error" | "axis" | "theme" | "view";
+export type Topic = "tests" | "card" | "answer" | "moment" | "model" | "parameters" | "rows" | "programme" | "pins" | "fitting" | "progress" | "tour" | "error" | "axis" | "theme" | "view";
 export interface Pin { name: string; on: boolean; curve: Curve }
 interface State { test: Test; values: Values | null; wave: boolean; settings: Settings; programme: number[] | null; fit: Fit | null }
 
@@ -26,7 +26,8 @@ export class Studio {
   axis: "deflection" | "stage" = "deflection";
   pins: Pin[] = [];
   error = "";
-  fitting: { test: Test; line: string; share: number } | null = null;
+  fitting: { test: Test; line: string; since: number } | null = null;
+  lastFit = 1000;  // [ms] that the last one took: what the next is measured by
   step = -1;  // of the first visit; -1: none
   bandReady = false;  // the band of the draws is computed once the page is at rest
   tried: number | null = null;  // a state of the programme that is marked instead of a row
@@ -241,18 +242,20 @@ export class Studio {
     const { test, values } = this;
     if (!test || this.fitting) return;
     if (test.fit && values) this.holdMeasured(test, test.fit, values);
-    const fitting = { test, line: "", share: 0 };
+    const fitting = { test, line: "", since: performance.now() };
     this.fitting = fitting;
+    const clock = setInterval(() => this.tell("progress"), 200);
     this.error = "";
     this.tell("fitting", "error");
     const before = this.state;
     try {
       const fit = await test.analyse(this.program, (line) => {
         fitting.line = line;
-        this.tell("fitting");
+        this.tell("progress");
       });
       if (this.fitting !== fitting) return;
       this.fitting = null;
+      this.lastFit = performance.now() - fitting.since;
       if (test.fit && before) this.history.push(before);
       test.fit = fit;
       if (this.test === test) {
@@ -269,6 +272,8 @@ export class Studio {
       this.fitting = null;
       this.report(`${test.name}: ${messageOf(cause)}`);
       this.tell("fitting");
+    } finally {
+      clearInterval(clock);
     }
   }
   /** What the fit does not find it holds at the sliders: span, diameter, load train, tip radius. */

@@ -41,8 +41,8 @@ export class Test {
     return !this.isCase && Object.keys(this.settings.read).length > 0;
   }
   private readFlags(): string[] {
-    const { read, specimen, calibration } = this.settings;
-    return [...Object.entries(read).flatMap(([flag, value]) => [`--${flag}`, value]), ...(specimen ? ["--specimen", specimen] : []), ...(calibration ? ["--calibration", calibration] : [])];
+    const { read, specimen, sheet, calibration } = this.settings;
+    return [...Object.entries(read).flatMap(([flag, value]) => [`--${flag}`, value]), ...(sheet ? ["--sheet", sheet] : []), ...(specimen ? ["--specimen", specimen] : []), ...(calibration ? ["--calibration", calibration] : [])];
   }
   /** The diameter [m] of a case that states a round section and its modulus, else null. */
   private get roundDiameter(): number | null {
@@ -57,7 +57,7 @@ export class Test {
     const { settings } = this;
     if (this.isCase) return [["fit", this.main, ...changesOfCase(settings, this.roundDiameter)]];
     if (!this.isPlain) return [["fit", this.main, ...flagsOfData(settings)]];
-    const { specimen: _, calibration: __, ...rest } = settings;
+    const { specimen: _, sheet: __, calibration: ___, ...rest } = settings;
     return [["read", this.main, ...this.readFlags(), "--output", this.plainName], ["fit", this.plainName, ...flagsOfData(rest)]];
   }
   get commandLine(): string {
