@@ -22,6 +22,7 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME flexslip)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS libjs-sphinxdoc)  # the search of the site (tools/build-package)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "In three-point bending of fibres the force often drops again and again, as
 the specimen slips over its supports. FlexSlip reads off a measured curve what
 friction there was, where along the specimen, and with what certainty; whether
@@ -42,7 +43,20 @@ if(TARGET _flexslip)
   find_package(Python COMPONENTS Interpreter QUIET)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy")
+  # ... and for one binary interface of NumPy.
+  if(EXISTS /usr/share/numpy3/versions)
+    file(STRINGS /usr/share/numpy3/versions abi REGEX "^abi ")
+    string(REPLACE "abi " ", python3-numpy-abi" abi "${abi}")
+    string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${abi}")
+  endif()
 endif()
+# Compiled when it is installed, and what was compiled goes with it, as Debian's own modules do.
+file(WRITE ${PROJECT_BINARY_DIR}/package/python/postinst
+  "#!/bin/sh\nset -e\nif [ \"$1\" = configure ] && command -v py3compile > /dev/null; then\n  py3compile -p python3-flexslip\nfi\n")
+file(WRITE ${PROJECT_BINARY_DIR}/package/python/prerm
+  "#!/bin/sh\nset -e\nif command -v py3clean > /dev/null; then\n  py3clean -p python3-flexslip\nfi\n")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/package/python/postinst ${PROJECT_BINARY_DIR}/package/python/prerm)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "What the program flexslip computes, as a Python module with NumPy arrays in
 and out, and results as objects.")

@@ -2920,6 +2920,12 @@ class ExportFields(Answer):
     def format(self) -> str:
         """Instron Bluehill, …, or table"""
     @property
+    def sheet(self) -> str | None:
+        """of the workbook (.xlsx) that was read; null of a text file"""
+    @property
+    def sheets(self) -> tuple[str, ...]:
+        """of that workbook, in their order"""
+    @property
     def encoding(self) -> str:
         """of the text"""
     @property

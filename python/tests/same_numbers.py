@@ -2,6 +2,7 @@
 """outside: every number in Python is that of the command line's JSON and CSV, to the last bit, for the shipped examples and the spicules."""
 import concurrent.futures
 import csv
+import importlib.util
 import io
 import json
 import math
@@ -89,6 +90,25 @@ class Json(unittest.TestCase):
         for file in sorted(SOURCE.glob("tests/instruments/fixtures/*.csv"))[:12]:
             if text := told("read", file, "--json"):
                 self.assertEqual(flexslip.read(file).to_json(), text, file)
+
+
+    @unittest.skipUnless(importlib.util.find_spec("openpyxl"), "no openpyxl to write a workbook with")
+    def test_outside_read_a_sheet_of_a_workbook(self):
+        import openpyxl
+
+        book = openpyxl.Workbook()
+        for title in "first", "second":
+            sheet = book.create_sheet(title)
+            sheet.append(["Extension (mm)", "Load (N)"])
+            for i in range(30):
+                sheet.append([i / 8, i / 3 + len(title)])
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "tests.xlsx"
+            book.save(path)
+            for sheet in "second", 3:
+                export = flexslip.read(path, sheet=sheet)
+                self.assertEqual(export.to_json(), told("read", path, "--sheet", sheet, "--json"))
+                self.assertEqual(export.si("force")[0], 6)
 
 
 def columns(text):

@@ -46,8 +46,8 @@ TEST_CASE("stage_programme: a measured one is that of its file") {
 }
 
 TEST_CASE("stage_programme: what is none is refused by its key (limit)") {
-  CHECK(has(message_of([] { programme("program = [\"0 um\", \"0 um\"]"); }), "stage.program"));
-  CHECK(has(message_of([] { programme("program = [\"0 um\", \"1 m\"]"); }), "stage.program"));
+  CHECK(has(message_of([] { programme("program = [\"0 um\", \"0 um\"]"); }), "[stage] program[2]"));
+  CHECK(has(message_of([] { programme("program = [\"0 um\", \"1 m\"]"); }), "[stage] program[2]"));
 }
 
 }  // namespace flexslip
