@@ -121,6 +121,19 @@ test("faults are the program's own sentences and codes; what a page cannot do, i
   assert.ok("report/report.html" in report.files);
 });
 
+test("the text of a module has the bytes that were packed, of every length (identity)", { skip }, async () => {
+  const { unpacked } = await bundled("unpack");
+  for (let length = 0; length < 70; ++length) {
+    const bytes = Uint8Array.from({ length }, (_, i) => (length * 37 + i * i * 101 + (i % 5 ? 0 : 255)) % 256);
+    const packed = execFileSync("node", [join(root, "studio/page/engine/pack.mjs")], { input: bytes, encoding: "latin1" });
+    assert.match(packed, /^[(-~]*$/);
+    assert.doesNotMatch(packed, /[<\\]/);
+    assert.deepEqual(unpacked(packed), bytes, String(length));
+  }
+  const greatest = new Uint8Array(9).fill(255);
+  assert.deepEqual(unpacked(execFileSync("node", [join(root, "studio/page/engine/pack.mjs")], { input: greatest, encoding: "latin1" })), greatest);
+});
+
 test("files stay within the folder of a run, whatever their names", { skip }, async () => {
   const ran = await inPage(["read", "passwd", "--json"], { "../../etc/passwd": text("crosshead [um],force [mN]\n0,0\n1,1\n2,2\n") });
   assert.notEqual(ran.code, 1, ran.err);

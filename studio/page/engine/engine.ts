@@ -1,8 +1,9 @@
-// The two doors, over WebAssembly that stands in the page as text: base64 of its gzip, in the elements #program and #mechanics, and the script of the
-// Worker in #worker. Nothing is fetched.
+// The two doors, over WebAssembly that stands in the page as text: its gzip, as pack.mjs writes it, in the elements #program and #mechanics, and the script
+// of the Worker in #worker. Nothing is fetched.
 import flexslipMechanics, { type Answered } from "mechanics-glue";
 import { type Answer, Cancelled, type Mechanics, type Program } from "../src/engine";
 import type { Asked, Told } from "./messages";
+import { unpacked } from "./unpack";
 
 function textOf(id: string): string {
   const element = document.getElementById(id);
@@ -11,9 +12,8 @@ function textOf(id: string): string {
 }
 
 async function compiled(id: string): Promise<WebAssembly.Module> {
-  const packed = Uint8Array.from(atob(textOf(id)), (letter) => letter.charCodeAt(0));
-  const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+  const code = new Blob([unpacked(textOf(id))]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compile(await new Response(code).arrayBuffer());
 }
 
 interface Pending { resolve(answer: Answer): void; reject(error: Error): void; progress?: ((line: string) => void) | undefined }
