@@ -25,6 +25,7 @@ NOT_RUN = {
     ("sweeps.md", "shape = double(h5readatt"): "MATLAB's own reader of HDF5; outside/octave reads the same file",
     ("sweeps.md", "import h5py\nwith h5py.File(\"sample.h5\")"): "outside/sweep runs it on a sample",
     ("studio.md", "./run studio"): "opens a browser on the page that tools/build-studio builds; outside/studio_command writes such pages",
+    ("studio.md", "./run studio"): "opens a browser on a page that is built apart; outside/studio_command writes such pages",
     ("install.md", "sudo "): "installs on this machine; tools/try-package does it in a tree of its own",
     ("install.md", "tools/"): "./check --all runs them",
     ("install.md", "cmake --preset release"): "outside/library does the same from the build that is tested",
