@@ -131,7 +131,7 @@ def _record(figure: Mapping[str, Any], ax: Any) -> Any:
     axes = _axes(figure, ax, 1)[0]
     for name, columns in figure["data"].items():
         x, *ys = _columns(columns)
-        for title, y, look in zip(list(columns)[1:], ys, ("-", "--")):
+        for title, y, look in zip(list(columns)[1:], ys, ("--", "-")):
             label = "Measured" if name == "measured" else title.split(" force")[0][:1].upper() + title.split(" force")[0][1:]
             axes.plot(x, y, "-o" if name == "measured" else look, color=BLUE if name == "measured" else ORANGE, ms=1.5, lw=0.8, label=label)
     axes.set_xlim(left=0)

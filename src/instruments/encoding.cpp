@@ -40,6 +40,8 @@ const Known& entry(Encoding encoding) {
 class Converter {
  public:
   explicit Converter(const char* from) : handle_(iconv_open("UTF-8", from)) {
+    // The C library of a page knows CP932 by its older name alone, without NEC's and IBM's characters.
+    if (!is_open() && std::string_view(from) == "CP932") handle_ = iconv_open("UTF-8", "SJIS");
     if (!is_open()) throw InputError({.expected = fmt::format("a C library that knows {}", from), .found = "none"});
   }
   Converter(const Converter&) = delete;

@@ -45,7 +45,7 @@ struct XmlStream::Parser {
 
 XmlStream::XmlStream(XmlHandlers handlers) : parser_(std::make_unique<Parser>()) {
   parser_->handlers = std::move(handlers);
-  const XML_Parser parser = parser_->parser;
+  XML_ParserStruct* const parser = parser_->parser;
   if (parser == nullptr) throw std::bad_alloc();
   XML_SetUserData(parser, parser_.get());
   XML_SetElementHandler(
