@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import _flexslip
+from ._answers import Quantity
 from ._errors import InputError, error_of, wrong
 
 SECTIONS = ("specimen", "rig", "friction", "stage", "record")
@@ -63,8 +64,29 @@ def _described(key: dict[str, Any], value: Any) -> InputError:
     return wrong(shown, key["holds"], value, f"such as {key['example']}" if key["example"] else None, key=name)
 
 
+def _without_quantity(value: Any, reduced: bool) -> Any:
+    """A quantity as text with its unit, which the reader of cases holds against the key; anything else as it is."""
+    if not isinstance(value, Quantity):
+        return value
+    return float(value) if reduced or value.unit in ("", "1") else f"{float(value)!r} {value.unit}"
+
+
+def _part_of_estimate(key: dict[str, Any], part: Any, reduced: bool) -> str:
+    part = _without_quantity(part, reduced)
+    if isinstance(part, str):
+        return _in_quotes(part)
+    if not _is_number(part):
+        raise _described(key, part)
+    return _number(part, key["unit"], reduced)
+
+
 def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
     """A value of a key as a case file has it; bare numbers are in SI."""
+    value = _without_quantity(value, reduced)
+    if isinstance(value, int) and abs(value) > 2**1000:
+        raise _described(key, f"{str(value)[:20]}…")
+    if isinstance(value, str) and any(0xD800 <= ord(character) < 0xE000 for character in value):
+        raise _described(key, value.encode("unicode_escape").decode())
     if isinstance(value, np.ndarray):
         value = value.tolist() if value.ndim else value.item()
     if isinstance(value, (bool, np.bool_)):
@@ -85,8 +107,7 @@ def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
     if holds == "estimate" and isinstance(value, (tuple, list)) and len(value) == 2:
         value = {"value": value[0], "uncertainty": value[1]}
     if holds == "estimate" and isinstance(value, Mapping):
-        return _table({name: _in_quotes(part) if isinstance(part, str) else _number(part, unit, reduced)
-                       for name, part in value.items() if _is_number(part) or isinstance(part, str)})
+        return _table({name: _part_of_estimate(key, part, reduced) for name, part in value.items()})
     if holds == "place" and isinstance(value, Mapping):
         return _table({name: toml_of(key, part, reduced) for name, part in value.items()})
     if holds == "lengths" and isinstance(value, (list, tuple)):

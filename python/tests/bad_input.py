@@ -128,6 +128,18 @@ class Cases(unittest.TestCase):
             self.assertIsNone(raised.exception.line)  # no line of a text that nobody wrote
 
 
+    def test_identity_a_quantity_keeps_its_unit(self):
+        self.assertIn('span = "1 mm"', repr(flexslip.Case(span=flexslip.Quantity(1.0, "mm"))))
+        self.assertEqual(flexslip.Case(**{**SPECIMEN, "modulus": (flexslip.Quantity(29.6, "GPa"), "3 %")}), flexslip.Case(**{**SPECIMEN, "modulus": ("29.6 GPa", "3 %")}))
+        with self.assertRaisesRegex(flexslip.InputError, "span: expected a length, found a force"):
+            flexslip.Case(span=flexslip.Quantity(1.0, "N"))
+
+    def test_outside_what_no_case_can_hold_is_named(self):
+        for value in (10**400, "1 mm\ud800", {"value": 29.6e9, "uncertainty": [1]}, {"value": None}):
+            with self.assertRaisesRegex(flexslip.InputError, "modulus: expected"):
+                flexslip.Case(modulus=value)
+
+
 class Faults(unittest.TestCase):
     def fault(self, call):
         with self.assertRaises(flexslip.InputError) as raised:
