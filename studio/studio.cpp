@@ -27,19 +27,8 @@ Supports supports_of(const RigInput& rig, const Scales& scales) {
   return supports;
 }
 
-// The fibre on its supports. Its tables cost more than a curve, and depend on span, thickness and rollers alone: those of the supports asked for last
-// are kept, so that what follows a slider of friction or stiffness does not build them anew. The answers are the same bits.
-const Fibre& fibre_on(const RigInput& rig, const Scales& scales) {
-  struct Kept {
-    Supports supports;
-    Fibre fibre;
-  };
-  thread_local std::optional<Kept> kept;
-  const Supports supports = supports_of(rig, scales);
-  if (!kept || kept->supports.radius != supports.radius || kept->supports.half_depth != supports.half_depth)
-    kept = Kept{supports, Fibre(supports)};
-  return kept->fibre;
-}
+// The fibre on its supports; tables of those met not long ago are kept (fibre/fibre.cpp).
+Fibre fibre_on(const RigInput& rig, const Scales& scales) { return Fibre(supports_of(rig, scales)); }
 
 FrictionWaves waves_of(const RoughFriction& rough, const Scales& scales) {
   FrictionWaves waves{rough.mu0, 0, {}};
