@@ -25,18 +25,12 @@ const std::array<Nodes, terms>& node_cosines() {
 
 }  // namespace
 
-WithSlope evaluate(const Series& series, double at) {
+ValueAndSlope evaluate(const Series& series, double at) {
   const double inside = std::clamp(at, series.least, series.greatest);
   const double half_width = 0.5 * (series.greatest - series.least);
   const double x = (inside - 0.5 * (series.least + series.greatest)) / half_width;
-  double b1 = 0, b2 = 0, d1 = 0, d2 = 0;  // Clenshaw's, and its derivative
-  for (std::size_t k = terms; k-- > 1;) {
-    const double b = 2 * x * b1 - b2 + series.coefficients[k];
-    const double d = 2 * x * d1 - d2 + 2 * b1;
-    b2 = b1, b1 = b;
-    d2 = d1, d1 = d;
-  }
-  const double value = x * b1 - b2 + series.coefficients[0], slope = (b1 + x * d1 - d2) / half_width;
+  const auto [value, by_x] = series_slope_at(series.coefficients, x);
+  const double slope = by_x / half_width;
   return {value + slope * (at - inside), slope};
 }
 

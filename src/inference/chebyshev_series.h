@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <span>
 
+#include "bending_test/polynomial.h"
+
 namespace flexslip::chebyshev {
 
 inline constexpr std::size_t terms = 14;
@@ -16,11 +18,7 @@ struct Series {
   Nodes coefficients;
 };
 
-struct WithSlope {
-  double value, slope;
-};
-
-WithSlope evaluate(const Series& series, double at);
+ValueAndSlope evaluate(const Series& series, double at);
 
 // Where a series is to be known, and the series through its values there.
 Nodes nodes_between(double least, double greatest);

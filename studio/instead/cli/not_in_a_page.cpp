@@ -1,4 +1,5 @@
-// Commands that a page cannot run: sweeps, which take hours, threads and HDF5. They are there, and say so.
+// Commands that a page cannot run: sweeps, which take hours, threads and HDF5, and the list of results, which names those of sweeps. They are there,
+// and say so.
 #include <string>
 
 #include <fmt/format.h>
