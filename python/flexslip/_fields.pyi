@@ -34,49 +34,49 @@ class FitParameters(Answer):
     """what was fitted; those of the model that the fit is of"""
 
     @property
-    def mu0(self) -> FitParametersMu0:
+    def mu0(self) -> FitParametersMu0 | None:
         """mean friction over the fibre seen [1]"""
     @property
-    def amplitude(self) -> Estimate:
+    def amplitude(self) -> Estimate | None:
         """of the likeliest wave of friction, relative to mu0 [1]"""
     @property
-    def wavelength(self) -> Estimate:
+    def wavelength(self) -> Estimate | None:
         """of that wave, along the specimen [m]"""
     @property
-    def phase(self) -> Estimate:
+    def phase(self) -> Estimate | None:
         """of that wave, at the length 0 [rad]"""
     @property
-    def phase_at_middle(self) -> Estimate:
+    def phase_at_middle(self) -> Estimate | None:
         """of that wave, at the reference [rad]"""
     @property
-    def amplitude_2(self) -> Estimate:
+    def amplitude_2(self) -> Estimate | None:
         """of the second wave, relative to mu0 [1]"""
     @property
-    def wavelength_2(self) -> Estimate:
+    def wavelength_2(self) -> Estimate | None:
         """of the second wave, along the specimen [m]"""
     @property
-    def phase_2(self) -> Estimate:
+    def phase_2(self) -> Estimate | None:
         """of the second wave, at the length 0 [rad]"""
     @property
-    def phase_at_middle_2(self) -> Estimate:
+    def phase_at_middle_2(self) -> Estimate | None:
         """of the second wave, at the reference [rad]"""
     @property
-    def drift(self) -> Estimate:
+    def drift(self) -> Estimate | None:
         """slope of friction along the specimen [1/m]"""
     @property
-    def force_noise(self) -> Estimate:
+    def force_noise(self) -> Estimate | None:
         """standard deviation of a force reading, by the fit [N]"""
     @property
-    def roughness(self) -> Estimate:
+    def roughness(self) -> Estimate | None:
         """standard deviation of friction about its mean [1]"""
     @property
-    def correlation_length(self) -> Estimate:
+    def correlation_length(self) -> Estimate | None:
         """of the roughness along the specimen [m]"""
     @property
-    def bending_stiffness(self) -> Estimate:
+    def bending_stiffness(self) -> Estimate | None:
         """EI of the fit [N m^2]"""
     @property
-    def reference(self) -> Estimate:
+    def reference(self) -> Estimate | None:
         """length between the contacts where phase_at_middle, and mu0 with drift and wave, hold [m]"""
     @property
     def contact_offset(self) -> Estimate:
@@ -105,7 +105,7 @@ class FitChecks(Answer):
     def passed(self) -> bool | None:
         """null where it is not possible"""
     @property
-    def remedy(self) -> str:
+    def remedy(self) -> str | None:
         """what to do where it failed"""
     @property
     def residual_rms(self) -> float:
@@ -343,7 +343,7 @@ class FitSurfaceAgainstTrace(Answer):
     def pixel(self) -> float:
         """least difference of its heights; null if they are as fine as their noise [m]"""
     @property
-    def rms_slope(self) -> Estimate:
+    def rms_slope(self) -> Estimate | None:
         """of the trace, of waves between the next two [1]"""
     @property
     def shortest(self) -> float:
@@ -398,7 +398,7 @@ class FitSurface(Answer):
     def wavelength(self) -> float:
         """of that wave [m]"""
     @property
-    def wave_claimed(self) -> bool:
+    def wave_claimed(self) -> bool | None:
         """it is claimed by the evidence"""
     @property
     def pixel_wanted(self) -> float:
@@ -687,13 +687,13 @@ class FitTeethCompliance(Answer):
     def systematic(self) -> float:
         """error of value from EI, contact and load train [m/N]"""
     @property
-    def unit(self) -> str:
+    def unit(self) -> str | None:
         """of these"""
     @property
     def chi_squared(self) -> float:
         """of the slopes about it [1]"""
     @property
-    def freedom(self) -> int:
+    def freedom(self) -> int | None:
         """degrees of freedom"""
     @property
     def p_value(self) -> float:
@@ -1003,16 +1003,16 @@ class FitCyclesLoopsCorners(Answer):
     """of the loop in friction over length; null where it has none"""
 
     @property
-    def start(self) -> FitCyclesLoopsCornersStart:
+    def start(self) -> FitCyclesLoopsCornersStart | None:
         """first point of the loading that slides"""
     @property
-    def turn(self) -> FitCyclesLoopsCornersTurn:
+    def turn(self) -> FitCyclesLoopsCornersTurn | None:
         """where the stage turned back"""
     @property
-    def slides_back(self) -> FitCyclesLoopsCornersSlidesBack:
+    def slides_back(self) -> FitCyclesLoopsCornersSlidesBack | None:
         """where it began to slide out"""
     @property
-    def end(self) -> FitCyclesLoopsCornersEnd:
+    def end(self) -> FitCyclesLoopsCornersEnd | None:
         """end of the unloading"""
 
 class FitCyclesLoopsCorrelation(Answer):
@@ -1098,7 +1098,7 @@ class FitCyclesLoops(Answer):
     def contact(self) -> Estimate:
         """stage position of the contact [m]"""
     @property
-    def corners(self) -> FitCyclesLoopsCorners | None:
+    def corners(self) -> FitCyclesLoopsCorners:
         """of the loop in friction over length; null where it has none"""
     @property
     def stick_advance(self) -> float:
@@ -1107,19 +1107,19 @@ class FitCyclesLoops(Answer):
     def places(self) -> int:
         """at which the directions are compared"""
     @property
-    def mu_in(self) -> Estimate:
+    def mu_in(self) -> Estimate | None:
         """friction sliding in, mean over the places [1]"""
     @property
-    def mu_out(self) -> Estimate:
+    def mu_out(self) -> Estimate | None:
         """friction sliding out, likewise [1]"""
     @property
-    def mean_difference(self) -> Estimate:
+    def mean_difference(self) -> Estimate | None:
         """of the two, after EI and contact were chosen so that they agree [1]"""
     @property
-    def rms_difference(self) -> Estimate:
+    def rms_difference(self) -> Estimate | None:
         """of the two from place to place [1]"""
     @property
-    def correlation(self) -> FitCyclesLoopsCorrelation:
+    def correlation(self) -> FitCyclesLoopsCorrelation | None:
         """of the bumps of friction in the two directions"""
     @property
     def energy(self) -> FitCyclesLoopsEnergy:
@@ -1157,19 +1157,19 @@ class FitCyclesLoadingStiffness(Answer):
         """ok, reference (the first), or why it is not compared: loaded_too_little, window_not_covered, too_few_points, not_rising, still_drawn_in,
         no_reference"""
     @property
-    def rows(self) -> Numbers:
+    def rows(self) -> Numbers | None:
         """first and last row of the file in the window [1]"""
     @property
-    def slope(self) -> Estimate:
+    def slope(self) -> Estimate | None:
         """force over deflection in the window, its error from scatter [N/m]"""
     @property
-    def ratio(self) -> Estimate:
+    def ratio(self) -> Estimate | None:
         """to the slope of the first loading, its error from scatter [1]"""
     @property
     def ratio_systematic(self) -> float:
         """half the difference of the ratios in the lower and in the upper half of the window [1]"""
     @property
-    def verdict(self) -> str:
+    def verdict(self) -> str | None:
         """damaged, not_damaged or undecided"""
 
 class FitCyclesLoadingStiffnessTable(Table[FitCyclesLoadingStiffness]):
@@ -1235,13 +1235,13 @@ class FitCycles(Answer):
     def status(self) -> str:
         """ok, no_mirror (no part of the specimen slid both ways), too_few_points or not_converged"""
     @property
-    def bending_stiffness(self) -> FitCyclesBendingStiffness:
+    def bending_stiffness(self) -> FitCyclesBendingStiffness | None:
         """EI at which friction is the same in loading and unloading [N m^2]"""
     @property
-    def asymmetry(self) -> Estimate:
+    def asymmetry(self) -> Estimate | None:
         """friction sliding in less that sliding out, left free beside EI and contacts [1]"""
     @property
-    def correlation(self) -> FitCyclesCorrelation:
+    def correlation(self) -> FitCyclesCorrelation | None:
         """of the bumps of friction in the two directions, of all loops together"""
     @property
     def mu_in(self) -> float:
@@ -1253,7 +1253,7 @@ class FitCycles(Answer):
     def rms_difference(self) -> float:
         """of the two from place to place [1]"""
     @property
-    def beyond_friction(self) -> bool:
+    def beyond_friction(self) -> bool | None:
         """asymmetry is larger than friction itself, and told from none: an error of the model"""
     @property
     def build_up_length(self) -> FitCyclesBuildUpLength | None:
@@ -1317,7 +1317,7 @@ class FitSmallDeflectionChord(Answer):
     def stiffness(self) -> Estimate:
         """force over deflection between them [N/m]"""
     @property
-    def modulus(self) -> Estimate:
+    def modulus(self) -> Estimate | None:
         """flexural modulus of the chord, as ISO 178 has it [Pa]"""
 
 class FitSmallDeflectionWindow(Answer):
@@ -1343,7 +1343,7 @@ class FitSmallDeflection(Answer):
     def status(self) -> str:
         """ok, or no_straight_part: no number is there then"""
     @property
-    def stiffness(self) -> Estimate:
+    def stiffness(self) -> Estimate | None:
         """force over deflection, slope of the straight part [N/m]"""
     @property
     def bending_stiffness(self) -> Estimate | None:
@@ -1355,25 +1355,25 @@ class FitSmallDeflection(Answer):
     def chord(self) -> FitSmallDeflectionChord | None:
         """of ISO 178; null where the record does not cover both strains"""
     @property
-    def window(self) -> FitSmallDeflectionWindow:
+    def window(self) -> FitSmallDeflectionWindow | None:
         """the straight part"""
     @property
-    def origin(self) -> Quantity:
+    def origin(self) -> Quantity | None:
         """deflection at which the straight part would meet zero force [m]"""
     @property
-    def greatest_force(self) -> Quantity:
+    def greatest_force(self) -> Quantity | None:
         """greatest force [N]"""
     @property
-    def deflection(self) -> Quantity:
+    def deflection(self) -> Quantity | None:
         """deflection there, from the origin [m]"""
     @property
-    def stress(self) -> Quantity:
+    def stress(self) -> Quantity | None:
         """flexural stress there, F L depth/(8 I) [Pa]"""
     @property
-    def strain(self) -> Quantity:
+    def strain(self) -> Quantity | None:
         """flexural strain there, 6 δ depth/L² [1]"""
     @property
-    def deflection_large(self) -> bool:
+    def deflection_large(self) -> bool | None:
         """it is beyond a tenth of the span: stress and strain of the standards do not hold"""
     @property
     def shear_share(self) -> float:
@@ -1382,7 +1382,7 @@ class FitSmallDeflection(Answer):
     def over_fit(self) -> float:
         """bending stiffness of the straight part over that of the fit [1]"""
     @property
-    def disagrees_with_fit(self) -> bool:
+    def disagrees_with_fit(self) -> bool | None:
         """their 95 % intervals do not meet"""
 
 class FitMeasurement(Answer):
@@ -1432,16 +1432,16 @@ class FitPreparation(Answer):
     def uncertainty(self) -> float:
         """its standard deviation, where it is known [1]"""
     @property
-    def unit(self) -> str:
+    def unit(self) -> str | None:
         """of both"""
     @property
     def rows(self) -> Numbers | None:
         """first and last row of the file that it is about; null: all [1]"""
     @property
-    def key(self) -> str:
+    def key(self) -> str | None:
         """what to write into the case for having it otherwise"""
     @property
-    def flag(self) -> str:
+    def flag(self) -> str | None:
         """the flag that says the same"""
 
 class FitPreparationTable(Table[FitPreparation]):
@@ -1465,10 +1465,10 @@ class FitContact(Answer):
     def taken_off(self) -> float:
         """from stage and deflection [m]"""
     @property
-    def line_offset(self) -> Estimate:
+    def line_offset(self) -> Estimate | None:
         """where a line through the first part of the curve meets zero force, from there [m]"""
     @property
-    def initial_slope(self) -> Estimate:
+    def initial_slope(self) -> Estimate | None:
         """of that line [N/m]"""
 
 class FitNominalBendingStiffness(Answer):
@@ -1631,7 +1631,7 @@ class FitFields(Answer):
     def units(self) -> FitUnits:
         """of plain numbers"""
     @property
-    def model(self) -> str:
+    def model(self) -> str | None:
         """of friction: roughness, constant, drift, sinusoid or sinusoids"""
     @property
     def category(self) -> str:
@@ -1673,7 +1673,7 @@ class FitFields(Answer):
     def snaps(self) -> FitSnapsTable:
         """of the mean of the fit, run forward"""
     @property
-    def judgement(self) -> FitJudgement:
+    def judgement(self) -> FitJudgement | None:
         """what the test comes to when all is weighed"""
     @property
     def surface(self) -> FitSurface | None:
@@ -1703,10 +1703,10 @@ class FitFields(Answer):
     def suspect_criteria(self) -> FitSuspectCriteria:
         """how these were found"""
     @property
-    def energy(self) -> FitEnergy:
+    def energy(self) -> FitEnergy | None:
         """where the work went, from contact to failure, by the measured points at the bending stiffness of the fit"""
     @property
-    def replay(self) -> FitReplay:
+    def replay(self) -> FitReplay | None:
         """the profile read off the curve, run forward"""
     @property
     def cycles(self) -> FitCycles | None:
@@ -2250,7 +2250,7 @@ class DesignFields(Answer):
     def deflection_reached(self) -> float:
         """deflection at that stage position [m]"""
     @property
-    def snaps(self) -> int:
+    def snaps(self) -> int | None:
         """snaps of the specimen, however small"""
     @property
     def first_snap_stage(self) -> float:
@@ -2265,7 +2265,7 @@ class DesignFields(Answer):
     def first_snap_force_after(self) -> float:
         """force after the first snap; none without a snap [N]"""
     @property
-    def drops(self) -> int:
+    def drops(self) -> int | None:
         """falls of the force between readings, a run of them counting once: the teeth that the record shows"""
     @property
     def largest_drop(self) -> float:
@@ -2313,7 +2313,7 @@ class DesignFields(Answer):
     def changes(self) -> DesignChangesTable:
         """with which the answer is the other one"""
     @property
-    def parameters(self) -> DesignParameters | None:
+    def parameters(self) -> DesignParameters:
         """of the design, in their units; null where infinite"""
     @property
     def units(self) -> DesignUnits:
@@ -2333,25 +2333,25 @@ class CampaignTestsParameters(Answer):
     def mu0(self) -> CampaignTestsParametersMu0:
         """mean friction over the fibre seen [1]"""
     @property
-    def roughness(self) -> Estimate:
+    def roughness(self) -> Estimate | None:
         """standard deviation of friction about its mean [1]"""
     @property
-    def correlation_length(self) -> Estimate:
+    def correlation_length(self) -> Estimate | None:
         """of the roughness along the specimen [m]"""
     @property
-    def amplitude(self) -> Estimate:
+    def amplitude(self) -> Estimate | None:
         """of the likeliest wave of friction, relative to mu0 [1]"""
     @property
-    def wavelength(self) -> Estimate:
+    def wavelength(self) -> Estimate | None:
         """of that wave, along the specimen [m]"""
     @property
-    def surface_height(self) -> Estimate:
+    def surface_height(self) -> Estimate | None:
         """amplitude of the wave of the surface that would show that wave [m]"""
     @property
-    def surface_slope(self) -> Estimate:
+    def surface_slope(self) -> Estimate | None:
         """rms of the slopes that would show the friction [1]"""
     @property
-    def phase(self) -> Estimate:
+    def phase(self) -> Estimate | None:
         """of that wave, at the length 0 [rad]"""
     @property
     def bending_stiffness(self) -> Estimate:
@@ -2390,37 +2390,37 @@ class CampaignTests(Answer):
     def status(self) -> str:
         """ok, or why not: as fit, or failed"""
     @property
-    def category(self) -> str:
+    def category(self) -> str | None:
         """of the sawtooth: clear, nominal, none"""
     @property
-    def suspect(self) -> bool:
+    def suspect(self) -> bool | None:
         """its standing is suspect or untrusted"""
     @property
-    def standing(self) -> str:
+    def standing(self) -> str | None:
         """sound, doubtful, suspect, untrusted: the remarks say why"""
     @property
     def drops_verdict(self) -> str | None:
         """not_by_cracks_alone, cracks, cannot_be_told; null without drops"""
     @property
-    def model(self) -> str:
+    def model(self) -> str | None:
         """of friction, that was fitted"""
     @property
     def parameters(self) -> CampaignTestsParameters | None:
         """what was fitted; null what the fit has not"""
     @property
-    def wave(self) -> CampaignTestsWave:
+    def wave(self) -> CampaignTestsWave | None:
         """whether the likeliest one is claimed"""
     @property
-    def friction_read(self) -> CampaignTestsFrictionRead:
+    def friction_read(self) -> CampaignTestsFrictionRead | None:
         """friction read off the curve point by point, before any model of it"""
     @property
-    def failed_checks(self) -> tuple[str, ...]:
+    def failed_checks(self) -> tuple[str, ...] | None:
         """residuals, drops, whiteness, nesting, friction, stability, stiffness"""
     @property
     def residual_rms(self) -> float:
         """measured force less the mean of the fit run forward, root mean square [N]"""
     @property
-    def drops(self) -> int:
+    def drops(self) -> int | None:
         """of the force, beyond its noise"""
     @property
     def work_of_fracture(self) -> float:
@@ -2429,7 +2429,7 @@ class CampaignTests(Answer):
     def friction_share(self) -> float:
         """of it that went into friction and snaps; null of a test that is not trusted [1]"""
     @property
-    def reason(self) -> str:
+    def reason(self) -> str | None:
         """why the status is not ok"""
     @property
     def remarks(self) -> tuple[str, ...]:
@@ -2932,10 +2932,10 @@ class ExportFields(Answer):
     def byte_order_mark(self) -> bool:
         """the file begins with one"""
     @property
-    def delimiter(self) -> str:
+    def delimiter(self) -> str | None:
         """between columns"""
     @property
-    def decimal(self) -> str:
+    def decimal(self) -> str | None:
         """mark"""
     @property
     def thousands(self) -> str | None:
@@ -2956,7 +2956,7 @@ class ExportFields(Answer):
     def metadata(self) -> dict[str, str]:
         """what the file says of all, under its own names"""
     @property
-    def test(self) -> ExportTest | None:
+    def test(self) -> ExportTest:
         """what was understood of that; null what was not stated"""
     @property
     def notes(self) -> tuple[str, ...]:

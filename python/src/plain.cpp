@@ -195,7 +195,8 @@ py::list plain(const std::vector<Description>& entries) {
                         py::arg("shape") = text(name_of(entry.shape)),
                         py::arg("unit") = with_unit ? text(unit_of(entry.kind, false)) : text(""),
                         py::arg("reduced_unit") = with_unit ? text(unit_of(entry.kind, true)) : text(""),
-                        py::arg("meaning") = text(entry.meaning), py::arg("entries") = plain(entry.entries)));
+                        py::arg("meaning") = text(entry.meaning), py::arg("entries") = plain(entry.entries),
+                        py::arg("may_be_missing") = entry.may_be_missing, py::arg("is_several") = entry.is_several));
   }
   return out;
 }

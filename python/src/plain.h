@@ -28,7 +28,8 @@ std::string dumped(const pybind11::handle& data);
 // A table as columns, as above.
 pybind11::dict plain(const ResultTable& table);
 
-// What describes them: a list of {"name", "title", "shape", "unit", "reduced_unit", "meaning", "entries"}.
+// What describes them: a list of {"name", "title", "shape", "unit", "reduced_unit", "meaning", "entries", "may_be_missing",
+// "is_several"}.
 pybind11::list plain(const std::vector<Description>& entries);
 
 // Columns read off rows one by one, without a copy as JSON: for paths of millions of points. Domain: no groups among them.

@@ -15,8 +15,9 @@ import flexslip
 import numpy as np
 
 fit = flexslip.fit("test.csv", span="1278 um", stiffness=90.65, modulus=("29.6 GPa", "3 %"), rig={"roller_radius": 0})
+assert fit.judgement is not None and fit.params.mu0 is not None  # there is an answer
 mu: float = fit.params.mu0.value
-low, high = fit.parameters.mu0.ci95
+low, high = fit.params.mu0.ci95
 standing: str = fit.judgement.standing
 doubts: tuple[str, ...] = fit.judgement.doubts
 mean: np.float64 = fit.profile.mu[0]
@@ -33,9 +34,10 @@ answer: str = flexslip.design("case.toml").answer
 for each in flexslip.campaign("tests").tests:
     print(each.name, each.category)
 """
-WRONG = {
+WRONG = {  # and the code or words of what mypy says
+    'flexslip.fit("test.csv").judgement.standing': "union-attr",  # a record without an answer has none
     'flexslip.fit("test.csv", spam="1278 um")': "call-overload|call-arg",
-    'flexslip.fit("test.csv").params.mu0.valeu': "attr-defined",
+    'flexslip.fit("test.csv").params.mu0.valeu': '"FitParametersMu0" of "Optional[FitParametersMu0]" has no attribute "valeu"',
     'flexslip.fit("test.csv", span={})': "arg-type",
     'flexslip.elastica(1.1)': "call-arg",
     'flexslip.design("case.toml", over={"mu0": (0, 1)}).answer': "attr-defined",

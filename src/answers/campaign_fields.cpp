@@ -167,9 +167,11 @@ struct CategoryOf {
 Fields<CategoryOf> category_answer_fields() {
   using C = const CategoryOf&;
   return Fields<CategoryOf>()
-      .all_of(category_fields(), [](C of) { return &of.category.without_suspects; })
-      .group("with_suspects", "the same with tests that are suspect", category_fields(),
-             [](C of) { return &of.category.with_suspects; })
+      .all_of(
+          category_fields(), [](C of) -> const auto& { return of.category.without_suspects; })
+      .group(
+          "with_suspects", "the same with tests that are suspect", category_fields(),
+          [](C of) -> const auto& { return of.category.with_suspects; })
       .by_name(
           "between_specimens", "what specimens have in common, and how they differ, by parameter",
           between_fields().list("specimens", "each in the light of the others",

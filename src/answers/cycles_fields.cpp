@@ -104,8 +104,9 @@ Fields<LoopOf> loop_fields() {
       .group("loading", "rows of the loading; null without one", leg_fields(), leg_of(&FrictionLoop::loading))
       .group("unloading", "rows of the unloading; null without one", leg_fields(), leg_of(&FrictionLoop::unloading))
       .estimate("contact", kind::length, "stage position of the contact", part(&FrictionLoop::contact))
-      .group("corners", "of the loop in friction over length; null where it has none", corners_fields(),
-             [](L loop) { return &loop.loop(); })
+      .group(
+          "corners", "of the loop in friction over length; null where it has none", corners_fields(),
+          [](L loop) -> const auto& { return loop.loop(); })
       .number("stick_advance", kind::length, "drawn in while it should stick, after the turn: 0 in the model",
               part(&FrictionLoop::stick_advance))
       .count("places", "at which the directions are compared", part(&FrictionLoop::places))
@@ -118,8 +119,9 @@ Fields<LoopOf> loop_fields() {
       .group("correlation", "of the bumps of friction in the two directions", correlation_fields(),
              part(&FrictionLoop::correlation))
       .anywhere()
-      .group("energy", "work at the supports' side, past the deflection at which friction shows", loop_energy_fields(),
-             [](L loop) { return &loop.energy(); })
+      .group(
+          "energy", "work at the supports' side, past the deflection at which friction shows", loop_energy_fields(),
+          [](L loop) -> const auto& { return loop.energy(); })
       .number("replay_rms", "residuals of one profile for all loops run forward, of the greatest force",
               [](L loop) {
                 const auto& rms = loop.test.cycles->replay.residual_rms;

@@ -154,8 +154,9 @@ Fields<FittedTest> teeth_fields() {
       .number("confidence", "of each verdict, one-sided", [](T) { return tooth_confidence; })
       .number("least_share", "of the stage's motion drawn in, below which a specimen is called stuck",
               [](T test) { return test.provenance.options.teeth.least_share; })
-      .group("compliance", "of supports that give way", compliance_fields(),
-             [](T test) { return &test.analysis.teeth->compliance; })
+      .group(
+          "compliance", "of supports that give way", compliance_fields(),
+          [](T test) -> const auto& { return test.analysis.teeth->compliance; })
       .count("sliding", "rises that reject that the specimen is stuck", count(ToothVerdict::sliding))
       .count("as_if_stuck", "rises as steep as if it were stuck", count(ToothVerdict::as_if_stuck))
       .count("undecided", "rises that tell neither", count(ToothVerdict::undecided))

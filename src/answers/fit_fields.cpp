@@ -234,8 +234,9 @@ Fields<FittedTest> all_fields() {
               for (const Slip& slip : test.analysis.slips) drops.push_back({test.analysis.record, slip});
               return drops;
             })
-      .group("slips", "the drops that can be slips, read at the bending stiffness stated", slips_fields(),
-             [](T test) { return &test.analysis; })
+      .group(
+          "slips", "the drops that can be slips, read at the bending stiffness stated", slips_fields(),
+          [](T test) -> const auto& { return test.analysis; })
       .group("teeth", "whether the specimen sticks or slides between the drops; null where that is not asked",
              teeth_fields(), [](T test) { return is_fitted(test) && test.analysis.teeth ? &test : nullptr; })
       .list("suspects", "points that need more friction than is plausible, at the bending stiffness stated",

@@ -69,7 +69,8 @@ Fields<FittedTest> likeliest_wave_fields() {
               of_fit(&FrictionFit::wave_claimed))
       .number("log_evidence", "ln of the evidence with a wave over that without",
               of_fit(&FrictionFit::log_evidence_of_wave))
-      .all_of(wave_fields(), [](T test) { return &test.analysis.fit.waves.front(); });
+      .all_of(
+          wave_fields(), [](T test) -> const auto& { return test.analysis.fit.waves.front(); });
 }
 
 Fields<Explanation> explanation_fields() {

@@ -47,13 +47,14 @@ Fields<ReadTest> read_test_fields() {
       .words("status", "ok, or nothing_explained",
              [](T test) { return test.profile.points.empty() ? "nothing_explained" : "ok"; })
       .group("units", "of plain numbers", units_of_numbers<ReadTest>())
-      .group("bending_stiffness", "as used",
-             Fields<BendingStiffnessUsed>()
-                 .own("value", kind::bending_stiffness, "EI", &BendingStiffnessUsed::value)
-                 .number("relative_error", "its standard deviation", &BendingStiffnessUsed::relative_error)
-                 .words("source", "stated, stated_without_uncertainty, initial_slope or mirror_symmetry",
-                        [](const BendingStiffnessUsed& used) { return name_of(used.source); }),
-             [](T test) { return &test.stiffness; })
+      .group(
+          "bending_stiffness", "as used",
+          Fields<BendingStiffnessUsed>()
+              .own("value", kind::bending_stiffness, "EI", &BendingStiffnessUsed::value)
+              .number("relative_error", "its standard deviation", &BendingStiffnessUsed::relative_error)
+              .words("source", "stated, stated_without_uncertainty, initial_slope or mirror_symmetry",
+                     [](const BendingStiffnessUsed& used) { return name_of(used.source); }),
+          [](T test) -> const auto& { return test.stiffness; })
       .own("contact_offset", kind::length, "taken off stage and deflection",
            [](T test) { return test.measurement.contact_offset; })
       .own("force_noise", kind::force, "standard deviation of one force reading",

@@ -37,6 +37,8 @@ struct Description {
   std::string_view meaning;
   std::vector<Description> entries = {};  // of groups; of an estimate what else stands beside its numbers
   std::string_view title = {};            // of a column in a table, where that is not the name
+  bool may_be_missing = false;            // null then
+  bool is_several = false;                // of words: a list of them
 };
 
 }  // namespace flexslip

@@ -11,10 +11,12 @@ Field::Read unit_in(const Kind& kind) {
 }
 
 void FieldList::add(Description what, Field::Read read, const Kind& reduced) {
-  if (only_where_)
+  if (only_where_) {
+    what.may_be_missing = true;
     read = [read = std::move(read), holds = only_where_](const void* row, const Frame& frame, const Kind& as) {
       return holds(row) ? read(row, frame, as) : Json();
     };
+  }
   fields_.push_back({std::move(what), std::move(read), reduced, left_out_});
 }
 
@@ -33,14 +35,17 @@ void FieldList::add_estimate(Description what, Field::Read read, const Kind& red
       reduced);
 }
 
-void FieldList::add_all(const FieldList& fields, const Through& part) {
-  for (const Field& field : fields.fields_)
+void FieldList::add_all(const FieldList& fields, bool may_be_missing, const Through& part) {
+  for (const Field& field : fields.fields_) {
+    Description what = field.what;
+    what.may_be_missing |= may_be_missing;
     add(
-        field.what,
+        std::move(what),
         [part, read = field.read](const void* row, const Frame& frame, const Kind& as) {
           return part(row, frame, as, read);
         },
         field.reduced);
+  }
 }
 
 std::vector<Description> FieldList::descriptions() const {

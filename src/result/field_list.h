@@ -30,10 +30,10 @@ class FieldList {
  public:
   void add(Description what, Field::Read read, const Kind& reduced = kind::number);
   void add_estimate(Description what, Field::Read read, const Kind& reduced, Field::Read unit, const FieldList& more);
-  // Those of others; each read goes through `part`, which hands the row's part on.
+  // Those of others; each read goes through `part`, which hands the row's part on, and may be missing.
   using Through =
       std::function<Json(const void* row, const Frame& frame, const Kind& reduced, const Field::Read& read)>;
-  void add_all(const FieldList& fields, const Through& part);
+  void add_all(const FieldList& fields, bool may_be_missing, const Through& part);
 
   // As Fields says.
   void only_where(std::function<bool(const void* row)> holds) { only_where_ = std::move(holds); }

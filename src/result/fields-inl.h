@@ -4,7 +4,7 @@ namespace flexslip {
 
 template <class Row>
 Fields<Row>& Fields<Row>::own_quantity(Name name, const Kind& kind, Meaning meaning, Get get) {
-  list_.add({name, Shape::quantity, kind, meaning},
+  list_.add(described({name, Shape::quantity, kind, meaning}, get),
             [read = std::move(get.read), kind](const void* row, const Frame& frame, const Kind& as) {
               return with_unit(read(row, frame, as), unit_of(kind, frame.reduced));
             });
@@ -26,14 +26,15 @@ Fields<Row>& Fields<Row>::words_by_name(Name name, Meaning meaning, GetPairs get
 
 template <class Row>
 Fields<Row>& Fields<Row>::estimate(Name name, const Kind& kind, Meaning meaning, Get get, const Fields& more) {
-  list_.add_estimate({name, Shape::estimate, kind, meaning}, std::move(get.read), kind, unit_in(kind), more.list_);
+  list_.add_estimate(described({name, Shape::estimate, kind, meaning}, get), std::move(get.read), kind, unit_in(kind),
+                     more.list_);
   return *this;
 }
 
 template <class Row>
 Fields<Row>& Fields<Row>::own_estimate(Name name, const Kind& kind, Meaning meaning, Get get, const Fields& more) {
-  list_.add_estimate({name, Shape::estimate, kind, meaning}, std::move(get.read), kind::number, unit_in(kind),
-                     more.list_);
+  list_.add_estimate(described({name, Shape::estimate, kind, meaning}, get), std::move(get.read), kind::number,
+                     unit_in(kind), more.list_);
   return *this;
 }
 
@@ -44,20 +45,25 @@ Fields<Row>& Fields<Row>::own_estimate(const Named& what, Get get, const Fields&
 
 template <class Row>
 Fields<Row>& Fields<Row>::estimate_in(Name name, Meaning meaning, Get get, Get unit, const Fields& more) {
-  list_.add_estimate({name, Shape::estimate, kind::number, meaning}, std::move(get.read), kind::number,
+  list_.add_estimate(described({name, Shape::estimate, kind::number, meaning}, get), std::move(get.read), kind::number,
                      std::move(unit.read), more.list_);
   return *this;
 }
 
 template <class Row>
 Fields<Row>& Fields<Row>::group(Name name, Meaning meaning, const Fields& below) {
-  return group(name, meaning, below, [](const Row& row) { return &row; });
+  return group(name, meaning, below, [](const Row& row) -> const Row& { return row; });
 }
 
 template <class Row>
 template <class Part, class GetPart>
 Fields<Row>& Fields<Row>::group(Name name, Meaning meaning, const Fields<Part>& below, GetPart get) {
-  return add({name, Shape::group, kind::number, meaning, below.descriptions()},
+  return add({.name = name,
+              .shape = Shape::group,
+              .kind = kind::number,
+              .meaning = meaning,
+              .entries = below.descriptions(),
+              .may_be_missing = MayBeMissing<Given<GetPart, Row>>},
              [get, below](const Row& row, const Frame& frame) {
                return if_there(call(get, row, frame), [&](const Part& part) { return below(part, frame); });
              });
@@ -88,16 +94,17 @@ Fields<Row>& Fields<Row>::by_name(Name name, Meaning meaning, const Fields<Part>
 template <class Row>
 template <class Part, class GetPart>
 Fields<Row>& Fields<Row>::all_of(const Fields<Part>& fields, GetPart get) {
-  list_.add_all(fields.untyped(), [get](const void* row, const Frame& frame, const Kind& as, const Field::Read& read) {
-    return if_there(call(get, *static_cast<const Row*>(row), frame),
-                    [&](const Part& part) { return read(&part, frame, as); });
-  });
+  list_.add_all(fields.untyped(), MayBeMissing<Given<GetPart, Row>>,
+                [get](const void* row, const Frame& frame, const Kind& as, const Field::Read& read) {
+                  return if_there(call(get, *static_cast<const Row*>(row), frame),
+                                  [&](const Part& part) { return read(&part, frame, as); });
+                });
   return *this;
 }
 
 template <class Row>
 Fields<Row>& Fields<Row>::all_of(const Fields& fields) {
-  return all_of(fields, [](const Row& row) { return &row; });
+  return all_of(fields, [](const Row& row) -> const Row& { return row; });
 }
 
 template <class Row>

@@ -9,21 +9,9 @@
 #include <vector>
 
 #include "result/field_list.h"
+#include "result/getter.h"
 
 namespace flexslip {
-
-// How something is read off a row: a function or member of const Row&, or a function of that and const Frame&. What it gives as
-// std::optional or pointer may be missing: it is null then, as NaN is.
-template <class Row>
-struct Getter {
-  Field::Read read;
-
-  template <class Get>
-  Getter(Get get)  // NOLINT(google-explicit-constructor): it stands where a function is written
-      : read([get](const void* row, const Frame& frame, const Kind& as) {
-          return read_off(get, *static_cast<const Row*>(row), frame, as);
-        }) {}
-};
 
 // What can be read off a row, in the order in which it is written.
 template <class Row>
@@ -103,8 +91,13 @@ class Fields {
 
  private:
   Fields& add(Description what, Get get, const Kind& reduced = kind::number) {
-    list_.add(std::move(what), std::move(get.read), reduced);
+    list_.add(described(std::move(what), get), std::move(get.read), reduced);
     return *this;
+  }
+  static Description described(Description what, const Get& get) {
+    what.may_be_missing |= get.may_be_missing;
+    what.is_several = get.is_several;
+    return what;
   }
   Fields& plain(Name name, Shape shape, Meaning meaning, Get get) {
     return add({name, shape, kind::number, meaning}, std::move(get));

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -26,12 +27,25 @@ decltype(auto) call(const Get& get, const Row& row, const Frame& frame) {
     return std::invoke(get, row);
 }
 
+// Values that may not be there: std::optional, and pointers.
+template <class Value>
+concept MayBeMissing = (std::is_pointer_v<Value> && !std::is_same_v<Value, const char*>) ||
+                       requires(const Value& value) {
+  value.has_value();
+};
+
+// Lists of words.
+template <class Value>
+concept SeveralWords = requires {
+  typename Value::value_type;
+}
+&&!MayBeMissing<Value> && !std::is_convertible_v<Value, std::string_view> &&
+    std::is_convertible_v<typename Value::value_type, std::string_view>;
+
 // What is made of a value; null where a std::optional or a pointer has none.
 template <class Value, class Make>
 Json if_there(const Value& value, Make make) {
-  if constexpr (std::is_pointer_v<Value> && !std::is_same_v<Value, const char*>)
-    return value ? make(*value) : Json();
-  else if constexpr (requires { value.has_value(); })
+  if constexpr (MayBeMissing<Value>)
     return value ? make(*value) : Json();
   else
     return make(value);
@@ -62,6 +76,11 @@ Json object_of(const Pairs& pairs) {
 
 // A quantity with its unit beside it; null stays null.
 Json with_unit(const Json& value, std::string_view unit);
+
+// What a getter gives of any row.
+template <class Get, class Row>
+using Given = std::remove_cvref_t<decltype(call(std::declval<const Get&>(), std::declval<const Row&>(),
+                                                std::declval<const Frame&>()))>;
 
 template <class Get, class Row>
 Json read_off(const Get& get, const Row& row, const Frame& frame, const Kind& kind = kind::number) {

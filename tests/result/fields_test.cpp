@@ -102,3 +102,24 @@ TEST_CASE("identity: a reduced number of each kind times its unit is the physica
   }
   CHECK_THROWS_AS(unit_of(kind::time, false), std::invalid_argument);
 }
+
+TEST_CASE("result fields, identity: what may be missing, and what is several, is told by what is read") {
+  struct Answer {
+    std::optional<double> perhaps;
+    double surely;
+    std::vector<std::string> remarks;
+    const Row* row;
+  };
+  const auto fields = Fields<Answer>()
+                          .number("perhaps", "a number or none", &Answer::perhaps)
+                          .number("surely", "a number", &Answer::surely)
+                          .words("remarks", "several", &Answer::remarks)
+                          .group("row", "or none", row_fields(), &Answer::row)
+                          .group("beside", "of the same", Fields<Answer>().number("surely", "again", &Answer::surely))
+                          .only_where([](const Answer& answer) { return answer.surely > 0; })
+                          .number("where", "it is positive", &Answer::surely);
+  std::string told;
+  for (const Description& what : fields.descriptions())
+    told += std::string(what.name) + (what.may_be_missing ? "?" : "") + (what.is_several ? "*" : "") + " ";
+  CHECK(told == "perhaps? surely remarks* row? beside where? ");
+}
