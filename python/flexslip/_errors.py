@@ -114,6 +114,15 @@ def wrong(field: str, expected: str, found: Any, remedy: str | None = None, **pa
     return error_of(message, field=field, expected=expected, found=shown, remedy=remedy, **parts)
 
 
+def yes_no(field: str, value: Any) -> bool:
+    """An option that is True or False: "no" is neither."""
+    import numpy as np
+
+    if not isinstance(value, (bool, np.bool_)):
+        raise wrong(field, "True or False", value)
+    return bool(value)
+
+
 def one_of(field: str, word: Any, known: Sequence[str]) -> None:
     """Refuses an argument that is none of some words."""
     if not isinstance(word, str) or word not in known:

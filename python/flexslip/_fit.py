@@ -115,7 +115,7 @@ class Fit(FitFields):
         return _plots.plot(self._part("figures"), figure, ax)
 
     def __repr__(self) -> str:
-        if not self.success:
+        if self.judgement is None:
             return f"<Fit of {self.name}: {self.status}: {self.message}>"
         lines = [f"<Fit of {self.name}: {self.model}, {self.category}, {self.judgement.standing}>"]
         lines += [f"  {name:<20} {str(value)[1:-1].removeprefix(name + ': ')}" for name, value in self.parameters.items()
@@ -125,7 +125,7 @@ class Fit(FitFields):
     def _repr_html_(self) -> str:
         import html
 
-        head = f"Fit of {self.name}: {self.status if not self.success else self.model + ', ' + self.judgement.standing}"
+        head = f"Fit of {self.name}: {self.status if self.judgement is None else f'{self.model}, {self.judgement.standing}'}"
         return f"<p><b>{html.escape(head)}</b></p>" + str(self.parameters._repr_html_())
 
 

@@ -56,18 +56,6 @@ CampaignOptions options_of(const CampaignRequest& request) {
   return options;
 }
 
-// The folder is FlexSlip's own: what lies in it may be replaced or removed, and is no input of the next run.
-void announce_campaign_report(const std::string& folder) {
-  if (folder.empty()) return;
-  const std::filesystem::path report(folder);
-  CallFiles& files = files_of_this_call();
-  for (const char* name :
-       {"report.html", "tests.csv", "categories.csv", "campaign.json", "campaign.xlsx", "tables.tex"})
-    files.writes(report / name, "--report");
-  for (const char* name : {"figures", "tests"}) files.writes_below(report / name, "--report");
-  files.keeps_inputs_out_of(report, "--report");
-}
-
 DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
   if (request.figures) return write_campaign_report(request.report, campaign);
   write_campaign_tables(request.report, campaign);
@@ -129,7 +117,9 @@ void add_campaign_command(CLI::App& app) {
                    "Write report.html, tables, figures and each test's results into this folder; results that are "
                    "there already are not computed again")
       ->type_name("FOLDER")
-      ->each(announce_campaign_report);
+      ->each([](const std::string& folder) {
+        if (!folder.empty()) announce_campaign_report(files_of_this_call(), folder, "--report");
+      });
   command->add_flag("!--no-figures", request->figures, "Write only the tables, without report.html and figures");
   command->add_flag("--test-reports", request->test_reports, "Also write the report of each test, with its figures");
   command->add_option("-j,--jobs", request->jobs, "Tests computed at the same time")

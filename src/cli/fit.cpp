@@ -1,8 +1,6 @@
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -22,7 +20,6 @@
 #include "report/fit_words.h"
 #include "report/page.h"
 #include "report/report.h"
-#include "report/studio_page.h"
 
 namespace flexslip {
 namespace {
@@ -34,27 +31,6 @@ struct FitRequest {
   bool full = false;
   Output output;
 };
-
-constexpr const char* studio_name = "studio.html";
-
-// The figures' folder is FlexSlip's own.
-void announce_fit_report(const std::string& folder) {
-  if (folder.empty()) return;
-  const std::filesystem::path report(folder);
-  files_of_this_call().writes(report / "report.html", "--report");
-  files_of_this_call().writes_below(report / "figures", "--report");
-  if (built_studio_page()) files_of_this_call().writes(report / studio_name, "--report");
-}
-
-// The studio with the test inside, in the folder of its report: its name there, none where there is no built page, or the record is gone.
-std::string studio_beside(const std::string& folder, const FittedTest& test) {
-  const auto built = built_studio_page();
-  if (!built || test.measurement.file == "-") return "";
-  make_folder(folder);
-  write_studio_page((std::filesystem::path(folder) / studio_name).string(), *built,
-                    {taken_along(read_case(std::string_view(test.provenance.test), ""), test.name)});
-  return studio_name;
-}
 
 void run_fit(const FitRequest& request) {
   FittedTest test = [&] {
@@ -75,8 +51,7 @@ void run_fit(const FitRequest& request) {
   if (!request.draws.empty() && !is_fitted(test))
     note(request.output,
          fmt::format("no profiles are written to {}: there is no fit to draw them from", request.draws));
-  if (!request.report.empty() &&
-      write_report(request.report, test, studio_beside(request.report, test)) == DrawStatus::no_gnuplot)
+  if (!request.report.empty() && write_report_with_studio(request.report, test) == DrawStatus::no_gnuplot)
     note(request.output,
          "gnuplot is not installed: the report has the scripts and data of the pictures, but no pictures");
   if (request.output.json)
@@ -102,7 +77,9 @@ void add_fit_command(CLI::App& app) {
       "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"");
   command->add_option("--report", request->report, "Write report.html and figures/ into this folder")
       ->type_name("FOLDER")
-      ->each(announce_fit_report);
+      ->each([](const std::string& folder) {
+        if (!folder.empty()) announce_report(files_of_this_call(), folder, "--report");
+      });
   command
       ->add_option("--surface", request->surface,
                    "Hold the surface that would explain the friction against this height profile, read as surface does")

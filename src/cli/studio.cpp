@@ -35,7 +35,8 @@ void run_studio(const StudioRequest& request) {
   const auto built = built_studio_page();
   if (!built)
     throw InputError({.field = "studio",
-                      .expected = "the studio's page, flexslip-studio.html, beside the program or in share/flexslip",
+                      .expected = "the studio's page of version " FLEXSLIP_VERSION
+                                  ", flexslip-studio.html, beside the program or in share/flexslip",
                       .found = "none",
                       .remedy =
                           "take it from a release, or build it: tools/build-studio in FlexSlip's repository, which "

@@ -1,6 +1,7 @@
 #include "io/call_files.h"
 
 #include <algorithm>
+#include <mutex>
 #include <system_error>
 #include <utility>
 
@@ -136,6 +137,39 @@ void CallFiles::reads(const fs::path& file) const {
 CallFiles& files_of_this_call() {
   static CallFiles files;
   return files;
+}
+
+namespace {
+
+struct CallsUnderWay {
+  std::mutex mutex;
+  std::vector<const CallFiles*> files;
+};
+
+CallsUnderWay& calls_under_way() {
+  static CallsUnderWay calls;
+  return calls;
+}
+
+}  // namespace
+
+CallUnderWay::CallUnderWay(CallFiles files) : files_(std::move(files)) {
+  CallsUnderWay& calls = calls_under_way();
+  const std::scoped_lock lock(calls.mutex);
+  calls.files.push_back(&files_);
+}
+
+CallUnderWay::~CallUnderWay() {
+  CallsUnderWay& calls = calls_under_way();
+  const std::scoped_lock lock(calls.mutex);
+  std::erase(calls.files, &files_);
+}
+
+void announce_input(const fs::path& file) {
+  files_of_this_call().reads(file);
+  CallsUnderWay& calls = calls_under_way();
+  const std::scoped_lock lock(calls.mutex);
+  for (const CallFiles* files : calls.files) files->reads(file);
 }
 
 }  // namespace flexslip

@@ -1,4 +1,4 @@
-// The files of one call of the program: no output may replace what the call reads, or another of its outputs.
+// The files of one call, of the program or of the library's Python: no output may replace what a call reads, or another of its outputs.
 //
 // Outputs are announced where a command takes their names, before anything is read; inputs where their names are read and where
 // they are opened, so that no command can forget one. Files are the same whatever way their path is spelled, and by symbolic and
@@ -59,7 +59,22 @@ class CallFiles {
   std::vector<Claim> claims_{};
 };
 
-// Those of this process. Until an output is announced, nothing is refused.
+// Those of the program's call. Until an output is announced, nothing is refused.
 CallFiles& files_of_this_call();
+
+// A call among others of one process, which may run at the same time: as long as it lasts, none of them reads what it writes.
+class CallUnderWay {
+ public:
+  explicit CallUnderWay(CallFiles files);
+  ~CallUnderWay();
+  CallUnderWay(const CallUnderWay&) = delete;
+  CallUnderWay& operator=(const CallUnderWay&) = delete;
+
+ private:
+  CallFiles files_;
+};
+
+// An input. Fails: as CallFiles::reads, for the program's call and every call under way.
+void announce_input(const std::filesystem::path& file);
 
 }  // namespace flexslip

@@ -175,4 +175,13 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   return drawn;
 }
 
+void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option) {
+  const std::filesystem::path report(folder);
+  for (const char* name :
+       {"report.html", "tests.csv", "categories.csv", "campaign.json", "campaign.xlsx", "tables.tex"})
+    files.writes(report / name, option);
+  for (const char* name : {"figures", "tests"}) files.writes_below(report / name, option);
+  files.keeps_inputs_out_of(report, option);
+}
+
 }  // namespace flexslip

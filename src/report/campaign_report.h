@@ -4,9 +4,15 @@
 #include <string>
 
 #include "campaign/campaign.h"
+#include "io/call_files.h"
 #include "report/figure.h"
 
 namespace flexslip {
+
+// What the functions below write, named by an option. The folder is FlexSlip's own: what lies in it may be replaced or removed, and is no input of
+// the next run.
+// Fails:      as CallFiles::writes.
+void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option);
 
 // Writes into <folder>, which is made if it is not there; files of the same names are replaced:
 //   report.html                   needs no other file; links to tests/<name>/report.html where that exists

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "case/case_file.h"
 #include "io/text_file.h"
 #include "report/answer_words.h"
 #include "report/cycles_figures.h"
@@ -18,6 +20,7 @@
 #include "report/preparation_words.h"
 #include "report/record_figure.h"
 #include "report/small_deflection_words.h"
+#include "report/studio_page.h"
 #include "report/teeth_figure.h"
 #include "report/teeth_words.h"
 
@@ -30,6 +33,8 @@ std::string joined(const std::string& first, const std::string& second) {
 }
 
 namespace fs = std::filesystem;
+
+constexpr const char* studio_name = "studio.html";
 
 std::string parameter_table(const FittedTest& test) {
   std::string out =
@@ -208,6 +213,21 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test, const
   body += "</ul>\n" + section("Provenance") + provenance_html(test);
   write_text(report, page(title, answer_of(test), body));
   return drawn;
+}
+
+void announce_report(CallFiles& files, const std::string& folder, const std::string& option) {
+  files.writes(fs::path(folder) / "report.html", option);
+  files.writes_below(fs::path(folder) / "figures", option);
+  if (built_studio_page()) files.writes(fs::path(folder) / studio_name, option);
+}
+
+DrawStatus write_report_with_studio(const std::string& folder, const FittedTest& test) {
+  const auto built = built_studio_page();
+  if (!built || test.measurement.file == "-") return write_report(folder, test);
+  make_folder(folder);
+  write_studio_page((fs::path(folder) / studio_name).string(), *built,
+                    {taken_along(read_case(std::string_view(test.provenance.test), ""), test.name)});
+  return write_report(folder, test, studio_name);
 }
 
 }  // namespace flexslip

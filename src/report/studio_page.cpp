@@ -24,8 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view page_name = "flexslip-studio.html";
-// The element of the page that holds the tests it opens with.
-constexpr std::string_view place_begins = "<script type=\"application/json\" id=\"given\">";
+// The element of a page of this version that holds the tests it opens with.
+constexpr std::string_view place_begins =
+    "<script type=\"application/json\" id=\"given\" data-version=\"" FLEXSLIP_VERSION "\">";
 constexpr std::string_view nothing_given = "[]";
 
 std::string content_of(const std::string& file) {
@@ -97,7 +98,9 @@ std::optional<fs::path> built_studio_page() {
   if (error) return std::nullopt;
   const fs::path folder = program.parent_path();
   for (const fs::path& place : {folder, folder.parent_path() / "share" / "flexslip", folder.parent_path() / "studio"})
-    if (fs::is_regular_file(place / page_name, error)) return place / page_name;
+    if (fs::is_regular_file(place / page_name, error) &&
+        content_of((place / page_name).string()).find(place_begins) != std::string::npos)
+      return place / page_name;
   return std::nullopt;
 }
 

@@ -22,7 +22,7 @@ struct GivenTest {
 };
 
 // The page as it was built: beside the program, installed with it in share/flexslip, or in build/studio of the repository that the program was built
-// in. None if it is in none of these.
+// in. None if none of these holds one of this version.
 std::optional<std::filesystem::path> built_studio_page();
 
 // A file and, if it is a case file, the files that it names. A case whose files lie elsewhere than beside it is written anew, with their names alone.

@@ -1,19 +1,19 @@
 #!/usr/bin/env node
 // Bundles the page into one HTML file: script and style inlined, nothing fetched.
-//   node build.mjs --engine FILE.ts --out FILE.html [--inline ID=FILE]...
-// --inline puts a text (the program's WebAssembly in base64) into <script type="text/plain" id="ID">.
+//   node build.mjs --engine FILE.ts --version VERSION --out FILE.html [--inline ID=FILE]...
+// --version is that of the program, which puts tests into no other's page. --inline puts a text (WebAssembly packed by pack.mjs) into <script type="text/plain" id="ID">.
 import { readFileSync, writeFileSync, mkdirSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, "../..");
-const options = { engine: "", out: join(root, "build/studio/flexslip-studio.html"), inline: [] };
+const options = { engine: "", version: "", out: join(root, "build/studio/flexslip-studio.html"), inline: [] };
 for (let i = 2; i < process.argv.length; i += 2) {
   const name = process.argv[i].replace(/^--/, ""), value = process.argv[i + 1];
-  if (!(name in options) || value === undefined) throw new Error(`usage: build.mjs --engine FILE.ts [--out FILE.html] [--inline ID=FILE]...`);
+  if (!(name in options) || value === undefined) throw new Error(`usage: build.mjs --engine FILE.ts --version VERSION [--out FILE.html] [--inline ID=FILE]...`);
   if (name === "inline") options.inline.push(value);
-  else options[name] = resolve(value);
+  else options[name] = name === "version" ? value : resolve(value);
 }
 
 const bundle = await build({
@@ -29,6 +29,7 @@ const texts = options.inline.map((entry) => {
   return `<script type="text/plain" id="${id}">${readFileSync(file, "utf8").trim()}</script>`;
 });
 const page = readFileSync(join(here, "src/page.html"), "utf8")
+  .replace("/*version*/", () => options.version)
   .replace("/*style*/", () => style.outputFiles[0].text)
   .replace("<!--inlined-->", () => [`<script type="application/json" id="example">${JSON.stringify(example).replaceAll("<", "\\u003c")}</script>`, ...texts].join("\n"))
   .replace("/*script*/", () => inScript(bundle.outputFiles[0].text));

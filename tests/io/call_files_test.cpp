@@ -100,4 +100,18 @@ TEST_CASE("call files, limit: devices, pipes and what is not there are in nobody
   files.reads("/nowhere/at all");
 }
 
+TEST_CASE("call files, identity: what a call under way writes is no input until it ends") {
+  const TemporaryFolder folder;
+  const fs::path table = folder.file("tests.csv", "1");
+  announce_input(table);
+  {
+    CallFiles files;
+    files.writes(table, "report");
+    const CallUnderWay call(std::move(files));
+    CHECK_THROWS_AS(announce_input(table), OutputClash);
+    announce_input(folder.file("other.csv", "1"));
+  }
+  announce_input(table);
+}
+
 }  // namespace flexslip

@@ -13,7 +13,8 @@ from program import PROGRAM, SOURCE, WAVY, InFolder
 
 EXAMPLE = SOURCE / "examples/simulated"
 # What the command needs of the page, whatever else is in it.
-PAGE = '<!DOCTYPE html>\n<title>The studio</title>\n<script type="application/json" id="given">[]</script>\n<p>&amp; more</p>\n'
+VERSION = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True).stdout.split()[-1]
+PAGE = f'<!DOCTYPE html>\n<title>The studio</title>\n<script type="application/json" id="given" data-version="{VERSION}">[]</script>\n<p>&amp; more</p>\n'
 NAME = "flexslip-studio.html"
 
 
@@ -54,6 +55,15 @@ class Studio(InFolder):
                 (self.folder / place / NAME).write_text(PAGE, encoding="utf-8")
                 self.assertEqual(self.written(), PAGE)
                 (self.folder / place / NAME).unlink()
+
+    def test_a_page_of_another_version_is_none(self):
+        (self.folder / "bin" / NAME).write_text(PAGE.replace(VERSION, "0.0.1"), encoding="utf-8")
+        result = self.studio("--no-open")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn(f"of version {VERSION}", result.stderr)
+        (self.folder / "share/flexslip").mkdir(parents=True)
+        (self.folder / "share/flexslip" / NAME).write_text(PAGE, encoding="utf-8")
+        self.assertEqual(self.written(), PAGE)
 
     def test_a_case_takes_its_files_along_as_they_are(self):
         (self.folder / "bin" / NAME).write_text(PAGE, encoding="utf-8")
