@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _flexslip
 from ._answers import Quantity
-from ._errors import InputError, error_of, wrong
+from ._errors import InputError, error_of, wrong, yes_no
 
 SECTIONS = ("specimen", "rig", "friction", "stage", "record")
 KEYS = {(key["section"], key["name"]): key for key in _flexslip.keys()}
@@ -97,7 +97,7 @@ def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
         return _in_quotes(value)
     holds, unit = key["is"], key["unit"]
     if _is_number(value):
-        if holds == "whole_number" or (holds == "place" and isinstance(value, (int, np.integer))):
+        if holds in ("whole_number", "name_or_number") or (holds == "place" and isinstance(value, (int, np.integer))):
             return repr(int(value)) if float(value).is_integer() else repr(float(value))
         if holds == "place":
             return _number(value, "m", reduced)
@@ -185,7 +185,10 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
     except ValueError:
         raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
     if array.dtype.kind not in "iuf":
-        raise TypeError(f"{name}: expected real numbers, found {array.dtype.name}")
+        first = repr(array.flat[0].item()) if array.size and array.dtype.kind in "USOc" else ""
+        units = f", and their unit beside them: {name}=(values, \"{'mN' if name == 'force' else 'um'}\")" if array.dtype.kind == "U" else ""
+        found = "text" if array.dtype.kind == "U" else array.dtype.name
+        raise TypeError(f"{name}: expected real numbers{units}, found {found} {first}".rstrip())
     if array.ndim != 1:
         raise wrong(name, "an array of one dimension", f"one of the shape {array.shape}", key=f"record.{name}")
     if array.size == 0:
@@ -198,7 +201,10 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
         return values
     if reduced:
         raise wrong(name, "numbers without a unit, as the case is reduced", unit, key=f"record.{name}")
-    return _flexslip.in_si(values, unit, "force" if name == "force" else "length")
+    try:
+        return _flexslip.in_si(values, unit, "force" if name == "force" else "length")
+    except InputError as error:
+        raise wrong(name, error.expected or "a unit", error.found, error.remedy, key=f"record.{name}") from None
 
 
 def _arrays_of(sections: dict[str, dict[str, Any]], reduced: bool) -> list[tuple[str, Any]]:
@@ -285,6 +291,7 @@ class Case:
     _given: list[tuple[str, Any]]
 
     def __init__(self, file: Any = None, *, set: Mapping[str, Any] | None = None, reduced: bool = False, **keywords: Any) -> None:  # noqa: A002
+        reduced = yes_no("reduced", reduced)
         sections = sections_of(keywords)
         self._given = []
         if isinstance(file, Case):

@@ -4,6 +4,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from . import _flexslip
 from ._case import _path
 from ._errors import one_of, wrong
@@ -74,7 +76,7 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
     specimen : int, optional
         Which of several specimens, counted from 1; the first.
     sheet : str or int, optional
-        Of a workbook (.xlsx): its name or number; the first with numbers.
+        Of a workbook (.xlsx): its name as a string, its number as an int; the first with a table of numbers.
     encoding, separator, decimal, thousands : str, optional
         Found, unless they are given: ``"cp1252"``, ``";"``, ``","``, ``"."``.
     time, crosshead, deflection, force : str or int, optional
@@ -101,12 +103,15 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
     given = {"sheet": sheet, "encoding": encoding, "separator": separator, "decimal": decimal, "thousands": thousands, "time": time, "crosshead": crosshead,
              "deflection": deflection, "force": force, "displacement": displacement, "time_unit": time_unit,
              "displacement_unit": displacement_unit, "force_unit": force_unit, "calibration": calibration}
-    words = {}
+    words: dict[str, Any] = {}
     for name, value in given.items():
         if value is None:
             continue
-        if name in ("sheet", *_ROLES[:1], *_ROLES[2:]) and isinstance(value, int) and not isinstance(value, bool):
-            value = str(value)
+        if name == "sheet" and isinstance(value, (int, np.integer)) and not isinstance(value, bool):
+            words["sheet_number"] = whole("sheet", value, 1, 2**31)
+            continue
+        if name in (*_ROLES[:1], *_ROLES[2:]) and isinstance(value, (int, np.integer)) and not isinstance(value, bool):
+            value = str(int(value))
         if not isinstance(value, str):
             raise wrong(name, "text", value)
         words[name] = value

@@ -31,8 +31,9 @@ std::string unit_of_bare(const CaseKey& key) {
 
 // "quantity", as the enumeration has it.
 std::string_view name_of(Holds holds) {
-  return name_in_order<Holds::tables>(holds, {"quantity", "share", "whole_number", "yes_no", "estimate", "word", "text",
-                                              "title", "file", "place", "lengths", "section", "axes", "tables"});
+  return name_in_order<Holds::tables>(
+      holds, {"quantity", "share", "whole_number", "yes_no", "estimate", "word", "text", "title", "file",
+              "name_or_number", "place", "lengths", "section", "axes", "tables"});
 }
 
 py::list keys() {

@@ -10,6 +10,7 @@
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
 #include "instruments/export_words.h"
+#include "interruptible.h"
 #include "io/input_error.h"
 #include "parts.h"
 #include "plain.h"
@@ -51,7 +52,7 @@ ExportWords words_of(const py::dict& given) {
     if (given.contains(name)) word = given[name].cast<std::string>();
   };
   take("sheet", words.sheet);
-  take("sheet", words.sheet);
+  if (given.contains("sheet_number")) words.sheet_number = given["sheet_number"].cast<std::size_t>();
   take("encoding", words.encoding);
   take("separator", words.separator);
   take("decimal", words.decimal);
@@ -84,8 +85,8 @@ void add_exports(py::module_& module) {
       });
   module.def("read", [](const std::string& path, const py::dict& given) {
     const ExportWords words = words_of(given);
-    const py::gil_scoped_release unlocked;
-    return std::make_shared<Export>(read_export(path, options_of(words)));
+    return interruptible(
+        [&](const std::atomic<bool>&) { return std::make_shared<Export>(read_export(path, options_of(words))); });
   });
 }
 

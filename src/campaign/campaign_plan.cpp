@@ -139,7 +139,7 @@ void say(toml::table& table, const TableKey& key, const std::string& cell) {
   toml::table& section = subtable(table, key.section);
   if (key.part.empty()) {
     const CaseKey* known = case_key(key.section, key.key);
-    if (known != nullptr && known->holds == Holds::text && key.unit.empty())
+    if (known != nullptr && (known->holds == Holds::text || known->holds == Holds::name_or_number) && key.unit.empty())
       section.insert_or_assign(key.key, cell);  // the number of a sheet or a column is a name of it
     else
       set(section, key.key, cell, key.unit);

@@ -25,6 +25,7 @@ bool is_text(const CaseKey& key, std::string_view value) {
   switch (key.holds) {
     case Holds::word:
     case Holds::text:
+    case Holds::name_or_number:
     case Holds::title:
     case Holds::file:
       return true;

@@ -330,7 +330,7 @@ RecordInput read_record(const Keys& keys, const Case& input) {
                 fmt::format("both {} and {}", *of_table, *of_export), "delete one");
   const bool is_export = of_export != of_exports.end() || (of_table == of_tables.end() && !keys.has("force"));
   RecordInput record{.file = keys.path("file"), .columns = {}};
-  if (keys.has("sheet")) record.sheet = keys.text("sheet");
+  if (keys.has("sheet")) record.sheet = keys.name_or_number("sheet");
   if (is_export && keys.has("length"))
     keys.refuse("length", "the columns of stage or deflection and force named beside it",
                 "an export of a testing machine");

@@ -186,8 +186,8 @@ constexpr std::array keys{
     plain("record", "file", Holds::file, R"("ss14.csv")", "", "the measured record",
           ": CSV, or text separated by semicolons, tabs or spaces, with one header line; or an export of a testing "
           "machine; or a workbook (.xlsx) with either"),
-    plain("record", "sheet", Holds::text, R"("Specimen 1")", "--sheet",
-          "of a workbook (.xlsx): name or number of the sheet; the first with a number, unless it is given"),
+    plain("record", "sheet", Holds::name_or_number, R"("Specimen 1")", "--sheet",
+          "of a workbook (.xlsx): name or number of the sheet; the first with a table of numbers, unless it is given"),
     title("record", "stage", kind::length, R"("w_s_m [m]")", R"("w_s")", "--stage",
           "title of the column of the stage (crosshead) displacement"),
     title("record", "deflection", kind::length, R"("w_m [m]")", R"("w")", "--deflection",
@@ -272,6 +272,9 @@ std::string what_holds(const CaseKey& key) {
       parts.emplace_back("true or false");
       break;
     case Holds::word:
+      break;
+    case Holds::name_or_number:
+      parts.emplace_back("text, or a whole number");
       break;
     case Holds::text:
       parts.emplace_back("text");

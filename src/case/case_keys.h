@@ -20,10 +20,11 @@ enum class Holds {
   estimate,      // a quantity, { value, uncertainty }, or "fit"
   word,          // one of `words`
   text,
-  title,    // of a column that holds a quantity of `kind`
-  file,     // relative to the case file
-  place,    // in a record: a row, a stage position, or { deflection = … }
-  lengths,  // an array of them
+  title,           // of a column that holds a quantity of `kind`
+  file,            // relative to the case file
+  name_or_number,  // of a sheet: text, or a whole number from 1
+  place,           // in a record: a row, a stage position, or { deflection = … }
+  lengths,         // an array of them
   section,
   axes,    // of a sweep: a section whose keys are numbers of the case that vary
   tables,  // an array of tables, whose keys are in a section of their own: "specimen.cracks"

@@ -223,7 +223,10 @@ void write(Writer& out, const ExportColumns& columns) {
 void write(Writer& out, const RecordInput& record) {
   out.section("record");
   out.line("file", basic_string(record.file));
-  if (record.sheet) out.line("sheet", basic_string(*record.sheet));
+  if (record.sheet) {
+    const std::string* name = std::get_if<std::string>(&*record.sheet);
+    out.line("sheet", name != nullptr ? basic_string(*name) : std::to_string(std::get<std::size_t>(*record.sheet)));
+  }
   std::visit([&](const auto& columns) { write(out, columns); }, record.columns);
   if (record.sign != SignRule::find) out.line("sign", basic_string(name_in(sign_names, record.sign)));
   if (std::holds_alternative<ToKeep>(record.zero)) out.line("zero", "\"keep\"");

@@ -111,6 +111,11 @@ std::string Keys::text(std::string_view name) const {
   return *value;
 }
 
+std::variant<std::string, std::size_t> Keys::name_or_number(std::string_view name) const {
+  if (need(name).is_number()) return static_cast<std::size_t>(whole_number(name, 1));
+  return text(name);
+}
+
 bool Keys::is_word(std::string_view name, std::string_view word) const {
   const toml::node* node = find(name);
   return node && node->value_exact<std::string_view>() == word;
@@ -131,7 +136,7 @@ std::string Keys::column(std::string_view name) const {
 std::string Keys::path(std::string_view name) const {
   const std::string file = text(name);
   std::string path = file == "-" ? file : (std::filesystem::path(input_.source).parent_path() / file).string();
-  files_of_this_call().reads(path);  // now, though it may be read only after others were written
+  announce_input(path);  // now, though it may be read only after others were written
   return path;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <toml++/toml.h>
@@ -51,6 +52,7 @@ class Keys {
   std::uint64_t whole_number(std::string_view name, std::int64_t least) const;
   std::uint64_t whole_number(std::string_view name) const;
   std::string text(std::string_view name) const;
+  std::variant<std::string, std::size_t> name_or_number(std::string_view name) const;
   std::string word(std::string_view name) const;  // one of the words that it may be
   StatedStiffness estimate(std::string_view name) const;
   // The tables in an array of them, such as waves = [{ … }, { … }], with no keys but those known.

@@ -177,8 +177,7 @@ void complete(Case& input, const ExportedTest& said, Preparation& preparation) {
   input.specimen->section = section;
 }
 
-Readings readings_from(const Case& input, const ExportColumns& asked) {
-  const Export file = read_export(input.record->file, options_for(*input.record, asked));
+Readings readings_from(const Case& input, const ExportColumns& asked, const Export& file) {
   const ExportedSpecimen& specimen = specimen_of(input, asked, file);
   const auto [column, kind, is_stated] = displacement_of(asked, file, specimen);
   const ExportColumn& force = only_column(file, specimen, ColumnRole::force, "force", "--force");
@@ -194,9 +193,8 @@ Readings readings_from(const Case& input, const ExportColumns& asked) {
       fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
                   file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
                   is_stated ? "stated" : "the file says", force.name);
-  if (file.sheet && file.sheets.size() > 1)
-    words += fmt::format("; the sheet is '{}', {}", *file.sheet,
-                         input.record->sheet ? "as stated" : "the first with a number of " + listed(file.sheets));
+  if (file.sheet && file.sheets.size() > 1) words += "; " + file.notes.front();  // of which sheet
+  for (const std::string& note : file.row_notes) words += "; " + note;
   if (file.specimens.size() > 1)
     words += fmt::format("; the specimen is number {} of {}", *asked.specimen, file.specimens.size());
   if (asked.calibration) words += fmt::format("; the force was given in volts, {} as stated", *asked.calibration);
@@ -210,6 +208,15 @@ Readings readings_from(const Case& input, const ExportColumns& asked) {
   return readings;
 }
 
+Readings readings_from(const Case& input, const ExportColumns& asked) {
+  const Export file = read_export(input.record->file, options_for(*input.record, asked));
+  try {
+    return readings_from(input, asked, file);
+  } catch (const InputError& error) {
+    if (!file.sheet || file.sheet_is_chosen) throw;
+    throw with_other_sheets(error, *file.sheet, file.sheets);
+  }
+}
 }  // namespace
 
 Readings read_readings(const Case& input) {

@@ -71,7 +71,7 @@ using PlaceInRecord = std::variant<AtRow, AtStage, AtDeflection>;
 
 struct RecordInput {
   std::string file;                    // relative to the working directory
-  std::optional<std::string> sheet{};  // of a workbook: its name, or its number from 1; none: the first with a number
+  std::optional<SheetChoice> sheet{};  // of a workbook; none: the first with a table of numbers
   std::variant<TableColumns, ExportColumns> columns;
   SignRule sign = SignRule::find;
   ForceZeroRule zero = ToFind{};

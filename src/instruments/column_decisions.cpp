@@ -73,6 +73,20 @@ class Decisions {
     return *found.front();
   }
 
+  // The number of a column of another specimen, one beside this, is that of the same title here.
+  std::string of_this(const ExportedSpecimen& specimen, std::string_view wanted) const {
+    const auto numbered = [&](const ExportedSpecimen& each) {
+      return std::find_if(each.columns.begin(), each.columns.end(),
+                          [&](const ExportColumn& column) { return std::to_string(column.number) == wanted; });
+    };
+    if (numbered(specimen) != specimen.columns.end()) return std::string(wanted);
+    for (const ExportedSpecimen& other : out_.specimens)
+      if (const auto column = numbered(other); column != other.columns.end())
+        for (const ExportColumn& here : specimen.columns)
+          if (here.name == column->name) return std::to_string(here.number);
+    return std::string(wanted);
+  }
+
   // A column in a unit of another kind than its role is not the one that was meant.
   void require_kind(const ExportColumn& column, ColumnRole role) const {
     const Kind& kind = role == ColumnRole::force ? kind::force : role == ColumnRole::time ? kind::time : kind::length;
@@ -93,7 +107,7 @@ class Decisions {
   void apply_columns() {
     for (ExportedSpecimen& specimen : out_.specimens)
       for (const auto& [role, name] : options_.columns) {
-        ExportColumn& chosen = named(specimen, trimmed(name), role);
+        ExportColumn& chosen = named(specimen, of_this(specimen, trimmed(name)), role);
         for (ExportColumn& column : specimen.columns)
           if (column.role == role) column.role = ColumnRole::other;
         chosen.role = role;
@@ -320,8 +334,7 @@ class Decisions {
     if (out_.has_delimiters())
       text += fmt::format("{}--encoding {} --separator {}", text.empty() ? "" : " ", name_of(out_.encoding),
                           shown(out_.separator));
-    if (out_.sheet_holds != SheetHolds::numbers)
-      text += fmt::format(" --decimal {} --thousands {}", shown(out_.decimal), shown(out_.thousands));
+    if (out_.has_marks) text += fmt::format(" --decimal {} --thousands {}", shown(out_.decimal), shown(out_.thousands));
     std::map<ColumnRole, std::vector<std::size_t>> with;
     for (const ExportColumn& column : out_.specimens.front().columns) with[column.role].push_back(column.number);
     for (const auto& [role, numbers] : with) {

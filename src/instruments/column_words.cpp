@@ -151,17 +151,6 @@ bool is_bracketed(std::string_view text) { return without_brackets(text).size() 
 
 }  // namespace
 
-std::string folded(std::string_view text) {
-  std::string out(text);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(out[i]);
-    if (byte < 0x80) out[i] = static_cast<char>(std::tolower(byte));
-    const bool latin_capital = i > 0 && static_cast<unsigned char>(out[i - 1]) == 0xc3 && byte >= 0x80 && byte <= 0x9e;
-    if (latin_capital && byte != 0x97) out[i] = static_cast<char>(byte + 0x20);  // 0x97 is the sign of multiplication
-  }
-  return out;
-}
-
 ColumnRole role_of(std::string_view name) {
   const std::string text = folded(trimmed(name));
   for (const Symbol& symbol : symbols)

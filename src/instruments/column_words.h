@@ -32,7 +32,4 @@ TitleParts title_parts(std::string_view title);
 // Empty if none does.
 std::vector<std::string> split_titles(std::string_view line, std::size_t columns);
 
-// Text in lower case: ASCII and the letters with accents of Latin-1.
-std::string folded(std::string_view text);
-
 }  // namespace flexslip

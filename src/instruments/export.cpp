@@ -19,7 +19,7 @@
 namespace flexslip {
 namespace {
 
-// The options as they are for a sheet: its cells are apart, and its numbers are numbers.
+// The options as they are for a sheet: its cells are apart. Its decimal mark is that of numbers kept as words.
 ExportOptions options_for(const WorkbookSheet& sheet, ExportOptions options) {
   if (sheet.holds == SheetHolds::lines_of_text) return options;
   for (const auto& [is_given, flag] :
@@ -30,16 +30,18 @@ ExportOptions options_for(const WorkbookSheet& sheet, ExportOptions options) {
                         .found = "a workbook, whose cells are apart",
                         .remedy = fmt::format("leave {} out", flag)});
   options.separator = '\t';
-  if (sheet.holds == SheetHolds::words) return options;
-  options.decimal = '.';
-  options.thousands = '\0';
   return options;
 }
 
 Export read_workbook(std::string_view bytes, const std::string& source, const ExportOptions& options) {
   WorkbookSheet sheet = read_sheet(bytes, options.sheet);
   const DecodedText text{std::move(sheet.text), Encoding::utf8, false};
-  return export_in(text, source, options_for(sheet, options), sheet);
+  try {
+    return export_in(text, source, options_for(sheet, options), sheet);
+  } catch (const InputError& error) {
+    if (sheet.is_chosen) throw;
+    throw with_other_sheets(error, sheet.name, sheet.sheets);
+  }
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace flexslip {
 
 // What a user decides about a file; all else is found.
 struct ExportOptions {
-  std::optional<std::string> sheet{};  // of a workbook: its name, or its number from 1
+  std::optional<SheetChoice> sheet{};  // of a workbook
   std::optional<Encoding> encoding{};
   std::optional<char> separator{};              // ',', ';', '\t'; ' ' for runs of spaces and tabs
   std::optional<char> decimal{};                // '.' or ','
@@ -50,16 +50,19 @@ struct Export {
   std::string source;
   std::optional<std::string> sheet{};  // of the workbook that it is, whose rows are the lines
   std::vector<std::string> sheets{};   // of that workbook
+  bool sheet_is_chosen = false;        // by who called
   std::optional<SheetHolds> sheet_holds{};
   std::string format;  // "Instron Bluehill", ..., "table"
   Encoding encoding;
   bool byte_order_mark;
   char separator, decimal, thousands;  // as in ExportOptions
+  bool has_marks = false;              // are there numbers in words, to which these apply?
   bool quoted;
   std::vector<ExportedSpecimen> specimens;  // at least one, with at least one row
   std::vector<Metadatum> metadata;
   ExportedTest test;
-  std::vector<std::string> notes;  // what was decided or left out that a reader of the numbers should know
+  std::vector<std::string> notes;        // what was decided or left out that a reader of the numbers should know
+  std::vector<std::string> row_notes{};  // those on rows that are no readings, or may be none; among the notes as well
   std::vector<std::string> asks;  // what the file does not say and an evaluation needs, each with the flag that says it
   std::string repeat_with;        // the flags that make the same decisions again
 

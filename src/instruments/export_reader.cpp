@@ -16,42 +16,42 @@
 #include "instruments/column_flags.h"
 #include "instruments/column_unit.h"
 #include "instruments/column_words.h"
+#include "instruments/dated_column.h"
+#include "instruments/export_cells.h"
+#include "instruments/export_program.h"
 #include "instruments/layout.h"
 #include "instruments/number_format.h"
 #include "instruments/regrouped.h"
-#include "instruments/sheet.h"
+#include "instruments/rows_of_readings.h"
+#include "instruments/side_by_side.h"
 #include "io/input_error.h"
+#include "io/text.h"
 #include "io/workbook.h"
 
 namespace flexslip {
 namespace {
 
 constexpr double missing = not_a_number;
-constexpr std::size_t shown_lines = 3;       // of a kind of fault; more would hide what is said
 constexpr std::size_t longest_summary = 50;  // rows of a table of results; what is longer was measured
-
-// Lines for a message: "lines 3, 5, 8 and 20 more".
-std::string on_lines(const std::vector<std::size_t>& lines) {
-  std::string out = lines.size() == 1 ? "line " : "lines ";
-  for (std::size_t i = 0; i < std::min(lines.size(), shown_lines); ++i)
-    out += fmt::format("{}{}", i > 0 ? ", " : "", lines[i]);
-  return lines.size() > shown_lines ? out + fmt::format(" and {} more", lines.size() - shown_lines) : out;
-}
-
-bool has_word(std::string_view text, std::string_view word) { return text.find(word) != std::string_view::npos; }
 
 class ExportReader {
  public:
   ExportReader(const DecodedText& decoded, const std::string& source, const ExportOptions& options,
                const std::optional<WorkbookSheet>& workbook)
-      : options_(options), sheet_(decoded.text, separator(decoded.text, options)) {
+      : options_(options),
+        workbook_(workbook),
+        cells_(decoded.text, separator(decoded.text, options), workbook ? &*workbook : nullptr),
+        sheet_(cells_.sheet()) {
     out_.source = source;
-    if (workbook) {
-      out_.sheet = workbook->name;
-      out_.sheets = workbook->sheets;
-      out_.sheet_holds = workbook->holds;
-      out_.notes = workbook->notes;
+    if (workbook_) {
+      out_.sheet = workbook_->name;
+      out_.sheets = workbook_->sheets;
+      out_.sheet_is_chosen = workbook_->is_chosen;
+      out_.sheet_holds = workbook_->holds;
+      out_.notes = workbook_->notes;
     }
+    out_.decimal = format_.decimal;
+    out_.thousands = format_.thousands;
     out_.encoding = decoded.encoding;
     out_.byte_order_mark = decoded.byte_order_mark;
     out_.separator = separator(decoded.text, options);
@@ -60,16 +60,21 @@ class ExportReader {
 
   Export read() {
     layout_ = layout_of(sheet_);
+    for (TableBlock& block : layout_.blocks)
+      if (std::string said = leave_out_statistics(block, cells_, layout_.numeric); !said.empty())
+        out_.row_notes.push_back(std::move(said));
     decide_number_format();
     const std::size_t main = main_block();
     for (const TableBlock& block : layout_.blocks) take_block(block, layout_.blocks[main]);
     require_names(layout_.blocks[main]);
     for (const std::size_t line : layout_.remarks) take_metadatum(line, out_.metadata);
     note_left_out();
+    out_.notes.insert(out_.notes.end(), out_.row_notes.begin(), out_.row_notes.end());
     name_specimens();
     out_.test = test_in(all_metadata(out_), format_);
-    out_.format = name_of_format();
+    out_.format = program_of(out_, has_bracketed_units(layout_.blocks[main]));
     decide_columns(out_, options_, format_, layout_.blocks.front().header_line + 1);
+    require_no_dates();
     return std::move(out_);
   }
 
@@ -85,12 +90,35 @@ class ExportReader {
 
   void take_metadatum(std::size_t line, std::vector<Metadatum>& metadata) const {
     Metadatum datum = metadatum_on(sheet_.text(line), sheet_.cells(line), line + 1);
+    for (std::size_t column = 0; workbook_ && column < sheet_.cells(line).size(); ++column)
+      if (is_dated(cells_.kind(line, column)) && datum.value == cell(line, column))
+        datum.value = cells_.shown(line, column);
     if (!datum.name.empty() || !datum.value.empty()) metadata.push_back(std::move(datum));
   }
 
-  std::string_view cell(std::size_t line, std::size_t column) const {
-    const auto cells = sheet_.cells(line);
-    return column < cells.size() ? cells[column] : std::string_view{};
+  bool has_bracketed_units(const TableBlock& block) const {
+    return !block.titles.empty() && !block.units.empty() &&
+           sheet_.text(block.header_line + 1).find('(') != std::string_view::npos;
+  }
+
+  std::string_view cell(std::size_t line, std::size_t column) const { return cells_.at(line, column); }
+
+  // What is refused, unless nobody wants the column: the first of its cells that hold dates.
+  void keep_dated(const TableBlock& block, std::size_t column) {
+    const auto line = std::find_if(block.rows.begin(), block.rows.end(),
+                                   [&](std::size_t each) { return is_dated(cells_.kind(each, column)); });
+    if (line != block.rows.end()) dated_.emplace(column + 1, *line);
+  }
+
+  void require_no_dates() const {
+    for (const ExportedSpecimen& specimen : out_.specimens)
+      for (const ExportColumn& column : specimen.columns) {
+        const auto dated = dated_.find(column.number);
+        if (column.role == ColumnRole::other || dated == dated_.end()) continue;
+        throw workbook_->dated(out_.source, dated->second + 1, column.number,
+                               cells_.days(dated->second, column.number - 1),
+                               fmt::format("a number in the column {}", in_quotes(column.name)));
+      }
   }
 
   // ---- numbers
@@ -98,14 +126,18 @@ class ExportReader {
   void decide_number_format() {
     NumberEvidence evidence;
     std::size_t undecided = 0;
+    std::size_t counted = 0;
     for (const TableBlock& block : layout_.blocks)
       for (const std::size_t line : block.rows)
         for (std::size_t column = 0; column < layout_.columns; ++column) {
           const std::string_view number = number_cell(cell(line, column)).number;
-          if (number.empty() || !layout_.numeric[column]) continue;
+          if (number.empty() || !layout_.numeric[column] || cells_.kind(line, column) != CellKind::word) continue;
           evidence.add(number);
+          ++counted;
           if (undecided == 0 && number.find_first_of(".,") != std::string_view::npos) undecided = line + 1;
         }
+    if (workbook_ && counted == 0 && workbook_->holds == SheetHolds::numbers) return;  // its numbers are numbers
+    out_.has_marks = true;
     if (options_.decimal)
       format_.decimal = *options_.decimal;
     else if (options_.thousands == ',' || options_.thousands == '.')
@@ -132,24 +164,25 @@ class ExportReader {
                                 std::string_view unit) {
     std::vector<std::string_view> numbers;
     numbers.reserve(block.rows.size());
+    std::vector<double> values;
+    values.reserve(block.rows.size());
+    bool are_words = true;
     for (const std::size_t line : block.rows) {
       const NumberCell parts = number_cell(cell(line, column));
-      numbers.push_back(parts.unit.empty() || parts.unit == unit ? parts.number : std::string_view{});
+      const bool counts = parts.unit.empty() || parts.unit == unit;
+      numbers.push_back(counts ? parts.number : std::string_view{});
+      values.push_back(counts ? cells_.number(line, column, format_) : missing);
+      are_words = are_words && (parts.number.empty() || cells_.kind(line, column) == CellKind::word);
     }
-    std::vector<double> values;
-    if (format_.thousands == ',' && format_.decimal == ',') {
-      values = restore(block, numbers, name);
-    } else {
-      values.reserve(numbers.size());
-      for (const std::string_view number : numbers) values.push_back(number_in(number, format_));
-    }
+    if (format_.thousands == ',' && format_.decimal == ',' && are_words) values = restore(block, numbers, name);
     std::vector<std::size_t> lines;
     for (std::size_t row = 0; row < values.size(); ++row)
       if (std::isnan(values[row])) lines.push_back(block.rows[row] + 1);
     if (!lines.empty())
-      out_.notes.push_back(fmt::format("column {}: no number in {} of {} rows: {} holds {}", in_quotes(name),
-                                       lines.size(), values.size(), on_lines(lines),
-                                       in_quotes(cell(lines.front() - 1, column))));
+      out_.notes.push_back(fmt::format("column {}: no number in {} of {} rows: {}{} {}", in_quotes(name), lines.size(),
+                                       values.size(), on_lines(lines),
+                                       lines.size() == 1 ? " holds" : "; the first holds",
+                                       in_quotes(cells_.shown(lines.front() - 1, column))));
     return values;
   }
 
@@ -195,17 +228,23 @@ class ExportReader {
 
   void take_block(const TableBlock& block, const TableBlock& main) {
     const bool first = out_.specimens.empty();
+    const std::vector<std::string>& titles = block.titles.empty() ? main.titles : block.titles;
+    const std::vector<ColumnGroup> groups = side_by_side(titles);
     ExportedSpecimen specimen;
     std::vector<Metadatum>& metadata = first ? out_.metadata : specimen.metadata;
-    for (const std::size_t line : block.remarks) take_metadatum(line, metadata);
+    for (const std::size_t line : block.remarks)
+      if (groups.empty() || line + 1 != block.header_line) take_metadatum(line, metadata);  // their names
     if (!is_specimen(block, main)) {
       for (Metadatum& datum : metadata)
         if (!first) out_.metadata.push_back(std::move(datum));
       take_summary(block);
       return;
     }
+    if (!groups.empty()) {
+      take_groups(block, titles, groups, specimen);
+      return;
+    }
     for (const std::size_t line : block.rows) specimen.lines.push_back(line + 1);
-    const std::vector<std::string>& titles = block.titles.empty() ? main.titles : block.titles;
     for (std::size_t column = 0; column < layout_.columns; ++column) take_column(block, titles, column, specimen);
     const auto splits = std::find_if(specimen.columns.begin(), specimen.columns.end(), [](const ExportColumn& each) {
       return !each.words.empty() && names_specimens(each.name);
@@ -214,6 +253,26 @@ class ExportReader {
       out_.specimens.push_back(std::move(specimen));
     else
       split_by(splits->words, specimen);
+  }
+
+  // Specimens beside each other, each with the rows in which it has a cell, named by what stands above the first of its titles.
+  void take_groups(const TableBlock& block, const std::vector<std::string>& titles,
+                   const std::vector<ColumnGroup>& groups, const ExportedSpecimen& common) {
+    for (const ColumnGroup& group : groups) {
+      TableBlock own = block;
+      std::erase_if(own.rows, [&](std::size_t line) {
+        return std::all_of(group.columns.begin(), group.columns.end(),
+                           [&](std::size_t column) { return column < group.first || cell(line, column).empty(); });
+      });
+      if (own.rows.empty()) continue;
+      ExportedSpecimen specimen = common;
+      const std::string_view above = block.header_line > 0 ? cell(block.header_line - 1, group.first) : "";
+      if (number_cell(above).number.empty()) specimen.name = above;
+      for (const std::size_t line : own.rows) specimen.lines.push_back(line + 1);
+      for (const std::size_t column : group.columns) take_column(own, titles, column, specimen);
+      out_.specimens.push_back(std::move(specimen));
+    }
+    out_.notes.push_back(fmt::format("{} specimens stand beside each other, with the same titles", groups.size()));
   }
 
   // Without names only columns of numbers are a table: others may be what is left of a preamble.
@@ -276,10 +335,21 @@ class ExportReader {
     ExportColumn out;
     out.number = column + 1;
     take_title(block, title, row_unit, content.unit, out);
-    if (content.numbers >= content.words && content.numbers > 0) {
+    const bool has_numbers = content.numbers >= content.words && content.numbers > 0;
+    out.role = role_for(out);
+    if (has_numbers && cells_.has_dates())
+      if (std::string said = take_dated(cells_, block.rows, column, content.numbers, out); !said.empty()) {
+        out_.notes.push_back(std::move(said));
+        specimen.columns.push_back(std::move(out));
+        return;
+      }
+    if (has_numbers) {
+      if (cells_.has_dates()) keep_dated(block, column);
       out.values = values_of(block, column, out.name, content.unit);
-      out.role = role_for(out);
-      if (std::all_of(out.values.begin(), out.values.end(), [](double value) { return std::isnan(value); })) return;
+      const bool is_wanted = dated_.contains(out.number) && out.role != ColumnRole::other;
+      if (!is_wanted &&
+          std::all_of(out.values.begin(), out.values.end(), [](double value) { return std::isnan(value); }))
+        return;
     } else {
       if (gives_unit(block, column, specimen)) return;
       out.role = ColumnRole::other;
@@ -401,39 +471,15 @@ class ExportReader {
     assign_summaries();
   }
 
-  // ---- roles
-
-  std::string name_of_format() const {
-    std::string titles;
-    for (const ExportColumn& column : out_.specimens.front().columns) titles += folded(column.name) + "|";
-    std::string preamble;
-    for (const Metadatum& datum : out_.metadata) preamble += folded(datum.name) + "|";
-    const TableBlock& main = layout_.blocks[main_block()];
-    const bool bracketed = !main.titles.empty() && !main.units.empty() &&
-                           sheet_.text(main.header_line + 1).find('(') != std::string_view::npos;
-    if (has_word(preamble, "mts793")) return "MTS 793";
-    if (has_word(preamble, "file path") && has_word(preamble, "test run")) return "MTS TestSuite";
-    for (const std::string_view word :
-         {"standardkraft", "standardweg", "force standard", "course standard", "standard force", "standard travel"})
-      if (has_word(titles, word)) return "Zwick testXpert";
-    if (out_.encoding == Encoding::shift_jis || has_word(titles, "試験力") || has_word(titles, "ストローク"))
-      return "Shimadzu Trapezium";
-    if (has_word(titles, "setname|cycle")) return "CellScale";
-    if (has_word(titles, "run #")) return "PASCO Capstone";
-    const bool bluehill_names = has_word(titles, "time|") &&
-                                (has_word(titles, "extension|") || has_word(titles, "displacement|")) &&
-                                (has_word(titles, "load|") || has_word(titles, "force|"));
-    if (bluehill_names && (bracketed || has_word(preamble, "raw data") || has_word(preamble, "results table")))
-      return "Instron Bluehill";
-    return "table";
-  }
-
   const ExportOptions& options_;
-  Sheet sheet_;
+  const std::optional<WorkbookSheet>& workbook_;
+  ExportCells cells_;
+  const Sheet& sheet_;
   Layout layout_{};
   NumberFormat format_;
   Export out_{};
   std::vector<std::pair<std::string, Metadatum>> summaries_;  // with the first cell of their row
+  std::map<std::size_t, std::size_t> dated_;  // columns with dates, from 1: the first line of them, from 0
 };
 
 }  // namespace

@@ -33,6 +33,7 @@ ExportOptions options_of(const ExportWords& words) {
   using namespace std::string_view_literals;
   ExportOptions options;
   if (!words.sheet.empty()) options.sheet = words.sheet;
+  if (words.sheet_number > 0) options.sheet = words.sheet_number;
   if (!words.encoding.empty()) options.encoding = encoding_named(words.encoding);
   if (!words.separator.empty()) options.separator = mark_named(words.separator, "--separator");
   if (!words.decimal.empty()) options.decimal = mark_of(words.decimal, "--decimal", ".,");

@@ -190,6 +190,26 @@ class LayoutFinder {
     return 2 * words >= numeric_ || meant >= 2 ? titles : std::vector<std::string>{};
   }
 
+  // The titles on the last two lines of the gap, where cells are merged downwards: what means something and stands above a cell that is
+  // empty is its title.
+  std::vector<std::string> titles_on_two_lines() const {
+    if (gap_.size() < 2 || gap_[gap_.size() - 2] + 1 != gap_.back()) return {};
+    const Cells above = sheet_.cells(gap_[gap_.size() - 2]), below = sheet_.cells(gap_.back());
+    if (above.size() != layout_.columns || below.size() != layout_.columns || is_comment(sheet_.text(gap_.back())))
+      return {};
+    std::vector<std::string> titles(below.begin(), below.end());
+    bool is_merged = false;
+    std::size_t words = 0;
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+      const bool is_title_above = titles[i].empty() && role_of(title_parts(above[i]).name) != ColumnRole::other;
+      if (is_title_above) titles[i] = above[i];
+      is_merged = is_merged || is_title_above;
+      if (has_number(titles[i]) || names_a_unit(below[i])) return {};  // units may be fewer than titles
+      if (!titles[i].empty()) ++words;
+    }
+    return is_merged && words > 1 ? titles : std::vector<std::string>{};
+  }
+
   // Names and units are the last lines of the gap above the first row.
   void take_header(TableBlock& block, std::size_t first_row) {
     block.header_line = first_row;
@@ -204,6 +224,7 @@ class LayoutFinder {
     }
     if (!gap_.empty()) {
       block.titles = titles_on(gap_.back());
+      if (std::vector<std::string> both = titles_on_two_lines(); !both.empty()) block.titles = std::move(both);
       if (!block.titles.empty()) {
         block.header_line = gap_.back();
         gap_.pop_back();

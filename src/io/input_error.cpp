@@ -104,6 +104,17 @@ std::string listed(const std::vector<std::string>& names) {
   return hidden == 0 ? out : out + fmt::format(" and {} more", hidden);
 }
 
+std::string on_lines(std::span<const std::size_t> lines) {
+  constexpr std::size_t shown = 3;  // more would hide what is said
+  if (lines.size() == 1) return fmt::format("line {}", lines.front());
+  if (lines.size() > 2 && lines.back() - lines.front() + 1 == lines.size())
+    return fmt::format("lines {} to {}", lines.front(), lines.back());
+  std::string out = "lines ";
+  for (std::size_t i = 0; i < std::min(lines.size(), shown); ++i)
+    out += fmt::format("{}{}", i > 0 ? ", " : "", lines[i]);
+  return lines.size() > shown ? out + fmt::format(" and {} more", lines.size() - shown) : out;
+}
+
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   if (word.size() > longest_likely_name) return "";
   std::string best;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -47,6 +48,9 @@ std::string in_quotes(std::string_view text);
 
 // Names for a message, each quoted: "'a', 'b' and 'c'"; a long list is clipped and says how many more there are.
 std::string listed(const std::vector<std::string>& names);
+
+// Lines for a message, in their order: "line 3", "lines 3 to 9", "lines 3, 5, 8 and 20 more".
+std::string on_lines(std::span<const std::size_t> lines);
 
 // The candidate the user probably meant, "" if none is near.
 // Method:     optimal string alignment distance, letters of either case alike; near is at most a third of the letters.

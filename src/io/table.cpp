@@ -19,11 +19,15 @@
 #include "io/cells.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
+#include "io/statistics_rows.h"
 #include "io/table_source.h"
 #include "io/text.h"
 
 namespace flexslip {
 namespace {
+
+constexpr std::size_t most_labelled = 1 << 16;  // rows with a label; where there are more, labels are data
+constexpr std::size_t few_below = 12;           // rows below a break, which may be no readings; more are another cycle
 
 // A cell as a number, if all of it is one; it may be infinite or NaN.
 std::optional<double> as_number(std::string_view cell, char decimal) {
@@ -76,8 +80,10 @@ struct Source {
 
 class TableReader {
  public:
-  TableReader(std::istream& in, std::string source, char decimal)
-      : source_(std::move(source)), decimal_(decimal), lines_(in, source_) {}
+  TableReader(std::istream& in, std::string source, char decimal, const WorkbookSheet* sheet)
+      : source_(std::move(source)), decimal_(decimal), sheet_(sheet), lines_(in, source_) {
+    if (sheet_ != nullptr && !sheet_->kinds.has_dates()) sheet_ = nullptr;
+  }
 
   Table read(const std::vector<WantedColumn>& wanted) {
     read_header();
@@ -89,17 +95,21 @@ class TableReader {
     }
     std::vector<Unit> units;
     for (const Source& source : sources_) units.push_back(agreed_unit(source));
-    Table table{.source = source_, .columns = {}, .lines = {}, .notes = notes_};
+    Table table{.source = source_, .columns = {}, .lines = {}, .notes = {}};
     for (const Source& source : sources_) table.columns.push_back({header_[source.cell].title.name, {}});
     std::vector<double> row(sources_.size());
     for (; line; line = next_line()) {
+      label_ = {};
       if (!read_row(*line, row)) continue;
       const std::size_t index = table.rows();
+      if (!label_.empty() && labelled_.size() <= most_labelled) labelled_.push_back({index, names_statistic(label_)});
       if (table.lines.empty() || lines_.number() - table.lines.back().line != index - table.lines.back().row)
         table.lines.push_back({index, lines_.number()});
       for (std::size_t i = 0; i < row.size(); ++i) table.columns[i].values.push_back(to_si(row[i], units[i]));
     }
     if (table.rows() == 0) refuse(header_line_, "", "rows of numbers", "a header only", "");
+    leave_out_statistics(table);
+    table.notes = notes_;
     return table;
   }
 
@@ -244,11 +254,14 @@ class TableReader {
     }
   }
 
-  // One line into one row; false if all its cells are empty, as spreadsheets write them below a table.
-  bool read_row(std::string_view line, std::vector<double>& row) const {
+  // One line into one row; false if all its cells are empty, as spreadsheets write them below a table, or if a word stands for a
+  // statistic where a number is wanted.
+  bool read_row(std::string_view line, std::vector<double>& row) {
     bool surplus = false;
     bool lacking = false;
+    bool is_first = true;
     const std::size_t cells = for_each_cell(line, [&](std::size_t i, std::string_view cell) {
+      if (!cell.empty() && std::exchange(is_first, false) && is_label(cell)) label_ = cell;
       if (i >= wanted_by_.size()) {
         surplus = surplus || !cell.empty();
       } else if (wanted_by_[i] < row.size()) {
@@ -257,12 +270,56 @@ class TableReader {
           row[wanted_by_[i]] = *value;
         else
           lacking = true;
+        if (sheet_ != nullptr && value && is_dated(sheet_->kinds.at(lines_.number(), i + 1)))
+          throw sheet_->dated(source_, lines_.number(), i + 1, *value,
+                              fmt::format("a number in the {}", sources_[wanted_by_[i]].field));
       }
     });
     if (!surplus && !lacking && cells >= header_.size()) return true;
     if (line.find_first_not_of(" \t\",;") == std::string_view::npos) return false;
     if (surplus || cells < header_.size()) refuse_count(cells);
+    if (names_statistic(label_)) {
+      statistics_.push_back(lines_.number());
+      return false;
+    }
     refuse_cell(line);
+  }
+
+  // Rows that say something of the readings, and those that may.
+  void leave_out_statistics(Table& table) {
+    std::vector<std::size_t> rows = rows_below_readings(labelled_, table.rows());
+    const LineRun end = table.lines.back();
+    const std::size_t below_break = end.row > 0 ? table.rows() - end.row : 0;
+    if (rows.empty()) {
+      std::vector<std::span<const double>> columns;
+      for (const Column& column : table.columns) columns.emplace_back(column.values);
+      for (std::size_t tail = statistics_at_end(columns, below_break); tail > 0; --tail)
+        rows.push_back(table.rows() - tail);
+    }
+    for (const std::size_t row : rows) statistics_.push_back(table.line_of(row));
+    std::sort(statistics_.begin(), statistics_.end());
+    if (rows.empty() && below_break > 0 && below_break <= few_below && 2 * below_break < end.row)
+      notes_.push_back(below_a_break(end.line, end.line + below_break - 1));
+    if (!statistics_.empty()) notes_.push_back(left_out_statistics(statistics_));
+    if (!rows.empty()) leave_out(table, rows);
+  }
+
+  static void leave_out(Table& table, const std::vector<std::size_t>& rows) {
+    const Table all = std::move(table);
+    table = {.source = all.source, .columns = {}, .lines = {}, .notes = all.notes};
+    for (const Column& column : all.columns) table.columns.push_back({column.name, {}});
+    std::size_t next = 0;
+    for (std::size_t row = 0; row < all.rows(); ++row) {
+      if (next < rows.size() && rows[next] == row) {
+        ++next;
+        continue;
+      }
+      const std::size_t index = table.rows(), line = all.line_of(row);
+      if (table.lines.empty() || line - table.lines.back().line != index - table.lines.back().row)
+        table.lines.push_back({index, line});
+      for (std::size_t i = 0; i < all.columns.size(); ++i)
+        table.columns[i].values.push_back(all.columns[i].values[row]);
+    }
   }
 
   [[noreturn]] void refuse_count(std::size_t cells) const {
@@ -299,13 +356,17 @@ class TableReader {
 
   std::string source_;
   char decimal_;
+  const WorkbookSheet* sheet_;  // of a workbook with dates
   LineReader lines_;
   char delimiter_ = ',';
   std::size_t header_line_ = 0;
   std::vector<HeaderCell> header_;
   std::vector<Source> sources_;
   std::vector<std::string> notes_;
-  std::vector<std::size_t> wanted_by_;  // for each cell of a line: which source takes it, sources_.size() if none
+  std::string_view label_;               // that the row begins with
+  std::vector<LabelledRow> labelled_;    // the first of them
+  std::vector<std::size_t> statistics_;  // lines
+  std::vector<std::size_t> wanted_by_;   // for each cell of a line: which source takes it, sources_.size() if none
 };
 
 void append_word(fmt::memory_buffer& text, std::string_view word) {
@@ -352,20 +413,34 @@ std::size_t Table::line_of(std::size_t row) const {
   return run.line + (row - run.row);
 }
 
-Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal) {
+namespace {
+
+Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal,
+                 const WorkbookSheet* sheet) {
   if (wanted.empty()) throw std::invalid_argument("read_table: no column wanted");
   if (decimal != '.' && decimal != ',')
     throw std::invalid_argument(fmt::format("read_table: decimal mark '{}'", decimal));
-  return TableReader(in, std::move(source), decimal).read(wanted);
+  return TableReader(in, std::move(source), decimal, sheet).read(wanted);
+}
+
+}  // namespace
+
+Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal) {
+  return read_table(in, std::move(source), wanted, decimal, nullptr);
 }
 
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
-                 const std::optional<std::string>& sheet) {
+                 const std::optional<SheetChoice>& sheet) {
   const TableSource source = open_table(path, sheet);
-  const bool has_points = source.sheet && source.sheet->holds == SheetHolds::numbers;
-  Table table = read_table(*source.text, source.name, wanted, has_points ? '.' : decimal);
-  if (source.sheet) table.notes.insert(table.notes.begin(), source.sheet->notes.begin(), source.sheet->notes.end());
-  return table;
+  if (!source.sheet) return read_table(*source.text, source.name, wanted, decimal, nullptr);
+  try {
+    Table table = read_table(*source.text, source.name, wanted, decimal, &*source.sheet);
+    table.notes.insert(table.notes.begin(), source.sheet->notes.begin(), source.sheet->notes.end());
+    return table;
+  } catch (const InputError& error) {
+    if (sheet) throw;
+    throw with_other_sheets(error, source.sheet->name, source.sheet->sheets);
+  }
 }
 
 void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next) {
@@ -404,7 +479,7 @@ void write_table(const std::string& path, const std::vector<std::string>& titles
 }
 
 std::shared_ptr<std::istream> open_to_read(const std::string& path) {
-  files_of_this_call().reads(path);
+  announce_input(path);
   if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // not ours to close
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))

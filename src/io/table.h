@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "io/quantity.h"
+#include "io/workbook.h"
 
 namespace flexslip {
 
@@ -50,22 +51,23 @@ struct Table {
   std::string source;           // the file as the user named it
   std::vector<Column> columns;  // those wanted, in that order; all of the same length, at least 1
   std::vector<LineRun> lines;
-  std::vector<std::string> notes{};  // what was decided about it: a unit at the end of a name; of a workbook, the sheet
+  std::vector<std::string>
+      notes{};  // what was decided about it: a unit at the end of a name; rows left out; of a workbook, the sheet
 
   std::size_t rows() const { return columns.front().values.size(); }
   std::size_t line_of(std::size_t row) const;  // 1-based line of a 0-based row, for messages
 };
 
-// Reads the wanted columns of a table; other columns may hold anything. Every value is finite.
+// Reads the wanted columns of a table; other columns may hold anything. Every value is finite. Rows of statistics (statistics_rows.h) are left out.
 // Domain:     at least one wanted column; decimal is '.' or ',' (std::invalid_argument otherwise).
 // Fails:      InputError with file, line and column, for anything that is not such a table.
 // Cost:       10^7 rows of three columns in about 2 s; memory 8 bytes a value kept, up to twice that while reading.
 Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal = '.');
 
-// The same from a file, or from a sheet of a workbook (workbook.h), whose rows are the lines; "-" is standard input. Numbers that a workbook holds as
-// such have decimal points, whatever the decimal mark.
+// The same from a file, or from a sheet of a workbook (workbook.h), whose rows are the lines; "-" is standard input. The decimal mark of a workbook is that
+// of its numbers kept as words. A date or clock time in a column wanted is refused.
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.',
-                 const std::optional<std::string>& sheet = {});
+                 const std::optional<SheetChoice>& sheet = {});
 
 // What stands in a table that is written: a number, or words.
 using Cell = std::variant<double, std::string>;

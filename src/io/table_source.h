@@ -19,6 +19,7 @@ struct TableSource {
 // A table to read from; "-" is standard input. A text file is read as it is needed, a workbook at once.
 // Fails:      OutputClash if the call writes it; InputError if it cannot be opened, of what read_sheet refuses, and if a sheet is
 //             wanted of a file that is no workbook.
-TableSource open_table(const std::string& path, const std::optional<std::string>& sheet = {});
+TableSource open_table(const std::string& path, const std::optional<SheetChoice>& sheet = {},
+                       SheetFor purpose = SheetFor::readings);
 
 }  // namespace flexslip

@@ -16,4 +16,15 @@ std::string_view without_brackets(std::string_view text) {
   return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
+std::string folded(std::string_view text) {
+  std::string out(text);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(out[i]);
+    if (byte < 0x80) out[i] = static_cast<char>(std::tolower(byte));
+    const bool latin_capital = i > 0 && static_cast<unsigned char>(out[i - 1]) == 0xc3 && byte >= 0x80 && byte <= 0x9e;
+    if (latin_capital && byte != 0x97) out[i] = static_cast<char>(byte + 0x20);  // 0x97 is the sign of multiplication
+  }
+  return out;
+}
+
 }  // namespace flexslip

@@ -1,6 +1,7 @@
 // Characters and pieces of text.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace flexslip {
@@ -12,5 +13,8 @@ std::string_view trimmed(std::string_view text);
 
 // The inside of brackets around all of the text, or the text.
 std::string_view without_brackets(std::string_view text);
+
+// Text in lower case: ASCII and the letters with accents of Latin-1.
+std::string folded(std::string_view text);
 
 }  // namespace flexslip

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 
@@ -34,10 +35,17 @@ std::string as_meant(std::string words) {
   return words;
 }
 
-std::vector<std::string> cells_of(const std::string& file, std::size_t number, std::string_view line, char delimiter) {
+std::vector<std::string> cells_of(const TableSource& source, std::size_t number, std::string_view line,
+                                  char delimiter) {
+  const std::string& file = source.name;
   std::vector<std::string> cells;
   CellReader reader(line, delimiter);
-  while (const auto cell = reader.next()) cells.push_back(as_meant(unescaped(*cell)));
+  while (const auto cell = reader.next()) {
+    cells.push_back(as_meant(unescaped(*cell)));
+    if (source.sheet && is_dated(source.sheet->kinds.at(number, cells.size())))
+      throw source.sheet->dated(file, number, cells.size(), std::strtod(cells.back().c_str(), nullptr),
+                                "a number or words");
+  }
   if (reader.broken())
     refuse(file, number, "quotes in pairs around a whole cell",
            fmt::format("a stray quote in cell {}", cells.size() + 1), "delete it");
@@ -88,14 +96,14 @@ std::string printable(std::string_view text) {
 std::string without_formula(std::string_view words) { return (is_like_formula(words) ? "'" : "") + std::string(words); }
 
 TextTable read_text_table(const std::string& path) {
-  const TableSource source = open_table(path);
+  const TableSource source = open_table(path, {}, SheetFor::words);
   TextTable table{.source = source.name, .header_line = 0, .titles = {}, .rows = {}};
   LineReader lines(*source.text, table.source);
   char delimiter = ',';
   while (const auto line = lines.next()) {
     if (is_comment_or_blank(*line)) continue;
     if (!table.titles.empty()) {
-      table.rows.push_back({lines.number(), cells_of(table.source, lines.number(), *line, delimiter)});
+      table.rows.push_back({lines.number(), cells_of(source, lines.number(), *line, delimiter)});
       auto& cells = table.rows.back().cells;
       if (cells.size() > table.titles.size())
         refuse(table.source, lines.number(), fmt::format("{} cells, as the header has", table.titles.size()),
@@ -105,7 +113,7 @@ TextTable read_text_table(const std::string& path) {
     }
     delimiter = delimiter_of(*line);
     if (delimiter == ' ') delimiter = ',';  // one column
-    table.titles = cells_of(table.source, lines.number(), *line, delimiter);
+    table.titles = cells_of(source, lines.number(), *line, delimiter);
     table.header_line = lines.number();
   }
   if (table.titles.empty()) refuse(table.source, 0, "a header line that names the columns", "an empty file", "");

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "io/input_error.h"
 #include "io/worksheet.h"
 #include "io/xml_stream.h"
 #include "io/zip_archive.h"
@@ -19,6 +18,8 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view zip_mark = "PK\x03\x04"sv, empty_zip_mark = "PK\x05\x06"sv;
 constexpr std::string_view office_mark = "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv;
+constexpr std::size_t fewest_readings =
+    3;  // rows: a calibration or a sheet of settings has one or two with numbers alone
 
 [[noreturn]] void refuse_kind(std::string found, std::string remedy) {
   throw InputError({.expected = "an Excel workbook (.xlsx) or a table as text",
@@ -84,7 +85,13 @@ class Workbook {
     const std::map<std::string, Relation> relations = relations_of(archive_, main);
     if (const std::optional<Relation> strings = of_kind(relations, "sharedStrings"))
       strings_ = read_shared_strings(archive_, strings->part);
+    if (const std::optional<Relation> styles = of_kind(relations, "styles"))
+      styles_ = read_cell_styles(archive_, styles->part);
     const auto begin = [&](std::string_view name, const XmlAttributes& attributes) {
+      if (name == "workbookPr") {
+        const std::string_view from_1904 = attributes.find("date1904").value_or("0");
+        dates_from_1904_ = from_1904 == "1" || from_1904 == "true";
+      }
       if (name != "sheet") return;
       const auto relation = relations.find(std::string(attributes.find("id").value_or("")));
       if (relation == relations.end() || relation->second.kind != "worksheet") return;  // a chart
@@ -103,17 +110,31 @@ class Workbook {
     return names;
   }
 
-  std::pair<std::size_t, Worksheet> choose(const std::optional<std::string>& wanted) const {
+  bool dates_from_1904() const { return dates_from_1904_; }
+
+  struct Chosen {
+    std::size_t index;
+    Worksheet sheet;
+    bool has_readings;
+  };
+
+  Chosen choose(const std::optional<SheetChoice>& wanted, SheetFor purpose) const {
     if (wanted) {
-      const std::size_t index = named(*wanted);
-      return {index, read(index)};
+      const std::size_t index = numbered(*wanted);
+      return {index, read(index), false};
     }
-    for (const bool hidden : {false, true})
+    std::optional<Chosen> with_number;
+    for (const bool hidden : {false, true}) {
       for (std::size_t i = 0; i < sheets_.size(); ++i) {
         if (sheets_[i].is_hidden != hidden) continue;
         Worksheet sheet = read(i);
-        if (sheet.numbers + sheet.numeric_words > 0) return {i, std::move(sheet)};
+        if (purpose == SheetFor::readings && sheet.rows_of_readings >= fewest_readings)
+          return {i, std::move(sheet), true};
+        if (!with_number && sheet.numbers + sheet.numeric_words > 0) with_number = {i, std::move(sheet), false};
+        if (with_number && purpose == SheetFor::words) break;
       }
+      if (with_number) return std::move(*with_number);
+    }
     throw InputError({.expected = "rows of numbers",
                       .found = sheets_.size() == 1 ? fmt::format("none on the sheet {}", in_quotes(sheets_[0].name))
                                                    : "none on the sheets " + listed(names()),
@@ -123,7 +144,7 @@ class Workbook {
  private:
   Worksheet read(std::size_t index) const {
     try {
-      return read_worksheet(archive_, sheets_[index].part, strings_);
+      return read_worksheet(archive_, sheets_[index].part, strings_, styles_);
     } catch (const InputError& error) {
       InputFault fault = error.fault;
       fault.field =
@@ -132,17 +153,23 @@ class Workbook {
     }
   }
 
-  std::size_t named(const std::string& wanted) const {
+  std::size_t numbered(const SheetChoice& wanted) const {
+    const std::string* name = std::get_if<std::string>(&wanted);
+    for (std::size_t i = 0; name != nullptr && i < sheets_.size(); ++i)
+      if (sheets_[i].name == *name) return i;
+    const std::string number = name != nullptr ? *name : std::to_string(std::get<std::size_t>(wanted));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
-      if (sheets_[i].name == wanted) return i;
-    for (std::size_t i = 0; i < sheets_.size(); ++i)
-      if (std::to_string(i + 1) == wanted) return i;
-    const std::string meant = nearest(wanted, names());
+      if (std::to_string(i + 1) == number) return i;
+    const std::string meant = name != nullptr ? nearest(*name, names()) : "";
+    const bool is_name =
+        std::any_of(sheets_.begin(), sheets_.end(), [&](const Sheet& each) { return each.name == number; });
     throw InputError(
         {.field = "--sheet",
          .expected = (sheets_.size() == 1 ? "the sheet " : "one of the sheets ") + listed(names()) + ", or its number",
-         .found = in_quotes(wanted),
-         .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?",
+         .found = shown(wanted),
+         .remedy = is_name         ? fmt::format("write the name as text: {}", in_quotes(number))
+                   : meant.empty() ? ""
+                                   : "did you mean " + in_quotes(meant) + "?",
          .key = "record.sheet"});
   }
 
@@ -156,7 +183,9 @@ class Workbook {
 
   ZipArchive archive_;
   std::vector<std::string> strings_;
+  std::vector<CellKind> styles_;
   std::vector<Sheet> sheets_;
+  bool dates_from_1904_ = false;
 };
 
 std::vector<std::string> notes_on(const Worksheet& sheet) {
@@ -182,20 +211,52 @@ bool is_packed(std::string_view bytes) {
          bytes.starts_with(office_mark.substr(0, 4));
 }
 
-WorkbookSheet read_sheet(std::string_view bytes, const std::optional<std::string>& wanted) {
+std::string shown(const SheetChoice& sheet) {
+  const std::string* name = std::get_if<std::string>(&sheet);
+  return name != nullptr ? in_quotes(*name) : std::to_string(std::get<std::size_t>(sheet));
+}
+
+InputError WorkbookSheet::dated(const std::string& file, std::size_t row, std::size_t column, double days,
+                                std::string_view expected) const {
+  const CellKind kind = kinds.at(row, column);
+  const char* what = kind == CellKind::clock ? "clock time" : kind == CellKind::date ? "date" : "date and clock time";
+  return InputError({.file = file,
+                     .line = row,
+                     .field = fmt::format("sheet {}, cell {}", in_quotes(name), cell_name(row, column)),
+                     .expected = std::string(expected),
+                     .found = fmt::format("the {} {}", what, shown_days(days, kind, dates_from_1904)),
+                     .remedy = "format the cell as a number and type it again, or delete the row"});
+}
+
+InputError with_other_sheets(const InputError& error, const std::string& name, const std::vector<std::string>& sheets) {
+  if (sheets.size() < 2 || error.fault.expected.starts_with("a number")) return error;
+  std::vector<std::string> others;
+  for (const std::string& each : sheets)
+    if (each != name) others.push_back(each);
+  InputFault fault = error.fault;
+  fault.remedy += fmt::format("{}this is the sheet {}, and there {} {}: another is read with --sheet \"{}\"",
+                              fault.remedy.empty() ? "" : "; ", in_quotes(name), others.size() == 1 ? "is" : "are",
+                              listed(others), others.front());
+  return InputError(fault);
+}
+
+WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice>& wanted, SheetFor purpose) {
   if (bytes.starts_with(office_mark.substr(0, 4))) refuse_office_document(bytes);
   const Workbook workbook(bytes);
-  auto [index, sheet] = workbook.choose(wanted);
+  auto [index, sheet, has_readings] = workbook.choose(wanted, purpose);
   WorkbookSheet out{workbook.names()[index], workbook.names(), {}, SheetHolds::numbers, notes_on(sheet)};
   if (sheet.numeric_words > sheet.numbers) out.holds = SheetHolds::words;
   if (sheet.one_column) out.holds = SheetHolds::lines_of_text;
   out.text = std::move(sheet.text);
+  out.kinds = std::move(sheet.kinds);
+  out.dates_from_1904 = workbook.dates_from_1904();
+  out.is_chosen = wanted.has_value();
   if (out.sheets.size() > 1)
-    out.notes.insert(
-        out.notes.begin(),
-        wanted ? fmt::format("the sheet is {}, as stated", in_quotes(out.name))
-               : fmt::format("the sheet is {}, the first with numbers of {}; another is read with --sheet NAME",
-                             in_quotes(out.name), listed(out.sheets)));
+    out.notes.insert(out.notes.begin(),
+                     wanted ? fmt::format("the sheet is {}, as stated", in_quotes(out.name))
+                            : fmt::format("the sheet is {}, the first of {} with {}; another is read with --sheet NAME",
+                                          in_quotes(out.name), listed(out.sheets),
+                                          has_readings ? "a table of numbers" : "a number"));
   return out;
 }
 

@@ -106,7 +106,8 @@ void parse(const ZipArchive& archive, const std::string& part, XmlHandlers handl
 
 class SheetReader {
  public:
-  explicit SheetReader(const std::vector<std::string>& shared_strings) : shared_(shared_strings) {}
+  SheetReader(const std::vector<std::string>& shared_strings, const std::vector<CellKind>& styles)
+      : shared_(shared_strings), styles_(styles) {}
 
   void begin(std::string_view name, const XmlAttributes& attributes) {
     if (name == "row") begin_row(attributes);
@@ -130,10 +131,12 @@ class SheetReader {
 
   Worksheet take() {
     out_.one_column = only_words_ && out_.numbers == 0 && !ends_.empty();
-    if (out_.one_column)
-      out_.text = std::move(words_);
-    else
+    if (!out_.one_column) {
       fill_rows();
+    } else {
+      out_.text = std::move(words_);
+      out_.kinds = {};  // its lines are cut into cells by whoever reads them
+    }
     return std::move(out_);
   }
 
@@ -146,6 +149,7 @@ class SheetReader {
     if (only_words_) words_.append(row - row_ - 1, '\n');
     row_ = row;
     column_ = 0;
+    numbers_in_row_ = words_in_row_ = 0;
   }
 
   void begin_cell(const XmlAttributes& attributes) {
@@ -156,6 +160,7 @@ class SheetReader {
       refuse(row_, stated ? "cell " + in_quotes(*stated) : "", "cells in their order", "one out of place");
     next_column_ = column;
     type_ = attributes.find("t").value_or("n");
+    style_ = whole(attributes.find("s").value_or("0")).value_or(0);
     in_cell_ = true;
     has_formula_ = false;
     value_.clear();
@@ -168,6 +173,7 @@ class SheetReader {
     bool is_number = false;
     std::string cell = content(is_number);
     if (cell.empty()) return;
+    ++(is_number || is_like_number(cell) ? numbers_in_row_ : words_in_row_);
     const std::size_t tabs = next_column_ - (column_ == 0 ? 1 : column_);
     out_.text.append(tabs, '\t');
     column_ = next_column_;
@@ -196,11 +202,14 @@ class SheetReader {
              in_quotes(number));
     ++out_.numbers;
     is_number = true;
+    if (style_ < styles_.size()) out_.kinds.add(row_, next_column_, styles_[style_]);
     return number;
   }
 
   std::string counted(std::string words) {
-    if (is_like_number(words) && out_.numeric_words++ == 0) out_.first_numeric_word = row_;
+    if (!is_like_number(words)) return words;
+    if (out_.numeric_words++ == 0) out_.first_numeric_word = row_;
+    out_.kinds.add(row_, next_column_, CellKind::word);
     return words;
   }
 
@@ -214,6 +223,7 @@ class SheetReader {
 
   void end_row() {
     if (column_ > 0) ends_.push_back({out_.text.size(), column_});
+    if (numbers_in_row_ > 1 || (numbers_in_row_ == 1 && words_in_row_ == 0)) ++out_.rows_of_readings;
     out_.text += '\n';
     if (only_words_) words_ += '\n';
   }
@@ -247,11 +257,13 @@ class SheetReader {
   };
 
   const std::vector<std::string>& shared_;
+  const std::vector<CellKind>& styles_;
   Worksheet out_;
   std::vector<RowEnd> ends_;  // of rows that are not empty
   std::string words_;         // of the first column, while there is no other
   bool only_words_ = true;
   std::size_t row_ = 0, column_ = 0, next_column_ = 0;  // last written; of the cell that is read
+  std::size_t style_ = 0, numbers_in_row_ = 0, words_in_row_ = 0;
   bool in_cell_ = false, in_value_ = false, has_formula_ = false;
   std::string type_, value_;
   Words inline_;
@@ -260,8 +272,8 @@ class SheetReader {
 }  // namespace
 
 Worksheet read_worksheet(const ZipArchive& archive, const std::string& part,
-                         const std::vector<std::string>& shared_strings) {
-  SheetReader sheet(shared_strings);
+                         const std::vector<std::string>& shared_strings, const std::vector<CellKind>& styles) {
+  SheetReader sheet(shared_strings, styles);
   parse(archive, part,
         {[&](std::string_view name, const XmlAttributes& attributes) { sheet.begin(name, attributes); },
          [&](std::string_view name) { sheet.end(name); }, [&](std::string_view piece) { sheet.text(piece); }});

@@ -206,7 +206,16 @@ def check_cases():
     print(f"{len(snippets)} cases")
 
 
+def check_steps():
+    """What ./check, ./run and CI call is there."""
+    for name in ("check", "run", ".ci/run"):
+        for path in sorted(set(re.findall(r"(?<![\w./-])(?:\$root/)?((?:tools|tests|studio|python)/[\w./-]+)", text_of(ROOT / name)))):
+            if not (ROOT / path).exists():
+                fault(ROOT / name, f"there is no {path}")
+
+
 def main():
+    check_steps()
     check_names()
     check_tests_cited()
     check_equations()

@@ -79,7 +79,7 @@ class Workbooks(InFolder):
         fits = []
         for name in ("test.csv", "test.xlsx"):
             fits.append(self.json("fit", self.file("case.toml", case.replace("test.csv", name))))
-        self.assertIn("the sheet is 'Data', the first with numbers of 'Notes' and 'Data'", json.dumps(fits[1]["preparation"]))
+        self.assertIn("the sheet is 'Data', the first of 'Notes' and 'Data' with a table of numbers", json.dumps(fits[1]["preparation"]))
         for fit in fits:
             del fit["provenance"], fit["preparation"]
         self.assertEqual(*fits)
@@ -151,7 +151,7 @@ class Workbooks(InFolder):
         sheets = {f"Specimen {k}": [["Extension (mm)", "Load (N)"], *([i, k * i] for i in range(10))] for k in (1, 2, 3)}
         path = self.workbook({"Read me": [["nothing here"]], **sheets})
         first = run("read", path, "--crosshead", "1")
-        self.assertIn("the sheet is 'Specimen 1', the first with numbers of 'Read me', 'Specimen 1', 'Specimen 2' and 'Specimen 3'", first.stderr)
+        self.assertIn("the sheet is 'Specimen 1', the first of 'Read me', 'Specimen 1', 'Specimen 2' and 'Specimen 3' with a table of numbers", first.stderr)
         for k in (1, 2, 3):
             for name in (f"Specimen {k}", str(k + 1)):
                 said = run("read", path, "--crosshead", "1", "--sheet", name)

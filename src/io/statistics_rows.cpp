@@ -1,0 +1,184 @@
+#include "io/statistics_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "io/input_error.h"
+#include "io/text.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t most_at_end = 8;   // mean, deviation, variance, sum, count, least, greatest, and one to spare
+constexpr std::size_t most_below = 20;   // rows with labels; more are readings that somebody labelled
+constexpr std::size_t fewest_rows = 12;  // of which fewer have statistics by chance
+constexpr double far = 5;          // times the longest step between readings: a stage that is driven makes none such
+constexpr double as_shown = 2e-3;  // of a statistic, which is written with three digits or more
+
+// In lower case, without accents on capitals; the beginnings of labels, each a word of its own.
+constexpr std::array statistics{
+    std::string_view{"mean"}, std::string_view{"average"}, std::string_view{"avg"}, std::string_view{"max"},
+    std::string_view{"maximum"}, std::string_view{"min"}, std::string_view{"minimum"}, std::string_view{"median"},
+    std::string_view{"std"}, std::string_view{"stdev"}, std::string_view{"stddev"}, std::string_view{"stdabw"},
+    std::string_view{"sd"}, std::string_view{"rms"}, std::string_view{"sum"}, std::string_view{"total"},
+    std::string_view{"variance"}, std::string_view{"var"}, std::string_view{"cv"}, std::string_view{"cov"},
+    // German
+    std::string_view{"mittelwert"}, std::string_view{"mittel"}, std::string_view{"mw"},
+    std::string_view{"standardabweichung"}, std::string_view{"standardabw"}, std::string_view{"streuung"},
+    std::string_view{"summe"}, std::string_view{"varianz"}, std::string_view{"variationskoeffizient"},
+    // French, Spanish, Italian, Portuguese, Turkish
+    std::string_view{"moyenne"}, std::string_view{"moy"}, std::string_view{"écart"}, std::string_view{"ecart"},
+    std::string_view{"médiane"}, std::string_view{"somme"}, std::string_view{"media"}, std::string_view{"média"},
+    std::string_view{"promedio"}, std::string_view{"mediana"}, std::string_view{"desviación"},
+    std::string_view{"desviacion"}, std::string_view{"desvio"}, std::string_view{"deviazione"},
+    std::string_view{"scarto"}, std::string_view{"suma"}, std::string_view{"soma"}, std::string_view{"somma"},
+    std::string_view{"máximo"}, std::string_view{"mínimo"}, std::string_view{"massimo"}, std::string_view{"minimo"},
+    std::string_view{"ortalama"}, std::string_view{"maks"}, std::string_view{"toplam"},
+    // Japanese
+    std::string_view{"平均"}, std::string_view{"平均値"}, std::string_view{"標準偏差"}, std::string_view{"最大"},
+    std::string_view{"最大値"}, std::string_view{"最小"}, std::string_view{"最小値"}, std::string_view{"合計"},
+    std::string_view{"中央値"}};
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+// Numbers of a column, one more at a time.
+class Summary {
+ public:
+  void add(double value) {
+    if (std::isnan(value)) return;
+    ++count_;
+    const double off = value - mean_;
+    mean_ += off / static_cast<double>(count_);
+    squares_ += off * (value - mean_);
+    sum_ += value;
+    least_ = std::min(least_, value);
+    greatest_ = std::max(greatest_, value);
+  }
+
+  static constexpr std::size_t of_all = 4;  // the statistics that no reading is but by chance
+  static constexpr std::size_t count = 6;
+  double statistic(std::size_t which) const {
+    const double n = static_cast<double>(count_);
+    switch (which) {
+      case 0:
+        return mean_;
+      case 1:
+        return std::sqrt(squares_ / (n - 1));
+      case 2:
+        return std::sqrt(squares_ / n);
+      case 3:
+        return sum_;
+      case 4:
+        return least_;
+      default:
+        return greatest_;
+    }
+  }
+
+ private:
+  std::size_t count_ = 0;
+  double mean_ = 0, squares_ = 0, sum_ = 0;
+  double least_ = std::numeric_limits<double>::infinity(), greatest_ = -least_;
+};
+
+// The first statistic that a row is in all columns; Summary::count if none.
+std::size_t statistic_on(std::span<const Summary> above, std::span<const std::span<const double>> columns,
+                         std::size_t row) {
+  for (std::size_t which = 0; which < Summary::count; ++which) {
+    bool is_all = true;
+    for (std::size_t i = 0; is_all && i < columns.size(); ++i) {
+      const double is = columns[i][row], wanted = above[i].statistic(which);
+      is_all = wanted != 0 && std::abs(is - wanted) <= as_shown * std::abs(wanted);
+    }
+    if (is_all) return which;
+  }
+  return Summary::count;
+}
+
+// Is a row elsewhere than the one before, in all columns? Where all readings are alike, each is their mean. And in one of them by far?
+struct Jump {
+  bool is_one = true, is_far = false;
+};
+Jump jump_to(std::span<const std::span<const double>> columns, std::size_t row, std::size_t readings) {
+  Jump jump;
+  for (const std::span<const double> column : columns) {
+    const auto step = [&](std::size_t to) { return std::abs(column[to] - column[to - 1]); };
+    double longest = 0;
+    for (std::size_t to = 1; to < readings; ++to)
+      if (step(to) > longest) longest = step(to);
+    jump.is_one = jump.is_one && step(row) > as_shown * std::abs(column[row]);
+    jump.is_far = jump.is_far || step(row) > far * longest;
+  }
+  return jump;
+}
+
+}  // namespace
+
+bool names_statistic(std::string_view cell) {
+  const std::string label = folded(trimmed(cell));
+  std::size_t end = 0;
+  while (end < label.size() && is_letter(label[end])) ++end;
+  const std::string_view first = std::string_view(label).substr(0, end);
+  if (std::find(statistics.begin(), statistics.end(), first) != statistics.end()) return true;
+  return label.starts_with("st. dev") || label.starts_with("standard dev") || label.starts_with("standard err") ||
+         label.starts_with("standart sapma");
+}
+
+bool is_label(std::string_view cell) {
+  static constexpr std::array<std::string_view, 6> missing{"nan", "n/a", "na", "null", "inf", "none"};
+  if (cell.empty() || !is_letter(cell.front())) return false;
+  return cell.size() > 4 || std::find(missing.begin(), missing.end(), folded(cell)) == missing.end();
+}
+
+std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labelled, std::size_t rows) {
+  if (labelled.empty() || 2 * labelled.size() >= rows) return {};
+  std::vector<std::size_t> found;
+  std::size_t below = 0;  // how many stand at the end
+  while (below < labelled.size() && labelled[labelled.size() - 1 - below].row == rows - 1 - below) ++below;
+  if (below > most_below) below = 0;
+  for (std::size_t i = 0; i < labelled.size(); ++i)
+    if (labelled[i].is_statistic || i + below >= labelled.size()) found.push_back(labelled[i].row);
+  return found;
+}
+
+std::size_t statistics_at_end(std::span<const std::span<const double>> columns, std::size_t below_break) {
+  if (columns.size() < 2 || columns.front().size() < fewest_rows) return 0;
+  const std::size_t rows = columns.front().size();
+  const std::size_t most = std::min(most_at_end, rows / 4);
+  std::vector<Summary> above(columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t row = 0; row + most < rows; ++row) above[i].add(columns[i][row]);
+  for (std::size_t tail = most; tail > 0; --tail) {
+    bool are_all = true, jumps = false;
+    for (std::size_t row = rows - tail; are_all && row < rows; ++row) {
+      const std::size_t which = statistic_on(above, columns, row);
+      are_all = which < Summary::count;
+      if (which >= Summary::of_all || jumps) continue;
+      const Jump jump = jump_to(columns, row, rows - tail);
+      jumps = jump.is_one && (jump.is_far || tail == below_break);
+    }
+    if (are_all && jumps) return tail;
+    for (std::size_t i = 0; i < columns.size(); ++i) above[i].add(columns[i][rows - tail]);
+  }
+  return 0;
+}
+
+std::string left_out_statistics(std::span<const std::size_t> lines) {
+  return lines.size() == 1 ? "left out, as it holds a statistic of the readings: " + on_lines(lines)
+                           : "left out, as they hold statistics of the readings: " + on_lines(lines);
+}
+
+std::string below_a_break(std::size_t first_line, std::size_t last_line) {
+  return first_line == last_line
+             ? fmt::format("line {} stands below a break and counts as a reading: delete it if it is none", last_line)
+             : fmt::format("lines {} to {} stand below a break and count as readings: delete them if they are none",
+                           first_line, last_line);
+}
+
+}  // namespace flexslip
