@@ -22,15 +22,18 @@ namespace {
 // A state with what holds the stage there, and how it changes as the fibre slides at that stage position.
 struct Rest {
   FibreState state;
-  double potential;  // [EI/L] U + F^2/2k
-  double Pn_slope;   // [EI/L^3] dPn/dS
+  double potential;               // [EI/L] U + F^2/2k
+  double Pn_slope;                // [EI/L^3] dPn/dS
+  double contact, contact_slope;  // [L], [1] length between the contacts, at which friction is looked up; likewise
 };
 
 Rest rest_at(const Rig& rig, double S, double q) {
   const double c = 1 / rig.stiffness;
   const auto [state, slopes] = rig.fibre.state_slopes(S, q);
   const double q_slope = -(slopes.w_S + c * slopes.F_S) / (slopes.w_q + c * slopes.F_q);
-  return {state, state.U + 0.5 * c * state.F * state.F, slopes.Pn_S + slopes.Pn_q * q_slope};
+  const double rolled = 2 * rig.fibre.supports().radius;
+  return {state, state.U + 0.5 * c * state.F * state.F, slopes.Pn_S + slopes.Pn_q * q_slope,
+          rig.fibre.length_between_contacts(state), 1 - rolled * (slopes.theta0_S + slopes.theta0_q * q_slope)};
 }
 
 // Walks along the curve of a loading, from one stable part to the next.
@@ -55,7 +58,7 @@ class Loading {
   DesignStatus walk() {
     RigPoint here = curve_.begin;
     if (!fibre().begins_straight() && !bend_shallow(here)) return breaks_ ? DesignStatus::breaks : DesignStatus::ok;
-    Rest rest{fibre().state(here.S, here.q), 0, 0};
+    Rest rest{fibre().state(here.S, here.q), 0, 0, 0, 0};
     for (std::size_t i = 0;; i += 2) {
       RigPoint to = point(i);
       const bool arrives = to.stage >= design_.travel;
@@ -218,7 +221,7 @@ class Loading {
   void see(double F) { outcome_.greatest_force = std::max(outcome_.greatest_force, F); }
 
   // ∫ μ Pn dS of a snap. At a fixed stage position the force at the supports is a smooth function of the length, whatever the
-  // friction: a cubic between lengths that are near one another for the elastica. None if the fibre is not held all the way.
+  // friction, and so is where it touches: cubics between lengths that are near one another for the elastica. None if the fibre is not held all the way.
   std::optional<double> heat_of_snap(double stage, const Rest& from, const Rest& to) const {
     constexpr double near = 0.15;         // of S - 1
     constexpr double longest_part = 0.1;  // [L]
@@ -242,15 +245,18 @@ class Loading {
 
   double heat_between(const Rest& a, const Rest& b) const {
     const double length = b.state.S - a.state.S;
-    const double rise = b.state.Pn - a.state.Pn;
+    const bool rolls = fibre().supports().radius > 0;
     const auto power = [&](double S) {
       const double t = (S - a.state.S) / length;
       const double s = 1 - t;
-      const double Pn = a.state.Pn + rise * t * t * (1 + 2 * s) + length * t * s * (a.Pn_slope * s - b.Pn_slope * t);
+      const auto cubic = [&](double from, double to, double slope_from, double slope_to) {
+        return from + (to - from) * t * t * (1 + 2 * s) + length * t * s * (slope_from * s - slope_to * t);
+      };
       FibreState held{};
       held.q = a.state.q + (b.state.q - a.state.q) * t;
-      held.Pn = Pn;
-      return curve_.friction.at(S).mu * Pn + fibre().lost_bending(held);
+      held.Pn = cubic(a.state.Pn, b.state.Pn, a.Pn_slope, b.Pn_slope);
+      const double contact = rolls ? cubic(a.contact, b.contact, a.contact_slope, b.contact_slope) : S;
+      return design_.friction.at(contact).mu * held.Pn + fibre().lost_bending(held);
     };
     constexpr double scales = 2;  // half the shortest period
     double heat = 0;
