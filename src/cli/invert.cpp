@@ -13,6 +13,7 @@
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/support_flags.h"
 #include "data/section.h"
 #include "fibre/elastica.h"
 #include "fibre/supported_state.h"
@@ -48,12 +49,7 @@ Supports supports_of(const InvertRequest& request, const Kind& kind, const Scale
   Supports supports{0, section ? 0.5 * scales.reduced_length(depth(*section)) : 0};
   if (request.radius) supports.radius = spans_of(*request.radius, "--roller-radius", kind, scales);
   if (request.thickness) supports.half_depth = 0.5 * spans_of(*request.thickness, "--thickness", kind, scales);
-  if (supports.radius + supports.half_depth < widest_supports) return supports;
-  throw InputError(
-      {.field = request.radius ? "--roller-radius" : "--thickness",
-       .expected = fmt::format("a radius, and half of a thickness, of less than {:g} spans together", widest_supports),
-       .found = fmt::format("{:g} and {:g}", supports.radius, supports.half_depth),
-       .remedy = "check their units, and the span"});
+  return within_limits(supports);
 }
 
 void require_domain(const Table& table) {

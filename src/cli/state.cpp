@@ -9,6 +9,7 @@
 #include "answers/state_fields.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/support_flags.h"
 #include "fibre/elastica.h"
 #include "fibre/loose_rollers.h"
 #include "fibre/supported_state.h"
@@ -115,12 +116,7 @@ std::string likewise(const std::vector<std::size_t>& missing) {
 }
 
 void run_states_on_supports(const StateRequest& request, const Input& input) {
-  const Supports supports{request.radius.value_or(0), 0.5 * request.thickness.value_or(0)};
-  if (!(supports.radius >= 0 && supports.half_depth >= 0 && supports.radius + supports.half_depth < widest_supports))
-    throw InputError(
-        {.field = "--roller-radius",
-         .expected = fmt::format("a radius, and half of a thickness, of 0 to {:g} spans together", widest_supports),
-         .found = fmt::format("{:g} and {:g}", supports.radius, supports.half_depth)});
+  const Supports supports = within_limits({request.radius.value_or(0), 0.5 * request.thickness.value_or(0)});
   if (request.slopes)
     throw InputError({.field = "--slopes", .expected = "edges", .found = "rollers or a thickness beside it"});
   if (request.loose && !(supports.radius > 0))
