@@ -258,7 +258,7 @@ Fields<FittedTest> all_fields() {
             [](T test) { return test.analysis.fit.scan; })
       .group("small_deflection", "the numbers of the bending standards",
              Fields<FittedTest>()
-                 .all_of(standard_fields(), standard_test)
+                 .all_of(standard_fields(), [](T test) { return standard_test(test); })
                  .number("over_fit", "bending stiffness of the straight part over that of the fit",
                          [](T test) {
                            const auto beside = small_deflection_beside_fit(test);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "case/supports_share.h"
+
 namespace flexslip {
 namespace {
 
@@ -53,8 +55,28 @@ std::optional<std::string> unless_empty(std::string text) {
 
 }  // namespace
 
+StandardTest standard_test(const Measurement& measurement, const BeamGeometry& geometry,
+                           const SmallDeflection& numbers) {
+  const bool ok = numbers.status == SmallDeflectionStatus::ok;
+  return {measurement, geometry, numbers, ok ? supports_share(measurement, numbers) : std::nullopt,
+          measurement.test.reduced};
+}
+
 StandardTest standard_test(const FittedTest& test) {
-  return {test.measurement, test.geometry, test.small_deflection, test.reduced};
+  return standard_test(test.measurement, test.geometry, test.small_deflection);
+}
+
+std::optional<Estimate> modulus_of_standard(const StandardTest& test) {
+  const auto& chord = test.numbers.chord;
+  return chord ? with_error_of_slope(chord->modulus, chord->stiffness)
+               : with_error_of_slope(test.numbers.modulus, test.numbers.stiffness);
+}
+
+std::optional<Estimate> modulus_less_supports(const StandardTest& test) {
+  const auto told = modulus_of_standard(test);
+  if (!told || !test.supports_share) return std::nullopt;
+  const double factor = 1 + *test.supports_share;
+  return normal_estimate(told->value / factor, told->standard_error / factor);
 }
 
 std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
@@ -92,6 +114,13 @@ Fields<StandardTest> standard_fields() {
       .own_quantity("strain", kind::number, "flexural strain there, 6 δ depth/L²", [](T t) { return t.numbers.strain; })
       .yes_no("deflection_large", "it is beyond a tenth of the span: stress and strain of the standards do not hold",
               [](T t) { return t.numbers.deflection_large; })
+      .number("supports_share",
+              "what rollers and thickness, left out, add to the stiffness between the deflections of chord or straight "
+              "part, without friction",
+              &StandardTest::supports_share)
+      .own_estimate("modulus_less_supports", kind::pressure,
+                    "modulus of the chord, or else of the straight part, less that",
+                    [](T t) { return modulus_less_supports(t); })
       .number("shear_share", "what shear, left out, adds to a small deflection",
               [](T t) { return t.numbers.shear_share; });
 }

@@ -13,9 +13,17 @@ struct StandardTest {
   const Measurement& measurement;
   const BeamGeometry& geometry;
   const SmallDeflection& numbers;
+  std::optional<double> supports_share;  // [1] (case/supports_share.h)
   bool reduced;
 };
 
+// The modulus that a standard would publish: that of its chord, or of the straight part. None without a section.
+std::optional<Estimate> modulus_of_standard(const StandardTest& test);
+// The same, less what the supports add. None where they add nothing, or there is none.
+std::optional<Estimate> modulus_less_supports(const StandardTest& test);
+
+StandardTest standard_test(const Measurement& measurement, const BeamGeometry& geometry,
+                           const SmallDeflection& numbers);
 StandardTest standard_test(const FittedTest& test);
 
 // The bending stiffness of the straight part over that of the fit.

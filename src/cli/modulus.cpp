@@ -64,7 +64,7 @@ void run_modulus(const ModulusRequest& request) {
   }();
   const BeamGeometry geometry = geometry_of(measurement.test);
   const SmallDeflection numbers = small_deflection(measurement.record, geometry, options);
-  const StandardTest test{measurement, geometry, numbers, measurement.test.reduced};
+  const StandardTest test = standard_test(measurement, geometry, numbers);
   if (request.output.json) {
     write_json(request.output.path, modulus_fields()(test, frame_of(test)));
   } else {

@@ -9,7 +9,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double shear_worth_a_word = 0.01;
+constexpr double shear_worth_a_word = 0.01, supports_worth_a_word = 0.001;
 
 // To three significant digits, trailing zeros among them.
 std::string three_digits(double value, const Kind& kind) {
@@ -20,6 +20,10 @@ std::string three_digits(double value, const Kind& kind) {
   const double step = std::pow(10, -decimals);
   const std::string number = fmt::format("{:.{}f}", step * std::round(shown / step), std::max(decimals, 0));
   return unit.empty() ? number : fmt::format("{} {}", number, typeset(unit));
+}
+
+bool supports_count(const StandardTest& test) {
+  return test.supports_share && *test.supports_share > supports_worth_a_word;
 }
 
 std::string percent_to_two_digits(double share) { return fmt::format("{:.2g} %", 100 * share); }
@@ -47,6 +51,9 @@ PrintedTable small_deflection_table(const StandardTest& test) {
   if (numbers.modulus)
     add(numbers.chord ? "the same, from the straight part, F L³/(48 I δ)" : "flexural modulus E_f = F L³/(48 I δ)",
         fmt::format("{} (± {})", three_digits(*numbers.modulus, as(kind::pressure)), percent_to_two_digits(relative)));
+  if (const auto modulus = modulus_less_supports(test); modulus && supports_count(test))
+    add(fmt::format("the first of these, less what the supports add, {}", percent_to_two_digits(*test.supports_share)),
+        three_digits(modulus->value, as(kind::pressure)));
   add("greatest force", readable(numbers.greatest_force, as(kind::force)));
   add("deflection there", readable(numbers.deflection, as(kind::length)));
   if (numbers.stress) add("flexural stress there", three_digits(*numbers.stress, as(kind::pressure)));
@@ -74,6 +81,12 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
     list.emplace_back("No span is stated: state it for a bending stiffness.");
   else if (!test.geometry.section)
     list.emplace_back("No section is stated: state it for a modulus, a stress and a strain.");
+  if (supports_count(test))
+    list.push_back(
+        fmt::format("As the specimen bends, its contacts with the supports move inwards, which adds {} to the "
+                    "stiffness that is told "
+                    "here. Friction adds to it, too.",
+                    percent_to_two_digits(*test.supports_share)));
   if (numbers.deflection_large)
     list.push_back(
         fmt::format("The greatest force is reached at a deflection of {:.0f} % of the span. Beyond 10 % the standards' "
