@@ -86,6 +86,8 @@ Fields<ToldDesign> design_fields() {
       .number("critical_stiffness", kind::stiffness,
               "stiffness at and above which this loading meets no snap; null if it snaps on every rig, 0 if on none",
               [](T told) { return told.answer.critical; })
+      .number("pin_limit", "friction at which the rollers turn on their pins, the most that acts; null of others",
+              [](T told) { return told.answer.input.pin_limit(); })
       .yes_no("snaps_whatever_the_stiffness", "even where the deflection itself is controlled",
               [](T told) { return told.answer.critical > 0 && !std::isfinite(told.answer.critical); })
       .group("phases", "what the phase of the friction decides; null where it decides nothing", phase_fields(),

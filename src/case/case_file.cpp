@@ -178,7 +178,7 @@ void read_rollers(const Keys& keys, RigInput& rig) {
   if (!(rig.pin_radius <= *rig.roller_radius))
     keys.refuse("pin_radius", "no more than the radius of the roller",
                 fmt::format("{:g} of it", rig.pin_radius / *rig.roller_radius), "check their units");
-  if (!(rig.pin_friction * rig.pin_radius < *rig.roller_radius))
+  if (!rig.pins_turn())
     keys.refuse("pin_friction", "less than the radius of the roller over that of the pin",
                 fmt::format("{:g}", rig.pin_friction), "check it");
 }

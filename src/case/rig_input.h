@@ -23,6 +23,9 @@ struct RigInput {
   double pin_radius = 0, pin_friction = 0;       // [m], [1] of rollers on pins
   FrictionAt friction_at = FrictionAt::surface;  // one with the axis where no section says how thick the specimen is
   bool operator==(const RigInput&) const = default;
+
+  // Whatever the specimen's friction, pins that hold their rollers so fast never turn.
+  bool pins_turn() const { return rollers != Rollers::pinned || pin_friction * pin_radius < *roller_radius; }
 };
 
 }  // namespace flexslip

@@ -211,10 +211,13 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
   return fault;
 }
 
-Friction on_pins(const RigInput& rig, Friction friction, double S_max) {
-  if (rig.rollers != Rollers::pinned) return friction;
-  const double cap = friction_of_pins(rig.pin_friction, rig.pin_radius, *rig.roller_radius);
-  return capped(friction, cap, S_max);
+std::optional<double> pin_limit_of(const RigInput& rig) {
+  if (rig.rollers != Rollers::pinned) return std::nullopt;
+  return friction_of_pins(rig.pin_friction, rig.pin_radius, *rig.roller_radius);
+}
+
+Friction on_pins(const std::optional<double>& pin_limit, Friction friction, double S_max) {
+  return pin_limit ? capped(friction, *pin_limit, S_max) : friction;
 }
 
 SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scales& scales, double S_max) {
@@ -230,7 +233,7 @@ SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scale
     Friction friction =
         std::visit([&](const auto& form) { return friction_from(place, form, scales, reach); }, profile);
     if (const auto fault = uncovered(input, profile, friction, fibre, scales, reach)) throw place.fault(*fault);
-    return on_pins(*input.rig, std::move(friction), reach);
+    return on_pins(pin_limit_of(*input.rig), std::move(friction), reach);
   };
   SupportFrictions supports{of_support({input, "friction"}, *input.friction->profile), std::nullopt};
   if (const auto& other = input.friction->other) supports.other = of_support({input, "friction.other"}, other->profile);

@@ -32,8 +32,11 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
 // one may slide alone.
 double one_sided_reach(const Case& input, double S_max);
 
-// What rollers on pins leave of the friction of a support, for lengths up to S_max [L].
-Friction on_pins(const RigInput& rig, Friction friction, double S_max);
+// [1] The friction at which rollers turn on their pins; none of rollers that are not on pins.
+std::optional<double> pin_limit_of(const RigInput& rig);
+
+// What pins with such a limit leave of the friction of a support, for lengths up to S_max [L].
+Friction on_pins(const std::optional<double>& pin_limit, Friction friction, double S_max);
 
 // Whether a support climbs a surface in this case.
 bool climbs_surface(const Case& input);

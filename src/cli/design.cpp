@@ -91,7 +91,7 @@ void add_design_command(CLI::App& app) {
       "between readings.\n"
       "With --over, writes a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, height, "
       "width,\n"
-      "modulus, stiffness, travel, step or reference.\n\n"
+      "modulus, stiffness, travel, step, reference or pin_friction.\n\n"
       "Examples:\n"
       "  flexslip design case.toml --figure design.svg\n"
       "  flexslip design case.toml --over \"stiffness=10 N/m:1000 N/m\" --over mu0=0:1 --figure map.svg --output "

@@ -186,7 +186,8 @@ DesignAnswer answer_of(const DesignCase& input) {
   std::vector<DesignParameter> others{DesignParameter::span};
   // Of supports that are not alike the case varies one.
   if (!design.friction.walk())
-    others.insert(others.end(), {DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength});
+    others.insert(others.end(), {DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength,
+                                 DesignParameter::pin_friction});
   if (depth_is_more) others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});
   for (const auto parameter : others)
     if (input.has(parameter) && !is_told(parameter))

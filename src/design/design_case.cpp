@@ -86,6 +86,7 @@ DesignCase::DesignCase(const Case& input) : input_(std::make_shared<const Case>(
   add(DesignParameter::travel, loading.travel);
   add(DesignParameter::step, loading.step);
   add(DesignParameter::stiffness, load_train_stiffness_of(input));
+  if (input.rig->rollers == Rollers::pinned) add(DesignParameter::pin_friction, input.rig->pin_friction);
   if (!input.reduced) {
     add(DesignParameter::span, span_);
     if (const auto* modulus = std::get_if<Modulus>(&input.specimen->rigidity)) {
@@ -201,6 +202,20 @@ std::optional<DesignRefusal> DesignCase::fault_of_specimen() const {
       fmt::format("more than five times the thickness, {}, for beam theory", readable(thickness, kind::length)));
 }
 
+RigInput DesignCase::rig() const {
+  RigInput rig = *input_->rig;
+  if (has(DesignParameter::pin_friction)) rig.pin_friction = at(DesignParameter::pin_friction).number;
+  return rig;
+}
+
+std::optional<double> DesignCase::pin_limit() const { return pin_limit_of(rig()); }
+
+std::optional<DesignRefusal> DesignCase::fault_of_pins() const {
+  if (rig().pins_turn()) return std::nullopt;
+  return refusal(DesignFault::impossible, DesignParameter::pin_friction,
+                 "less than the radius of the roller over that of the pin");
+}
+
 std::optional<DesignRefusal> DesignCase::fault_of_loading(const Scales& scales) const {
   const double travel = scales.reduced_length(at(DesignParameter::travel).number);
   const double stiffness =
@@ -274,6 +289,7 @@ double DesignCase::nose_curvature(const Scales& scales) const {
 
 std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
   if (auto fault = fault_of_specimen()) return *std::move(fault);
+  if (auto fault = fault_of_pins()) return *std::move(fault);
   const auto units = scales();
   if (!units)
     return refusal(DesignFault::not_computable, DesignParameter::span,
@@ -294,7 +310,7 @@ std::variant<PlannedDesign, DesignRefusal> DesignCase::plan() const {
     Friction along = friction(profile, *units, reach);
     if (auto fault = uncovered(*input_, input, along, fibre, *units, reach))
       return DesignRefusal{DesignFault::not_computable, InputError(*std::move(fault))};
-    return on_pins(*input_->rig, std::move(along), reach);
+    return on_pins(pin_limit(), std::move(along), reach);
   };
   auto first = of_support(varied_profile(), *input_->friction->profile);
   if (auto* refused = std::get_if<DesignRefusal>(&first)) return std::move(*refused);

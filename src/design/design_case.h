@@ -67,13 +67,15 @@ class DesignCase {
   std::variant<PlannedDesign, DesignRefusal> plan() const;
   // [1/L] from which the specimen wraps the nose (problem.h).
   double nose_curvature(const Scales& scales) const;
+  // [1] Friction at which rollers turn on their pins, as these are now; none of others.
+  std::optional<double> pin_limit() const;
   // [m/N] of the supports (problem.h).
   double support_compliance() const { return support_compliance_; }
   // Fails:      InputError if it is refused.
   PlannedDesign planned() const;
 
  private:
-  static constexpr std::size_t count = static_cast<std::size_t>(DesignParameter::reference) + 1;
+  static constexpr std::size_t count = static_cast<std::size_t>(DesignParameter::pin_friction) + 1;
   struct Value {
     bool exists = false;
     double number = 0;
@@ -84,11 +86,13 @@ class DesignCase {
   Value& at(DesignParameter parameter) { return values_[static_cast<std::size_t>(parameter)]; }
   const Value& at(DesignParameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
   void add(DesignParameter parameter, double number) { at(parameter) = {true, number}; }
+  RigInput rig() const;
   std::optional<Section> section() const;
   std::optional<SurfaceStrain> surface(const Scales& scales) const;
   double bending_stiffness() const;
   std::optional<Scales> scales() const;
   std::optional<DesignRefusal> fault_of_specimen() const;
+  std::optional<DesignRefusal> fault_of_pins() const;
   std::optional<DesignRefusal> fault_of_loading(const Scales& scales) const;
   static Profile profile_of(const FrictionProfileInput& input, const Friction& friction);
   Profile varied_profile() const;

@@ -18,7 +18,7 @@ DesignParameterName of_key(DesignParameter parameter, std::string_view section, 
   return {parameter, key.name, *key.kind, description, symbol, key.range, key.most};
 }
 
-std::array<DesignParameterName, 13> parameters_of_designs() {
+std::array<DesignParameterName, 14> parameters_of_designs() {
   using enum DesignParameter;
   std::array all{
       of_key(mu0, "friction", "mu0", "mean friction coefficient", "{/:Italic μ}_0"),
@@ -34,6 +34,7 @@ std::array<DesignParameterName, 13> parameters_of_designs() {
       of_key(height, "specimen", "height", "height of the specimen", "{/:Italic h}"),
       of_key(width, "specimen", "width", "width of the specimen", "{/:Italic b}"),
       of_key(reference, "friction", "reference", "length at which the mean friction holds", "{/:Italic S}_0"),
+      of_key(pin_friction, "rig", "pin_friction", "friction between roller and pin", "{/:Italic μ}_{pin}"),
   };
   all[static_cast<std::size_t>(mu0)].most = largest_q;              // on the fibre that allows most
   all[static_cast<std::size_t>(step)].range = Range::non_negative;  // 0: all of the curve

@@ -22,7 +22,8 @@ enum class DesignParameter {
   step,
   height,
   width,
-  reference
+  reference,
+  pin_friction
 };
 
 struct DesignParameterName {

@@ -151,14 +151,16 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     }
     case Doubt::implausible_friction:
       return (analysis.suspects.suspect
-                  ? fmt::format("The record needs implausible friction: at the bending stiffness {}, above {:g} in {} "
-                                "of {} points past a tenth of the span.",
-                                analysis.stiffness_from_slope ? "of the initial slope" : "stated",
-                                analysis.suspects.limit, analysis.suspects.points.size(),
-                                analysis.suspects.points_judged)
+                  ? fmt::format(
+                        "The record needs implausible friction: at the bending stiffness {}, above {:.3g} in {} "
+                        "of {} points past a tenth of the span.",
+                        analysis.stiffness_from_slope ? "of the initial slope" : "stated", analysis.suspects.limit,
+                        analysis.suspects.points.size(), analysis.suspects.points_judged)
                   : fmt::format("The record needs implausible friction: at least {:.2f} on average (95 %).",
                                 analysis.fit.mu0.low)) +
-             (analysis.rig.fibre.supports().radius > 0
+             (test.measurement.test.rig->rollers == Rollers::pinned
+                  ? " The rollers turn on their pins at less: they may be stuck, or what is stated of them is wrong."
+              : analysis.rig.fibre.supports().radius > 0
                   ? ""
                   : " Rollers taken for edges would need it, too: state [rig] roller_radius.");
     case Doubt::failed_check: {

@@ -134,6 +134,13 @@ std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
       shown.energy(outcome.work), share(outcome.friction_heat, outcome.work), snaps);
 }
 
+std::string pins_in_words(double limit) {
+  return fmt::format(
+      "The rollers turn on their pins at a friction of {}. No more than that acts on the specimen, and where its own "
+      "friction is greater, its variation along the specimen does not count.",
+      readable(limit, kind::number));
+}
+
 std::string phases_in_words(const DesignAnswer& answer, const Shown& shown) {
   const PhaseStudy& study = *answer.phases;
   const std::string_view known =
@@ -189,6 +196,9 @@ std::string change_in_words(const DesignChange& change, const Shown& shown) {
     case DesignParameter::travel:
       return more ? fmt::format("loading farther: up to the stage position {} instead of {}", to, from)
                   : fmt::format("stopping before the first snap: at the stage position {} instead of {}", to, from);
+    case DesignParameter::pin_friction:
+      return fmt::format("rollers that turn {} on their pins: pin_friction {} instead of {}",
+                         more ? "harder" : "more easily", to, from);
     case DesignParameter::phase:
     case DesignParameter::step:
     case DesignParameter::reference:
@@ -247,6 +257,7 @@ std::vector<std::string> design_in_words(const DesignAnswer& answer) {
   const Shown shown(answer);
   std::vector<std::string> paragraphs{snaps_in_words(answer, shown), drops_in_words(answer, shown),
                                       critical_in_words(answer, shown), work_in_words(answer, shown)};
+  if (const auto limit = answer.input.pin_limit()) paragraphs.push_back(pins_in_words(*limit));
   if (answer.phases) paragraphs.push_back(phases_in_words(answer, shown));
   if (const double from = friction_told_from(answer.design.rig.fibre); from > 0.5 * answer.outcome.w_reached)
     paragraphs.push_back(

@@ -113,8 +113,9 @@ std::string sides_in_words(const FittedTest& test) {
   if (twice.empty()) return "";
   return fmt::format(
       "These lengths hold if the specimen slides over both supports at once. It slides over one at a time where the "
-      "supports are not alike or friction falls; the lengths are then up to twice as long: {}. Force and stage do not "
-      "tell which is the case; images of both supports do.",
+      "supports are not alike or friction falls; the lengths are then up to twice as long: {}, and friction is "
+      "that of the weaker side, which slides. Force and stage do not tell which is the case; images of both supports "
+      "do, and the same specimen tested again, turned end for end.",
       twice);
 }
 

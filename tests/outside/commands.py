@@ -182,6 +182,33 @@ model = "constant"
         self.assertLess(curve[0]["length"], 0.064)  # some of it lies on the rollers
         self.assertGreater(curve[0]["deflection"], 0.002)  # 2.5 half depths and more
 
+    THIN = """[specimen]
+diameter = "34.8 um"
+modulus = "29.6 GPa"
+[rig]
+span = "1278 um"
+stiffness = "60 N/m"
+roller_radius = "50 um"
+rollers = "pinned"
+pin_radius = "40 um"
+pin_friction = 0.1
+[friction]
+model = "sinusoid"
+mu0 = 0.5
+amplitude = 0.4
+wavelength = "60 um"
+[stage]
+program = ["0 um", "900 um"]
+"""
+
+    def test_identity_heat_of_snaps_on_rollers_is_that_of_a_simulation(self):
+        case = self.file("fixed.toml", "\n".join(line for line in self.THIN.splitlines() if not line.startswith(("pin_", "rollers"))).replace("60 um", "16 um").replace("0.4", "0.2"))
+        design = self.json("design", case, "--quiet", "--over", "mu0=0.5:0.51:2")["designs"][0]
+        energy = self.json("simulate", case, "--quiet")["energy"]
+        self.assertGreater(design["snaps"], 10)
+        for told, simulated in ("friction_heat", "friction"), ("released", "snaps"):
+            self.assertAlmostEqual(design[told], energy[simulated], delta=1e-5 * design["work"])
+
     LOOSE = 'roller_radius = "5 mm"\nrollers = "loose"'
     PINNED = 'roller_radius = "5 mm"\nrollers = "pinned"\npin_radius = "1 mm"\npin_friction = 0.1'
 
@@ -190,6 +217,38 @@ model = "constant"
         self.succeeds("simulate", "--quiet", case, "--noise", "0.02 N", "--output", self.folder / "bar_test.csv")
         record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=self.PINNED)
         self.assertAlmostEqual(self.json("fit", record, "--quiet")["parameters"]["mu0"]["value"], 0.02, delta=0.01)
+
+    def test_friction_beyond_what_pins_let_act_is_implausible(self):
+        stage = '\n[stage]\nprogram = ["0 mm", "13 mm"]\nstep = "0.05 mm"'
+        self.succeeds("simulate", "--quiet", self.bar("stuck.toml", "mu0 = 0.3" + stage), "--noise", "0.02 N", "--output", self.folder / "bar_test.csv")
+        record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=self.PINNED)
+        answer = self.json("fit", record, "--quiet")
+        self.assertIn("above 0.02 in", self.succeeds("fit", record, "--quiet"))
+        self.assertIn("implausible_friction", answer["judgement"]["doubts"])
+        self.assertIn("they may be stuck", self.succeeds("fit", record, "--quiet"))
+
+    def test_design_says_what_pins_decide_and_how_hard_they_would_have_to_turn(self):
+        case = self.file("wavy.toml", self.THIN)
+        answer = self.json("design", case, "--quiet")
+        self.assertAlmostEqual(answer["pin_limit"], 0.08 / math.sqrt(1 - 0.08**2), delta=1e-12)
+        self.assertEqual(answer["snaps"], 0)
+        self.assertIn("The rollers turn on their pins at a friction of 0.08", self.succeeds("design", case, "--quiet"))
+        change = next(change for change in answer["changes"] if change["parameter"] == "pin_friction")
+        designs = self.json("design", case, "--quiet", "--over", f"pin_friction={0.99 * change['to']}:{1.01 * change['to']}:3")["designs"]
+        self.assertEqual([design["snaps"] > 0 for design in designs], [False, True, True])
+        designs = self.json("design", case, "--quiet", "--over", "pin_friction=0.1:1.3:3")["designs"]
+        self.assertEqual([design["status"] for design in designs], ["ok", "ok", "impossible"])
+
+    def test_oracle_modulus_less_what_supports_add_is_that_of_the_specimen_simulated(self):
+        for rig in 'roller_radius = "5 mm"', self.LOOSE, "":
+            case = self.bar("truth.toml", 'mu0 = 0\n[stage]\nprogram = ["0 mm", "8 mm"]\nstep = "0.02 mm"', rig=rig)
+            self.succeeds("simulate", "--quiet", case, "--output", self.folder / "bar_test.csv")
+            record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=rig)
+            answer = self.json("modulus", record)
+            self.assertAlmostEqual(answer["modulus_less_supports"]["value"], 3e9, delta=1e-4 * 3e9)
+            share = answer["supports_share"]
+            self.assertAlmostEqual(answer["chord"]["modulus"]["value"], (1 + share) * answer["modulus_less_supports"]["value"], delta=10)
+            self.assertEqual("which adds" in self.succeeds("modulus", record), share > 0.001)
 
     def test_loose_rollers_give_one_curve_there_and_back_and_the_states_of_state(self):
         case = self.bar("loose.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "12 mm", "6 mm"]\nstep = "6 mm"', rig=self.LOOSE)
@@ -230,16 +289,18 @@ model = "constant"
 
     def test_supports_of_invert_that_are_none_are_refused(self):
         points = self.file("points.csv", "w,F\n0.2,9\n")
-        self.refused("invert", points, "--roller-radius", "0.5", says=["--roller-radius", "0.45 spans together", "check their units"])
+        self.refused("invert", points, "--roller-radius", "0.5", says=["--roller-radius", "less than 0.45 spans", "check their units"])
         self.refused("invert", points, "--roller-radius", "-1", says=["--roller-radius"])
-        self.refused("invert", points, "--thickness", "1", says=["--thickness", "0.45 spans"])
+        for thickness in "1", "0.2":
+            self.refused("invert", points, "--thickness", thickness, says=["--thickness", "less than 0.2 spans"])
+            self.refused("state", "--w", "0.1", "--q", "0", "--thickness", thickness, says=["--thickness", "less than 0.2 spans", "beam theory"])
         self.refused("invert", points, "--roller-radius", "5 mm", says=["--roller-radius"])
         result = run("invert", points, "--thickness", "0.12")
         self.assertEqual(result.returncode, 1)
         self.assertIn("no friction from -2 to 2", result.stderr)
 
     def test_rollers_that_leave_no_span_and_states_by_the_wrong_number_are_refused(self):
-        self.refused("state", "--w", "0.1", "--q", "0", "--thickness", "0.95", says=["--roller-radius", "0.45 spans together"])
+        self.refused("state", "--w", "0.1", "--q", "0", "--roller-radius", "0.4", "--thickness", "0.15", says=["--roller-radius", "less than 0.45 spans"])
         self.refused("state", "--w", "0.1", "--q", "0", "--roller-radius", "-0.1", says=["--roller-radius"])
         self.refused("state", "--w", "0.1", "--q", "0", says=["--w", "write --S"])
         self.refused("state", "--S", "1.1", "--q", "0", "--thickness", "0.1", says=["--S", "write --w"])
