@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "bending_test/curve_samples.h"
@@ -40,6 +41,13 @@ struct Bracket {
 using Nodes = std::span<const CurveSample, degree + 1>;
 struct Cell {
   double a, b;
+  bool ends_at_knot = false;
+};
+
+// Where friction has a corner: points a hair before and behind it, between which the slope of the curve jumps.
+struct Corner {
+  double before, behind;
+  std::optional<Bracket> fold;  // if the slope changes its sign there
 };
 
 double node_in(const Cell& cell, std::size_t j) {
@@ -63,7 +71,7 @@ class FoldSearch {
       std::vector<Cell> cells;
       for (double a = x; cells.size() < cells_at_once && S != S_to; a = cells.back().b) {
         S = end_of_stretch(friction_, rig_.fibre, S, S_to, 1);
-        cells.push_back({a, way_at(rig_.fibre, sliding_, S)});
+        cells.push_back({a, way_at(rig_.fibre, sliding_, S), S != S_to && is_knot(S)});
       }
       ended = search(cells, x);
     }
@@ -103,6 +111,28 @@ class FoldSearch {
     }
   }
 
+  // Of friction that may have a corner there: tables have none.
+  bool is_knot(double S) const {
+    const auto knots = friction_.knots();
+    return !std::holds_alternative<FrictionTable>(friction_.form()) &&
+           std::binary_search(knots.begin(), knots.end(), S);
+  }
+
+  std::optional<Corner> corner_at_end(const Cell& cell) const {
+    constexpr double hair = 1e-9;  // of the cell: beyond how well a knot on rollers is known
+    constexpr double jump = 1e-6;  // of the slope, relative to its scale: less is resolved without
+    if (!cell.ends_at_knot) return std::nullopt;
+    const double before = cell.b - hair * (cell.b - cell.a), behind = cell.b + hair * (cell.b - cell.a);
+    const auto beside = tabulated_samples_at(friction_, rig_, sliding_, std::array{before, behind});
+    const auto& [low, high] = std::pair(beside[0], beside[1]);
+    if (!low.exists || !high.exists || std::abs(high.slope - low.slope) <= jump * std::max(low.scale, high.scale))
+      return std::nullopt;
+    Corner corner{before, behind, std::nullopt};
+    if ((low.slope < 0) != (high.slope < 0))
+      corner.fold = {before, behind, cell.b, (high.slope - low.slope) / (behind - before), low.slope < 0};
+    return corner;
+  }
+
   // Adjacent cells. x follows to the end of the last that is wholly on the branch.
   std::optional<double> search(const std::vector<Cell>& cells, double& x) {
     std::vector<double> at;
@@ -112,8 +142,13 @@ class FoldSearch {
     at.push_back(cells.back().b);
     const auto samples = tabulated_samples_at(friction_, rig_, sliding_, at);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (const auto ended = isolate(cells[i], Nodes(&samples[i * degree], degree + 1), table, 0)) return ended;
-      x = cells[i].b;
+      const auto corner = corner_at_end(cells[i]);
+      const auto ended = corner || x != cells[i].a
+                             ? isolate_in({x, corner ? corner->before : cells[i].b}, table, 0)
+                             : isolate(cells[i], Nodes(&samples[i * degree], degree + 1), table, 0);
+      if (ended) return ended;
+      if (corner && corner->fold) brackets_.push_back(*corner->fold);
+      x = corner ? corner->behind : cells[i].b;
     }
     return std::nullopt;
   }

@@ -35,6 +35,34 @@ TEST_CASE("pins, oracle: friction is the lesser of both, and its corners are kno
   CHECK(std::abs(energy.imbalance) < 1e-10 * energy.stage_work);
 }
 
+TEST_CASE("pins, oracle: folds, at corners of friction among them, are the turns of the stage over a fine grid") {
+  const Friction both = capped(Friction::sinusoid(0.5, 0.4, 0.02, 1), 0.6, 1.5);
+  for (const Fibre& fibre : {Fibre(), Fibre(Supports{0.004, 0.002})}) {
+    const Rig rig{40, fibre};
+    const SlidingCurve curve = trace_loading_curve(both, rig, 1.3);
+    std::vector<double> turns;
+    constexpr double step = 1e-5;
+    double before = NAN, rise = 1;
+    for (double S = 1 + step; S < 1.3; S += step) {
+      const FibreState state = fibre.state(S, curve.friction.at(S).mu);
+      const double stage = state.w + state.F / rig.stiffness;
+      if ((stage - before) * rise < 0) turns.push_back(S - step), rise = -rise;
+      before = stage;
+    }
+    std::size_t corners = 0;
+    REQUIRE(curve.folds.size() == turns.size());
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      CHECK(std::abs(curve.folds[i].point.S - turns[i]) < 2 * step);
+      corners += std::abs(both.at(fibre.length_between_contacts(fibre.state(
+                                      curve.folds[i].point.S, curve.friction.at(curve.folds[i].point.S).mu)))
+                              .mu -
+                          0.6) < 1e-9;
+    }
+    CHECK(corners > 3);
+    CHECK(corners < turns.size());
+  }
+}
+
 TEST_CASE(
     "pins, contract: only what the points of a specimen show can be capped, and pins that turn not at all are "
     "refused") {
