@@ -33,6 +33,12 @@ def keys() -> list[dict[str, Any]]:
     return [dict(key) for key in KEYS.values()]
 
 
+def unit_of_parameter(name: str) -> str:
+    """What bare numbers of a design's parameter are in: SI, as its key has it."""
+    key = FLAT.get(name) or next((key for (_, known), key in KEYS.items() if known == name), None)
+    return "m" if name == "travel" else str(key["unit"]) if key else ""
+
+
 def _in_quotes(text: str) -> str:
     out = '"'
     for character in text:
@@ -68,7 +74,7 @@ def _without_quantity(value: Any, reduced: bool) -> Any:
     """A quantity as text with its unit, which the reader of cases holds against the key; anything else as it is."""
     if not isinstance(value, Quantity):
         return value
-    return float(value) if reduced or value.unit in ("", "1") else f"{float(value)!r} {value.unit}"
+    return float(value) if value.unit in ("", "1") or (reduced and "L" in value.unit) else f"{float(value)!r} {value.unit}"
 
 
 def _part_of_estimate(key: dict[str, Any], part: Any, reduced: bool) -> str:
@@ -118,6 +124,25 @@ def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
     raise _described(key, value)
 
 
+def quantity_in_words(name: str, value: Any, unit: str, holds: str, reduced: bool = False) -> str:
+    """An option that is a quantity, as the program reads it: a string with its unit, or a float in SI."""
+    value = _without_quantity(value, reduced)
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
+    if isinstance(value, str):
+        return encodable(name, value, holds)
+    if not _is_number(value) or (isinstance(value, int) and abs(value) > 2**1000):
+        raise wrong(name, holds + (f', such as "1 {unit}", or a number in {unit}' if unit and not reduced else ""), value)
+    return f"{float(value)!r}" + (f" {unit}" if unit and not reduced else "")
+
+
+def encodable(name: str, text: str, holds: str = "text") -> str:
+    """Text that UTF-8 has: no half of a character."""
+    if any(0xD800 <= ord(character) < 0xE000 for character in text):
+        raise wrong(name, holds, text.encode("unicode_escape").decode())
+    return text
+
+
 def _table(values: Mapping[str, str]) -> str:
     return "{ " + ", ".join(f"{name} = {value}" for name, value in values.items()) + " }"
 
@@ -162,6 +187,21 @@ def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
         else:
             raise TypeError(f"unexpected keyword argument {name!r}" + _near(name))
     return sections
+
+
+def set_of(given: Any, reduced: bool) -> list[str]:
+    """Keys that change, by their whole names."""
+    if given is None:
+        return []
+    if not isinstance(given, Mapping):
+        raise wrong("set", "a dict of keys, {\"rig.stiffness\": \"200 N/m\"}", given)
+    changes = []
+    for name, value in given.items():
+        if not isinstance(name, str):
+            raise wrong("set", "a name of a key", name)
+        section, _, key = encodable("set", name, "a name of a key").rpartition(".")
+        changes.append(f"{name}={toml_of(KEYS.get((section, key), {**_UNKNOWN, 'section': section, 'name': key}), value, reduced)}")
+    return changes
 
 
 _COLUMNS = ("stage", "deflection", "force", "length")  # in the order in which a record has them
@@ -245,10 +285,11 @@ def _changes_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> lis
             for name, value in _values(section, given, reduced).items()]
 
 
-def _path(file: Any) -> str:
+def path_of(file: Any, field: str = "file", what: str = "the name of a file") -> str:
+    """A path as a string, which may hold bytes that are no UTF-8, as os.fsdecode has them."""
     path: str = os.fsdecode(file)
     if not path or path == "-" or "\0" in path:
-        raise wrong("file", "the name of a file", path)
+        raise wrong(field, what, repr(path))
     return path
 
 
@@ -298,28 +339,25 @@ class Case:
             self._text, self._source, self._changes = file._text, file._source, list(file._changes)
             self._given = file._given
             reduced = file.reduced
-        elif file is not None and (path := _path(file)).endswith(".toml"):
+        elif file is not None and (path := path_of(file)).endswith(".toml"):
             if reduced:
                 raise wrong("reduced", "a case file that says so itself", "both")
             self._text, self._source, self._changes = _decoded(path), path, []
             reduced = _says_reduced(self._text)
         else:
             if file is not None:
-                sections.setdefault("record", {})["file"] = _path(file)
+                sections.setdefault("record", {})["file"] = path_of(file)
             self._given = _arrays_of(sections, reduced)
             self._text, self._source, self._changes = _text_of(sections, reduced), "", []
             sections = {}
         self._given = _arrays_of(sections, reduced) or self._given
         self._changes += _changes_of(sections, reduced)
-        for name, value in (set or {}).items():
-            section, _, key = str(name).rpartition(".")
-            described = KEYS.get((section, key), {**_UNKNOWN, "section": section, "name": key})
-            self._changes.append(f"{name}={toml_of(described, value, reduced)}")
+        self._changes += set_of(set, reduced)
         self._read()
 
     def _read(self) -> None:
         try:
-            self._case = _flexslip.read_case(self._text, self._source, self._changes)
+            self._case = _flexslip.read_case(self._text, os.fsencode(self._source), self._changes)
             if self._given:
                 self._case = _flexslip.with_record(self._case, self._given, _ARRAYS)
         except InputError as error:
@@ -342,8 +380,8 @@ class Case:
         '[rig]\\nspan = "1 mm"\\n'
         """
         case = cls.__new__(cls)
-        case._text, case._source, case._changes, case._given = text, os.fspath(source), [], []
-        case._case = _flexslip.read_case(text, case._source, [])
+        case._text, case._source, case._changes, case._given = text, os.fsdecode(source), [], []
+        case._case = _flexslip.read_case(text, os.fsencode(case._source), [])
         return case
 
     @property
@@ -406,7 +444,7 @@ def _read_again(text: str, source: str, changes: list[str], given: list[tuple[st
 
 
 def _decoded(path: str) -> str:
-    text: bytes = _flexslip.case_text(path)
+    text: bytes = _flexslip.case_text(os.fsencode(path))
     try:
         return text.decode("utf-8")
     except UnicodeDecodeError as error:

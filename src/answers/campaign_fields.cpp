@@ -255,10 +255,6 @@ std::string_view key_of(const CategorySummary& category) {
 
 std::vector<SpecimenLine> specimen_lines(const Campaign& campaign) {
   std::vector<SpecimenLine> lines;
-  const auto exponential = [](const Estimate& log) {
-    const double value = elementary::exp(log.value);
-    return Estimate{value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
-  };
   for (const auto& category : campaign.categories) {
     const auto add = [&](const char* parameter, const char* unit, const std::optional<BetweenSpecimens>& between) {
       if (!between) return;

@@ -185,12 +185,7 @@ const CyclicFriction& friction_of(T test) { return test.cycles->friction; }
 bool is_mirrored(T test) { return friction_of(test).status == CyclesStatus::ok; }
 bool is_measurable(T test) { return is_mirrored(test) || friction_of(test).status == CyclesStatus::no_mirror; }
 
-// Its interval is symmetric in the logarithm.
-Estimate stiffness_of(T test) {
-  const auto& [logarithm, error, low, high] = friction_of(test).log_stiffness;
-  const double value = std::exp(logarithm);
-  return {value, value * error, value * std::exp(low - logarithm), value * std::exp(high - logarithm)};
-}
+Estimate stiffness_of(T test) { return exponential(friction_of(test).log_stiffness); }
 
 std::vector<LoopOf> loops_of(T test) {
   std::vector<LoopOf> loops;
@@ -221,9 +216,10 @@ Fields<FittedTest> cycles_fields() {
   const auto if_measurable = [](T test, auto points) { return is_measurable(test) ? points : decltype(points){}; };
   return Fields<FittedTest>()
       .in_frame([](T test) {
-        return Frame{.scales = test.analysis.scales, .reduced = test.reduced, .row = [&test](std::size_t point) {
-                       return cyclic_row(test, point);
-                     }};
+        return Frame{.scales = test.analysis.scales,
+                     .reduced = test.reduced,
+                     .in_inches = is_in_inches(test.measurement.test),
+                     .row = [&test](std::size_t point) { return cyclic_row(test, point); }};
       })
       .words("status", "ok, no_mirror (no part of the specimen slid both ways), too_few_points or not_converged",
              [](T test) { return name_of(friction_of(test).status); })

@@ -78,10 +78,7 @@ Fields<ToldDesign> design_fields() {
       .yes_no("wraps_nose", "the specimen is bent more sharply than the nose",
               [](T told) { return told.answer.wraps_nose; })
       .number("friction_share", "of the work that went into friction and snaps",
-              [](T told) {
-                const DesignOutcome& outcome = told.answer.outcome;
-                return (outcome.friction_heat + outcome.released) / outcome.work;
-              })
+              [](T told) { return friction_share(told.answer.outcome); })
       .words("answer", "whether the test shows a sawtooth, in a sentence", [](T told) { return told.words; })
       .number("critical_stiffness", kind::stiffness,
               "stiffness at and above which this loading meets no snap; null if it snaps on every rig, 0 if on none",

@@ -235,8 +235,8 @@ Fields<FittedTest> all_fields() {
               return drops;
             })
       .group(
-          "slips", "the drops that can be slips, read at the bending stiffness stated", slips_fields(),
-          [](T test) -> const auto& { return test.analysis; })
+          "slips", "the drops that can be slips by the bending stiffness stated, read at that of the fit",
+          slips_fields(), [](T test) -> const auto& { return test.analysis; })
       .group("teeth", "whether the specimen sticks or slides between the drops; null where that is not asked",
              teeth_fields(), [](T test) { return is_fitted(test) && test.analysis.teeth ? &test : nullptr; })
       .list("suspects", "points that need more friction than is plausible, at the bending stiffness stated",
@@ -298,9 +298,10 @@ Fields<FittedTest> all_fields() {
 }  // namespace
 
 Frame frame_of(const FittedTest& test) {
-  return {.scales = test.analysis.scales, .reduced = test.reduced, .row = [&test](std::size_t point) {
-            return file_row(test, point);
-          }};
+  return {.scales = test.analysis.scales,
+          .reduced = test.reduced,
+          .in_inches = is_in_inches(test.measurement.test),
+          .row = [&test](std::size_t point) { return file_row(test, point); }};
 }
 
 const Fields<FittedTest>& fit_fields() {

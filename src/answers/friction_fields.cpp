@@ -118,7 +118,7 @@ std::string_view remedy_of(const Check& check) {
     case CheckKind::friction:
       return "bend farther, or state the bending stiffness more exactly";
     case CheckKind::stiffness:
-      return "check modulus, section, span, units and the radius of the supports";
+      return "check modulus, section, span, units, contact and the radius of the supports";
     case CheckKind::stability:
       break;
   }

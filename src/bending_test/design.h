@@ -52,6 +52,11 @@ struct DesignOutcome {
   double released;            // [EI/L] of it, what the snaps set free beyond friction; the rest bends the fibre
 };
 
+// [1] Of the work, what went into friction and snaps.
+inline double friction_share(const DesignOutcome& outcome) {
+  return (outcome.friction_heat + outcome.released) / outcome.work;
+}
+
 // Domain:     travel/(1 + 48/stiffness), about the deflection, at least 1e-6; step 0 or at least 1e-9 of the travel, finite;
 //             rig.stiffness > 0; std::invalid_argument otherwise.
 // Max error:  of the stage positions and forces of snaps as stable_parts (rig.h); of work and the greatest force 1e-7; of friction_heat

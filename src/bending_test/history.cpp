@@ -49,7 +49,8 @@ class Recorder {
   bool move_along(double stage, int n) {
     if (stage == fibre_.state().stage) fibre_.halt();
     while (const auto stretch = fibre_.advance_towards(stage)) {
-      if (stretch->from.S == 1 && stretch->to.S == 1) continue;  // without a force
+      const bool is_straight = stretch->from.S == 1 && stretch->to.S == 1 && rig_.fibre.begins_straight();
+      if (is_straight) continue;  // without a force
       for (const Stretch& part : fibre_.parts_of(*stretch, n)) {
         account_for(part);
         record(part.to);

@@ -55,11 +55,6 @@ std::optional<Marginal> marginal_of(const CampaignTest& test, Shareable paramete
   return known.mu0;
 }
 
-Estimate of_exponential(const Estimate& log) {
-  const double value = elementary::exp(log.value);
-  return {value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
-}
-
 SharedParameter shared_by(std::span<const CampaignTest> tests, Shareable parameter) {
   std::vector<Marginal> marginals;
   for (const auto& test : tests)
@@ -72,7 +67,7 @@ SharedParameter shared_by(std::span<const CampaignTest> tests, Shareable paramet
   const SharedValue shared = share(marginals, prior_told_to(marginals));
   return {name_of(parameter),
           unit_of(parameter),
-          parameter == Shareable::mu0 ? shared.estimate : of_exponential(shared.estimate),
+          parameter == Shareable::mu0 ? shared.estimate : exponential(shared.estimate),
           shared.telling,
           shared.chi_squared,
           shared.agreement};

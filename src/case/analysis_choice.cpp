@@ -1,6 +1,5 @@
 #include "case/analysis_choice.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -46,8 +45,7 @@ std::vector<std::string> model_names() {
 
 AnalysisOptions options_for(const Case& input, const AnalysisChoice& choice) {
   AnalysisOptions options = choice.options;
-  if (const auto limit = input.rig ? pin_limit_of(*input.rig) : std::nullopt)
-    options.suspect_limit = std::min(options.suspect_limit, *limit);
+  if (const auto limit = input.rig ? pin_limit_of(*input.rig) : std::nullopt) options.most_friction = *limit;
   for (const auto model : models)
     if (name_of(model) == choice.model) options.fit.model = model;
   if (choice.model.empty() && input.friction && input.friction->model && !input.friction->profile)

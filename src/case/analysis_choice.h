@@ -17,7 +17,7 @@ struct AnalysisChoice {
 // Of the models that can be fitted.
 std::vector<std::string> model_names();
 
-// The options of a test: what the call says, but that on rollers on pins friction is implausible beyond that of these; where it names no model, that which its case names without parameters, for with
+// The options of a test: what the call says, and the friction that the supports of its case let act; where it names no model, that which its case names without parameters, for with
 // parameters it says how to simulate.
 // Fails:      InputError if the case names a model that cannot be fitted.
 AnalysisOptions options_for(const Case& input, const AnalysisChoice& choice);

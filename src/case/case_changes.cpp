@@ -15,7 +15,7 @@ namespace {
 
 InputError no_change(std::string found, std::string remedy) {
   return InputError({.field = "--set",
-                     .expected = "[SECTION.]KEY=VALUE, as in rig.stiffness=\"90 N/m\"",
+                     .expected = "SECTION.KEY=VALUE, as in rig.stiffness=\"90 N/m\"",
                      .found = std::move(found),
                      .remedy = std::move(remedy)});
 }

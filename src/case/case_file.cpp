@@ -35,7 +35,7 @@ struct Example {
 
 constexpr std::array examples{
     Example{"specimen", R"(diameter = "34.8 um" and modulus = "29.6 GPa")", ""},
-    Example{"specimen.diameter", R"(diameter = "34.8 um", or width and height, or bending_stiffness = "2.1e-12 N m^2")",
+    Example{"specimen.diameter", R"(diameter = "34.8 um", or width and height, or bending_stiffness = "2.1e-9 N m^2")",
             "diameter = 0.027"},
     Example{"rig",
             R"(the span of your supports, span = "… mm", and the stiffness of your load train, stiffness = "… N/m")",
@@ -43,7 +43,8 @@ constexpr std::array examples{
     Example{"rig.stiffness",
             R"(the stiffness of your load train, stiffness = "… N/m", or "inf" for displacement control)",
             R"(the stiffness of your load train in EI/L^3, stiffness = …, or "inf" for displacement control)"},
-    Example{"friction", R"(model = "constant" and mu0 = 0.5)", R"(model = "constant" and mu0 = 0.5)"},
+    Example{"friction", R"(model = "sinusoid", mu0 = 0.5, amplitude = 0.15 and wavelength = "11 um")",
+            R"(model = "sinusoid", mu0 = 0.5, amplitude = 0.15 and wavelength = 0.0086)"},
     Example{"stage", R"(program = ["0 um", "900 um"])", "program = [0, 0.7]"},
     Example{"stage.stage", R"(stage = "stage [um]", the title of its column)",
             R"(stage = "w_s", the title of its column)"},
@@ -180,12 +181,14 @@ void read_rollers(const Keys& keys, RigInput& rig) {
                 fmt::format("{:g} of it", rig.pin_radius / *rig.roller_radius), "check their units");
   if (!rig.pins_turn())
     keys.refuse("pin_friction", "less than the radius of the roller over that of the pin",
-                fmt::format("{:g}", rig.pin_friction), "check it");
+                fmt::format("{:g}", rig.pin_friction),
+                fmt::format("write less than {:.3g}, or a smaller pin_radius", *rig.roller_radius / rig.pin_radius));
 }
 
 RigInput read_rig(const Keys& keys, const Case& input) {
   keys.only_described();
   RigInput rig{keys.optional_quantity("span"), std::nullopt};
+  rig.in_inches = keys.is_in_unit("span", "in");
   if (input.reduced && rig.span.value_or(1) != 1)
     keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
   if (input.reduced) rig.span = 1;
@@ -437,7 +440,12 @@ InputError wrong_value(const Case& input, std::string_view key, std::string expe
                      .key = std::string(key)});
 }
 
-Kind kind_in(const Case& input, const Kind& kind) { return input.reduced ? kind::number : kind; }
+Kind kind_in(const Case& input, const Kind& kind) {
+  if (input.reduced) return kind::number;
+  return is_in_inches(input) ? in_inches(kind) : kind;
+}
+
+bool is_in_inches(const Case& input) { return input.rig && input.rig->in_inches; }
 
 std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
 

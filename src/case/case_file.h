@@ -57,8 +57,9 @@ InputError wrong_value(const Case& input, std::string_view key, std::string expe
 // The key that says how thick a specimen is in the direction of bending.
 std::string depth_key(const Section& section);
 
-// In a reduced case every quantity is a plain number.
+// As a quantity of a case is shown to people: in a reduced case a plain number, in inches and pounds where the span is in inches.
 Kind kind_in(const Case& input, const Kind& kind);
+bool is_in_inches(const Case& input);
 // [m] "1278 µm".
 std::string readable_length(const Case& input, double length);
 

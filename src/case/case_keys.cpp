@@ -61,7 +61,7 @@ constexpr std::array keys{
         "modulus", kind::pressure, R"("29.6 GPa")", "", "--modulus",
         "Young's modulus; found from the initial slope, unless it is given",
         R"(: `"29.6 GPa"`, with its standard deviation `{ value = "29.6 GPa", uncertainty = "1.5 GPa" }` or `uncertainty = "5 %"`, or `"fit"`)"),
-    estimate("bending_stiffness", kind::bending_stiffness, R"("2.1e-12 N m^2")", "1", "--bending-stiffness",
+    estimate("bending_stiffness", kind::bending_stiffness, R"("2.1e-9 N m^2")", "1", "--bending-stiffness",
              "EI, instead of section and modulus, in the same three ways", ""),
     plain("specimen", "material", Holds::text, R"("glass")", "", "what it is made of",
           ", only to hold friction against the literature, together with `support_material`"),

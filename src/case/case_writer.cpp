@@ -104,7 +104,10 @@ void write(Writer& out, const SpecimenInput& specimen) {
 
 void write(Writer& out, const RigInput& rig) {
   out.section("rig");
-  if (rig.span) out.quantity("span", *rig.span);
+  if (rig.span && rig.in_inches)
+    out.line("span", out.quantity(*rig.span, in_inches(kind::length)));
+  else if (rig.span)
+    out.quantity("span", *rig.span);
   if (rig.stiffness) out.quantity("stiffness", *rig.stiffness);
   if (rig.support_material) out.line("support_material", basic_string(*rig.support_material));
   if (rig.nose_radius) out.quantity("nose_radius", *rig.nose_radius);

@@ -154,6 +154,14 @@ StatedStiffness Keys::estimate(std::string_view name) const {
   return Known{value(node, key(name), kind, range), 0};
 }
 
+bool Keys::is_in_unit(std::string_view name, std::string_view symbol) const {
+  const toml::node* node = find(name);
+  const auto text = node ? node->value_exact<std::string_view>() : std::nullopt;
+  if (!text || !text->ends_with(symbol)) return false;
+  const std::string_view number = text->substr(0, text->size() - symbol.size());
+  return !number.empty() && (number.back() == ' ' || (number.back() >= '0' && number.back() <= '9'));
+}
+
 double Keys::value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const {
   const auto text = node.value_exact<std::string_view>();
   const bool is_number = node.is_number();

@@ -41,6 +41,7 @@ class Keys {
   const toml::node* find(std::string_view name) const { return table_.get(name); }
   bool has(std::string_view name) const { return find(name) != nullptr; }
   bool is_word(std::string_view name, std::string_view word) const;
+  bool is_in_unit(std::string_view name, std::string_view symbol) const;  // a quantity that ends with it
 
   // All below refuse a key that is not there, unless they are optional. What a key holds, and within which range, stands in case_keys.h, unless
   // it is said here.

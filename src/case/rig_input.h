@@ -22,6 +22,7 @@ struct RigInput {
   Rollers rollers = Rollers::fixed;
   double pin_radius = 0, pin_friction = 0;       // [m], [1] of rollers on pins
   FrictionAt friction_at = FrictionAt::surface;  // one with the axis where no section says how thick the specimen is
+  bool in_inches = false;                        // the span is stated so: people are answered in inches and pounds
   bool operator==(const RigInput&) const = default;
 
   // Whatever the specimen's friction, pins that hold their rollers so fast never turn.

@@ -15,8 +15,7 @@ namespace {
 
 // Why the path ends before its programme does.
 std::string reason_of_end(const Case& input, HistoryStatus status, const Simulation& test) {
-  const std::string last =
-      readable(test.path.empty() ? 0 : test.path.back().stage, input.reduced ? kind::number : kind::length);
+  const std::string last = readable(test.path.empty() ? 0 : test.path.back().stage, kind_in(input, kind::length));
   if (status == HistoryStatus::slipped_through)
     return fmt::format("{}: the specimen slips through the supports after the stage position {}: the path ends there",
                        input.source, last);
@@ -49,7 +48,7 @@ std::string lift_in_words(const Case& input, const History& history, const Scale
   return fmt::format(
       "the nose lifts off at the stage position {}: friction holds the specimen bent there without a force, until the "
       "nose is back",
-      readable(scales.physical_length(apart->w), input.reduced ? kind::number : kind::length));
+      readable(scales.physical_length(apart->w), kind_in(input, kind::length)));
 }
 
 // What the mechanics leaves out of a specimen: that it breaks, and that it shears.
@@ -65,7 +64,7 @@ std::vector<std::string> left_out_in_words(const Case& input, const Simulation& 
   if (breaks != test.path.end())
     remarks.push_back(fmt::format(
         "the specimen would break at the stage position {}, as stated: what follows is for a specimen that bears more",
-        readable(breaks->stage, input.reduced ? kind::number : kind::length)));
+        readable(breaks->stage, kind_in(input, kind::length))));
   constexpr double worth_a_word = 0.01;
   if (specimen.section)
     if (const double share = shear_share(*specimen.section, scales.span()); share > worth_a_word)
@@ -76,14 +75,15 @@ std::vector<std::string> left_out_in_words(const Case& input, const Simulation& 
 // On rollers that roll loose: no snaps, no heat, no history.
 SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& options, const Scales& scales,
                                const StageProgramme& programme) {
-  for (const auto& [asked, field] : {std::pair{!input.specimen->cracks.empty(), "[specimen] cracks"},
-                                     std::pair{input.friction && input.friction->other, "[friction.other]"}})
+  const auto& friction_input = input.friction;
+  for (const auto& [asked, key] : {std::pair{!input.specimen->cracks.empty(), "specimen.cracks"},
+                                   {friction_input && friction_input->other, "friction.other"},
+                                   {friction_input && friction_input->build_up_length > 0, "friction.build_up_length"},
+                                   {friction_input && friction_input->static_excess > 0, "friction.static_excess"},
+                                   {input.stage->snaps != SnapRest::nearest_stable, "stage.snaps"}})
     if (asked)
-      throw InputError({.file = input.source,
-                        .field = field,
-                        .expected = "rollers that are fixed or on pins beside it",
-                        .found = "rollers = \"loose\"",
-                        .remedy = "leave it out"});
+      throw wrong_value(input, key, "rollers that are fixed or on pins beside it", "rollers = \"loose\"",
+                        "leave it out, or write rollers = \"fixed\"");
   const Supports supports = supports_of(input, input.specimen->section, scales);
   const double stiffness = scales.reduced_stiffness(rig_stiffness_of(input));
   const auto surface = surface_of(input, scales);
@@ -110,7 +110,7 @@ SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& optio
     friction =
         frictions_of(input, Fibre(supports), scales, longest_at_stage(scales.reduced_length(programme.farthest))).first;
   std::optional<double> slides_from, friction_there;
-  const auto shown = [&](double position) { return readable(position, input.reduced ? kind::number : kind::length); };
+  const auto shown = [&](double position) { return readable(position, kind_in(input, kind::length)); };
   for (const double position : stages) {
     const double stage = scales.reduced_length(position);
     const auto found = state_at_stage(stage, stiffness, supports);
@@ -140,11 +140,11 @@ SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& optio
   test.energy = energy;
   add_noise(test.path, options.noise, rig_stiffness_of(input), options.seed);
   std::vector<std::string> remarks = left_out_in_words(input, test, scales);
-  SimulatedTest result{input.reduced, scales, std::move(test), {}, std::move(remarks), ""};
+  SimulatedTest result{input.reduced, is_in_inches(input), scales, std::move(test), {}, std::move(remarks), ""};
   if (slides_from)
     result.remarks.push_back(
         fmt::format("from the stage position {} on, rolling takes more friction than the case states, {:.3g} and more: "
-                    "the specimen slides on its rollers, as if these were fixed",
+                    "the specimen slides on its rollers there, but what follows is told as if it rolled on",
                     shown(*slides_from), *friction_there));
   if (!gets_there)
     result.why_it_ends = fmt::format(
@@ -179,10 +179,10 @@ SimulatedTest simulate(const Case& input, const SimulationOptions& options, doub
   const LegOptions legs{programme.measured ? least_measured_travel : least_stated_travel};
   Simulation test = simulated(input, history, bending_test.rig.fibre, scales, legs);
   if (test.wraps_nose_from)
-    remarks.push_back(fmt::format(
-        "from the stage position {} on the specimen is bent more sharply than the nose, and "
-        "wraps it: what follows is for a sharp nose",
-        readable(scales.physical_length(*test.wraps_nose_from), input.reduced ? kind::number : kind::length)));
+    remarks.push_back(
+        fmt::format("from the stage position {} on the specimen is bent more sharply than the nose, and "
+                    "wraps it: what follows is for a sharp nose",
+                    readable(scales.physical_length(*test.wraps_nose_from), kind_in(input, kind::length))));
   // A stage in steps stands where it was asked to, without the rounding of there and back.
   if (programme.in_steps)
     for (std::size_t i = 0; i < test.path.size(); ++i) test.path[i].stage = programme.positions[i];
@@ -190,6 +190,7 @@ SimulatedTest simulate(const Case& input, const SimulationOptions& options, doub
   add_noise(test.path, options.noise, rig_stiffness_of(input), options.seed);
   std::string why = history.status == HistoryStatus::ok ? "" : reason_of_end(input, history.status, test);
   return {input.reduced,
+          is_in_inches(input),
           scales,
           std::move(test),
           FollowedTest{std::move(bending_test), std::move(history), std::move(stages), programme.in_steps, legs},

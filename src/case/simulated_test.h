@@ -32,7 +32,7 @@ struct FollowedTest {
 };
 
 struct SimulatedTest {
-  bool reduced;
+  bool reduced, in_inches;  // as the case
   Scales scales;
   Simulation simulation;
   std::optional<FollowedTest> followed;  // none on rollers that roll loose: no snaps, no heat, no history

@@ -12,9 +12,7 @@ void add_analysis_options(CLI::App& command, AnalysisChoice& choice) {
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command
-      .add_option("--suspect-limit", choice.options.suspect_limit,
-                  "Friction above this is implausible; on rollers on pins, above that of the pins, if it is less")
+  command.add_option("--suspect-limit", choice.options.suspect_limit, "Friction above this is implausible")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -39,7 +39,7 @@ constexpr double most_points = 1e6;
 double longest_of(const EquilibriumRequest& request, const Case& input, const Scales& scales) {
   if (request.longest.empty()) return longest_by_default;
   try {
-    const double length = parse_quantity(request.longest, input.reduced ? kind::number : kind::length, Range::positive);
+    const double length = parse_quantity(request.longest, kind_in(input, kind::length), Range::positive);
     const double S_max = scales.reduced_length(length);
     if (!(S_max > 1))
       throw InputError({.expected = "a length greater than the span", .found = in_quotes(request.longest)});
@@ -74,16 +74,15 @@ void run_equilibrium(const EquilibriumRequest& request) {
     points = std::move(curve.points);
   }
   if (status == EquilibriumStatus::branch_ended)
-    note(request.output,
-         fmt::format("the curve ends at the length {}, where the force has fallen to zero",
-                     readable(scales.physical_length(points.back().S), input.reduced ? kind::number : kind::length)));
+    note(request.output, fmt::format("the curve ends at the length {}, where the force has fallen to zero",
+                                     readable(scales.physical_length(points.back().S), kind_in(input, kind::length))));
 
   Equilibria told{status == EquilibriumStatus::ok ? "ok" : "branch_ended", {}};
   for (const EquilibriumPoint& point : points)
     told.points.push_back(
         {point, fibre.on_edges() ? point.S : fibre.length_between_contacts(fibre.bent(point.w, point.q).state)});
   if (!request.figure.empty()) {
-    const DrawnIn units{scales, input.reduced};
+    const DrawnIn units{scales, input.reduced, is_in_inches(input)};
     draw_for(request.output,
              request.region ? region_figure(friction, fibre, S_max, units)
                             : equilibrium_figure(friction, fibre, S_max, units),

@@ -57,7 +57,9 @@ void run_fit(const FitRequest& request) {
   if (request.output.json)
     write_json(request.output.path, fit_json(test));
   else
-    write_text(request.output.path, request.full ? fit_text(test) : fit_screen(test));
+    write_text(request.output.path,
+               (request.full ? fit_text(test) : fit_screen(test)) +
+                   (request.report.empty() ? "" : fmt::format("\nThe report: {}/report.html\n", request.report)));
   if (const std::string why = why_no_answer(test); !why.empty()) throw CalculationFailed(why);
 }
 

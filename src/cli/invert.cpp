@@ -93,8 +93,10 @@ void invert_states(const InvertRequest& request) {
   const std::size_t row = unexplained.front();
   const double most = request.on_supports() ? largest_q_on_supports : largest_q;
   throw CalculationFailed(fmt::format(
-      "{}:{}: no friction from {:g} to {:g} explains w = {}, F = {}{}", table.source, table.line_of(row), -most, most,
+      "{}:{}: no friction from {:g} to {:g} explains w = {}, F = {}{}{}", table.source, table.line_of(row), -most, most,
       w[row], F[row],
+      w[row] < least_half_depths * supports.half_depth ? "; deflections below twice the thickness tell no friction"
+                                                       : "",
       unexplained.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", unexplained.size() - 1)));
 }
 

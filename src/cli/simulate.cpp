@@ -38,7 +38,7 @@ struct SimulateRequest {
 double noise_of(const SimulateRequest& request, const Case& input) {
   if (request.noise.empty()) return 0;
   try {
-    return parse_quantity(request.noise, input.reduced ? kind::number : kind::force, Range::non_negative);
+    return parse_quantity(request.noise, kind_in(input, kind::force), Range::non_negative);
   } catch (const InputError& error) {
     throw located(error, "", 0, "--noise");
   }
@@ -48,8 +48,7 @@ double noise_of(const SimulateRequest& request, const Case& input) {
 std::vector<double> marked_stages(const SimulateRequest& request, const Case& input, const Scales& scales) {
   std::vector<double> stages;
   for (const std::string& text : request.equilibria_at) try {
-      stages.push_back(
-          scales.reduced_length(parse_quantity(text, input.reduced ? kind::number : kind::length, Range::positive)));
+      stages.push_back(scales.reduced_length(parse_quantity(text, kind_in(input, kind::length), Range::positive)));
     } catch (const InputError& error) {
       throw located(error, "", 0, "--equilibria-at");
     }

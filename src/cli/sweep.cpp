@@ -194,7 +194,7 @@ void add_sweep_command(CLI::App& app) {
       "  stiffness = { from = \"10 N/m\", to = \"1 kN/m\", points = 50, spacing = \"log\" }\n"
       "  mu0 = [0.3, 0.4, 0.5]\n"
       "Axes: mu0, amplitude, wavelength, phase, span, diameter, height, width, modulus, stiffness, travel, step,\n"
-      "reference.\n\n"
+      "reference and pin_friction.\n\n"
       "Results lie in FILE.parts until all are joined in FILE. If a sweep is stopped, at any moment, the same command\n"
       "goes on where it was. The file is the same, byte for byte, for any number of threads and shards.\n\n"
       "Examples:\n"

@@ -14,6 +14,9 @@ inline Estimate normal_estimate(double value, double standard_error) {
   constexpr double two_sided = 1.96;  // standard errors to the ends of a 95 % interval
   return {value, standard_error, value - two_sided * standard_error, value + two_sided * standard_error};
 }
+// Of the same number in another unit, and of one whose logarithm is estimated: its interval is symmetric in the logarithm.
+Estimate scaled(const Estimate& estimate, double factor);
+Estimate exponential(const Estimate& logarithm);
 Estimate student_estimate(double value, double standard_error, double freedom);
 
 }  // namespace flexslip

@@ -147,7 +147,7 @@ void DesignCase::set(DesignParameter parameter, double value) {
   if (!is_within(known, value))
     throw InputError({.field = std::string(known.name),
                       .expected = words_of_range(known),
-                      .found = readable(value, reduced() ? kind::number : known.kind)});
+                      .found = readable(value, shown_as(known.kind))});
   at(parameter).number = value;
 }
 
@@ -180,11 +180,10 @@ std::optional<Scales> DesignCase::scales() const {
 
 DesignRefusal DesignCase::refusal(DesignFault fault, DesignParameter parameter, std::string expected) const {
   const DesignParameterName& known = described(parameter);
-  return {fault,
-          InputError({.field = std::string(known.name),
-                      .expected = std::move(expected),
-                      .found = has(parameter) ? readable(at(parameter).number, reduced() ? kind::number : known.kind)
-                                              : "what the case has"})};
+  return {fault, InputError({.field = std::string(known.name),
+                             .expected = std::move(expected),
+                             .found = has(parameter) ? readable(at(parameter).number, shown_as(known.kind))
+                                                     : "what the case has"})};
 }
 
 std::optional<DesignRefusal> DesignCase::fault_of_specimen() const {
@@ -220,7 +219,7 @@ std::optional<DesignRefusal> DesignCase::fault_of_loading(const Scales& scales) 
   const double travel = scales.reduced_length(at(DesignParameter::travel).number);
   const double stiffness =
       scales.reduced_stiffness(with_supports(at(DesignParameter::stiffness).number, support_compliance_));
-  const std::string span = readable(scales.span(), reduced() ? kind::number : kind::length);
+  const std::string span = readable(scales.span(), shown_as(kind::length));
   if (!(travel <= farthest_reduced))
     return refusal(DesignFault::not_computable, DesignParameter::travel,
                    fmt::format("at most {:g} spans of {}", farthest_reduced, span));

@@ -51,6 +51,7 @@ class DesignCase {
   explicit DesignCase(const Case& input);
 
   bool reduced() const { return input_->reduced; }
+  Kind shown_as(const Kind& kind) const { return kind_in(*input_, kind); }  // as in case_file.h
 
   // Does the case have this parameter? A table of friction has no wavelength, a rectangular section height and width and no
   // diameter, a reduced case neither span nor modulus. Of friction, mu0 is one with any waves, reference only if the case states it (else it is the span, whatever that is), and amplitude,

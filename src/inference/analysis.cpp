@@ -230,6 +230,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);
   analysis.category = category_of(analysis);
   analysis.errors = errors;
+  analysis.most_friction = options.most_friction;
   const FitProblem problem{analysis.reduced, analysis.rig, errors};
   analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status != FrictionFitStatus::ok) {
@@ -239,6 +240,8 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   }
   analysis.profile_at_fit = profile_at_fit(analysis);
   analysis.friction_read = friction_read_of(analysis.profile_at_fit);
+  analysis.slips = told_by(analysis.profile_at_fit, analysis.slips, at_fit(analysis).errors);
+  analysis.slip_summary = summarise(analysis.slips);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
   const auto judged = [&](std::size_t index) { return analysis.reduced.deflection[index] > 0.1; };
   std::size_t negative = 0;

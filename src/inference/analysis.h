@@ -12,6 +12,7 @@
 #include "data/drops.h"
 #include "data/record.h"
 #include "data/scales.h"
+#include "fibre/limits.h"
 #include "inference/checks.h"
 #include "inference/fit.h"
 #include "inference/profile.h"
@@ -38,7 +39,8 @@ struct TestDescription {
 struct AnalysisOptions {
   FitOptions fit;
   DropOptions drops;
-  double suspect_limit = 1.0;  // [1] friction above it is implausible
+  double suspect_limit = 1.0;       // [1] friction above it is implausible
+  double most_friction = infinity;  // [1] that the supports let act: rollers that turn on their pins
   ToothOptions teeth{};
   bool check_stability = false;  // fits once more, see check_stability
 };
@@ -94,11 +96,11 @@ struct TestAnalysis {
   MeasurementErrors errors{};  // as fitted with
   Drops drops{};
   FrictionProfile profile{};
-  std::vector<Slip> slips{};  // of each drop
+  std::vector<Slip> slips{};        // judged at the bending stiffness stated, told at that of the fit
+  double most_friction = infinity;  // [1] as in the options
   SlipSummary slip_summary{};
   SlipOrCrack slip_or_crack{};
-  // Stick or slide between the drops; none under displacement control, or with fewer than two drops.
-  std::optional<Teeth> teeth{};
+  std::optional<Teeth> teeth{};  // between the drops; none under displacement control, or with fewer than two
   SuspectReport suspects{};
   FrictionFit fit{};
   FrictionProfile profile_at_fit{};  // at the bending stiffness of the fit, past the deflection 0.05

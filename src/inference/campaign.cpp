@@ -11,13 +11,6 @@
 namespace flexslip {
 namespace {
 
-Estimate scaled(const Estimate& estimate, double unit) {
-  return {.value = estimate.value * unit,
-          .standard_error = estimate.standard_error * unit,
-          .low = estimate.low * unit,
-          .high = estimate.high * unit};
-}
-
 class Gathered {
  public:
   void add(double value) {

@@ -23,11 +23,7 @@ Estimate estimate_of(const NormalMixture& mixture) {
 }
 
 // Of a number whose logarithm is known.
-Estimate estimate_of_exponential(const NormalMixture& mixture) {
-  const auto log = estimate_of(mixture);
-  const double value = elementary::exp(log.value);
-  return {value, value * log.standard_error, elementary::exp(log.low), elementary::exp(log.high)};
-}
+Estimate estimate_of_exponential(const NormalMixture& mixture) { return exponential(estimate_of(mixture)); }
 
 Estimate none() { return {0, 0, 0, 0}; }
 

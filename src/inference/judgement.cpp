@@ -38,7 +38,7 @@ bool friction_falls(const FrictionFit& fit) {
 double jumped_part(const TestAnalysis& analysis) {
   double jumped = 0;
   for (const Slip& slip : analysis.slips)
-    if (slip.verdict == SlipVerdict::possible) jumped += slip.S_after - slip.S_before;
+    if (slip.verdict == SlipVerdict::possible && std::isfinite(slip.S_after)) jumped += slip.S_after - slip.S_before;
   return jumped / (analysis.fit.S_end - analysis.fit.S_begin);
 }
 
@@ -113,7 +113,8 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   doubt_if(softer, Doubt::softer_reload);
   doubt_if(drops > 0 && !softer && judgement.drops == CrackVerdict::cracks, Doubt::cracks);
   doubt_if(impossible > 0, Doubt::impossible_drops);
-  doubt_if(analysis.suspects.suspect || fit.mu0.low > analysis.suspects.limit, Doubt::implausible_friction);
+  doubt_if(analysis.suspects.suspect || fit.mu0.low > std::min(analysis.suspects.limit, analysis.most_friction),
+           Doubt::implausible_friction);
   doubt_if(std::any_of(analysis.checks.begin(), analysis.checks.end(),
                        [](const Check& check) {
                          return check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction &&

@@ -54,10 +54,19 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
   return slips;
 }
 
+std::vector<Slip> told_by(const FrictionProfile& profile, std::span<const Slip> judged,
+                          const MeasurementErrors& errors) {
+  std::vector<Drop> drops;
+  for (const Slip& slip : judged) drops.push_back(slip.drop);
+  std::vector<Slip> told = slips_of(profile, drops, errors, infinity);
+  for (std::size_t i = 0; i < told.size(); ++i) told[i].verdict = judged[i].verdict;
+  return told;
+}
+
 SlipSummary summarise(std::span<const Slip> all) {
-  std::vector<Slip> slips;
+  std::vector<Slip> slips;  // those that are told
   for (const auto& slip : all)
-    if (slip.verdict == SlipVerdict::possible) slips.push_back(slip);
+    if (slip.verdict == SlipVerdict::possible && std::isfinite(slip.S_before)) slips.push_back(slip);
   std::vector<double> spacings;
   std::vector<double> falls;
   for (std::size_t i = 0; i < slips.size(); ++i) {
@@ -67,7 +76,9 @@ SlipSummary summarise(std::span<const Slip> all) {
   const double mean =
       spacings.empty() ? not_a_number
                        : std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
-  return {.count = slips.size(),
+  const auto possible =
+      std::count_if(all.begin(), all.end(), [](const Slip& slip) { return slip.verdict == SlipVerdict::possible; });
+  return {.count = static_cast<std::size_t>(possible),
           .median_spacing = median_of(spacings),
           .mean_spacing = mean,
           .median_fall = median_of(falls)};

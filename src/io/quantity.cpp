@@ -39,17 +39,22 @@ constexpr std::array with_prefix{
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double pound_force = 4.4482216152605;  // [N] exact by definition
+constexpr double kilogram_force = 9.80665;       // [N] likewise
 constexpr double inch = 0.0254;                  // [m] exact by definition
 
 constexpr std::array without_prefix{
     NamedUnit{"micron", {{.metre = 1}, -6}},
     NamedUnit{"microns", {{.metre = 1}, -6}},
     NamedUnit{"in", {{.metre = 1}, 0, inch}},
+    NamedUnit{"mil", {{.metre = 1}, -3, inch}},
     NamedUnit{"sec", {{.second = 1}}},
     NamedUnit{"min", {{.second = 1}, 0, 60}},
     NamedUnit{"h", {{.second = 1}, 0, 3600}},
     NamedUnit{"lbf", {of_force, 0, pound_force}},
     NamedUnit{"psi", {of_pressure, 0, pound_force / (inch * inch)}},
+    NamedUnit{"ksi", {of_pressure, 3, pound_force / (inch * inch)}},
+    NamedUnit{"Msi", {of_pressure, 6, pound_force / (inch * inch)}},
+    NamedUnit{"kgf", {of_force, 0, kilogram_force}},
     NamedUnit{"deg", {{.radian = 1}, 0, degree}},
     NamedUnit{"°", {{.radian = 1}, 0, degree}},
     NamedUnit{"%", {{}, -2}},
@@ -100,7 +105,8 @@ std::string remedy_for_symbol(std::string_view symbol) {
                                               "kPa", "MPa", "GPa", "mJ", "rad", "deg", "micron"};
   if (const std::string meant = nearest(symbol, usual); !meant.empty())
     return fmt::format("did you mean {}?", in_quotes(meant));
-  return "known are m, g, s, N, Pa, J, rad, deg with prefixes, as in \"mN/um\" or \"N m^2\"";
+  return "known are m, g, s, N, Pa, J, rad with prefixes, deg, in, mil, lbf, psi, ksi, Msi, kgf, min, h and %, as in "
+         "\"mN/um\" or \"N m^2\"";
 }
 
 // Digits of a power written in superscripts, as plain text: "⁻²" is "-2".
@@ -411,6 +417,26 @@ std::string_view best_unit(double magnitude, const Kind& kind) {
   return best;
 }
 
+const Kind& in_inches(const Kind& kind) {
+  static constexpr std::array<std::string_view, 3> pressure{"psi", "ksi", "Msi"};
+  static constexpr std::array<std::string_view, 1> length{"in"}, inverse_length{"1/in"}, force{"lbf"},
+      stiffness{"lbf/in"}, compliance{"in/lbf"}, bending_stiffness{"lbf in^2"}, area_moment{"in^4"}, energy{"lbf in"};
+  static constexpr std::array<Kind, 9> kinds{
+      Kind{kind::length.name, kind::length.dimension, length, "0.05 in"},
+      Kind{kind::inverse_length.name, kind::inverse_length.dimension, inverse_length, "5 1/in"},
+      Kind{kind::force.name, kind::force.dimension, force, "0.003 lbf"},
+      Kind{kind::stiffness.name, kind::stiffness.dimension, stiffness, "0.5 lbf/in"},
+      Kind{kind::compliance.name, kind::compliance.dimension, compliance, "2 in/lbf"},
+      Kind{kind::pressure.name, kind::pressure.dimension, pressure, "4.3 Msi"},
+      Kind{kind::bending_stiffness.name, kind::bending_stiffness.dimension, bending_stiffness, "7e-10 lbf in^2"},
+      Kind{kind::area_moment.name, kind::area_moment.dimension, area_moment, "2e-13 in^4"},
+      Kind{kind::energy.name, kind::energy.dimension, energy, "3e-5 lbf in"}};
+  const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& each) {
+    return each.dimension == kind.dimension && !kind.units.empty() && each.name == kind.name;
+  });
+  return same == kinds.end() ? kind : *same;
+}
+
 std::string typeset(std::string_view unit) {
   std::string text;
   char before = ' ';
@@ -459,8 +485,15 @@ std::string signed_percent(double share) {
 
 std::string exact_text(double value, const Kind& kind) {
   if (kind.units.empty() || !std::isfinite(value)) return fmt::format("{}", value);
-  const std::string_view unit = best_unit(value, kind);
-  return fmt::format("{} {}", exact_decimal(value, -parse_unit(unit).exponent), unit);
+  const std::string_view name = best_unit(value, kind);
+  const Unit unit = parse_unit(name);
+  if (unit.factor == 1) return fmt::format("{} {}", exact_decimal(value, -unit.exponent), name);
+  constexpr int all_digits = 17;
+  for (int digits = 1; digits < all_digits; ++digits)
+    if (std::string text = fmt::format("{:.{}g} {}", from_si(value, unit), digits, name);
+        parse_quantity(text, kind) == value)
+      return text;
+  return fmt::format("{:.{}g} {}", from_si(value, unit), all_digits, name);
 }
 
 }  // namespace flexslip

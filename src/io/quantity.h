@@ -1,7 +1,7 @@
-// Physical quantities as people write them, "1278 um" or "2.1e-12 N m^2", to and from SI.
+// Physical quantities as people write them, "1278 um" or "2.1e-9 N m^2", to and from SI.
 //
 // A unit is a product, quotient and power of m g s N Pa J rad deg (with the prefixes f p n u µ m c d k M G T),
-// micron, sec, min, h, in, lbf, psi and %: "mN/um", "N m^2", "N·m²", "m4", "1/mm". Spaces, *, · multiply.
+// micron, sec, min, h, in, mil, lbf, psi, ksi, Msi, kgf and %: "mN/um", "N m^2", "N·m²", "m4", "1/mm". Spaces, *, · multiply.
 #pragma once
 
 #include <array>
@@ -60,13 +60,16 @@ inline constexpr Kind stiffness{"a stiffness", {0, 1, -2, 0}, shown_in::stiffnes
 inline constexpr Kind compliance{"a compliance", {0, -1, 2, 0}, shown_in::compliance, "3 um/mN"};
 inline constexpr Kind pressure{"a modulus", {-1, 1, -2, 0}, shown_in::pressure, "29.6 GPa"};
 inline constexpr Kind bending_stiffness{
-    "a bending stiffness", {3, 1, -2, 0}, shown_in::bending_stiffness, "2.1e-12 N m^2"};
+    "a bending stiffness", {3, 1, -2, 0}, shown_in::bending_stiffness, "2.1e-9 N m^2"};
 inline constexpr Kind area_moment{"an area moment", {.metre = 4}, shown_in::area_moment, "7.2e4 um^4"};
 inline constexpr Kind energy{"an energy", {2, 1, -2, 0}, shown_in::energy, "3.4 uJ"};
 inline constexpr Kind angle{"an angle", {.radian = 1}, shown_in::angle, "90 deg"};
 inline constexpr Kind time{"a time", {.second = 1}, shown_in::time, "0.5 s"};
 inline constexpr Kind number{"a plain number", {}, {}, "0.5"};
 }  // namespace kind
+
+// The same kind as people show it who measure in inches and pounds; a plain number, an angle and a time are as they were.
+const Kind& in_inches(const Kind& kind);
 
 // Which values make sense. Infinity is written "inf" and nothing else; NaN never makes sense.
 enum class Range { any, non_negative, positive, positive_or_infinite };
@@ -111,7 +114,7 @@ std::string readable(double value, double uncertainty, const Kind& kind);
 // A difference [1] as "+2.1 %".
 std::string signed_percent(double share);
 
-// A value [SI] as text in its best unit that parse_quantity reads back to the same bits: "34.8 um".
+// A value [SI] as text in its best unit that parse_quantity reads back to the same bits: "34.8 um". In inches and pounds it need not: to 1 ulp.
 std::string exact_text(double value, const Kind& kind);
 
 }  // namespace flexslip

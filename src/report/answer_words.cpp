@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -24,12 +25,12 @@ std::string likely_slip_of_units(double times) {
     double times;
     std::string_view words;
   };
-  constexpr std::array slips{Slip{1.0 / 16, ", about 1/16: a radius for the diameter?"},
-                             Slip{16, ", about 16: a diameter for the radius?"},
-                             Slip{1e-3, ", about 1/1000: a unit of force or modulus, N for mN or MPa for GPa?"},
-                             Slip{1e3, ", about 1000: a unit of force or modulus, mN for N or GPa for MPa?"},
-                             Slip{1e-6, ", about a millionth: a unit of force or modulus?"},
-                             Slip{1e6, ", about a million: a unit of force or modulus?"}};
+  constexpr std::array slips{Slip{1.0 / 16, ", about 1/16: perhaps a radius for the diameter"},
+                             Slip{16, ", about 16: perhaps a diameter for the radius"},
+                             Slip{1e-3, ", about 1/1000: perhaps a unit of force or modulus, N for mN or MPa for GPa"},
+                             Slip{1e3, ", about 1000: perhaps a unit of force or modulus, mN for N or GPa for MPa"},
+                             Slip{1e-6, ", about a millionth: perhaps a unit of force or modulus"},
+                             Slip{1e6, ", about a million: perhaps a unit of force or modulus"}};
   constexpr double near = 1.5;  // friction and a guess of the modulus move the ratio by less
   for (const auto& slip : slips)
     if (times < near * slip.times && times > slip.times / near) return std::string(slip.words);
@@ -54,8 +55,9 @@ std::string cause_in_words(const FittedTest& test) {
     case CrackVerdict::cannot_be_told:
       break;
   }
-  return rises.judged ? fmt::format("but cracks may do so too: this record cannot tell ({}; D* above {:g} would)",
-                                    margin, cracks_ruled_out)
+  return rises.judged ? fmt::format("but cracks may do so too: this record cannot tell ({}; {} would)", margin,
+                                    rises.margin > cracks_ruled_out ? "more than half of the rises growing stiffer"
+                                                                    : fmt::format("D* above {:g}", cracks_ruled_out))
                       : "but cracks may do so too: there are too few drops, or rises between them, to tell";
 }
 
@@ -71,6 +73,9 @@ std::string drops_in_words(const FittedTest& test) {
   const std::size_t slips = summary.count;
   if (drops == 0) return "the force never drops by more than its noise";
   const std::string times = drops == 1 ? "once" : drops == 2 ? "twice" : fmt::format("{} times", drops);
+  const Judgement& judgement = test.judgement.value();
+  if (test.analysis.model_implausible && judgement.drops != CrackVerdict::cracks)
+    return fmt::format("the force drops {}", times);
   if (slips == 0)
     return fmt::format("the force drops {}, and no plausible slip over the supports explains {}", times,
                        drops == 1 ? "it" : "any");
@@ -158,8 +163,11 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
                         analysis.suspects.points.size(), analysis.suspects.points_judged)
                   : fmt::format("The record needs implausible friction: at least {:.2f} on average (95 %).",
                                 analysis.fit.mu0.low)) +
-             (test.measurement.test.rig->rollers == Rollers::pinned
-                  ? " The rollers turn on their pins at less: they may be stuck, or what is stated of them is wrong."
+             (analysis.fit.mu0.low > analysis.most_friction
+                  ? fmt::format(
+                        " The rollers turn on their pins at {:.3g}: they may be stuck, or what is stated of them "
+                        "is wrong.",
+                        analysis.most_friction)
               : analysis.rig.fibre.supports().radius > 0
                   ? ""
                   : " Rollers taken for edges would need it, too: state [rig] roller_radius.");
@@ -186,7 +194,7 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
       return fmt::format("The force is coarse: a drop of less than {} could not be seen.",
                          Print(test).own(analysis.drops.smallest_fall, kind::force));
     case Doubt::undecided_drops:
-      return "";
+      return "";  // what the drops may be is told with them
     case Doubt::few_rows:
       return "Most rises between drops have fewer than five rows: drops and waves of friction may be missed.";
     case Doubt::settling_contact:
@@ -197,10 +205,16 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     case Doubt::unexpected_stiffness:
       break;
   }
-  return fmt::format("The fitted bending stiffness is {} from that {}, {:.1f} times its error.",
+  const Estimate& toe = analysis.contact.offset;
+  const bool begins_late = analysis.contact.status == ContactStatus::found && toe.value > 2 * toe.standard_error;
+  return fmt::format("The fitted bending stiffness is {} from that {}, {:.1f} times its error.{}",
                      signed_percent(fit.bending_stiffness.value - 1),
                      analysis.stiffness_from_slope ? "of the initial slope" : "stated",
-                     std::abs(std::log(fit.bending_stiffness.value)) / analysis.bending_stiffness_error);
+                     std::abs(std::log(fit.bending_stiffness.value)) / analysis.bending_stiffness_error,
+                     begins_late ? fmt::format(" A line through the first part of the curve meets zero force {} behind "
+                                               "the contact: see what contact = \"find\" under [record] makes of it.",
+                                               readable(toe.value, toe.standard_error, Print(test).as(kind::length)))
+                                 : "");
 }
 
 double greatest_deflection(const TestAnalysis& analysis) {
@@ -219,12 +233,14 @@ std::string imaged_in_words(const FittedTest& test) {
                      roughly(unit * imaged.scatter, Print(test).as(kind::length)));
 }
 
-std::string_view standing_in_words(Standing standing, bool tells_friction) {
+std::string_view standing_in_words(Standing standing, std::span<const Doubt> doubts, bool tells_friction) {
   switch (standing) {
     case Standing::sound:
       return tells_friction ? "No check speaks against this." : "Nothing else speaks against this.";
     case Standing::doubtful:
-      return "This is open to doubt.";
+      return std::any_of(doubts.begin(), doubts.end(), [](Doubt doubt) { return doubt != Doubt::undecided_drops; })
+                 ? "This is open to doubt."
+                 : "This is open to doubt, as the drops may be cracks.";
     case Standing::suspect:
       return "The test is suspect.";
     case Standing::untrusted:
@@ -325,7 +341,7 @@ std::string answer_of(const FittedTest& test) {
                   percent(share));
   if (const std::string imaged = imaged_in_words(test); !imaged.empty()) answer += " " + imaged;
   if (test.cycles) answer += " " + cycles_in_short(test);
-  answer += fmt::format(" {}", standing_in_words(judgement.standing, !analysis.fit.mu0_is_bound));
+  answer += fmt::format(" {}", standing_in_words(judgement.standing, judgement.doubts, !analysis.fit.mu0_is_bound));
   if (const std::string next = next_step_in_words(test); !next.empty()) answer += " " + next;
   return answer;
 }

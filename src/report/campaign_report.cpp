@@ -1,6 +1,7 @@
 #include "report/campaign_report.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <future>
 #include <string_view>
@@ -67,15 +68,28 @@ std::string caption_of(const Figure& figure) {
          "train as slope. Red crosses: suspect tests.";
 }
 
+// What lies beside report.html.
+struct TableFile {
+  const char *name, *holds;
+  void (*write)(const std::string& path, const Campaign& campaign);
+};
+const std::array table_files{
+    TableFile{"tests.csv", "a row per test, SI",
+              [](const std::string& path, const Campaign& campaign) { write_csv(path, test_table(campaign)); }},
+    TableFile{"categories.csv", "a row per category, SI",
+              [](const std::string& path, const Campaign& campaign) { write_csv(path, category_table(campaign)); }},
+    TableFile{"specimens.csv", "what the specimens of a category have in common, SI",
+              [](const std::string& path, const Campaign& campaign) { write_csv(path, specimen_table(campaign)); }},
+    TableFile{"campaign.json", "all of it, for scripts",
+              [](const std::string& path, const Campaign& campaign) { write_json(path, campaign_json(campaign)); }},
+    TableFile{"campaign.xlsx", "for spreadsheets", write_campaign_xlsx},
+    TableFile{"tables.tex", "for LaTeX, with booktabs and longtable",
+              [](const std::string& path, const Campaign& campaign) { write_text(path, campaign_latex(campaign)); }}};
+
 std::string file_list() {
   std::string items;
-  for (const auto& [file, what] : {std::pair{"tests.csv", "a row per test, SI"},
-                                   {"categories.csv", "a row per category, SI"},
-                                   {"specimens.csv", "what the specimens of a category have in common, SI"},
-                                   {"campaign.json", "all of it, for scripts"},
-                                   {"campaign.xlsx", "for spreadsheets"},
-                                   {"tables.tex", "for LaTeX, with booktabs and longtable"}})
-    items += fmt::format("<li><a href=\"{}\">{}</a>: {}</li>\n", file, file, what);
+  for (const TableFile& file : table_files)
+    items += fmt::format("<li><a href=\"{0}\">{0}</a>: {1}</li>\n", file.name, file.holds);
   return fmt::format("<ul class=\"files\">\n{}</ul>\n", items);
 }
 
@@ -122,12 +136,7 @@ void write_campaign_tables(const std::string& folder, const Campaign& campaign) 
   make_folder(folder);
   const fs::path base(folder);
   remove_from(base, is_unfinished);
-  write_csv((base / "tests.csv").string(), test_table(campaign));
-  write_csv((base / "categories.csv").string(), category_table(campaign));
-  write_csv((base / "specimens.csv").string(), specimen_table(campaign));
-  write_json((base / "campaign.json").string(), campaign_json(campaign));
-  write_campaign_xlsx((base / "campaign.xlsx").string(), campaign);
-  write_text((base / "tables.tex").string(), campaign_latex(campaign));
+  for (const TableFile& file : table_files) file.write((base / file.name).string(), campaign);
 }
 
 DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign) {
@@ -177,9 +186,8 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
 
 void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option) {
   const std::filesystem::path report(folder);
-  for (const char* name :
-       {"report.html", "tests.csv", "categories.csv", "campaign.json", "campaign.xlsx", "tables.tex"})
-    files.writes(report / name, option);
+  files.writes(report / "report.html", option);
+  for (const TableFile& file : table_files) files.writes(report / file.name, option);
   for (const char* name : {"figures", "tests"}) files.writes_below(report / name, option);
   files.keeps_inputs_out_of(report, option);
 }

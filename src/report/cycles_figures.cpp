@@ -52,8 +52,8 @@ Figure loops_figure(const FittedTest& test) {
   const Record& record = *test.measurement.cycles;
   const double w_max = *std::max_element(record.deflection.begin(), record.deflection.end());
   const double F_max = *std::max_element(record.force.begin(), record.force.end());
-  const PlotUnit length = plot_unit(w_max, kind::length, test.reduced, "L");
-  const PlotUnit force = plot_unit(F_max, kind::force, test.reduced, "EI/L^2");
+  const PlotUnit length = plot_unit(w_max, kind_in(test.measurement.test, kind::length), test.reduced, "L");
+  const PlotUnit force = plot_unit(F_max, kind_in(test.measurement.test, kind::force), test.reduced, "EI/L^2");
   const std::vector<std::string> titles{fmt::format("deflection [{}]", length.unit),
                                         fmt::format("force [{}]", force.unit)};
   FigureData loading = titled("loading", titles), unloading = titled("unloading", titles),
@@ -124,7 +124,8 @@ Figure loops_figure(const FittedTest& test) {
 Figure boxes_figure(const FittedTest& test) {
   const CyclicFriction& friction = test.cycles->friction;
   const auto& scales = test.analysis.scales;
-  const PlotUnit unit = plot_unit(0.02 * scales.span(), kind::length, test.reduced, "L");
+  const PlotUnit unit =
+      plot_unit(0.02 * scales.span(), kind_in(test.measurement.test, kind::length), test.reduced, "L");
   const auto drawn_in = [&](double S) { return unit.factor * scales.physical_length(S - 1) / 2; };
   const std::string length = fmt::format("drawn in over one support [{}]", unit.unit);
 

@@ -50,7 +50,7 @@ class Drawn {
     const auto& range = std::get<AxisRange>(axis.values);
     logarithmic_ = range.spacing == Spacing::logarithmic;
     const DesignParameterName& parameter = axis.parameter;
-    const Kind& kind = parameter.kind;
+    const Kind kind = input.shown_as(parameter.kind);
     const auto [least, most] = std::minmax(range.from, range.to);
     unit_ = kind.units.empty()
                 ? PlotUnit{"", 1}
@@ -107,11 +107,12 @@ Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::
   double most = 1;
   for (const auto& point : points)
     if (const auto& outcome = point.result.outcome) {
-      most = std::max({most, drop_share(*outcome), 100 * outcome->friction_heat / outcome->work});
+      most = std::max({most, drop_share(*outcome), 100 * friction_share(*outcome)});
       deepest = std::max(deepest, first_deflection(point.result).value_or(0));
     }
-  const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, kind::length, input.reduced(), "L");
-  FigureData data{"designs", {"parameter", "largest drop [%]", "mean drop [%]", "friction [%]", "first snap"}, {}};
+  const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, input.shown_as(kind::length), input.reduced(), "L");
+  FigureData data{
+      "designs", {"parameter", "largest drop [%]", "mean drop [%]", "friction and snaps [%]", "first snap"}, {}};
   for (const auto& point : points) {
     if (!point.result.outcome) {
       data.rows.emplace_back();
@@ -119,8 +120,7 @@ Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::
     }
     const DesignOutcome& outcome = *point.result.outcome;
     data.rows.push_back({drawn(point.values[0]), drop_share(outcome), 100 * outcome.mean_drop / outcome.greatest_force,
-                         100 * outcome.friction_heat / outcome.work,
-                         length.factor * first_deflection(point.result).value_or(nan)});
+                         100 * friction_share(outcome), length.factor * first_deflection(point.result).value_or(nan)});
   }
   const std::string script = fmt::format(
       R"(  set multiplot
@@ -133,7 +133,7 @@ Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::
   set label 1 '(A)' at graph 0.03, 0.94 font ',9'
   plot designs using 1:2 with lines lw 1.6 lc rgb 'black' title 'Largest drop', \
        designs using 1:3 with lines lw 1.2 dt (6,4) lc rgb 'black' title 'Mean drop', \
-       designs using 1:4 with lines lw 1.6 lc rgb vermillion title 'Friction'
+       designs using 1:4 with lines lw 1.6 lc rgb vermillion title 'Friction and snaps'
   unset key
   set lmargin at screen 0.58; set rmargin at screen 0.97
   set yrange [0:{3:.6g}]
@@ -268,8 +268,10 @@ Figure design_figure(const DesignAnswer& answer) {
   const Scales& scales = answer.scales;
   const bool reduced = answer.input.reduced();
   const DesignOutcome& outcome = answer.outcome;
-  const PlotUnit length = plot_unit(scales.physical_length(design.travel), kind::length, reduced, "L");
-  const PlotUnit force = plot_unit(scales.physical_force(outcome.greatest_force), kind::force, reduced, "EI/L²");
+  const PlotUnit length =
+      plot_unit(scales.physical_length(design.travel), answer.input.shown_as(kind::length), reduced, "L");
+  const PlotUnit force =
+      plot_unit(scales.physical_force(outcome.greatest_force), answer.input.shown_as(kind::force), reduced, "EI/L²");
   const double x = scales.physical_length(length.factor);
   const double y = scales.physical_force(force.factor);
 
@@ -286,7 +288,8 @@ Figure design_figure(const DesignAnswer& answer) {
   const double own = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : top;
   const double least = answer.critical > 0 ? std::min(own, answer.critical) : own;
   const bool is_wide = top > wide * least;
-  const PlotUnit stiffness = plot_unit(scales.physical_stiffness(top), kind::stiffness, reduced, "EI/L³");
+  const PlotUnit stiffness =
+      plot_unit(scales.physical_stiffness(top), answer.input.shown_as(kind::stiffness), reduced, "EI/L³");
   const double z = scales.physical_stiffness(stiffness.factor);
 
   // On a rig softer than F/(travel - w) the loading ends before this deflection.

@@ -14,9 +14,9 @@ namespace flexslip {
 namespace {
 
 // Numbers in the units of the case.
-class Shown {
+class InUnits {
  public:
-  explicit Shown(const DesignAnswer& answer) : scales_(answer.scales), reduced_(answer.input.reduced()) {}
+  explicit InUnits(const DesignAnswer& answer) : scales_(answer.scales), input_(answer.input) {}
 
   std::string length(double reduced) const { return own(scales_.physical_length(reduced), kind::length); }
   std::string force(double reduced) const { return own(scales_.physical_force(reduced), kind::force); }
@@ -25,12 +25,19 @@ class Shown {
   std::string stiffness(double value) const {
     return std::isfinite(value) ? own(value, kind::stiffness) : "no give at all";
   }
+  // A number of few digits, all of them; of inches and pounds, which turn few into many, six.
+  std::string exactly(double value, const Kind& kind) const {
+    const Kind as = kind_of(kind);
+    const std::string_view unit = best_unit(value, as);
+    const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
+    return typeset(scale.factor == 1 ? exact_text(value, as) : fmt::format("{:.6g} {}", from_si(value, scale), unit));
+  }
   std::string own(double value, const Kind& kind) const { return readable(value, kind_of(kind)); }
-  const Kind& kind_of(const Kind& kind) const { return reduced_ ? kind::number : kind; }
+  Kind kind_of(const Kind& kind) const { return input_.shown_as(kind); }
 
  private:
   const Scales& scales_;
-  bool reduced_;
+  const DesignCase& input_;
 };
 
 // To three digits, no less than it is.
@@ -48,7 +55,7 @@ std::string share(double part, double whole) {
 
 bool hidden(const DesignOutcome& outcome) { return outcome.snaps > 0 && outcome.drops == 0; }
 
-std::string drops_in_words(const DesignAnswer& answer, const Shown& shown) {
+std::string drops_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const DesignOutcome& outcome = answer.outcome;
   const std::string record = answer.design.step > 0
                                  ? fmt::format("a record with a reading every {}", shown.length(answer.design.step))
@@ -77,11 +84,13 @@ std::string strain_in_words(const DesignAnswer& answer) {
   if (!answer.surface) return wraps;
   const double curvature = answer.outcome.greatest_curvature;
   return fmt::format(" Bending strains its surface by up to {}{}.{}", strain_text(answer.surface->strain(curvature)),
-                     answer.input.reduced() ? "" : ", " + readable(answer.surface->stress(curvature), kind::pressure),
+                     answer.input.reduced()
+                         ? ""
+                         : ", " + readable(answer.surface->stress(curvature), answer.input.shown_as(kind::pressure)),
                      wraps);
 }
 
-std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
+std::string snaps_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const DesignOutcome& outcome = answer.outcome;
   if (!outcome.first_snap)
     return fmt::format("Up to the stage position {} (a deflection of {}) the specimen does not snap.{}",
@@ -99,13 +108,18 @@ std::string snaps_in_words(const DesignAnswer& answer, const Shown& shown) {
       outcome.snaps == 1 ? "is no other" : fmt::format("are {} snaps in all", outcome.snaps), strain_in_words(answer));
 }
 
-std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
+std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const std::string yours =
       fmt::format("This rig has {}.", shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness)));
   const std::string_view which =
       answer.input.support_compliance() > 0 ? "stiffness of load train and supports together" : "load-train stiffness";
-  if (answer.critical == 0)
-    return fmt::format("No load train, however soft, lets the specimen snap in this test. {}", yours);
+  if (answer.critical == 0) {
+    const bool varies = std::isfinite(answer.design.friction.smooth_scale()) || !answer.design.friction.knots().empty();
+    return fmt::format("No load train, however soft, lets the specimen snap in this test. {}{}", yours,
+                       varies ? ""
+                              : " Friction that is the same all along the specimen makes no teeth: state an amplitude "
+                                "and a wavelength, such as those of a fit, to see what its variation does.");
+  }
   if (!std::isfinite(answer.critical))
     return fmt::format(
         "There is no critical {}: in this test the specimen snaps even if the deflection itself is controlled. {}",
@@ -124,7 +138,7 @@ std::string critical_in_words(const DesignAnswer& answer, const Shown& shown) {
       is_out_of_reach ? " On these supports no load train reaches that, however stiff it is." : "");
 }
 
-std::string work_in_words(const DesignAnswer& answer, const Shown& shown) {
+std::string work_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const DesignOutcome& outcome = answer.outcome;
   const std::string snaps =
       outcome.snaps > 0 ? fmt::format(", and the snaps set free {} beyond that", share(outcome.released, outcome.work))
@@ -141,7 +155,7 @@ std::string pins_in_words(double limit) {
       readable(limit, kind::number));
 }
 
-std::string phases_in_words(const DesignAnswer& answer, const Shown& shown) {
+std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const PhaseStudy& study = *answer.phases;
   const std::string_view known =
       "The phase (where the waves of friction stand along the specimen) is seldom known before a test.";
@@ -163,11 +177,11 @@ std::string phases_in_words(const DesignAnswer& answer, const Shown& shown) {
   return fmt::format("{} The specimen snaps {}{}. {}.", known, count, drops, remedy);
 }
 
-std::string change_in_words(const DesignChange& change, const Shown& shown) {
+std::string change_in_words(const DesignChange& change, const InUnits& shown) {
   const DesignParameter parameter = change.parameter;
   const Kind& kind = described(parameter).kind;
   const bool more = change.to > change.from;
-  const std::string value = typeset(exact_text(change.printed, shown.kind_of(kind)));
+  const std::string value = shown.exactly(change.printed, kind);
   const std::string to = change.and_beyond ? fmt::format("{} or {}", value, more ? "more" : "less") : value;
   const std::string from = shown.own(change.from, kind);
   switch (parameter) {
@@ -217,7 +231,7 @@ std::string what_remains(const DesignAnswer& answer, const DesignChange& change)
 }
 
 std::string answer_in_short(const DesignAnswer& answer) {
-  const Shown shown(answer);
+  const InUnits shown(answer);
   const DesignOutcome& outcome = answer.outcome;
   if (hidden(outcome))
     return fmt::format("The specimen will snap {}, but readings {} apart will not show it.",
@@ -244,17 +258,17 @@ std::string answer_in_short(const DesignAnswer& answer) {
 std::string design_in_short(const DesignAnswer& answer) {
   std::string words = answer_in_short(answer);
   if (answer.outcome.status == DesignStatus::ok) return words;
-  const std::string where = Shown(answer).length(answer.outcome.stage_reached);
+  const std::string where = InUnits(answer).length(answer.outcome.stage_reached);
   if (answer.outcome.status == DesignStatus::breaks)
     return fmt::format("The specimen will break at the stage position {}, at a bending strain of {}{}. Up to there: {}",
                        where, strain_text(answer.surface->strain(answer.outcome.greatest_curvature)),
                        answer.outcome.snaps == 0 ? ", before the first snap" : "", words);
   return fmt::format("The specimen will slip through its supports, at the stage position {}. Up to there: {}",
-                     Shown(answer).length(answer.outcome.stage_reached), words);
+                     InUnits(answer).length(answer.outcome.stage_reached), words);
 }
 
 std::vector<std::string> design_in_words(const DesignAnswer& answer) {
-  const Shown shown(answer);
+  const InUnits shown(answer);
   std::vector<std::string> paragraphs{snaps_in_words(answer, shown), drops_in_words(answer, shown),
                                       critical_in_words(answer, shown), work_in_words(answer, shown)};
   if (const auto limit = answer.input.pin_limit()) paragraphs.push_back(pins_in_words(*limit));
@@ -268,7 +282,7 @@ std::vector<std::string> design_in_words(const DesignAnswer& answer) {
 }
 
 std::vector<std::string> changes_in_words(const DesignAnswer& answer) {
-  const Shown shown(answer);
+  const InUnits shown(answer);
   std::vector<std::string> words;
   words.reserve(answer.changes.size());
   for (const DesignChange& change : answer.changes)

@@ -43,7 +43,8 @@ std::string with_error(const Json& value, const Json& error, const Kind& kind) {
 }
 
 // A column of one cell per row, under its heading.
-PrintedTable column_of(const std::vector<Description>& fields, const Json& rows, bool reduced, const Shown& column) {
+PrintedTable column_of(const std::vector<Description>& fields, const Json& rows, const Frame& frame,
+                       const Shown& column) {
   PrintedTable cells{{column.heading}, {}};
   const auto add = [&](std::string cell) { cells.rows.push_back({std::move(cell)}); };
   if (column.field.empty()) {
@@ -51,7 +52,7 @@ PrintedTable column_of(const std::vector<Description>& fields, const Json& rows,
     return cells;
   }
   const Description field = described(fields, column.field);
-  const Kind& kind = reduced ? kind::number : field.kind;
+  const Kind& kind = frame.reduced ? kind::number : frame.in_inches ? in_inches(field.kind) : field.kind;
   switch (field.shape) {
     case Shape::number: {
       NumberColumn numbers{column.heading, {}, kind, column.digits};
@@ -102,7 +103,7 @@ PrintedTable shown(const FieldList& answer, const void* of, const Frame& frame, 
   PrintedTable table;
   table.rows.resize(entries.size());
   for (const Shown& column : columns) {
-    const PrintedTable cells = column_of(what.entries, entries, frame.reduced, column);
+    const PrintedTable cells = column_of(what.entries, entries, frame, column);
     table.head.push_back(cells.head.front());
     for (std::size_t i = 0; i < entries.size(); ++i) table.rows[i].push_back(cells.rows[i].front());
   }

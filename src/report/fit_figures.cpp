@@ -26,9 +26,9 @@ TestUnits units_of(const FittedTest& test) {
   const auto& scales = test.analysis.scales;
   const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
   const double greatest = *std::max_element(record.force.begin(), record.force.end());
-  TestUnits units{plot_unit(deepest, kind::length, test.reduced, "L"),
-                  plot_unit(0.02 * scales.span(), kind::length, test.reduced, "L"),
-                  plot_unit(greatest, kind::force, test.reduced, "EI/L^2"),
+  TestUnits units{plot_unit(deepest, kind_in(test.measurement.test, kind::length), test.reduced, "L"),
+                  plot_unit(0.02 * scales.span(), kind_in(test.measurement.test, kind::length), test.reduced, "L"),
+                  plot_unit(greatest, kind_in(test.measurement.test, kind::force), test.reduced, "EI/L^2"),
                   0,
                   0,
                   0};
@@ -190,7 +190,7 @@ Figure profile_figure(const FittedTest& test) {
   }
 
   FigureData slips{"slips", {position, "mu"}, {}};
-  const auto slipped = slips_of(profile, analysis.drops.drops, analysis.errors, analysis.suspects.limit);
+  const auto& slipped = analysis.slips;
   for (const auto& slip : slipped) {
     slips.rows.push_back({drawn_in(slip.S_before), slip.mu_before});
     slips.rows.push_back({drawn_in(slip.S_after), slip.mu_after});

@@ -31,11 +31,8 @@ ParameterRow row_of(std::string name, std::string symbol, std::string meaning, c
   if (known) {
     // Both ends in the unit of the larger one.
     const std::string_view unit = best_unit(std::max(std::abs(low), std::abs(high)), kind);
-    const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
-    const double spread = from_si(estimate.standard_error * factor, scale);
-    const int decimals = spread > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(spread))), 0, 12) : 4;
-    row.interval = fmt::format("{:.{}f} to {:.{}f}{}{}", from_si(low, scale), decimals, from_si(high, scale), decimals,
-                               unit.empty() ? "" : " ", typeset(unit));
+    const MatchedDigits digits = matched_digits(estimate, unit.empty() ? factor : from_si(factor, parse_unit(unit)));
+    row.interval = fmt::format("{} to {}{}{}", digits.low, digits.high, unit.empty() ? "" : " ", typeset(unit));
   } else {
     row.remark = "error not known: the curve hardly depends on it";
   }
@@ -110,7 +107,7 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
                                          100 * test.analysis.bending_stiffness_error);
   if (test.section_moment && !test.reduced)
     rows.push_back(row_of("modulus", "E", "flexural modulus, EI/I", fit.bending_stiffness,
-                          scales.bending_stiffness() / *test.section_moment, kind::pressure));
+                          scales.bending_stiffness() / *test.section_moment, print.as(kind::pressure)));
   if (fit.model != ProfileModel::constant)
     rows.push_back(row_of("force_noise", "", "standard deviation of a force reading", fit.noise,
                           scales.physical_force(1), print.as(kind::force)));

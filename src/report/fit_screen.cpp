@@ -97,6 +97,8 @@ std::string strain_in_short(const FittedTest& test) {
   if (!test.reduced)
     words +=
         fmt::format(", {} at the modulus fitted", Print(test).own(test.surface->stress(curvature), kind::pressure));
+  if (test.strain_at_break && test.surface->strain(curvature) > *test.strain_at_break)
+    words += fmt::format(", beyond the {:.2g} % at which it should break", 100 * *test.strain_at_break);
   if (curvature > test.nose_curvature) words += "; it wrapped the nose, which is taken as sharp";
   return words;
 }

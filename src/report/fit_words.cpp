@@ -186,8 +186,8 @@ std::string slips_in_words(const FittedTest& test) {
         roughly(test.analysis.scales.physical_length(summary.median_spacing), print.as(kind::length)),
         roughly(test.analysis.scales.physical_length(summary.mean_spacing), print.as(kind::length)));
   return words +
-         ". These numbers need no model: they are the counterparts of amplitude and wavelength, read at the bending "
-         "stiffness given.";
+         ". These numbers need no model of friction along the specimen: they are the counterparts of amplitude and "
+         "wavelength, read at the bending stiffness of the fit.";
 }
 
 std::string snaps_in_words(const FittedTest& test) {

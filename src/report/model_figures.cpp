@@ -16,12 +16,14 @@
 namespace flexslip {
 namespace {
 
+const Kind& shown_in(const DrawnIn& units, const Kind& kind) { return units.in_inches ? in_inches(kind) : kind; }
+
 // From reduced variables to the units of the axes.
 class Axes {
  public:
   Axes(const DrawnIn& units, double deepest, double strongest)
-      : length_(plot_unit(units.scales.physical_length(deepest), kind::length, units.reduced, "L")),
-        force_(plot_unit(units.scales.physical_force(strongest), kind::force, units.reduced, "EI/L²")),
+      : length_(plot_unit(units.scales.physical_length(deepest), shown_in(units, kind::length), units.reduced, "L")),
+        force_(plot_unit(units.scales.physical_force(strongest), shown_in(units, kind::force), units.reduced, "EI/L²")),
         x_(units.scales.physical_length(length_.factor)),
         y_(units.scales.physical_force(force_.factor)) {}
 

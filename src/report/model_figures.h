@@ -17,6 +17,7 @@ namespace flexslip {
 struct DrawnIn {
   Scales scales;
   bool reduced;
+  bool in_inches = false;
 };
 
 // For all: Domain: S_max > 1.

@@ -19,9 +19,9 @@ struct PrintedTable {
 
 class Print {
  public:
-  explicit Print(const FittedTest& test) : scales_(test.analysis.scales), reduced_(test.reduced) {}
+  explicit Print(const FittedTest& test) : test_(test.measurement.test), scales_(test.analysis.scales) {}
 
-  Kind as(const Kind& kind) const { return reduced_ ? kind::number : kind; }
+  Kind as(const Kind& kind) const { return kind_in(test_, kind); }
   // From reduced variables; "not known" for NaN.
   std::string length(double value) const { return own(scales_.physical_length(value), kind::length); }
   std::string force(double value) const { return own(scales_.physical_force(value), kind::force); }
@@ -30,8 +30,8 @@ class Print {
   std::string own(double value, const Kind& kind) const;
 
  private:
+  const Case& test_;
   const Scales& scales_;
-  bool reduced_;
 };
 
 // A column of numbers in one unit, which stands in its title.

@@ -16,9 +16,9 @@ Figure record_figure(const FittedTest& test) {
   const auto& scales = test.analysis.scales;
   const auto [least, greatest] = std::minmax_element(record.force.begin(), record.force.end());
   const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const PlotUnit length = plot_unit(deepest, kind::length, test.reduced, "L");
-  const PlotUnit force =
-      plot_unit(std::max(std::abs(*least), std::abs(*greatest)), kind::force, test.reduced, "EI/L^2");
+  const PlotUnit length = plot_unit(deepest, kind_in(test.measurement.test, kind::length), test.reduced, "L");
+  const PlotUnit force = plot_unit(std::max(std::abs(*least), std::abs(*greatest)),
+                                   kind_in(test.measurement.test, kind::force), test.reduced, "EI/L^2");
   const double x = scales.physical_length(length.factor), y = scales.physical_force(force.factor);
 
   const std::string abscissa = fmt::format("deflection [{}]", length.unit),

@@ -34,7 +34,7 @@ PrintedTable small_deflection_table(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   PrintedTable table{{"", "value"}, {}};
   if (numbers.status != SmallDeflectionStatus::ok) return table;
-  const auto as = [&](const Kind& kind) { return test.reduced ? kind::number : kind; };
+  const auto as = [&](const Kind& kind) { return kind_in(test.measurement.test, kind); };
   const auto add = [&](std::string name, std::string value) {
     table.rows.push_back({std::move(name), std::move(value)});
   };
@@ -66,7 +66,7 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
   if (numbers.status != SmallDeflectionStatus::ok)
     return {"The record has no straight rising part of five points or more, so it tells no stiffness."};
   const auto& measurement = test.measurement;
-  const auto as = [&](const Kind& kind) { return test.reduced ? kind::number : kind; };
+  const auto as = [&](const Kind& kind) { return kind_in(test.measurement.test, kind); };
   std::vector<std::string> list;
   list.push_back(
       fmt::format("The straight part is rows {} to {}, from {:.0f} % to {:.0f} % of {}; extended to zero force it "

@@ -11,7 +11,8 @@ namespace flexslip {
 Figure teeth_figure(const FittedTest& test) {
   const Teeth& judged = *test.analysis.teeth;
   const auto& scales = test.analysis.scales;
-  const PlotUnit unit = plot_unit(0.02 * scales.span(), kind::length, test.reduced, "L");
+  const PlotUnit unit =
+      plot_unit(0.02 * scales.span(), kind_in(test.measurement.test, kind::length), test.reduced, "L");
   const auto drawn_in = [&](double S) { return unit.factor * scales.physical_length(S - 1) / 2; };
   const double least_share = test.provenance.options.teeth.least_share;
 

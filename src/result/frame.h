@@ -13,6 +13,7 @@ namespace flexslip {
 struct Frame {
   Scales scales = Scales(1, 1);  // from the reduced variables of the library to those of the test
   bool reduced = false;          // the test is reduced itself
+  bool in_inches = false;        // people are shown it in inches and pounds
   std::function<std::size_t(std::size_t)> row = [](std::size_t point) { return point + 1; };  // of the file, of a point
 };
 

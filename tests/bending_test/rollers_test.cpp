@@ -247,6 +247,16 @@ TEST_CASE("rollers, limit: friction of more than may be stated, as a fit may tel
   }
 }
 
+TEST_CASE(
+    "thickness, identity: the energy account closes where static friction lets the specimen stick at its first "
+    "length") {
+  const Rig rig{53, Fibre(Supports{0, 0.0136})};
+  const BendingTest test{{Friction::constant(0.4), Friction::constant(0.1)}, rig};
+  const History history = follow_continuously(test, std::vector<double>{0, 0.5, 0, 0.4}, 20);
+  CHECK(std::abs(history.energy.imbalance) < 1e-10 * history.energy.stage_work);
+  CHECK(history.path.back().stage == 0.4);
+}
+
 TEST_CASE("rollers, bad input: static friction above the kinetic, two supports that are not alike") {
   const Rig rig{50, Fibre({.02, .01})};
   CHECK(message_of([&] {

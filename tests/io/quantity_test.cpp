@@ -6,6 +6,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <rapidcheck.h>
 
 #include "io/input_error.h"
@@ -169,6 +170,18 @@ TEST_CASE("identity: to SI and back is the same but for two roundings") {
       RC_ASSERT(std::abs(back - value) <= 2 * std::numeric_limits<double>::epsilon() * std::abs(value));
     }
   }));
+}
+
+TEST_CASE("limit: inches and pounds are exact by definition, and shown where a kind is shown in them") {
+  CHECK(parse_quantity("1 mil", kind::length) == 2.54e-5);
+  CHECK(parse_quantity("1 kgf", kind::force) == 9.80665);
+  CHECK(parse_quantity("2 Msi", kind::pressure) == doctest::Approx(2e6 * 6894.757293168361).epsilon(1e-15));
+  CHECK(readable(0.0635, in_inches(kind::length)) == "2.5 in");
+  CHECK(readable(3e9, in_inches(kind::pressure)) == "435.1 ksi");
+  CHECK(readable(0.5, in_inches(kind::number)) == "0.5");
+  for (const double inches : {2.5, 0.05, 1.0 / 3, 0.0503})
+    CHECK(exact_text(parse_quantity(fmt::format("{} in", inches), kind::length), in_inches(kind::length)) ==
+          fmt::format("{} in", inches));
 }
 
 TEST_CASE("identity: exact text is read back to the same bits") {

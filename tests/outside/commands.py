@@ -218,12 +218,25 @@ program = ["0 um", "900 um"]
         record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=self.PINNED)
         self.assertAlmostEqual(self.json("fit", record, "--quiet")["parameters"]["mu0"]["value"], 0.02, delta=0.01)
 
+    def test_a_case_in_inches_is_answered_in_inches_and_pounds(self):
+        bar = self.BAR.format(rest='mu0 = 0.3\n[stage]\nprogram = ["0 in", "0.5 in"]\nstep = "0.002 in"', rig='roller_radius = "0.2 in"', stiffness="11000 lbf/in")
+        bar = bar.replace("4 mm", "0.16 in").replace("10 mm", "0.4 in").replace("64 mm", "2.5 in").replace("3 GPa", "435 ksi")
+        case = self.file("inches.toml", bar)
+        self.succeeds("simulate", "--quiet", case, "--noise", "0.005 lbf", "--output", self.folder / "bar_test.csv")
+        record = self.file("read.toml", bar[:bar.index("[friction]")] + '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 in"\nfailure = "none"\n')
+        for words in self.succeeds("fit", record, "--quiet", "--full"), self.succeeds("modulus", record), self.succeeds("design", case, "--quiet"):
+            self.assertIn(" in", words)
+            self.assertIn("lbf", words)
+            for unit in "mm", "µm", "kN", "MPa", "GPa", "mJ":
+                self.assertNotIn(f" {unit}", words)
+        self.assertEqual(self.json("fit", record, "--quiet")["parameters"]["bending_stiffness"]["unit"], "N m^2")
+
     def test_friction_beyond_what_pins_let_act_is_implausible(self):
         stage = '\n[stage]\nprogram = ["0 mm", "13 mm"]\nstep = "0.05 mm"'
         self.succeeds("simulate", "--quiet", self.bar("stuck.toml", "mu0 = 0.3" + stage), "--noise", "0.02 N", "--output", self.folder / "bar_test.csv")
         record = self.bar("read.toml", '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"', rig=self.PINNED)
         answer = self.json("fit", record, "--quiet")
-        self.assertIn("above 0.02 in", self.succeeds("fit", record, "--quiet"))
+        self.assertIn("turn on their pins at 0.02", self.succeeds("fit", record, "--quiet"))
         self.assertIn("implausible_friction", answer["judgement"]["doubts"])
         self.assertIn("they may be stuck", self.succeeds("fit", record, "--quiet"))
 
@@ -260,6 +273,8 @@ program = ["0 um", "900 um"]
         self.assertAlmostEqual(state["length"] * 0.064, path[2]["length"], delta=1e-12)
         for command in "design", "equilibrium":
             self.refused(command, case, says=["[rig] rollers", "flexslip simulate"])
+        for change in "friction.build_up_length=2 um", "friction.static_excess=0.1", "stage.snaps=overshoot":
+            self.refused("simulate", case, "--set", change, says=[change.split("=")[0], "fixed or on pins", '"loose"'])
         self.refused("state", "--w", "0.1", "--q", "0.1", "--roller-radius", "0.05", "--loose", says=["--q", "leave it out"])
         self.refused("state", "--w", "0.1", "--loose", says=["--loose", "--roller-radius"])
 
