@@ -399,7 +399,8 @@ TEST_CASE("table: what is missing is asked for with an example") {
 
   const Case empty = read("");
   CHECK(std::string(missing(empty, "friction").what()) ==
-        "data/case.toml: [friction]: expected it in the file, found nothing; add model = \"constant\" and mu0 = 0.5");
+        "data/case.toml: [friction]: expected it in the file, found nothing; add model = \"sinusoid\", mu0 = 0.5, "
+        "amplitude = 0.15 and wavelength = \"11 um\"");
   CHECK(has(missing(read("reduced = true\n[rig]"), "rig.stiffness").what(),
             "case.toml:2: [rig] stiffness: expected it in the file, "
             "found nothing; add the stiffness of your load train in EI/L^3, stiffness = …, or \"inf\""));
