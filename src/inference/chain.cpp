@@ -63,7 +63,7 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
   log_likelihood_ = r.log_likelihood;
   log_determinant_ = r.log_determinant;
   beta_ = r.beta;
-  covariance_ = r.factor.solve(CoefficientMatrix::Identity(p, p));
+  covariance_ = covariance_of(r);
 }
 
 void Chain::whiten(std::span<const double> series, std::span<double> out) const {
@@ -119,13 +119,11 @@ std::vector<SmoothedLook> Chain::smoothed() const {
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
         constexpr int G = M - 1;
-        using Vector = Eigen::Matrix<double, M, 1>;
-        using Matrix = Eigen::Matrix<double, M, M, Eigen::RowMajor>;
         // What the looks from here on say of the state: together, column by column, and how precisely.
-        std::array<double, M> r{};
+        Few<M> r{};
         std::array<std::array<double, most_columns + 1>, M> of_columns{}, carried{};
         std::array<double, most_columns + 1> u{}, left{};
-        Matrix N = Matrix::Zero();
+        Square<M, double> N{};
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
           const Look& look = looks_.looks[k];
@@ -149,14 +147,13 @@ std::vector<SmoothedLook> Chain::smoothed() const {
                 if (G > 0) of_columns[0][c] += u[c];
                 of_columns[G][c] += look.noise_gain * u[c];
               }
-              Vector H = Vector::Zero();
+              Few<M> H{};
               if (G > 0) H[0] = 1;
               H[G] = look.noise_gain;  // of e, which is all there is without a kernel
-              const Eigen::Map<const Vector> gain(step.gain.data());
-              const Vector Ng = N * gain;
-              const double g = gain.dot(Ng) + 1 / step.innovation;
-              for (int i = 0; i < M; ++i)
-                for (int j = 0; j < M; ++j) N(i, j) += g * H[i] * H[j] - H[i] * Ng[j] - Ng[i] * H[j];
+              const Few<M> Ng = product(N, step.gain);
+              const double g = dot<M>(step.gain, Ng) + 1 / step.innovation;
+              for (std::size_t i = 0; i < M; ++i)
+                for (std::size_t j = 0; j < M; ++j) N.at_[i * M + j] += g * H[i] * H[j] - H[i] * Ng[j] - Ng[i] * H[j];
             }
           }
           const auto mean_of = [&](std::size_t i) {
@@ -174,9 +171,9 @@ std::vector<SmoothedLook> Chain::smoothed() const {
             double own = 0;  // variance at given β
             for (std::size_t c = 1; c < series; ++c) left[c] = h[static_cast<Index>(c - 1)];
             if constexpr (G > 0) {
-              const Eigen::Map<const Matrix> P(step.predicted.data());
-              const Vector Pg = P.col(0);
-              own = P(0, 0) - Pg.dot(N * Pg);
+              Few<M> Pg;
+              for (std::size_t j = 0; j < M; ++j) Pg[j] = step.predicted[j * M];
+              own = Pg[0] - dot<M>(Pg, product(N, Pg));
               for (std::size_t c = 1; c < series; ++c) {
                 left[c] -= predicted[c];
                 for (std::size_t j = 0; j < M; ++j) left[c] -= step.predicted[j] * of_columns[j][c];
@@ -188,10 +185,8 @@ std::vector<SmoothedLook> Chain::smoothed() const {
             result[k].variance = own;
           }
           if (k == 0) break;
-          const Eigen::Map<const Matrix> A(step.transition.data());
-          const Eigen::Map<Vector> all(r.data());
-          const Vector before = A.transpose() * all;
-          std::copy(before.begin(), before.end(), r.begin());
+          const Square<M, double> A{step.transition}, A_transposed = transposed(A);
+          r = product(A_transposed, r);
           if (k <= first_place) continue;
           for (std::size_t i = 0; i < M; ++i) {
             carried[i].fill(0);
@@ -202,7 +197,7 @@ std::vector<SmoothedLook> Chain::smoothed() const {
             }
           }
           std::swap(of_columns, carried);
-          N = (A.transpose() * N * A).eval();
+          N = product(product(A_transposed, N), A);
         }
       },
       steps_);

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "inference/looks.h"
+#include "inference/square.h"
 
 namespace flexslip {
 
@@ -27,7 +28,7 @@ template <int M>
 struct Step {
   std::array<double, static_cast<std::size_t>(M) * M> predicted;   // covariance before the look
   std::array<double, static_cast<std::size_t>(M) * M> transition;  // to it from the look before
-  std::array<double, M> gain;
+  Few<M> gain;
   double innovation;  // variance of what the look adds; infinite: nothing is seen
 };
 template <int M>

@@ -108,7 +108,7 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
       BB(static_cast<Index>(i), static_cast<Index>(j)) = product(i + 1, j + 1).value;
   }
   const auto r = regression_of(BB, By, product(0, 0).value, variances.value(), seen, looks.prior);
-  const CoefficientMatrix covariance = r.factor.solve(CoefficientMatrix::Identity(p, p));
+  const CoefficientMatrix covariance = covariance_of(r);
   LikelihoodGradient result{.value = r.log_likelihood, .hyperparameters = {}, .log_wavelengths = {}};
   for (Index t = 0; t < 4; ++t) {
     double d = -0.5 * (log_variances_d[t] + product(0, 0).d[t]);

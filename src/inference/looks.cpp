@@ -51,4 +51,9 @@ Regression regression_of(const CoefficientMatrix& products, const Coefficients& 
   return r;
 }
 
+CoefficientMatrix covariance_of(const Regression& regression) {
+  const Index p = regression.beta.size();
+  return regression.factor.solve(CoefficientMatrix::Identity(p, p));
+}
+
 }  // namespace flexslip

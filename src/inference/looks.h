@@ -52,4 +52,6 @@ struct Regression {
 Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
                          double log_variances, double seen, const std::vector<double>& prior);
 
+CoefficientMatrix covariance_of(const Regression& regression);  // [1] of β
+
 }  // namespace flexslip

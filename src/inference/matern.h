@@ -1,25 +1,13 @@
 // The Matérn kernels as state-space models: g and its derivatives, each in units of the rate of the kernel.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <numbers>
 
 #include "fibre/elementary.h"
 #include "inference/kernel.h"
+#include "inference/square.h"
 
 namespace flexslip::matern {
-
-// A square matrix of a few numbers, of whatever kind; of no value until it is given one.
-template <int M, class T>
-struct Square {
-  std::array<T, static_cast<std::size_t>(M) * M> at_;
-  constexpr T& operator()(int i, int j) { return at_[place(i, j)]; }
-  constexpr const T& operator()(int i, int j) const { return at_[place(i, j)]; }
-  static constexpr std::size_t place(int i, int j) {
-    return static_cast<std::size_t>(i) * M + static_cast<std::size_t>(j);
-  }
-};
 
 // The rate [1/L] of a kernel of correlation length 1.
 constexpr double rate_of(Kernel kernel) {

@@ -14,33 +14,46 @@ namespace {
 template <int M>
 void draw_states(const Looks& looks, const Parameters<double>& p, NormalSource& normal, Drawn& drawn) {
   constexpr int G = M - 1;
-  using Matrix = Eigen::Matrix<double, (G > 0 ? G : 1), (G > 0 ? G : 1)>;
-  using Vector = Eigen::Matrix<double, (G > 0 ? G : 1), 1>;
-  Matrix limit = Matrix::Zero();
+  constexpr int size = G > 0 ? G : 1;
+  using Matrix = Square<size, double>;
+  Matrix limit{};
   if constexpr (G > 0) {
     constexpr auto P = matern::stationary<G>();
     for (int i = 0; i < G; ++i)
       for (int j = 0; j < G; ++j) limit(i, j) = p.roughness * p.roughness * P(i, j);
   }
   const auto some = [&](const Matrix& covariance) {
-    Matrix lifted = covariance;
-    lifted.diagonal().array() += 1e-14 * p.roughness * p.roughness;  // rounding makes no variance negative
-    const Eigen::LLT<Matrix> factor(lifted);
-    Vector z;
-    for (auto& value : z) value = normal();
-    return Vector(factor.info() == Eigen::Success ? Vector(factor.matrixL() * z) : Vector(Vector::Zero()));
+    Few<size> z, out{};
+    for (double& value : z) value = normal();
+    Matrix L = covariance;  // whose lower triangle Cholesky's becomes
+    for (int i = 0; i < size; ++i) L(i, i) += 1e-14 * p.roughness * p.roughness;  // rounding makes no variance negative
+    for (int k = 0; k < size; ++k) {
+      double squares = 0;
+      for (int j = 0; j < k; ++j) squares += L(k, j) * L(k, j);
+      if (!(L(k, k) - squares > 0)) return Few<size>{};
+      L(k, k) = std::sqrt(L(k, k) - squares);
+      for (int i = k + 1; i < size; ++i) {
+        double products = 0;
+        for (int j = 0; j < k; ++j) products += L(i, j) * L(k, j);
+        L(i, k) = (L(i, k) - products) / L(k, k);
+      }
+    }
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j <= i; ++j) out[static_cast<std::size_t>(i)] += L(i, j) * z[static_cast<std::size_t>(j)];
+    return out;
   };
-  Vector g = G > 0 ? some(limit) : Vector(Vector::Zero());
+  Few<size> g = G > 0 ? some(limit) : Few<size>{};
   double e = p.noise * normal();
   for (std::size_t k = 0; k < looks.looks.size(); ++k) {
     const Look& look = looks.looks[k];
     if (k > 0) {
       if constexpr (G > 0) {
-        const auto square = matern::transition_over<G, double>(p.rate * (look.place - looks.looks[k - 1].place));
-        Matrix A;
-        for (int i = 0; i < G; ++i)
-          for (int j = 0; j < G; ++j) A(i, j) = square(i, j);
-        g = (A * g + some(limit - A * limit * A.transpose())).eval();
+        const Matrix A = matern::transition_over<G, double>(p.rate * (look.place - looks.looks[k - 1].place));
+        Matrix added = product(product(A, limit), transposed(A));
+        for (std::size_t i = 0; i < added.at_.size(); ++i) added.at_[i] = limit.at_[i] - added.at_[i];
+        g = product(A, g);
+        const auto more = some(added);
+        for (std::size_t i = 0; i < size; ++i) g[i] += more[i];
       }
       if (look.rows > 0) {
         const double kept = p.correlation > 0 ? elementary::exp(look.rows * elementary::log(p.correlation)) : 0;

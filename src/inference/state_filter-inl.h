@@ -32,8 +32,6 @@ Parameters<double> numbers_of(Kernel kernel, const Hyperparameters& at) {
           kernel == Kernel::none ? 0 : matern::rate_of(kernel) / at.length};
 }
 
-using matern::Square;
-
 // The filter's covariances: what it knows of the state before each look. G numbers of g, then e.
 template <int M, class T>
 class Covariances {
