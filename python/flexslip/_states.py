@@ -45,7 +45,7 @@ class Inverse(NamedTuple):
     q: Any
 
 
-def _numbers(name: str, values: Any) -> Any:
+def numbers(name: str, values: Any) -> Any:
     """An array as it is, or what becomes one, of numbers without an imaginary part."""
     if isinstance(values, np.ndarray) or hasattr(values, "__array_ufunc__"):
         array = np.asarray(values)
@@ -64,7 +64,7 @@ def _first(array: Any) -> str:
     return repr(array.flat[0]) if array.size else ""
 
 
-def _require(name: str, array: Any, low: float, high: float, expected: str) -> None:
+def require(name: str, array: Any, low: float, high: float, expected: str) -> None:
     """Refuses what is outside of [low, high], or NaN, and names it."""
     numbers = np.asarray(array)
     if numbers.size == 0 or (numbers.min() >= low and numbers.max() <= high):
@@ -75,23 +75,25 @@ def _require(name: str, array: Any, low: float, high: float, expected: str) -> N
 
 
 _MA: Any = np.ma  # whose functions have no types
-_GREATEST = float(np.finfo(float).max)
+GREATEST = float(np.finfo(float).max)
 
 
-def _seen(values: Any) -> Any:
+def seen(values: Any) -> Any:
     """What of an array is not masked."""
     return _MA.compressed(values) if _MA.isMaskedArray(values) else values
 
 
-def _computed(function: Any, kind: Any, first: Any, second: Any, out: Any, valid: tuple[float, float]) -> Any:
-    """What a universal function gives; of masked arrays, masked where one of them is."""
-    if isinstance(first, np.ma.MaskedArray) or isinstance(second, np.ma.MaskedArray):
+def computed(function: Any, kind: Any, inputs: tuple[Any, ...], out: Any, valid: tuple[float, ...]) -> Any:
+    """What a universal function gives; of masked arrays, masked where one of them is. `valid` are numbers to compute with there."""
+    if any(isinstance(each, np.ma.MaskedArray) for each in inputs):
         if out is not None:
             raise wrong("out", "arrays without a mask beside it", "masked arrays")
-        mask = _MA.getmaskarray(first) | _MA.getmaskarray(second)
-        values = function(_MA.filled(first, valid[0]), _MA.filled(second, valid[1]))
+        values = function(*(_MA.filled(each, number) for each, number in zip(inputs, valid)))
+        mask = np.zeros(np.shape(values[0]), dtype=bool)
+        for each in inputs:
+            mask = mask | _MA.getmaskarray(each)
         return kind(*(_MA.MaskedArray(value, mask) for value in values))
-    return kind(*(function(first, second) if out is None else function(first, second, out=_outputs(out, len(kind._fields)))))
+    return kind(*(function(*inputs) if out is None else function(*inputs, out=_outputs(out, len(kind._fields)))))
 
 
 def _outputs(out: Any, count: int) -> tuple[Any, ...]:
@@ -100,10 +102,15 @@ def _outputs(out: Any, count: int) -> tuple[Any, ...]:
     return out
 
 
+def require_friction(q: Any) -> None:
+    """Refuses mobilised friction that is not computed with."""
+    require("q", seen(q), -_MOST, _MOST, f"a mobilised friction from {-_MOST:g} to {_MOST:g}")
+
+
 def _in_domain(S: Any, q: Any) -> tuple[Any, Any]:
-    S, q = _numbers("S", S), _numbers("q", q)
-    _require("S", _seen(S), 1, _GREATEST, "a length of at least 1 span, finite")
-    _require("q", _seen(q), -_MOST, _MOST, f"a mobilised friction from {-_MOST:g} to {_MOST:g}")
+    S, q = numbers("S", S), numbers("q", q)
+    require("S", seen(S), 1, GREATEST, "a length of at least 1 span, finite")
+    require_friction(q)
     return S, q
 
 
@@ -148,7 +155,7 @@ def elastica(S: Any, q: Any, *, out: Any = None) -> States:
     (2, 3)
     """
     S, q = _in_domain(S, q)
-    answer: States = _computed(_flexslip.states, States, S, q, out, (1, 0))
+    answer: States = computed(_flexslip.states, States, (S, q), out, (1, 0))
     return answer
 
 
@@ -162,7 +169,7 @@ def elastica_slopes(S: Any, q: Any, *, out: Any = None) -> Slopes:
     True
     """
     S, q = _in_domain(S, q)
-    answer: Slopes = _computed(_flexslip.states_slopes, Slopes, S, q, out, (1, 0))
+    answer: Slopes = computed(_flexslip.states_slopes, Slopes, (S, q), out, (1, 0))
     return answer
 
 
@@ -176,7 +183,7 @@ def elastica_details(S: Any, q: Any, *, out: Any = None) -> Details:
     0.0
     """
     S, q = _in_domain(S, q)
-    answer: Details = _computed(_flexslip.states_more, Details, S, q, out, (1, 0))
+    answer: Details = computed(_flexslip.states_more, Details, (S, q), out, (1, 0))
     return answer
 
 
@@ -207,8 +214,8 @@ def elastica_inverse(w: Any, F: Any, *, out: Any = None) -> Inverse:
     >>> round(float(S), 12), round(float(q), 12)
     (1.2, 0.3)
     """
-    w, F = _numbers("w", w), _numbers("F", F)
+    w, F = numbers("w", w), numbers("F", F)
     for name, values in (("w", w), ("F", F)):
-        _require(name, _seen(values), 0, _GREATEST, "a finite number of at least 0")
-    answer: Inverse = _computed(_flexslip.states_from_forces, Inverse, w, F, out, (0, 0))
+        require(name, seen(values), 0, GREATEST, "a finite number of at least 0")
+    answer: Inverse = computed(_flexslip.states_from_forces, Inverse, (w, F), out, (0, 0))
     return answer
