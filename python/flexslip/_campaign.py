@@ -7,7 +7,7 @@ from typing import Any
 
 from . import _flexslip
 from ._answers import ANSWERS, Table, table_of
-from ._case import KEYS, _UNKNOWN, toml_of
+from ._case import set_of
 from ._errors import one_of
 from ._fields import CampaignFields
 from ._fit import positive
@@ -149,12 +149,8 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     names = [share] if isinstance(share, str) else list(share)
     for name in names:
         one_of("share", name, _flexslip.shareable_names)
-    changes = []
-    for name, value in (set or {}).items():
-        section, _, key = str(name).rpartition(".")
-        changes.append(f"{name}={toml_of(KEYS.get((section, key), {**_UNKNOWN, 'section': section, 'name': key}), value, False)}")
     found = _flexslip.campaign(
-        os.fspath(path), None if common is None else os.fspath(common), changes, model or "",
+        os.fspath(path), None if common is None else os.fspath(common), set_of(set, False), model or "",
         _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
         _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit), bool(check_stability), names,
         _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if report is None else os.fspath(report), bool(figures),

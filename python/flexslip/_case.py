@@ -33,6 +33,12 @@ def keys() -> list[dict[str, Any]]:
     return [dict(key) for key in KEYS.values()]
 
 
+def unit_of_parameter(name: str) -> str:
+    """What bare numbers of a design's parameter are in: SI, as its key has it."""
+    key = FLAT.get(name) or next((key for (_, known), key in KEYS.items() if known == name), None)
+    return "m" if name == "travel" else str(key["unit"]) if key else ""
+
+
 def _in_quotes(text: str) -> str:
     out = '"'
     for character in text:
@@ -118,6 +124,26 @@ def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
     raise _described(key, value)
 
 
+def quantity_in_words(name: str, value: Any, unit: str, holds: str, reduced: bool = False) -> str:
+    """An option that is a quantity, as the program reads it: a string with its unit, or a float in SI."""
+    if isinstance(value, Quantity):
+        value = float(value) if reduced else f"{float(value)!r} {value.unit}"
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
+    if isinstance(value, str):
+        return encodable(name, value, holds)
+    if not _is_number(value) or (isinstance(value, int) and abs(value) > 2**1000):
+        raise wrong(name, holds + (f', such as "1 {unit}", or a number in {unit}' if unit and not reduced else ""), value)
+    return f"{float(value)!r}" + (f" {unit}" if unit and not reduced else "")
+
+
+def encodable(name: str, text: str, holds: str = "text") -> str:
+    """Text that UTF-8 has: no half of a character."""
+    if any(0xD800 <= ord(character) < 0xE000 for character in text):
+        raise wrong(name, holds, text.encode("unicode_escape").decode())
+    return text
+
+
 def _table(values: Mapping[str, str]) -> str:
     return "{ " + ", ".join(f"{name} = {value}" for name, value in values.items()) + " }"
 
@@ -162,6 +188,21 @@ def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
         else:
             raise TypeError(f"unexpected keyword argument {name!r}" + _near(name))
     return sections
+
+
+def set_of(given: Any, reduced: bool) -> list[str]:
+    """Keys that change, by their whole names."""
+    if given is None:
+        return []
+    if not isinstance(given, Mapping):
+        raise wrong("set", "a dict of keys, {\"rig.stiffness\": \"200 N/m\"}", given)
+    changes = []
+    for name, value in given.items():
+        if not isinstance(name, str):
+            raise wrong("set", "a name of a key", name)
+        section, _, key = encodable("set", name, "a name of a key").rpartition(".")
+        changes.append(f"{name}={toml_of(KEYS.get((section, key), {**_UNKNOWN, 'section': section, 'name': key}), value, reduced)}")
+    return changes
 
 
 _COLUMNS = ("stage", "deflection", "force", "length")  # in the order in which a record has them
@@ -311,10 +352,7 @@ class Case:
             sections = {}
         self._given = _arrays_of(sections, reduced) or self._given
         self._changes += _changes_of(sections, reduced)
-        for name, value in (set or {}).items():
-            section, _, key = str(name).rpartition(".")
-            described = KEYS.get((section, key), {**_UNKNOWN, "section": section, "name": key})
-            self._changes.append(f"{name}={toml_of(described, value, reduced)}")
+        self._changes += set_of(set, reduced)
         self._read()
 
     def _read(self) -> None:

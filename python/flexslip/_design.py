@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _flexslip
 from ._answers import table_of
-from ._case import FLAT, KEYS, Case, case_of, with_keywords
+from ._case import Case, case_of, unit_of_parameter, with_keywords
 from ._errors import wrong
 from ._fields import DesignFields
 from ._simulate import whole
@@ -123,8 +123,7 @@ def _end(name: str, value: Any) -> str:
     """An end of a range, with the unit that the parameter's key has."""
     if isinstance(value, str):
         return value
-    key = FLAT.get(name) or next((key for (_, known), key in KEYS.items() if known == name), None)
-    unit = "m" if name == "travel" else key["unit"] if key else ""
+    unit = unit_of_parameter(name)
     try:
         return f"{float(value)!r} {unit}".strip()
     except (TypeError, ValueError):

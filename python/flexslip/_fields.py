@@ -13,6 +13,11 @@ SimulationFields = _made("simulation", "simulate --json", "SimulationFields", "W
 ProfileFields = _made("profile", "invert --json", "ProfileFields", "Friction point by point.")
 DesignFields = _made("design", "design --json", "DesignFields", "What a planned test will show.")
 CampaignFields = _made("campaign", "campaign --json", "CampaignFields", "What many tests show.")
+EquilibriumFields = _made("equilibrium", "equilibrium --json", "EquilibriumFields", "The curve of loading.")
+EquilibriumRegionFields = _made("equilibrium_region", "equilibrium --region --json", "EquilibriumRegionFields", "All equilibria.")
+ModulusFields = _made("modulus", "modulus --json", "ModulusFields", "The numbers of the bending standards.")
+SurfaceFields = _made("surface", "surface --json", "SurfaceFields", "What a height profile says of its surface.")
+SweepFields = _made("sweep", "sweep --json, merge --json", "SweepFields", "What came of a sweep.")
 ExportFields = _made("export", "read --json", "ExportFields", "What an export holds.")
 
 globals().update({made.__name__: made for made in made_classes()})

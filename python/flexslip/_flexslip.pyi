@@ -14,6 +14,16 @@ states: np.ufunc
 states_slopes: np.ufunc
 states_from_forces: np.ufunc
 states_more: np.ufunc
+states_on_rollers: np.ufunc
+states_on_loose_rollers: np.ufunc
+states_on_rollers_from_forces: np.ufunc
+deepest_on_supports: float
+widest_supports: float
+most_equilibria: int
+most_levels: int
+most_degree: int
+least_tapers: int
+most_tapers: int
 
 class Case:
     @property
@@ -36,6 +46,10 @@ def simulate(case: Case, points: int, noise: str, seed: int) -> Any: ...
 def friction_profile(case: Case) -> dict[str, Any]: ...
 def design(case: Case) -> Any: ...
 def design_map(case: Case, over: list[str], threads: int) -> Any: ...
+def equilibrium(case: Case, region: bool, points: int, levels: int, longest: str) -> Any: ...
+def modulus(case: Case, window: list[str]) -> dict[str, Any]: ...
+def surface(path: str, given: dict[str, Any]) -> Any: ...
+def sweep(text: str, source: str, changes: list[str], path: str, threads: int, keep_parts: bool) -> Any: ...
 def campaign(
     path: str, common: str | None, changes: list[str], model: str, false_alarms: float, suspect_limit: float, check_stability: bool,
     shared: list[str], jobs: int, report: str | None, figures: bool, test_reports: bool,

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _flexslip
-from ._case import Case, case_of, toml_of, with_keywords
+from ._case import Case, case_of, quantity_in_words, with_keywords
 from ._errors import wrong
 from ._fields import ProfileFields, SimulationFields
 
@@ -121,9 +121,6 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     return number
 
 
-_FORCE = {"section": "", "name": "noise", "is": "quantity", "unit": "N", "holds": "a force", "example": '"10 uN"'}
-
-
 @with_keywords
 def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: int = 1, energies: bool = False,
              set: Mapping[str, Any] | None = None, **keywords: Any) -> Simulation:  # noqa: A002
@@ -161,9 +158,7 @@ def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: in
     case = case_of(file, set, keywords)
     number = whole("points", points, 2, 1_000_000)
     whole("seed", seed, 0, 2**64 - 1)
-    text = ""
-    if noise is not None:
-        text = toml_of(_FORCE, noise, case.reduced).strip('"')
+    text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", case.reduced)
     test = _flexslip.simulate(case._case, number, text, int(seed))
     return Simulation(test.told(bool(energies)), case, test)
 
