@@ -153,6 +153,8 @@ class Answer:
         self._reduced = reduced  # are its numbers in reduced variables?
 
     def __reduce__(self) -> tuple[Any, ...]:
+        if not type(self)._path:
+            return _row_again, (self._data, type(self)._entries, self._reduced)
         return _made, (type(self)._path, self._data, self._reduced)
 
     _path: tuple[str, ...] = ()
@@ -487,7 +489,16 @@ def _table_of(data: Mapping[str, Any], path: tuple[str, ...], reduced: bool) -> 
 
 def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]], reduced: bool = False) -> Table[Any]:
     """A table of an answer that is one itself."""
+    return Table(data, _row_class(entries), reduced=reduced)
+
+
+def _row_class(entries: Sequence[Mapping[str, Any]]) -> type:
+    """The class of a row of such a table."""
     row = type("Row", (Answer,), {"_entries": entries, "_title": "Row"})
     for entry in entries:
         setattr(row, _attribute(entry["name"]), _property_of(entry))
-    return Table(data, row, reduced=reduced)
+    return row
+
+
+def _row_again(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]], reduced: bool) -> Any:
+    return _row_class(entries)(data, reduced)

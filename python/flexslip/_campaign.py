@@ -7,8 +7,8 @@ from typing import Any
 
 from . import _flexslip
 from ._answers import ANSWERS, Table, table_of
-from ._case import set_of
-from ._errors import one_of
+from ._case import path_of, set_of
+from ._errors import one_of, wrong
 from ._fields import CampaignFields
 from ._fit import positive
 from ._simulate import whole
@@ -146,13 +146,15 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     """
     if model is not None:
         one_of("model", model, _flexslip.model_names)
+    if not isinstance(share, Iterable):
+        raise wrong("share", "names of parameters", share)
     names = [share] if isinstance(share, str) else list(share)
     for name in names:
         one_of("share", name, _flexslip.shareable_names)
     found = _flexslip.campaign(
-        os.fspath(path), None if common is None else os.fspath(common), set_of(set, False), model or "",
+        os.fsencode(path_of(path, "path", "the name of a folder or of a table")), None if common is None else os.fsencode(path_of(common, "common")), set_of(set, False), model or "",
         _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
         _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit), bool(check_stability), names,
-        _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if report is None else os.fspath(report), bool(figures),
+        _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if report is None else os.fsencode(path_of(report, "report", "the name of a folder")), bool(figures),
         bool(test_reports))
     return Campaign(found.told(), found)

@@ -74,7 +74,7 @@ def _without_quantity(value: Any, reduced: bool) -> Any:
     """A quantity as text with its unit, which the reader of cases holds against the key; anything else as it is."""
     if not isinstance(value, Quantity):
         return value
-    return float(value) if reduced or value.unit in ("", "1") else f"{float(value)!r} {value.unit}"
+    return float(value) if value.unit in ("", "1") or (reduced and "L" in value.unit) else f"{float(value)!r} {value.unit}"
 
 
 def _part_of_estimate(key: dict[str, Any], part: Any, reduced: bool) -> str:
@@ -126,8 +126,7 @@ def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
 
 def quantity_in_words(name: str, value: Any, unit: str, holds: str, reduced: bool = False) -> str:
     """An option that is a quantity, as the program reads it: a string with its unit, or a float in SI."""
-    if isinstance(value, Quantity):
-        value = float(value) if reduced else f"{float(value)!r} {value.unit}"
+    value = _without_quantity(value, reduced)
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     if isinstance(value, str):
@@ -286,10 +285,11 @@ def _changes_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> lis
             for name, value in _values(section, given, reduced).items()]
 
 
-def _path(file: Any) -> str:
+def path_of(file: Any, field: str = "file", what: str = "the name of a file") -> str:
+    """A path as a string, which may hold bytes that are no UTF-8, as os.fsdecode has them."""
     path: str = os.fsdecode(file)
     if not path or path == "-" or "\0" in path:
-        raise wrong("file", "the name of a file", path)
+        raise wrong(field, what, repr(path))
     return path
 
 
@@ -339,14 +339,14 @@ class Case:
             self._text, self._source, self._changes = file._text, file._source, list(file._changes)
             self._given = file._given
             reduced = file.reduced
-        elif file is not None and (path := _path(file)).endswith(".toml"):
+        elif file is not None and (path := path_of(file)).endswith(".toml"):
             if reduced:
                 raise wrong("reduced", "a case file that says so itself", "both")
             self._text, self._source, self._changes = _decoded(path), path, []
             reduced = _says_reduced(self._text)
         else:
             if file is not None:
-                sections.setdefault("record", {})["file"] = _path(file)
+                sections.setdefault("record", {})["file"] = path_of(file)
             self._given = _arrays_of(sections, reduced)
             self._text, self._source, self._changes = _text_of(sections, reduced), "", []
             sections = {}
@@ -357,7 +357,7 @@ class Case:
 
     def _read(self) -> None:
         try:
-            self._case = _flexslip.read_case(self._text, self._source, self._changes)
+            self._case = _flexslip.read_case(self._text, os.fsencode(self._source), self._changes)
             if self._given:
                 self._case = _flexslip.with_record(self._case, self._given, _ARRAYS)
         except InputError as error:
@@ -380,8 +380,8 @@ class Case:
         '[rig]\\nspan = "1 mm"\\n'
         """
         case = cls.__new__(cls)
-        case._text, case._source, case._changes, case._given = text, os.fspath(source), [], []
-        case._case = _flexslip.read_case(text, case._source, [])
+        case._text, case._source, case._changes, case._given = text, os.fsdecode(source), [], []
+        case._case = _flexslip.read_case(text, os.fsencode(case._source), [])
         return case
 
     @property
@@ -444,7 +444,7 @@ def _read_again(text: str, source: str, changes: list[str], given: list[tuple[st
 
 
 def _decoded(path: str) -> str:
-    text: bytes = _flexslip.case_text(path)
+    text: bytes = _flexslip.case_text(os.fsencode(path))
     try:
         return text.decode("utf-8")
     except UnicodeDecodeError as error:

@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _flexslip
 from ._answers import table_of
-from ._case import Case, case_of, unit_of_parameter, with_keywords
+from ._case import Case, case_of, quantity_in_words, unit_of_parameter, with_keywords
 from ._errors import wrong
 from ._fields import DesignFields
 from ._simulate import whole
@@ -119,23 +119,12 @@ def _map_again(data: Mapping[str, Any], case: Case, entries: Any, kept: Mapping[
     return DesignMap(data, case, entries, None, kept)
 
 
-def _end(name: str, value: Any) -> str:
-    """An end of a range, with the unit that the parameter's key has."""
-    if isinstance(value, str):
-        return value
-    unit = unit_of_parameter(name)
-    try:
-        return f"{float(value)!r} {unit}".strip()
-    except (TypeError, ValueError):
-        raise wrong(f"over[{name!r}]", "a range: (from, to) or (from, to, points)", value) from None
-
-
 def _range(name: str, given: Any, reduced: bool) -> str:
     if isinstance(given, str):
         return f"{name}={given}"
     if not isinstance(given, (tuple, list)) or len(given) not in (2, 3):
         raise wrong(f"over[{name!r}]", "a range: (from, to) or (from, to, points)", given)
-    ends = [repr(float(end)) if reduced and not isinstance(end, str) else _end(name, end) for end in given[:2]]
+    ends = [quantity_in_words(f"over[{name!r}]", end, unit_of_parameter(name), "an end of a range", reduced) for end in given[:2]]
     return f"{name}={':'.join([*ends, *(str(whole('points', n, 2, 10000)) for n in given[2:])])}"
 
 

@@ -1,12 +1,13 @@
 """Measured tests: what friction they show."""
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from typing import Any
 
 from . import _flexslip
 from ._answers import ANSWERS, Answer, Estimate, Table, table_of
-from ._case import Case, case_of, with_keywords
+from ._case import Case, case_of, path_of, with_keywords
 from ._errors import one_of, wrong
 from ._fields import FitDraws, FitFields, FitParameters
 
@@ -87,12 +88,10 @@ class Fit(FitFields):
 
     def report(self, folder: Any) -> str:
         """Writes report.html and its figures into a folder, as ``flexslip fit --report`` does; gives the path of the former."""
-        import os
-
         if self._test is None:
             raise ValueError("a fit that was pickled has no report: call fit(fit.case).report(folder)")
-        path = os.fspath(folder)
-        self._test.write_report(path)
+        path = path_of(folder, "folder", "the name of a folder")
+        self._test.write_report(os.fsencode(path))
         return os.path.join(path, "report.html")
 
     def plot(self, figure: str = "force", ax: Any = None) -> Any:
@@ -242,5 +241,5 @@ def fit(file: Any = None, *, model: str | None = None, false_alarms: float | Non
     test = _flexslip.fit(case._case, model or "",
                          _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
                          _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit),
-                         bool(check_stability), None if surface is None else str(surface))
+                         bool(check_stability), None if surface is None else os.fsencode(path_of(surface, "surface")))
     return Fit(test.told(), case, test)

@@ -1,13 +1,14 @@
 """Exports of testing machines."""
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from . import _flexslip
-from ._case import _path
+from ._case import path_of
 from ._errors import one_of, wrong
 from ._fields import ExportFields
 from ._simulate import whole
@@ -119,7 +120,7 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
         one_of("displacement", displacement, ("crosshead", "deflection"))
     if force_unit is not None and calibration is not None:
         raise wrong("calibration", "either a unit of the force or its calibration", "both")
-    export = _flexslip.read(_path(file), words)
+    export = _flexslip.read(os.fsencode(path_of(file)), words)
     chosen = 0 if specimen is None else whole("specimen", specimen, 1, export.specimens) - 1
     in_si: dict[str, Any] = {}
     for role in _ROLES:

@@ -57,7 +57,7 @@ def numbers(name: str, values: Any) -> Any:
             raise wrong(name, "an array of numbers", "rows of different lengths") from None
     if array.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected real numbers, found {array.dtype.name} {_first(array)}".rstrip())
-    return given
+    return given.astype(np.float64) if array.dtype.kind == "f" and array.dtype.itemsize > 8 else given
 
 
 def _first(array: Any) -> str:

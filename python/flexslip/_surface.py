@@ -1,6 +1,7 @@
 """Height profiles of surfaces."""
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -8,7 +9,7 @@ import numpy as np
 
 from . import _flexslip
 from ._answers import ANSWERS, Table, table_of
-from ._case import _path, encodable, quantity_in_words
+from ._case import encodable, path_of, quantity_in_words
 from ._errors import wrong
 from ._fields import SurfaceFields
 from ._simulate import whole
@@ -158,7 +159,7 @@ def surface(file: Any, *, level: int = 1, cutoff: Any = None, edge_radius: Any =
             words[name] = _text(name, given[name])
     if position is not None and step is not None:
         raise wrong("step", "either a column of positions or their distance", "both")
-    study = _flexslip.surface(_path(file), words)
+    study = _flexslip.surface(os.fsencode(path_of(file)), words)
     return Surface(study.told(), study)
 
 

@@ -3,14 +3,15 @@ from __future__ import annotations
 
 import os
 import tempfile
+import threading
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from . import _flexslip
-from ._answers import Table, table_of
-from ._case import _in_quotes, _path, case_of, quantity_in_words, unit_of_parameter, with_keywords
+from ._answers import Quantity, Table, table_of
+from ._case import _in_quotes, case_of, path_of, quantity_in_words, unit_of_parameter, with_keywords
 from ._errors import one_of, wrong, yes_no
 from ._fields import SweepFields
 from ._simulate import whole
@@ -56,8 +57,9 @@ class Sweep(SweepFields):
 def _value(name: str, value: Any, reduced: bool) -> str:
     if isinstance(value, str):
         return _in_quotes(value)
-    text = quantity_in_words(f"axes[{name!r}]", value, unit_of_parameter(name), "a number", reduced)
-    return text if text.replace("e", "").replace("-", "").replace("+", "").replace(".", "").isdigit() else _in_quotes(text)
+    unit = "" if reduced else unit_of_parameter(name)
+    text = quantity_in_words(f"axes[{name!r}]", value, unit, "a number", reduced)
+    return _in_quotes(text) if unit or isinstance(value, Quantity) else text
 
 
 _RANGE = "a list of values, or a range: (from, to, points), and \"log\" after it for even ratios"
@@ -65,9 +67,12 @@ _RANGE = "a list of values, or a range: (from, to, points), and \"log\" after it
 
 def _axis(name: str, given: Any, sampled: bool, reduced: bool) -> str:
     """An axis as a case file has it."""
-    if isinstance(given, (list, np.ndarray)):
-        if np.ndim(given) != 1:
-            raise wrong(f"axes[{name!r}]", _RANGE, f"an array of the shape {np.shape(given)}")
+    if hasattr(given, "__array__") or isinstance(given, range):
+        given = np.asarray(given)
+        if given.ndim != 1:
+            raise wrong(f"axes[{name!r}]", _RANGE, f"an array of the shape {given.shape}")
+        given = given.tolist()
+    if isinstance(given, list):
         return "[" + ", ".join(_value(name, value, reduced) for value in given) + "]"
     if isinstance(given, tuple):
         names = ("from", "to", "spacing") if sampled else ("from", "to", "points", "spacing")
@@ -109,6 +114,9 @@ def _changes(axes: Any, samples: Any, seed: Any, reduced: bool) -> list[str]:
             raise wrong("axes", "names of numbers that vary", name)
         changes.append(f"sweep.axes.{name}={_axis(name, given, samples is not None, reduced)}")
     return changes
+
+
+_ONE_AT_A_TIME: dict[str, threading.Lock] = {}  # calls of this process that write one file: the second finds what the first has done
 
 
 @with_keywords
@@ -154,7 +162,9 @@ def sweep(file: Any = None, *, axes: Mapping[str, Any] | None = None, samples: i
     count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
     keep_parts = yes_no("keep_parts", keep_parts)
     if output is not None:
-        return _swept(case, changes, _path(output), count, keep_parts)
+        path = path_of(output, "output")
+        with _ONE_AT_A_TIME.setdefault(os.path.realpath(path), threading.Lock()):
+            return _swept(case, changes, path, count, keep_parts)
     with tempfile.TemporaryDirectory() as folder:
         found = _swept(case, changes, os.path.join(folder, "sweep.h5"), count, False)
         found._read()
@@ -162,5 +172,5 @@ def sweep(file: Any = None, *, axes: Mapping[str, Any] | None = None, samples: i
 
 
 def _swept(case: Any, changes: list[str], path: str, threads: int, keep_parts: bool) -> Sweep:
-    found = _flexslip.sweep(case._text, case._source, changes, path, threads, keep_parts)
+    found = _flexslip.sweep(case._text, os.fsencode(case._source), changes, os.fsencode(path), threads, keep_parts)
     return Sweep(found.told(), case.reduced, found)

@@ -204,6 +204,26 @@ class Faults(unittest.TestCase):
             self.assertIn("nothing", str(error))
         self.assertIsInstance(self.fault(lambda: flexslip.read("examples")), IsADirectoryError)
 
+    def test_outside_names_of_files_that_are_no_utf8(self):
+        with tempfile.TemporaryDirectory() as folder:
+            base = os.fsencode(folder) + b"/\xff-\xc3\xa4"
+            with open("examples/simulated/test.csv", "rb") as file, open(base + b".csv", "wb") as copy:
+                copy.write(file.read())
+            self.assertEqual(flexslip.read(base + b".csv").rows, 426)
+            self.assertEqual(flexslip.sweep("examples/design.toml", axes={"mu0": [0.3]}, output=base + b".h5").rows, 1)
+            self.assertTrue(os.path.isfile(base + b".h5"))
+            for call in (lambda: flexslip.read(base), lambda: flexslip.fit(base + b".toml"), lambda: flexslip.surface(base), lambda: flexslip.campaign(base)):
+                self.assertEqual(os.fsencode(self.fault(call).file)[:len(base)], base)
+
+    def test_outside_quantities_of_a_reduced_case_have_no_unit_of_si(self):
+        case = flexslip.Case(reduced=True, stiffness=30, friction={"model": "constant", "mu0": 0.6}, stage={"program": [0, 0.5], "step": 0.002})
+        newtons, reduced = flexslip.Quantity(10.0, "N/m"), flexslip.Quantity(10.0, "EI/L^3")
+        for call in (lambda: flexslip.design(case, over={"stiffness": (newtons, 100.0, 3)}), lambda: case.replace(stiffness=newtons),
+                     lambda: flexslip.sweep(case, axes={"stiffness": [newtons]})):
+            self.assertIn("10.0 N/m", str(self.fault(call)))
+        self.assertEqual(case.replace(stiffness=reduced)["rig.stiffness"], 10)
+        self.assertEqual(len(flexslip.design(case, over={"stiffness": (reduced, 100.0, 3)})), 3)
+
     def test_outside_remedies_are_in_words_of_python(self):
         table = "Weg (mm);Kraft (N)\n" + "".join(f"{i / 10};{i / 7:.4f}\n" for i in range(40))
         with tempfile.TemporaryDirectory() as folder:

@@ -275,6 +275,8 @@ class Kept(unittest.TestCase):
             again = pickle.loads(pickle.dumps(answer))
             self.assertEqual(again.to_json(), answer.to_json())
             self.assertEqual(repr(again), repr(answer))
+            for table in (each for each in (getattr(answer, "designs", None), getattr(answer, "curves", None), getattr(answer, "curve", None)) if each is not None):
+                self.assertEqual(pickle.loads(pickle.dumps(table[0])).to_dict(), table[0].to_dict())
             if hasattr(answer, "to_frame"):
                 self.assertTrue(again.to_frame().equals(answer.to_frame()), answer)
 
@@ -325,6 +327,13 @@ class Running(unittest.TestCase):
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             for name, fit in zip(EXAMPLES * 2, pool.map(flexslip.fit, map(case, EXAMPLES * 2))):
                 self.assertEqual(fit.to_json(), flexslip.fit(case(name)).to_json())
+
+    def test_outside_threads_that_sweep_into_one_file_find_what_the_first_has_done(self):
+        with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(4) as pool:
+            output = pathlib.Path(folder) / "one.h5"
+            found = list(pool.map(lambda _: flexslip.sweep(DESIGN, axes={"mu0": (0.1, 0.6, 6)}, output=output).designs.snaps.tolist(), range(4)))
+            self.assertEqual(found, [found[0]] * 4)
+            self.assertEqual(os.listdir(folder), ["one.h5"])
 
     def test_outside_other_threads_run_during_a_fit(self):
         begun, done = threading.Event(), threading.Event()
