@@ -19,6 +19,7 @@ states_on_loose_rollers: np.ufunc
 states_on_rollers_from_forces: np.ufunc
 deepest_on_supports: float
 widest_supports: float
+thickest: float
 most_equilibria: int
 most_levels: int
 most_degree: int

@@ -11,6 +11,7 @@ from ._states import GREATEST, Inverse, computed, numbers, require, require_fric
 _DEEPEST = float(_flexslip.deepest_on_supports)
 _WIDEST_SAID = float(_flexslip.widest_supports)
 _WIDEST = float(np.nextafter(_WIDEST_SAID, 0))
+_THICKEST = float(_flexslip.thickest)
 _LEAST = 5e-324  # above 0
 
 
@@ -32,8 +33,8 @@ class RollerStates(NamedTuple):
 
 def _supports(roller_radius: Any, thickness: Any) -> tuple[Any, Any]:
     radius, thick = numbers("roller_radius", roller_radius), numbers("thickness", thickness)
-    for name, values in (("roller_radius", radius), ("thickness", thick)):
-        require(name, seen(values), 0, GREATEST, "a finite number of at least 0, in spans")
+    require("roller_radius", seen(radius), 0, GREATEST, "a finite number of at least 0, in spans")
+    require("thickness", seen(thick), 0, float(np.nextafter(_THICKEST, 0)), f"0 or more, and less than {_THICKEST:g} spans, for beam theory")
     with np.errstate(over="ignore"):
         together = np.add(radius, np.multiply(0.5, thick))
     require("roller_radius", seen(together), 0, _WIDEST, f"a radius, and half of a thickness, of less than {_WIDEST_SAID:g} spans together")
@@ -57,7 +58,8 @@ def elastica_on_rollers(w: Any, q: Any, *, roller_radius: Any = 0.0, thickness: 
     q : array_like
         Mobilised friction, from -20 to 20.
     roller_radius, thickness : array_like
-        Radius of the rollers and thickness of the specimen, in spans; the former and half of the latter are less than 0.45 together.
+        Radius of the rollers and thickness of the specimen, in spans; the former and half of the latter are less than 0.45 together, and the latter is less
+        than 0.2, for beam theory.
     out : tuple of nine arrays, optional
         Where to write the answers.
 

@@ -15,6 +15,7 @@
 #include <numpy/ufuncobject.h>
 #include <pybind11/pybind11.h>
 
+#include "case/problem.h"
 #include "fibre/batch.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
@@ -211,6 +212,7 @@ void add_states(py::module_& module) {
   module.attr("largest_q") = largest_q;
   module.attr("deepest_on_supports") = deepest_on_supports;
   module.attr("widest_supports") = widest_supports;
+  module.attr("thickest") = thickest;
 }
 
 }  // namespace flexslip::python

@@ -33,7 +33,7 @@ struct Sweep {
   ToldSweep told;
 };
 
-// Debian's HDF5 is not for several threads at once.
+// HDF5 need not be built for several threads at once.
 std::mutex& one_at_a_time() {
   static std::mutex mutex;
   return mutex;
