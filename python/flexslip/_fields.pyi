@@ -2804,6 +2804,498 @@ class CampaignFields(Answer):
     def units(self) -> CampaignUnits:
         """of plain numbers"""
 
+class EquilibriumUnits(Answer):
+    """of plain numbers"""
+
+    @property
+    def length(self) -> str:
+        """of lengths, stage positions and deflections"""
+    @property
+    def force(self) -> str:
+        """of forces"""
+    @property
+    def energy(self) -> str:
+        """of energies"""
+
+class EquilibriumCurve(Answer):
+    """of loading, where friction is fully mobilised"""
+
+    @property
+    def length(self) -> float:
+        """of the specimen's axis between the contacts [m]"""
+    @property
+    def mu(self) -> float:
+        """friction [1]"""
+    @property
+    def deflection(self) -> float:
+        """at midspan [m]"""
+    @property
+    def force(self) -> float:
+        """at midspan [N]"""
+    @property
+    def drawn_in(self) -> float:
+        """what has slid past the first contacts, over both supports [m]"""
+
+class EquilibriumCurveTable(Table[EquilibriumCurve]):
+    length: Numbers
+    mu: Numbers
+    deflection: Numbers
+    force: Numbers
+    drawn_in: Numbers
+
+class EquilibriumFields(Answer):
+    """The curve of loading."""
+
+    @property
+    def status(self) -> str:
+        """ok, or branch_ended: the curve ends where the force has fallen to zero"""
+    @property
+    def units(self) -> EquilibriumUnits:
+        """of plain numbers"""
+    @property
+    def curve(self) -> EquilibriumCurveTable:
+        """of loading, where friction is fully mobilised"""
+
+class EquilibriumRegionUnits(Answer):
+    """of plain numbers"""
+
+    @property
+    def length(self) -> str:
+        """of lengths, stage positions and deflections"""
+    @property
+    def force(self) -> str:
+        """of forces"""
+    @property
+    def energy(self) -> str:
+        """of energies"""
+
+class EquilibriumRegionRegion(Answer):
+    """all equilibria, with --region"""
+
+    @property
+    def length(self) -> float:
+        """of the specimen's axis between the contacts [m]"""
+    @property
+    def q(self) -> float:
+        """mobilised friction [1]"""
+    @property
+    def deflection(self) -> float:
+        """at midspan [m]"""
+    @property
+    def force(self) -> float:
+        """at midspan [N]"""
+    @property
+    def drawn_in(self) -> float:
+        """what has slid past the first contacts, over both supports [m]"""
+
+class EquilibriumRegionRegionTable(Table[EquilibriumRegionRegion]):
+    length: Numbers
+    q: Numbers
+    deflection: Numbers
+    force: Numbers
+    drawn_in: Numbers
+
+class EquilibriumRegionFields(Answer):
+    """All equilibria."""
+
+    @property
+    def status(self) -> str:
+        """ok, or branch_ended: the curve ends where the force has fallen to zero"""
+    @property
+    def units(self) -> EquilibriumRegionUnits:
+        """of plain numbers"""
+    @property
+    def region(self) -> EquilibriumRegionRegionTable:
+        """all equilibria, with --region"""
+
+class ModulusChord(Answer):
+    """of ISO 178; null where the record does not cover both strains"""
+
+    @property
+    def strain(self) -> Numbers:
+        """flexural strains between which it is drawn [1]"""
+    @property
+    def deflection(self) -> Numbers:
+        """deflections there, from the origin [m]"""
+    @property
+    def stiffness(self) -> Estimate:
+        """force over deflection between them [N/m]"""
+    @property
+    def modulus(self) -> Estimate | None:
+        """flexural modulus of the chord, as ISO 178 has it [Pa]"""
+
+class ModulusWindow(Answer):
+    """the straight part"""
+
+    @property
+    def from_(self) -> float:
+        """where the straight part begins, in shares of of_force [1]"""
+    @property
+    def up_to(self) -> float:
+        """where it ends, likewise [1]"""
+    @property
+    def of_force(self) -> float:
+        """greatest force reached at a small deflection [N]"""
+    @property
+    def rows(self) -> Numbers:
+        """first and last row of the file in it [1]"""
+
+class ModulusPreparation(Answer):
+    """from the file to the record, step by step"""
+
+    @property
+    def step(self) -> str:
+        """columns, metadata, first, repeated, held, interpolated, sign, thinning, zero, compliance, end, turn, stage or contact"""
+    @property
+    def changed(self) -> bool:
+        """numbers are not as in the file, or rows are left out"""
+    @property
+    def done(self) -> str:
+        """what was done, in words"""
+    @property
+    def value(self) -> float:
+        """taken off, applied or found [1]"""
+    @property
+    def uncertainty(self) -> float:
+        """its standard deviation, where it is known [1]"""
+    @property
+    def unit(self) -> str | None:
+        """of both"""
+    @property
+    def rows(self) -> Numbers | None:
+        """first and last row of the file that it is about; null: all [1]"""
+    @property
+    def key(self) -> str | None:
+        """what to write into the case for having it otherwise"""
+    @property
+    def flag(self) -> str | None:
+        """the flag that says the same"""
+
+class ModulusPreparationTable(Table[ModulusPreparation]):
+    step: Objects
+    changed: Objects
+    done: Objects
+    value: Numbers
+    uncertainty: Numbers
+    unit: Objects
+    rows: Objects
+    key: Objects
+    flag: Objects
+
+class ModulusFields(Answer):
+    """The numbers of the bending standards."""
+
+    @property
+    def status(self) -> str:
+        """ok, or no_straight_part: no number is there then"""
+    @property
+    def stiffness(self) -> Estimate | None:
+        """force over deflection, slope of the straight part [N/m]"""
+    @property
+    def bending_stiffness(self) -> Estimate | None:
+        """EI = F L³/(48 δ); null without a span [N m^2]"""
+    @property
+    def modulus(self) -> Estimate | None:
+        """flexural modulus F L³/(48 I δ); null without a section [Pa]"""
+    @property
+    def chord(self) -> ModulusChord | None:
+        """of ISO 178; null where the record does not cover both strains"""
+    @property
+    def window(self) -> ModulusWindow | None:
+        """the straight part"""
+    @property
+    def origin(self) -> Quantity | None:
+        """deflection at which the straight part would meet zero force [m]"""
+    @property
+    def greatest_force(self) -> Quantity | None:
+        """greatest force [N]"""
+    @property
+    def deflection(self) -> Quantity | None:
+        """deflection there, from the origin [m]"""
+    @property
+    def stress(self) -> Quantity | None:
+        """flexural stress there, F L depth/(8 I) [Pa]"""
+    @property
+    def strain(self) -> Quantity | None:
+        """flexural strain there, 6 δ depth/L² [1]"""
+    @property
+    def deflection_large(self) -> bool | None:
+        """it is beyond a tenth of the span: stress and strain of the standards do not hold"""
+    @property
+    def shear_share(self) -> float:
+        """what shear, left out, adds to a small deflection [1]"""
+    @property
+    def preparation(self) -> ModulusPreparationTable:
+        """from the file to the record, step by step"""
+
+class SurfaceUnits(Answer):
+    """of plain numbers"""
+
+    @property
+    def length(self) -> str:
+        """of lengths, stage positions and deflections"""
+    @property
+    def force(self) -> str:
+        """of forces"""
+    @property
+    def energy(self) -> str:
+        """of energies"""
+
+class SurfaceTrace(Answer):
+    """as it was read"""
+
+    @property
+    def name(self) -> str:
+        """as it was given"""
+    @property
+    def position(self) -> str | None:
+        """column of the positions; null where their distance was stated"""
+    @property
+    def height(self) -> str:
+        """column of the heights"""
+    @property
+    def heights(self) -> int:
+        """that it has"""
+    @property
+    def step(self) -> float:
+        """between heights [m]"""
+    @property
+    def field(self) -> float:
+        """width of the trace [m]"""
+    @property
+    def unevenness(self) -> float:
+        """greatest departure of a distance from their mean, relative [1]"""
+    @property
+    def interpolated(self) -> bool:
+        """as distances differ by more than 1 %"""
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """what was decided about the file"""
+
+class SurfaceTreatment(Answer):
+    """of the heights"""
+
+    @property
+    def level(self) -> int:
+        """degree of the polynomial taken off"""
+    @property
+    def cutoff(self) -> float:
+        """of the Gaussian filter; null without one [m]"""
+    @property
+    def edge_radius(self) -> float:
+        """of the edge that is drawn over it [m]"""
+    @property
+    def tapers(self) -> int:
+        """of the spectrum"""
+
+class SurfaceWaves(Answer):
+    """that stand out of the spectrum, the highest first"""
+
+    @property
+    def wavelength(self) -> Estimate:
+        """along the trace [m]"""
+    @property
+    def amplitude(self) -> Estimate:
+        """of the height, half of crest to trough [m]"""
+    @property
+    def slope_amplitude(self) -> float:
+        """2π amplitude over wavelength [1]"""
+    @property
+    def coherent(self) -> bool:
+        """one phase all along the trace"""
+    @property
+    def phase(self) -> float:
+        """of a coherent one, at position 0; null of others [rad]"""
+    @property
+    def p_value(self) -> float:
+        """that a surface without waves shows one like it anywhere [1]"""
+
+class SurfaceWavesTable(Table[SurfaceWaves]):
+    wavelength: Objects
+    amplitude: Objects
+    slope_amplitude: Numbers
+    coherent: Objects
+    phase: Numbers
+    p_value: Numbers
+
+class SurfaceResolution(Answer):
+    """of the wavelengths in question, of those found, or of a tenth of the field"""
+
+    @property
+    def wavelength(self) -> float:
+        """in question [m]"""
+    @property
+    def heights_a_wave(self) -> float:
+        """two are the least [1]"""
+    @property
+    def waves_in_field(self) -> float:
+        """the paper asks for ten [1]"""
+    @property
+    def least_amplitude_by_pixels(self) -> float:
+        """by the paper's rule, ten pixels from crest to trough; null where the pixel is not known [m]"""
+    @property
+    def least_amplitude_by_spectrum(self) -> float:
+        """of a coherent wave that stands out of noise and roughness in 95 of 100 such traces [m]"""
+    @property
+    def pixel_wanted(self) -> float:
+        """by the paper's rule, for a wave of the amplitude asked for or found [m]"""
+
+class SurfaceResolutionTable(Table[SurfaceResolution]):
+    wavelength: Numbers
+    heights_a_wave: Numbers
+    waves_in_field: Numbers
+    least_amplitude_by_pixels: Numbers
+    least_amplitude_by_spectrum: Numbers
+    pixel_wanted: Numbers
+
+class SurfaceFriction(Answer):
+    """that its slopes predict; null where none is stated"""
+
+    @property
+    def base(self) -> float:
+        """of the flat surface, as stated [1]"""
+    @property
+    def mean(self) -> float:
+        """of what the slopes show [1]"""
+    @property
+    def deviation(self) -> float:
+        """standard deviation of it [1]"""
+    @property
+    def low95(self) -> float:
+        """a fortieth of the trace shows less [1]"""
+    @property
+    def high95(self) -> float:
+        """a fortieth of the trace shows more [1]"""
+
+class SurfaceFields(Answer):
+    """What a height profile says of its surface."""
+
+    @property
+    def status(self) -> str:
+        """ok, or noise: no surface is seen in it"""
+    @property
+    def units(self) -> SurfaceUnits:
+        """of plain numbers"""
+    @property
+    def trace(self) -> SurfaceTrace:
+        """as it was read"""
+    @property
+    def treatment(self) -> SurfaceTreatment:
+        """of the heights"""
+    @property
+    def rms_height_of_trace(self) -> float:
+        """of the levelled trace, noise included [m]"""
+    @property
+    def shortest(self) -> float:
+        """wavelength that rms_height and rms_slope are told of [m]"""
+    @property
+    def longest(self) -> float:
+        """likewise [m]"""
+    @property
+    def shortest_is(self) -> str:
+        """noise: where it is as great as the surface; five_steps; stated"""
+    @property
+    def rms_height(self) -> Estimate | None:
+        """of the surface, of wavelengths between these, without noise [m]"""
+    @property
+    def rms_slope(self) -> Estimate | None:
+        """likewise [1]"""
+    @property
+    def rms_slope_of_edge(self) -> float:
+        """of the path of the edge, from height to height; null of a sharp one [1]"""
+    @property
+    def correlation_length(self) -> Estimate | None:
+        """where the correlation has fallen to 1/e; null beyond a tenth of the field [m]"""
+    @property
+    def noise(self) -> float:
+        """standard deviation of a height, white [m]"""
+    @property
+    def noise_is(self) -> str:
+        """stated, found or not_found"""
+    @property
+    def waves(self) -> SurfaceWavesTable:
+        """that stand out of the spectrum, the highest first"""
+    @property
+    def pixel(self) -> float:
+        """least difference of heights that is told; null if they are as fine as their noise [m]"""
+    @property
+    def pixel_is(self) -> str | None:
+        """stated, heights: all are multiples of it; null without one"""
+    @property
+    def resolution(self) -> SurfaceResolutionTable:
+        """of the wavelengths in question, of those found, or of a tenth of the field"""
+    @property
+    def friction(self) -> SurfaceFriction | None:
+        """that its slopes predict; null where none is stated"""
+
+class SweepCounts(Answer):
+    """of them by status; null where they were not counted now"""
+
+    @property
+    def ok(self) -> int:
+        """designs with this status"""
+    @property
+    def slipped_through(self) -> int:
+        """designs with this status"""
+    @property
+    def impossible(self) -> int:
+        """designs with this status"""
+    @property
+    def not_computable(self) -> int:
+        """designs with this status"""
+    @property
+    def breaks(self) -> int:
+        """designs with this status"""
+
+class SweepFaults(Answer):
+    """parts that are missing or damaged"""
+
+    @property
+    def file(self) -> str:
+        """where the part should be, or what is damaged"""
+    @property
+    def rows(self) -> Numbers:
+        """first and last of the sweep in it [1]"""
+    @property
+    def state(self) -> str:
+        """missing or damaged"""
+
+class SweepFaultsTable(Table[SweepFaults]):
+    file: Objects
+    rows: Objects
+    state: Objects
+
+class SweepFields(Answer):
+    """What came of a sweep."""
+
+    @property
+    def status(self) -> str:
+        """done, or incomplete: parts are missing or damaged"""
+    @property
+    def file(self) -> str | None:
+        """that holds the sweep; null of a shard"""
+    @property
+    def rows(self) -> int | None:
+        """designs of the sweep; null where that is not known"""
+    @property
+    def counts(self) -> SweepCounts | None:
+        """of them by status; null where they were not counted now"""
+    @property
+    def faults(self) -> SweepFaultsTable:
+        """parts that are missing or damaged"""
+    @property
+    def parts(self) -> str | None:
+        """folder of a shard"""
+    @property
+    def shard(self) -> Numbers | None:
+        """which of how many [1]"""
+    @property
+    def rows_found(self) -> int | None:
+        """designs of the shard that were there already"""
+    @property
+    def rows_computed(self) -> int | None:
+        """designs of the shard computed now"""
+
 class ExportColumns(Answer):
     """of the specimen chosen"""
 

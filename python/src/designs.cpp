@@ -64,10 +64,10 @@ void add_designs(py::module_& module) {
         [&](const std::atomic<bool>&) { return std::make_shared<DesignAnswer>(answer_of(DesignCase(input))); });
   });
   module.def("design_map", [](const Case& given, const std::vector<std::string>& over, unsigned threads) {
-    return interruptible([&](const std::atomic<bool>&) {
+    return interruptible([&](const std::atomic<bool>& stop) {
       const DesignCase input(given);
       auto axes = map_axes(input, over);
-      auto points = design_map(input, axes, threads);
+      auto points = design_map(input, axes, threads, &stop);
       return std::make_shared<Map>(Map{input, std::move(axes), std::move(points)});
     });
   });

@@ -12,14 +12,17 @@
 #include "case/fitted.h"
 #include "figures.h"
 #include "inference/process_search.h"
+#include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
+#include "report/cycles_figures.h"
 #include "report/fit_figures.h"
 #include "report/fit_screen.h"
 #include "report/fit_text.h"
 #include "report/fit_words.h"
 #include "report/record_figure.h"
 #include "report/report.h"
+#include "report/teeth_figure.h"
 
 namespace flexslip::python {
 namespace {
@@ -50,6 +53,11 @@ py::list figures(Test test) {
   out.append(plain(force_figure(test)));
   out.append(plain(profile_figure(test)));
   if (!test.analysis.fit.scan.empty()) out.append(plain(wavelength_figure(test)));
+  if (test.analysis.teeth && !test.analysis.teeth->teeth.empty()) out.append(plain(teeth_figure(test)));
+  if (has_loops(test)) {
+    out.append(plain(loops_figure(test)));
+    out.append(plain(boxes_figure(test)));
+  }
   return out;
 }
 
@@ -59,9 +67,11 @@ std::shared_ptr<FittedTest> fit(const Case& input, const std::string& model, dou
   choice.options.drops.false_alarms_per_test = false_alarms;
   choice.options.suspect_limit = suspect_limit;
   choice.options.check_stability = check_stability;
-  auto test = std::make_shared<FittedTest>(fit_test(input, options_for(input, choice)));
-  if (surface) hold_against(*test, *surface, {});
-  return test;
+  return interruptible([&](const std::atomic<bool>&) {
+    auto test = std::make_shared<FittedTest>(fit_test(input, options_for(input, choice)));
+    if (surface) hold_against(*test, *surface, {});
+    return test;
+  });
 }
 
 }  // namespace
@@ -81,7 +91,7 @@ void add_fits(py::module_& module) {
           [](Test test, const std::string& folder) { return write_report(folder, test) == DrawStatus::drawn; },
           py::call_guard<py::gil_scoped_release>());
   module.def("fit", fit, py::arg("case"), py::arg("model"), py::arg("false_alarms"), py::arg("suspect_limit"),
-             py::arg("check_stability"), py::arg("surface"), py::call_guard<py::gil_scoped_release>());
+             py::arg("check_stability"), py::arg("surface"));
   module.attr("model_names") = model_names();
   module.attr("false_alarms") = usual.options.drops.false_alarms_per_test;
   module.attr("suspect_limit") = usual.options.suspect_limit;

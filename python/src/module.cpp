@@ -14,5 +14,9 @@ PYBIND11_MODULE(_flexslip, module) {
   add_simulations(module);
   add_designs(module);
   add_campaigns(module);
+  add_equilibria(module);
+  add_standards(module);
+  add_surfaces(module);
+  add_sweeps(module);
   add_exports(module);
 }

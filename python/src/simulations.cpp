@@ -1,6 +1,6 @@
+#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -29,8 +29,14 @@ struct Simulated {
   SimulatedTest test;
 };
 
-std::shared_ptr<Simulated> run(const Case& input, int points, const std::string& noise, std::uint64_t seed) {
+struct Stopped {};  // thrown to leave a history that nobody waits for
+
+std::shared_ptr<Simulated> run(const Case& input, int points, const std::string& noise, std::uint64_t seed,
+                               const std::atomic<bool>& stop) {
   SimulationOptions options{.points = points, .noise = 0, .seed = seed};
+  options.progress = [&](std::uint64_t, std::uint64_t) {
+    if (stop) throw Stopped{};
+  };
   if (!noise.empty()) try {
       options.noise = parse_quantity(noise, input.reduced ? kind::number : kind::force, Range::non_negative);
     } catch (const InputError& error) {
@@ -64,15 +70,11 @@ py::list figures(const Simulated& simulated) {
 
 // What is read off a record without a fit.
 py::dict profile(const Case& input) {
-  std::optional<InvertedTest> test;
-  {
-    const py::gil_scoped_release unlocked;
-    test = invert_test(input);
-  }
-  const ReadTest read{test->measurement, test->stiffness, test->profile};
-  return py::dict(py::arg("told") =
-                      plain(read_test_fields()(read, frame_of(read, test->scales)), read_test_fields().descriptions()),
-                  py::arg("remarks") = test->remarks, py::arg("why_no_answer") = test->why_no_answer);
+  const InvertedTest test = interruptible([&](const std::atomic<bool>&) { return invert_test(input); });
+  const ReadTest read{test.measurement, test.stiffness, test.profile};
+  return py::dict(
+      py::arg("told") = plain(read_test_fields()(read, frame_of(read, test.scales)), read_test_fields().descriptions()),
+      py::arg("remarks") = test.remarks, py::arg("why_no_answer") = test.why_no_answer);
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ void add_simulations(py::module_& module) {
       .def_property_readonly("remarks", [](const Simulated& simulated) { return simulated.test.remarks; })
       .def_property_readonly("why_it_ends", [](const Simulated& simulated) { return simulated.test.why_it_ends; });
   module.def("simulate", [](const Case& input, int points, const std::string& noise, std::uint64_t seed) {
-    return interruptible([&](const std::atomic<bool>&) { return run(input, points, noise, seed); });
+    return interruptible([&](const std::atomic<bool>& stop) { return run(input, points, noise, seed, stop); });
   });
   module.def("friction_profile", profile);
 }

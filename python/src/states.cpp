@@ -1,4 +1,4 @@
-// The elastica on edges as universal functions of NumPy, which do what is not mechanics: broadcasting, strides, types, `out`, and the interpreter's
+// The elastica, on edges and on rollers, as universal functions of NumPy, which do what is not mechanics: broadcasting, strides, types, `out`, and the interpreter's
 // lock, which is released.
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <exception>
 #include <span>
+#include <utility>
 
 #include <Python.h>
 #define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
@@ -14,9 +15,12 @@
 #include <numpy/ufuncobject.h>
 #include <pybind11/pybind11.h>
 
+#include "case/problem.h"
 #include "fibre/batch.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
+#include "fibre/loose_rollers.h"
+#include "fibre/supported_state.h"
 #include "parts.h"
 
 namespace flexslip::python {
@@ -26,44 +30,99 @@ namespace py = pybind11;
 
 constexpr std::size_t block = 1024;  // states at a time: their arrays stay in the nearest cache, strided ones as well
 
-using Columns = std::array<const double*, 6>;
+constexpr std::size_t most_outputs = 9;
+using Columns = std::array<const double*, most_outputs>;
+using Numbers = std::span<const double>;
 
-// Column by column, what a function of two arrays gives.
+// Column by column, what a function of some arrays gives.
 struct TwoOf {
+  static constexpr std::size_t inputs = 2, outputs = 2;
   StateArrays states{0};
-  Columns operator()(std::span<const double> S, std::span<const double> q) {
+  Columns operator()(Numbers S, Numbers q) {
     states = fibre_states({S, q});
     return {states.w.data(), states.F.data()};
   }
 };
 struct Slopes {
+  static constexpr std::size_t inputs = 2, outputs = 6;
   SlopeArrays states{0};
-  Columns operator()(std::span<const double> S, std::span<const double> q) {
+  Columns operator()(Numbers S, Numbers q) {
     states = fibre_states_slopes({S, q});
     Columns columns{};
-    std::copy_n(states.columns().begin(), columns.size(), columns.begin());
+    std::copy_n(states.columns().begin(), outputs, columns.begin());
     return columns;
   }
 };
 struct Inverse {
+  static constexpr std::size_t inputs = 2, outputs = 2;
   InverseArrays states{};
-  Columns operator()(std::span<const double> w, std::span<const double> F) {
+  Columns operator()(Numbers w, Numbers F) {
     states = fibre_states_from_forces(w, F);
     return {states.S.data(), states.q.data()};
   }
 };
+// States one by one, each of which gives some numbers; NaN where there is none.
+template <std::size_t n>
+struct Each {
+  std::array<std::array<double, block>, n> values{};
+  void put(std::size_t i, const std::array<double, n>& numbers, bool is_there) {
+    for (std::size_t k = 0; k < n; ++k) values[k][i] = is_there ? numbers[k] : NAN;
+  }
+  Columns columns() const {
+    Columns out{};
+    for (std::size_t k = 0; k < n; ++k) out[k] = values[k].data();
+    return out;
+  }
+};
+
 struct WholeState {
-  std::array<std::array<double, block>, 4> values{};  // theta0, Pn, U, curvature
-  Columns operator()(std::span<const double> S, std::span<const double> q) {
+  static constexpr std::size_t inputs = 2, outputs = 4;
+  Each<outputs> each{};  // theta0, Pn, U, curvature
+  Columns operator()(Numbers S, Numbers q) {
     for (std::size_t i = 0; i < S.size(); ++i) {
       const FibreState state = fibre_state(S[i], q[i]);
       const bool is_there = state.status == FibreStatus::ok;
-      values[0][i] = is_there ? state.theta0 : NAN;
-      values[1][i] = is_there ? state.Pn : NAN;
-      values[2][i] = is_there ? state.U : NAN;
-      values[3][i] = is_there ? curvature_at_midspan(state) : NAN;
+      each.put(i, {state.theta0, state.Pn, state.U, is_there ? curvature_at_midspan(state) : NAN}, is_there);
     }
-    return {values[0].data(), values[1].data(), values[2].data(), values[3].data()};
+    return each.columns();
+  }
+};
+
+std::array<double, 9> numbers_of(const SupportedState& state) {
+  return {state.q, state.F, state.theta0, state.Pn, state.U, state.curvature, state.length, state.slid, state.imaged};
+}
+
+struct OnRollers {
+  static constexpr std::size_t inputs = 4, outputs = 9;
+  Each<outputs> each{};
+  Columns operator()(Numbers w, Numbers q, Numbers radius, Numbers thickness) {
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      const SupportedState state = state_on_supports(w[i], q[i], {radius[i], 0.5 * thickness[i]});
+      each.put(i, numbers_of(state), state.status == FibreStatus::ok);
+    }
+    return each.columns();
+  }
+};
+struct OnLooseRollers {
+  static constexpr std::size_t inputs = 3, outputs = 9;
+  Each<outputs> each{};
+  Columns operator()(Numbers w, Numbers radius, Numbers thickness) {
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      const SupportedState state = state_on_loose_rollers(w[i], {radius[i], 0.5 * thickness[i]}).state;
+      each.put(i, numbers_of(state), state.status == FibreStatus::ok);
+    }
+    return each.columns();
+  }
+};
+struct InverseOnRollers {
+  static constexpr std::size_t inputs = 4, outputs = 2;
+  Each<outputs> each{};
+  Columns operator()(Numbers w, Numbers F, Numbers radius, Numbers thickness) {
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      const SupportedState state = state_on_supports_from_force(w[i], F[i], {radius[i], 0.5 * thickness[i]});
+      each.put(i, {state.length, state.q}, state.status == FibreStatus::ok);
+    }
+    return each.columns();
   }
 };
 
@@ -87,43 +146,48 @@ class WithoutFlags {
 };
 
 // A loop of NumPy's: without the interpreter's lock, and aligned. What is outside of the domain is NaN; who calls has looked.
-template <class Function, std::size_t outputs>
+template <class Function>
 void loop(char** arrays, const npy_intp* dimensions, const npy_intp* steps, void* /*data*/) {
+  constexpr std::size_t inputs = Function::inputs, outputs = Function::outputs;
   const WithoutFlags guard;
   Function function;
-  std::array<double, block> first,
-      second;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled where they are needed
+  // Filled where they are needed.
+  std::array<std::array<double, block>, inputs> given;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   const auto all = static_cast<std::size_t>(dimensions[0]);
   for (std::size_t begin = 0; begin < all; begin += block) {
     const std::size_t count = std::min(block, all - begin);
     const auto at = [&](std::size_t k) { return arrays[k] + static_cast<npy_intp>(begin) * steps[k]; };
     Columns columns{};
     try {
-      columns =
-          function(gathered(at(0), steps[0], count, first.data()), gathered(at(1), steps[1], count, second.data()));
+      columns = [&]<std::size_t... k>(std::index_sequence<k...>) {
+        return function(gathered(at(k), steps[k], count, given[k].data())...);
+      }
+      (std::make_index_sequence<inputs>());
     } catch (const std::exception&) {
-      first.fill(NAN);
-      columns.fill(first.data());
+      given[0].fill(NAN);
+      columns.fill(given[0].data());
     }
     for (std::size_t k = 0; k < outputs; ++k) {
-      char* to = at(2 + k);
-      if (steps[2 + k] == sizeof(double))
+      char* to = at(inputs + k);
+      const npy_intp step = steps[inputs + k];
+      if (step == sizeof(double))
         std::copy_n(columns[k], count, reinterpret_cast<double*>(to));  // NOLINT: as above
       else
         for (std::size_t i = 0; i < count; ++i)
-          *reinterpret_cast<double*>(to + static_cast<npy_intp>(i) * steps[2 + k]) = columns[k][i];
+          *reinterpret_cast<double*>(to + static_cast<npy_intp>(i) * step) = columns[k][i];
     }
   }
 }
 
-template <class Function, std::size_t outputs>
+template <class Function>
 py::object ufunc(const char* name, const char* what) {
-  static PyUFuncGenericFunction loops[] = {&loop<Function, outputs>};
-  static char types[2 + outputs];  // NOLINT(modernize-avoid-c-arrays): as NumPy has it
+  constexpr std::size_t inputs = Function::inputs, outputs = Function::outputs;
+  static PyUFuncGenericFunction loops[] = {&loop<Function>};
+  static char types[inputs + outputs];  // NOLINT(modernize-avoid-c-arrays): as NumPy has it
   static void* data[] = {nullptr};
   std::fill(std::begin(types), std::end(types), static_cast<char>(NPY_DOUBLE));
-  return py::reinterpret_steal<py::object>(
-      PyUFunc_FromFuncAndData(loops, data, types, 1, 2, static_cast<int>(outputs), PyUFunc_None, name, what, 0));
+  return py::reinterpret_steal<py::object>(PyUFunc_FromFuncAndData(
+      loops, data, types, 1, static_cast<int>(inputs), static_cast<int>(outputs), PyUFunc_None, name, what, 0));
 }
 
 void import_numpy() {
@@ -134,12 +198,21 @@ void import_numpy() {
 
 void add_states(py::module_& module) {
   import_numpy();
-  module.attr("states") = ufunc<TwoOf, 2>("states", "w, F of S, q; NaN where there is no state");
-  module.attr("states_slopes") = ufunc<Slopes, 6>("states_slopes", "w, F, w_S, w_q, F_S, F_q of S, q");
+  module.attr("states") = ufunc<TwoOf>("states", "w, F of S, q; NaN where there is no state");
+  module.attr("states_slopes") = ufunc<Slopes>("states_slopes", "w, F, w_S, w_q, F_S, F_q of S, q");
   module.attr("states_from_forces") =
-      ufunc<Inverse, 2>("states_from_forces", "S, q of w, F; NaN where no friction explains them");
-  module.attr("states_more") = ufunc<WholeState, 4>("states_more", "theta0, Pn, U, curvature of S, q");
+      ufunc<Inverse>("states_from_forces", "S, q of w, F; NaN where no friction explains them");
+  module.attr("states_more") = ufunc<WholeState>("states_more", "theta0, Pn, U, curvature of S, q");
+  module.attr("states_on_rollers") = ufunc<OnRollers>(
+      "states_on_rollers", "q, F, theta0, Pn, U, curvature, length, slid, imaged of w, q, radius, thickness");
+  module.attr("states_on_loose_rollers") =
+      ufunc<OnLooseRollers>("states_on_loose_rollers", "the same of w, radius, thickness");
+  module.attr("states_on_rollers_from_forces") =
+      ufunc<InverseOnRollers>("states_on_rollers_from_forces", "length, q of w, F, radius, thickness");
   module.attr("largest_q") = largest_q;
+  module.attr("deepest_on_supports") = deepest_on_supports;
+  module.attr("widest_supports") = widest_supports;
+  module.attr("thickest") = thickest;
 }
 
 }  // namespace flexslip::python

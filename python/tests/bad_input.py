@@ -78,6 +78,44 @@ class Elastica(unittest.TestCase):
             except EXPECTED as error:
                 self.assertTrue(str(error))
 
+    @hypothesis.given(some.data())
+    def test_outside_states_on_rollers_of_any_arrays(self, data):
+        shape = data.draw(arrays.array_shapes(min_dims=0, max_dims=3, min_side=0, max_side=4))
+        kinds = some.one_of(arrays.floating_dtypes(endianness="?"), arrays.integer_dtypes(endianness="?"), arrays.boolean_dtypes(),
+                            arrays.complex_number_dtypes(), arrays.unicode_string_dtypes())
+        near = arrays.arrays(np.float64, shape, elements=some.floats(0, 0.6))
+        drawn = [data.draw(some.one_of(near, arrays.arrays(data.draw(kinds), shape), some.floats(0, 0.6), anything)) for _ in range(4)]
+        if data.draw(some.booleans()):
+            drawn = [each.T.view(Masked) if isinstance(each, np.ndarray) else each for each in drawn]
+        w, q, radius, thickness = drawn
+        for call in (lambda: flexslip.elastica_on_rollers(w, q, roller_radius=radius, thickness=thickness),
+                     lambda: flexslip.elastica_on_loose_rollers(w, roller_radius=radius, thickness=thickness),
+                     lambda: flexslip.elastica_on_rollers_inverse(w, q, roller_radius=radius, thickness=thickness)):
+            try:
+                with np.errstate(all="ignore"):
+                    states = call()
+            except EXPECTED as error:
+                self.assertTrue(str(error))
+                continue
+            deflections = np.asarray(w, dtype=float)
+            self.assertTrue(np.all((deflections > 0) & (deflections <= 2)))
+            together = np.asarray(radius, dtype=float) + np.asarray(thickness, dtype=float) / 2
+            self.assertTrue(np.all((together >= 0) & (together < 0.45)))
+            self.assertTrue(np.all(np.asarray(thickness, dtype=float) < 0.2))
+            self.assertEqual(len({np.shape(each) for each in states}), 1)
+
+    def test_outside_a_value_outside_of_the_domain_is_named_by_its_place(self):
+        for call, place in ((lambda: flexslip.elastica_on_rollers([0.1, 0.0], 0.3), "w[1]: "), (lambda: flexslip.elastica_on_rollers(0.1, math.nan), "q: "),
+                            (lambda: flexslip.elastica_on_rollers(0.1, 0.3, roller_radius=[[0.1, 0.5]]), "roller_radius[0, 1]: "),
+                            (lambda: flexslip.elastica_on_rollers(0.1, 0.3, roller_radius=0.4, thickness=0.15), "roller_radius: "),
+                            (lambda: flexslip.elastica_on_rollers(0.1, 0.3, thickness=-0.1), "thickness: "), (lambda: flexslip.elastica_on_rollers(0.1, 0.3, thickness=0.2), "thickness: "),
+                            (lambda: flexslip.elastica_on_loose_rollers(0.1, roller_radius=0), "roller_radius: "),
+                            (lambda: flexslip.elastica_on_rollers_inverse(0.1, [-1.0]), "F[0]: ")):
+            with self.assertRaises(flexslip.InputError) as raised:
+                call()
+            self.assertTrue(str(raised.exception).startswith(place), raised.exception)
+        masked = flexslip.elastica_on_rollers(np.ma.array([0.1, np.nan], mask=[False, True]), 0.3, roller_radius=0.05)
+        self.assertTrue(masked.F.mask[1] and masked.F[0] == flexslip.elastica_on_rollers(0.1, 0.3, roller_radius=0.05).F)
 
 class Cases(unittest.TestCase):
     @hypothesis.given(some.sampled_from(QUANTITIES), numbers)
@@ -167,6 +205,26 @@ class Faults(unittest.TestCase):
             self.assertIn("nothing", str(error))
         self.assertIsInstance(self.fault(lambda: flexslip.read("examples")), IsADirectoryError)
 
+    def test_outside_names_of_files_that_are_no_utf8(self):
+        with tempfile.TemporaryDirectory() as folder:
+            base = os.fsencode(folder) + b"/\xff-\xc3\xa4"
+            with open("examples/simulated/test.csv", "rb") as file, open(base + b".csv", "wb") as copy:
+                copy.write(file.read())
+            self.assertEqual(flexslip.read(base + b".csv").rows, 426)
+            self.assertEqual(flexslip.sweep("examples/design.toml", axes={"mu0": [0.3]}, output=base + b".h5").rows, 1)
+            self.assertTrue(os.path.isfile(base + b".h5"))
+            for call in (lambda: flexslip.read(base), lambda: flexslip.fit(base + b".toml"), lambda: flexslip.surface(base), lambda: flexslip.campaign(base)):
+                self.assertEqual(os.fsencode(self.fault(call).file)[:len(base)], base)
+
+    def test_outside_quantities_of_a_reduced_case_have_no_unit_of_si(self):
+        case = flexslip.Case(reduced=True, stiffness=30, friction={"model": "constant", "mu0": 0.6}, stage={"program": [0, 0.5], "step": 0.002})
+        newtons, reduced = flexslip.Quantity(10.0, "N/m"), flexslip.Quantity(10.0, "EI/L^3")
+        for call in (lambda: flexslip.design(case, over={"stiffness": (newtons, 100.0, 3)}), lambda: case.replace(stiffness=newtons),
+                     lambda: flexslip.sweep(case, axes={"stiffness": [newtons]})):
+            self.assertIn("10.0 N/m", str(self.fault(call)))
+        self.assertEqual(case.replace(stiffness=reduced)["rig.stiffness"], 10)
+        self.assertEqual(len(flexslip.design(case, over={"stiffness": (reduced, 100.0, 3)})), 3)
+
     def test_outside_remedies_are_in_words_of_python(self):
         table = "Weg (mm);Kraft (N)\n" + "".join(f"{i / 10};{i / 7:.4f}\n" for i in range(40))
         with tempfile.TemporaryDirectory() as folder:
@@ -203,6 +261,59 @@ class Faults(unittest.TestCase):
                            (lambda: flexslip.read("examples/simulated/test.csv", specimen=2), "specimen")):
             error = self.fault(call)
             self.assertIn(name, str(error))
+
+
+TRACE = "examples/surface/trace.csv"
+PLANNED = "examples/design.toml"
+OPTIONS = {  # of functions that compute for a moment at most, whatever they are given
+    "equilibrium": (lambda given: flexslip.equilibrium(PLANNED, points=9, **given), ("longest",)),
+    "equilibrium_region": (lambda given: flexslip.equilibrium_region(PLANNED, **{"points": 3, "levels": 3, **given}), ("longest", "span", "roller_radius")),
+    "modulus": (lambda given: flexslip.modulus(CASE, **given), ("window", "span", "diameter", "set")),
+    "surface": (lambda given: flexslip.surface(TRACE, **given), ("level", "cutoff", "edge_radius", "friction", "wavelength", "amplitude", "pixel", "noise", "shortest",
+                "longest", "tapers", "position", "height", "position_unit", "height_unit", "step", "sheet", "encoding", "separator", "decimal", "thousands")),
+    "sweep": (lambda given: flexslip.sweep(PLANNED, **{"axes": {"mu0": [0.3]}, **given}), ("axes", "seed", "threads", "keep_parts", "stiffness")),
+}
+
+
+class Options(unittest.TestCase):
+    """Of the functions that take more than a case."""
+
+    @hypothesis.settings(max_examples=400)
+    @hypothesis.given(some.sampled_from([(name, option) for name, (_, options) in OPTIONS.items() for option in options]), anything)
+    def test_outside_anything_for_any_option(self, chosen, value):
+        name, option = chosen
+        if option == "threads":
+            hypothesis.assume(not isinstance(value, int) or value < 8)
+        try:
+            OPTIONS[name][0]({option: value})
+        except EXPECTED as error:
+            self.assertTrue(str(error))
+            self.assertNotIn("--", str(error).replace("--- ", ""))
+
+    @hypothesis.settings(max_examples=100)
+    @hypothesis.given(some.one_of(some.lists(anything, max_size=3), some.tuples(anything, anything, some.integers(-1, 3)), some.tuples(anything, anything),
+                                  some.dictionaries(some.sampled_from(["from", "to", "points", "spacing"]), some.one_of(anything, some.integers(2, 3)))))
+    def test_outside_anything_for_an_axis_of_a_sweep(self, given):
+        for name in "stiffness", "mu0", "step", "spam":
+            try:
+                flexslip.sweep(PLANNED, axes={name: given})
+            except EXPECTED as error:
+                self.assertTrue(str(error))
+
+    def test_outside_options_that_are_wrong_name_themselves(self):
+        for call, name in ((lambda: flexslip.equilibrium(PLANNED, points=1), "points"), (lambda: flexslip.equilibrium(PLANNED, longest="1 N"), "longest"),
+                           (lambda: flexslip.equilibrium(PLANNED, longest="1 um"), "longest"), (lambda: flexslip.equilibrium_region(PLANNED, levels=1), "levels"),
+                           (lambda: flexslip.modulus(CASE, window=(0.5, 0.1)), "window"), (lambda: flexslip.modulus(CASE, window=0.5), "window"),
+                           (lambda: flexslip.surface(TRACE, level=10), "level"), (lambda: flexslip.surface(TRACE, cutoff="1 N"), "cutoff"),
+                           (lambda: flexslip.surface(TRACE, tapers=1), "tapers"), (lambda: flexslip.surface(TRACE, wavelength=["1 um", None]), "wavelength"),
+                           (lambda: flexslip.surface(TRACE, position=1, step="1 um"), "step"), (lambda: flexslip.surface("nothing.csv"), "nothing.csv"),
+                           (lambda: flexslip.sweep(PLANNED), "sweep"), (lambda: flexslip.sweep(PLANNED, axes={"spam": [1]}), "spam"),
+                           (lambda: flexslip.sweep(PLANNED, axes={"stiffness": ["1 mm"]}), "stiffness"), (lambda: flexslip.sweep(PLANNED, axes={"mu0": np.ones((2, 2))}), "mu0"),
+                           (lambda: flexslip.sweep(PLANNED, axes={"mu0": (0.1, 0.2, 1)}), "points"), (lambda: flexslip.sweep(PLANNED, axes={"mu0": [0.3]}, seed=3), "seed"),
+                           (lambda: flexslip.sweep(PLANNED, axes={"mu0": [0.3]}, output=PLANNED), "design.toml")):
+            with self.assertRaises(flexslip.InputError) as raised:
+                call()
+            self.assertIn(name, str(raised.exception))
 
 
 class Records(unittest.TestCase):

@@ -23,6 +23,7 @@ from package import EXAMPLES, SOURCE, SPICULES, told
 
 os.chdir(SOURCE)
 DESIGN = "examples/design.toml"
+TRACE = "examples/surface/trace.csv"
 
 
 def case(name):
@@ -83,6 +84,50 @@ class Json(unittest.TestCase):
         self.same(flexslip.design(DESIGN, over={"stiffness": ("10 N/m", 1000.0, 9), "mu0": (0, 1, 5)}), "design", DESIGN, "--over",
                   "stiffness=10 N/m:1000 N/m:9", "--over", "mu0=0:1:5")
 
+    def test_outside_equilibrium(self):
+        self.same(flexslip.equilibrium(DESIGN), "equilibrium", DESIGN)
+        self.same(flexslip.equilibrium(DESIGN, points=77, longest=1.7e-3), "equilibrium", DESIGN, "--points", "77", "--longest", "1.7 mm")
+        self.same(flexslip.equilibrium(DESIGN, roller_radius="50 um"), "equilibrium", DESIGN, "--set", "rig.roller_radius=50 um")
+        self.same(flexslip.equilibrium_region(DESIGN, points=30, levels=7), "equilibrium", DESIGN, "--region", "--points", "30", "--levels", "7")
+
+    def test_outside_modulus(self):
+        for name in EXAMPLES:
+            self.same(flexslip.modulus(case(name)), "modulus", case(name))
+        self.same(flexslip.modulus(case("simulated"), window=(0.1, "40 %")), "modulus", case("simulated"), "--window", "0.1", "40 %")
+        other = flexslip.modulus(case("simulated"), window=(0.999, 1))
+        self.assertFalse(other.success)
+        self.assertIn("no straight", other.message)
+
+    def test_outside_surface(self):
+        self.same(flexslip.surface(TRACE), "surface", TRACE)
+        self.same(flexslip.surface(TRACE, friction=0.58, edge_radius=1e-6, wavelength=["10.9 um", 2e-5], amplitude="0.11 um", level=2, tapers=5, cutoff="1 um"),
+                  "surface", TRACE, "--friction", "0.58", "--edge-radius", "1 um", "--wavelength", "10.9 um", "--wavelength", "20 um", "--amplitude", "0.11 um",
+                  "--level", "2", "--tapers", "5", "--cutoff", "1 um")
+
+    def test_outside_sweep_writes_the_file_of_the_program_and_reads_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ours, theirs = pathlib.Path(folder) / "ours.h5", pathlib.Path(folder) / "theirs.h5"
+            axes = {"stiffness": ("10 N/m", 1000.0, 5, "log"), "mu0": [0.3, 0.5]}
+            found = flexslip.sweep(DESIGN, axes=axes, output=ours, threads=2)
+            call = ("sweep", DESIGN, "--set", 'sweep.method="grid"', "--set", 'sweep.axes.stiffness={from="10 N/m",to="1000.0 N/m",points=5,spacing="log"}',
+                    "--set", "sweep.axes.mu0=[0.3,0.5]", "--output", theirs)
+            self.assertEqual(found.to_json().replace("ours.h5", "theirs.h5"), told(*call, "--json", "--quiet"))
+            self.assertFalse(pathlib.Path(folder, "ours.h5.parts").exists())
+            again = flexslip.sweep(DESIGN, axes=axes, output=theirs)  # it is there already
+            self.assertEqual(again.rows, 10)
+            in_memory = flexslip.sweep(DESIGN, axes=axes)
+            self.assertIsNone(in_memory.file)
+            for name in found.designs.keys():
+                np.testing.assert_array_equal(found.designs[name], again.designs[name])
+                np.testing.assert_array_equal(found.designs[name], in_memory.designs[name])
+            one = flexslip.design(DESIGN, stiffness=float(found.designs.stiffness[3]), set={"friction.mu0": float(found.designs.mu0[3])})
+            self.assertEqual(found.designs.snaps[3], one.snaps)
+            self.assertEqual(set(found.designs.status), {"ok"})
+            with self.assertRaisesRegex(flexslip.InputError, "another sweep"):
+                flexslip.sweep(DESIGN, axes={"mu0": [0.3]}, output=ours)
+            sampled = flexslip.sweep(DESIGN, axes={"mu0": (0.1, 0.6), "stiffness": (20.0, 200.0, "log")}, samples=8, seed=3)
+            self.assertEqual(len({*sampled.designs.mu0}), 8)
+
     def test_outside_campaign(self):
         self.same(flexslip.campaign("examples", share=["mu0", "wavelength"]), "campaign", "examples", "--share", "mu0", "--share", "wavelength")
 
@@ -139,6 +184,39 @@ class Tables(unittest.TestCase):
             for k in range(20):
                 np.testing.assert_array_equal(fit.draws.profiles[k], drawn[f"draw_{k + 1}"])
 
+    def test_outside_profile_and_spectrum_of_a_surface(self):
+        with tempfile.TemporaryDirectory() as folder:
+            base = pathlib.Path(folder)
+            told("surface", TRACE, "--friction", "0.58", "--quiet", "--profile", base / "p", "--spectrum", base / "s")
+            found = flexslip.surface(TRACE, friction=0.58)
+            self.same(found.profile, (base / "p").read_text(), {name: name for name in ("position", "height", "envelope", "edge", "slope", "mu")})
+            self.same(found.spectrum, (base / "s").read_text(), {name: name for name in ("frequency", "wavelength", "density", "density_low", "background")})
+
+    def test_outside_states_on_rollers(self):
+        w, q = np.linspace(0.02, 0.4, 20), np.linspace(-0.5, 1, 20)
+        supports = {"roller_radius": 0.078, "thickness": 0.0125}
+        flags = "--roller-radius", "0.078", "--thickness", "0.0125"
+        with tempfile.TemporaryDirectory() as folder:
+            def written(*call, **rows):
+                path = pathlib.Path(folder) / "rows.csv"
+                path.write_text("\n".join([",".join(rows), *(",".join(map(repr, row)) for row in zip(*(column.tolist() for column in rows.values())))]))
+                return columns(told(*call, path, *flags))
+
+            states = flexslip.elastica_on_rollers(w, q, **supports)
+            by_program = written("state", w=w, q=q)
+            for name in states._fields:
+                np.testing.assert_array_equal(getattr(states, name), by_program[name], name)
+            loose = flexslip.elastica_on_loose_rollers(w, **supports)
+            by_program = written("state", "--loose", w=w)
+            for name in states._fields:
+                np.testing.assert_array_equal(getattr(loose, name), by_program[name], name)
+            back = flexslip.elastica_on_rollers_inverse(w, states.F, **supports)
+            by_program = written("invert", w=w, F=states.F)
+            for name in back._fields:
+                np.testing.assert_array_equal(getattr(back, name), by_program[name], name)
+            seen = w >= 2 * 0.0125
+            np.testing.assert_allclose(back.q[seen], q[seen], atol=1e-8)  # F tells q where w is 20 times its error of 1e-11 and more
+
     def test_outside_campaign_report_is_that_of_the_program_and_goes_on_from_it(self):
         with tempfile.TemporaryDirectory() as folder:
             ours, theirs = pathlib.Path(folder) / "ours", pathlib.Path(folder) / "theirs"
@@ -191,10 +269,16 @@ class Kept(unittest.TestCase):
     def test_identity_what_is_pickled_comes_back_with_all_its_numbers(self):
         for answer in (flexslip.fit(case("cyclic")), flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"),
                        flexslip.friction_profile(case("simulated")), flexslip.design(DESIGN), flexslip.design(DESIGN, over={"mu0": (0, 1, 3)}),
-                       flexslip.campaign("examples"), flexslip.read("examples/simulated/test.csv")):
+                       flexslip.campaign("examples"), flexslip.read("examples/simulated/test.csv"), flexslip.equilibrium(DESIGN, points=50),
+                       flexslip.equilibrium_region(DESIGN, points=9, levels=5), flexslip.modulus(case("simulated")), flexslip.surface(TRACE),
+                       flexslip.sweep(DESIGN, axes={"mu0": [0.3, 0.5]})):
             again = pickle.loads(pickle.dumps(answer))
             self.assertEqual(again.to_json(), answer.to_json())
             self.assertEqual(repr(again), repr(answer))
+            for table in (each for each in (getattr(answer, "designs", None), getattr(answer, "curves", None), getattr(answer, "curve", None)) if each is not None):
+                self.assertEqual(pickle.loads(pickle.dumps(table[0])).to_dict(), table[0].to_dict())
+            if hasattr(answer, "to_frame"):
+                self.assertTrue(again.to_frame().equals(answer.to_frame()), answer)
 
 
 REDUCED = """reduced = true
@@ -244,6 +328,13 @@ class Running(unittest.TestCase):
             for name, fit in zip(EXAMPLES * 2, pool.map(flexslip.fit, map(case, EXAMPLES * 2))):
                 self.assertEqual(fit.to_json(), flexslip.fit(case(name)).to_json())
 
+    def test_outside_threads_that_sweep_into_one_file_find_what_the_first_has_done(self):
+        with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(4) as pool:
+            output = pathlib.Path(folder) / "one.h5"
+            found = list(pool.map(lambda _: flexslip.sweep(DESIGN, axes={"mu0": (0.1, 0.6, 6)}, output=output).designs.snaps.tolist(), range(4)))
+            self.assertEqual(found, [found[0]] * 4)
+            self.assertEqual(os.listdir(folder), ["one.h5"])
+
     def test_outside_other_threads_run_during_a_fit(self):
         begun, done = threading.Event(), threading.Event()
 
@@ -261,13 +352,24 @@ class Running(unittest.TestCase):
         thread.join()
         self.assertGreater(turns, 100)  # a handful, where the lock is held: a turn takes microseconds, the fit a tenth of a second
 
-    def test_outside_ctrl_c_ends_a_campaign(self):
+    def interrupted(self, call):
+        """What a program says in which the call, over and over, meets Ctrl-C."""
         with tempfile.TemporaryDirectory() as folder:
             program = ("import flexslip, os, signal, threading\n"
                        "threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
-                       "while True: flexslip.campaign('examples', jobs=1)\n")
+                       f"while True: {call}\n")
             ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, env={**os.environ, "TMPDIR": folder})
-        self.assertIn("KeyboardInterrupt", ended.stderr)
+            self.assertEqual(os.listdir(folder), [])
+        return ended.stderr
+
+    def test_outside_ctrl_c_ends_what_takes_long(self):
+        # Each of the last three takes hours to its end, which none reaches.
+        for call in ("flexslip.campaign('examples', jobs=1)", "flexslip.fit('examples/simulated/case.toml')",
+                     "flexslip.design('examples/design.toml', over={'stiffness': ('1 N/m', '1e5 N/m', 1000), 'mu0': (0.01, 0.9, 1000)})",
+                     "flexslip.sweep('examples/design.toml', axes={'stiffness': ('1 N/m', '1e5 N/m', 1000), 'mu0': (0.01, 0.9, 1000)})",
+                     "flexslip.simulate('examples/design.toml', set={'stage.program': [0, '400 um'] * 100000}, stage={'step': 'continuous'}, points=2)"):
+            with self.subTest(call):
+                self.assertIn("KeyboardInterrupt", self.interrupted(call))
 
 
 if __name__ == "__main__":

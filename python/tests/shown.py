@@ -40,6 +40,10 @@ def drawn():
     campaign = flexslip.campaign("examples")
     for figure in campaign._part("figures"):
         yield f"campaign {figure['name']}", campaign.plot(figure["name"])
+    yield "equilibrium", flexslip.equilibrium(DESIGN).plot()
+    yield "region", flexslip.equilibrium_region(DESIGN, points=50).plot()
+    yield "surface", flexslip.surface("examples/surface/trace.csv").plot()
+    yield "surface with friction", flexslip.surface("examples/surface/trace.csv", friction=0.58, edge_radius="1 um").plot()
     not_explained = flexslip.fit(case("simulated"), modulus="1 GPa")
     yield "no answer", not_explained.plot("record")
 
@@ -49,7 +53,7 @@ class Figures(unittest.TestCase):
         plt.close("all")
 
     def test_outside_every_figure_is_drawn_with_labels_and_without_a_warning(self):
-        count = 0
+        names = []
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             for name, axes in drawn():
@@ -62,8 +66,29 @@ class Figures(unittest.TestCase):
                     self.assertTrue(all(labels), labels)
                     self.assertTrue(any(np.isfinite(line.get_xdata()).any() for ax in each for line in ax.lines))
                     plt.close(each[0].figure)
-                    count += 1
-        self.assertGreater(count, 18)
+                    names.append(name)
+        for name in ("simulated teeth", "cyclic teeth", "cyclic loops", "cyclic boxes", "equilibrium", "region", "surface with friction"):
+            self.assertIn(name, names)
+
+    def test_outside_a_fit_has_the_figures_of_its_report(self):
+        for name in EXAMPLES:
+            with tempfile.TemporaryDirectory() as folder:
+                subprocess.run([PROGRAM, "fit", case(name), "--quiet", "--report", folder], check=True, capture_output=True)
+                of_report = {path.stem for path in pathlib.Path(folder, "figures").glob("*.gp")}
+            self.assertEqual({figure["name"] for figure in flexslip.fit(case(name))._part("figures")}, of_report, name)
+
+    def test_identity_what_is_drawn_of_teeth_and_loops_is_the_data_of_the_report(self):
+        fit = flexslip.fit(case("cyclic"))
+        data = {figure["name"]: figure["data"] for figure in fit._part("figures")}
+        drawn = [line.get_xydata() for line in fit.plot("loops").lines]
+        for which in "loading", "unloading":
+            wanted = np.column_stack(list(data["loops"][which].values()))
+            self.assertTrue(any(each.shape == wanted.shape and np.array_equal(each, wanted, equal_nan=True) for each in drawn), which)
+        axes = fit.plot("boxes")
+        self.assertEqual(len(axes), 1 + sum(name.startswith("in_") for name in data["boxes"]))
+        slides = sum(tooth.verdict == "sliding" for tooth in fit.teeth.teeth) if fit.teeth else 0
+        points = [line for line in fit.plot("teeth").lines if line.get_label() == "slides"]
+        self.assertEqual(len(points[0].get_xdata()) if points else 0, slides)
 
     def test_outside_units_on_the_axes_are_those_of_the_report(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -117,7 +142,8 @@ class Words(unittest.TestCase):
         yield from (fit, fit.parameters, fit.profile, fit.drops, fit.judgement, fit.params.mu0, fit.describe(), fit.draws, fit.curves, fit.case,
                     flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"), flexslip.design(DESIGN),
                     flexslip.design(DESIGN, over={"mu0": (0.1, 0.9, 3)}), flexslip.friction_profile(case("simulated")),
-                    flexslip.read("examples/simulated/test.csv"), flexslip.campaign("examples"), flexslip.campaign("examples").tests)
+                    flexslip.read("examples/simulated/test.csv"), flexslip.equilibrium(DESIGN), flexslip.equilibrium_region(DESIGN, points=9),
+                    flexslip.modulus(case("simulated")), flexslip.surface("examples/surface/trace.csv"), flexslip.sweep(DESIGN, axes={"mu0": [0.3]}), flexslip.campaign("examples"), flexslip.campaign("examples").tests)
 
     def test_outside_everything_is_shown(self):
         for answer in self.answers():
@@ -135,6 +161,8 @@ class Words(unittest.TestCase):
         self.assertEqual((fit.summary(), fit.summary(full=True)), (printed, full))
         printed = subprocess.run([PROGRAM, "design", DESIGN, "--quiet"], capture_output=True, text=True, check=True).stdout
         self.assertEqual(flexslip.design(DESIGN).summary(), printed)
+        printed = subprocess.run([PROGRAM, "surface", "examples/surface/trace.csv"], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(flexslip.surface("examples/surface/trace.csv").summary(), printed)
 
     def test_outside_every_number_has_its_meaning(self):
         fit = flexslip.fit(case("simulated"))

@@ -31,6 +31,14 @@ except flexslip.InputError as error:
     print(error.key, error.limit)
 over: flexslip.DesignMap = flexslip.design("case.toml", over={"mu0": (0, 1, 5)})
 answer: str = flexslip.design("case.toml").answer
+curve: flexslip.Equilibrium = flexslip.equilibrium("case.toml", longest="1 mm")
+forces: np.float64 = curve.curve.force[0]
+modulus = flexslip.modulus("test.csv", span="64 mm", window=(0.1, 0.3)).modulus
+assert modulus is not None
+pascals: float = modulus.value
+slope = flexslip.surface("trace.csv", wavelength=["10 um"]).rms_slope
+designs: int | None = flexslip.sweep("case.toml", axes={"mu0": [0.3, 0.5]}).rows
+on_rollers = flexslip.elastica_on_rollers([0.1], 0.3, roller_radius=0.05)
 for each in flexslip.campaign("tests").tests:
     print(each.name, each.category)
 """

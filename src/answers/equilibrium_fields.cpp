@@ -31,4 +31,15 @@ Fields<Equilibria> equilibria_fields(const EquilibriumColumns& columns) {
             equilibrium_fields(columns), &Equilibria::points);
 }
 
+Equilibria told_of(const EquilibriumStudy& study) {
+  Equilibria told{study.status == EquilibriumStatus::ok ? "ok" : "branch_ended", {}};
+  const Fibre& fibre = study.fibre;
+  for (const EquilibriumPoint& point : study.points)
+    told.points.push_back(
+        {point, fibre.on_edges() ? point.S : fibre.length_between_contacts(fibre.bent(point.w, point.q).state)});
+  return told;
+}
+
+EquilibriumColumns columns_of(const EquilibriumStudy& study) { return {study.region, !study.fibre.on_edges()}; }
+
 }  // namespace flexslip

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bending_test/equilibrium.h"
+#include "case/equilibrium_study.h"
 #include "result/fields.h"
 
 namespace flexslip {
@@ -27,5 +28,9 @@ struct Equilibria {
   std::vector<ToldEquilibrium> points;
 };
 Fields<Equilibria> equilibria_fields(const EquilibriumColumns& columns);
+
+// What a study tells, and in which columns.
+Equilibria told_of(const EquilibriumStudy& study);
+EquilibriumColumns columns_of(const EquilibriumStudy& study);
 
 }  // namespace flexslip

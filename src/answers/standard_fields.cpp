@@ -79,6 +79,10 @@ std::optional<Estimate> modulus_less_supports(const StandardTest& test) {
   return normal_estimate(told->value / factor, told->standard_error / factor);
 }
 
+StandardTest told_of(const ModulusStudy& study) {
+  return standard_test(study.measurement, study.geometry, study.numbers);
+}
+
 std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
   const SmallDeflection& numbers = test.small_deflection;
   if (test.analysis.status != AnalysisStatus::ok || !numbers.bending_stiffness) return std::nullopt;

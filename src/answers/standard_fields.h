@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "case/fitted.h"
+#include "case/modulus_study.h"
 #include "result/fields.h"
 
 namespace flexslip {
@@ -25,6 +26,7 @@ std::optional<Estimate> modulus_less_supports(const StandardTest& test);
 StandardTest standard_test(const Measurement& measurement, const BeamGeometry& geometry,
                            const SmallDeflection& numbers);
 StandardTest standard_test(const FittedTest& test);
+StandardTest told_of(const ModulusStudy& study);
 
 // The bending stiffness of the straight part over that of the fit.
 struct BesideFit {

@@ -1,17 +1,15 @@
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "answers/standard_fields.h"
-#include "case/measurement.h"
+#include "case/modulus_study.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/input_error.h"
-#include "io/quantity.h"
 #include "io/text_file.h"
 #include "report/plain_text.h"
 #include "report/preparation_words.h"
@@ -20,29 +18,11 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t least_points = 11;  // they tell the noise
-
 struct ModulusRequest {
   CaseRequest test;
   std::vector<std::string> window;
   Output output;
 };
-
-std::optional<ForceWindow> window_of(const std::vector<std::string>& given) {
-  if (given.empty()) return std::nullopt;
-  const auto share = [](const std::string& text) {
-    try {
-      return parse_quantity(text, kind::number, Range::non_negative);
-    } catch (const InputError& error) {
-      throw located(error, "", 0, "--window");
-    }
-  };
-  const ForceWindow window{share(given[0]), share(given[1])};
-  if (window.from < window.up_to && window.up_to <= 1) return window;
-  throw InputError({.field = "--window",
-                    .expected = "two rising shares of the greatest force, at most 1",
-                    .found = fmt::format("{} and {}", given[0], given[1])});
-}
 
 std::string text_of(const StandardTest& test) {
   std::string text = laid_out(small_deflection_table(test));
@@ -54,24 +34,22 @@ std::string text_of(const StandardTest& test) {
 }
 
 void run_modulus(const ModulusRequest& request) {
-  const SmallDeflectionOptions options{.window = window_of(request.window)};
-  const Measurement measurement = [&] {
+  const auto window = window_of(request.window);
+  const ModulusStudy study = [&] {
     try {
-      return read_measurement(case_of(request.test), least_points);
+      return study_modulus(case_of(request.test), window);
     } catch (const InputError& error) {
       throw in_words_of_call(request.test, error);
     }
   }();
-  const BeamGeometry geometry = geometry_of(measurement.test);
-  const SmallDeflection numbers = small_deflection(measurement.record, geometry, options);
-  const StandardTest test = standard_test(measurement, geometry, numbers);
+  const StandardTest test = told_of(study);
   if (request.output.json) {
     write_json(request.output.path, modulus_fields()(test, frame_of(test)));
   } else {
     write_text(request.output.path, text_of(test));
   }
-  if (numbers.status != SmallDeflectionStatus::ok)
-    throw CalculationFailed(fmt::format("{}: {}", measurement.file, small_deflection_in_words(test).front()));
+  if (study.numbers.status != SmallDeflectionStatus::ok)
+    throw CalculationFailed(fmt::format("{}: {}", study.measurement.file, small_deflection_in_words(test).front()));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "cli/slurm_script.h"
 #include "cli/sweep_output.h"
 #include "design/sweep_digest.h"
+#include "design/sweep_file.h"
 #include "design/sweep_parts.h"
 #include "design/sweep_plan.h"
 #include "design/sweep_row.h"

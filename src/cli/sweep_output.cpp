@@ -77,16 +77,6 @@ void announce_sweep(const std::string& path) {
   files_of_this_call().writes(UnfinishedFile::name_for(path), "--output");
 }
 
-bool finds_sweep(const std::string& path, const std::string& digest) {
-  if (!std::filesystem::exists(path)) return false;
-  const auto found = digest_of_sweep_file(path);
-  if (found == digest) return true;
-  throw InputError({.file = path,
-                    .expected = "no file, or that of this sweep",
-                    .found = found ? "that of another sweep, or of another version" : "another file",
-                    .remedy = "pass another --output, or remove it"});
-}
-
 void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output) {
   const SweepPlan& plan = folders.front().plan();
   const SweepMerge merge = [&] {

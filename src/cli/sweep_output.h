@@ -16,10 +16,6 @@ std::string file_to_write(const std::string& path);
 // Announces the file (CallFiles), before anything is read.
 void announce_sweep(const std::string& path);
 
-// Is the file there? It is that of the sweep with this digest.
-// Fails:      InputError if another file is there.
-bool finds_sweep(const std::string& path, const std::string& digest);
-
 // Joins the parts in a file, and says what came of it on standard output. The file is safe on the disk when this returns.
 // Fails:      InputError if the file cannot be written; CalculationFailed, naming the parts, if some are missing or damaged.
 void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output);

@@ -1,22 +1,12 @@
 // Flags that say how a height trace is to be read.
 #pragma once
 
-#include <string>
-
 #include <CLI/CLI.hpp>
 
-#include "instruments/trace_file.h"
+#include "instruments/trace_words.h"
 
 namespace flexslip {
 
-struct TraceFlags {
-  std::string position, height, position_unit, height_unit, step;
-  std::string sheet, encoding, separator, decimal, thousands;
-};
-
-void add_trace_options(CLI::App& command, TraceFlags& flags);
-
-// Fails:      InputError that names the flag.
-TraceOptions options_of(const TraceFlags& flags);
+void add_trace_options(CLI::App& command, TraceWords& words);
 
 }  // namespace flexslip

@@ -101,11 +101,13 @@ std::vector<DesignAxis> map_axes(const DesignCase& input, const std::vector<std:
   return axes;
 }
 
-std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<DesignAxis>& axes, unsigned threads) {
+std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<DesignAxis>& axes, unsigned threads,
+                                 const std::atomic<bool>* stop) {
   std::uint64_t count = 1;
   for (const DesignAxis& axis : axes) count *= points_of(axis);
   std::vector<MapPoint> points(count);
   for_each_index(count, threads, [&](std::size_t i) {
+    if (stop && *stop) return;
     MapPoint& point = points[i];
     DesignCase there = input;
     point.values = grid_inputs(axes, i);
@@ -114,6 +116,7 @@ std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<Desi
     point.margin =
         point.result.outcome ? stiffness_margin(there.planned().design, *point.result.outcome) : not_a_number;
   });
+  if (stop && *stop) return {};
   return points;
 }
 

@@ -1,6 +1,7 @@
 // A planned test over a range of one of its numbers, or of two.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -29,6 +30,8 @@ struct MapPoint {
 // All of the grid, the last axis fastest.
 // Domain:     axes of ranges.
 // Cost:       one outcome and one critical stiffness each. The same points for any number of them.
-std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<DesignAxis>& axes, unsigned threads);
+// Fails:      with an empty list once `stop` is true: at the end of the designs under way.
+std::vector<MapPoint> design_map(const DesignCase& input, const std::vector<DesignAxis>& axes, unsigned threads,
+                                 const std::atomic<bool>* stop = nullptr);
 
 }  // namespace flexslip

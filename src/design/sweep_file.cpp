@@ -1,5 +1,6 @@
 #include "design/sweep_file.h"
 
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -119,6 +120,16 @@ SweepMerge merge_sweep(std::span<const SweepParts> folders, const std::string& p
 }
 
 std::optional<std::string> digest_of_sweep_file(const std::string& path) { return hdf5_text(path, digest_name); }
+
+bool finds_sweep(const std::string& path, const std::string& digest) {
+  if (!std::filesystem::exists(path)) return false;
+  const auto found = digest_of_sweep_file(path);
+  if (found == digest) return true;
+  throw InputError({.file = path,
+                    .expected = "no file, or that of this sweep",
+                    .found = found ? "that of another sweep, or of another version" : "another file",
+                    .remedy = "pass another --output, or remove it"});
+}
 
 double bytes_of_sweep_file(const SweepPlan& plan) {
   constexpr double of_row = 8;            // [bytes] a column; it may not be compressible

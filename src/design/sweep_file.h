@@ -45,6 +45,10 @@ SweepMerge merge_sweep(std::span<const SweepParts> folders, const std::string& p
 // The plan of a file that merge_sweep wrote, as SweepParts::digest() says it; none if it is no such file.
 std::optional<std::string> digest_of_sweep_file(const std::string& path);
 
+// Is the file there? It is that of the sweep with this digest.
+// Fails:      InputError if another file is there.
+bool finds_sweep(const std::string& path, const std::string& digest);
+
 // [bytes] that the file of a plan takes at most.
 double bytes_of_sweep_file(const SweepPlan& plan);
 

@@ -207,4 +207,17 @@ std::optional<std::string> hdf5_text(const std::string& path, const std::string&
   return copy;
 }
 
+std::vector<double> hdf5_column(const std::string& path, const std::string& column) {
+  prepare();
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle data(file.is_open() ? H5Dopen2(file.id(), column.c_str(), H5P_DEFAULT) : -1, H5Dclose);
+  const Handle space(data.is_open() ? H5Dget_space(data.id()) : -1, H5Sclose);
+  const hssize_t rows = space.is_open() ? H5Sget_simple_extent_npoints(space.id()) : -1;
+  std::vector<double> values(rows > 0 ? static_cast<std::size_t>(rows) : 0);
+  if (rows < 0 || H5Dread(data.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    throw InputError(
+        {.file = path, .field = column, .expected = "a column that can be read", .found = reason_of_failure()});
+  return values;
+}
+
 }  // namespace flexslip

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace flexslip {
 
@@ -62,5 +63,9 @@ class Hdf5File {
 
 // A text that describes the root of a file; none if it is no HDF5 file, or has no such text.
 std::optional<std::string> hdf5_text(const std::string& path, const std::string& name);
+
+// The numbers of a column, whatever they are stored as.
+// Fails:      InputError that names the file and the column, if it has none of that path or cannot be read.
+std::vector<double> hdf5_column(const std::string& path, const std::string& column);
 
 }  // namespace flexslip

@@ -46,6 +46,12 @@ double tick_for(double range) {
 
 }  // namespace
 
+bool has_loops(const FittedTest& test) {
+  if (!test.cycles) return false;
+  const CyclesStatus status = test.cycles->friction.status;
+  return status == CyclesStatus::ok || status == CyclesStatus::no_mirror;
+}
+
 Figure loops_figure(const FittedTest& test) {
   const auto& cycles = *test.cycles;
   const auto& scales = test.analysis.scales;

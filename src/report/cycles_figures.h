@@ -9,7 +9,10 @@ namespace flexslip {
 // Loops that have a panel of their own in boxes_figure: the first ones.
 inline constexpr std::size_t most_drawn_loops = 4;
 
-// For all: Domain: test.cycles is given, its friction is ok or has no mirror.
+// Are there loops to draw?
+bool has_loops(const FittedTest& test);
+
+// For all: Domain: has_loops.
 
 // Force against deflection, there and back, and the forces of one friction profile for all loops.
 Figure loops_figure(const FittedTest& test);

@@ -102,8 +102,8 @@ std::optional<Plate> teeth_plate(const FittedTest& test) {
 }
 
 std::vector<Plate> cycles_plates(const FittedTest& test) {
+  if (!has_loops(test)) return {};
   const auto& friction = test.cycles->friction;
-  if (friction.status != CyclesStatus::ok && friction.status != CyclesStatus::no_mirror) return {};
   std::vector<Plate> plates;
   plates.push_back({loops_figure(test),
                     "Force against deflection, loading (blue) and unloading (red); arrows show the direction. Black: "

@@ -1,5 +1,6 @@
 #include "design/design_map.h"
 
+#include <atomic>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -26,6 +27,12 @@ TEST_CASE("design map, identity: its points are the outcomes at its values") {
     there.set(DesignParameter::mu0, point.values[1]);
     CHECK(point.result.outcome->snaps == outcome_of(there.planned().design).snaps);
   }
+}
+
+TEST_CASE("design map, limit: one that is stopped gives nothing") {
+  const DesignCase input = design_of(spicule);
+  const std::atomic<bool> stop = true;
+  CHECK(design_map(input, {map_axis(input, "mu0=0:0.6", 3)}, 2, &stop).empty());
 }
 
 TEST_CASE("design map, contract: a range that makes no sense is refused with a remedy") {

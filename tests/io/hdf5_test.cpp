@@ -93,6 +93,21 @@ TEST_CASE("identity: a text of the root comes back; what is no such file has non
   CHECK(!hdf5_text((folder.path() / "absent.h5").string(), "title"));
 }
 
+TEST_CASE("identity: numbers of a column come back, whatever they are stored as; one that is not there is named") {
+  const TemporaryFolder folder;
+  const auto path = (folder.path() / "some.h5").string();
+  write_some_file(path, 30'000);
+  const auto force = hdf5_column(path, "/outcomes/force");
+  REQUIRE(force.size() == rows);
+  CHECK(force.front() == 0.5);
+  CHECK(force[1] != force[1]);
+  CHECK(force.back() == rows - 0.5);
+  for (const char* counts : {"/outcomes/snaps", "/outcomes/status"})
+    CHECK(hdf5_column(path, counts) == std::vector<double>(rows, 7));
+  CHECK(message_of([&] { hdf5_column(path, "/outcomes/nothing"); }).find("/outcomes/nothing") != std::string::npos);
+  CHECK(message_of([&] { hdf5_column(folder.file("text.h5", "no HDF5"), "/a"); }).find("text.h5") != std::string::npos);
+}
+
 TEST_CASE("table: a file that cannot be written is refused by its name, with the system's reason") {
   const TemporaryFolder folder;
   const auto path = (folder.path() / "absent" / "some.h5").string();

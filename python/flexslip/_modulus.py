@@ -1,0 +1,85 @@
+"""The numbers of the bending standards."""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from . import _flexslip
+from ._case import Case, case_of, quantity_in_words, with_keywords
+from ._errors import wrong
+from ._fields import ModulusFields
+
+
+class Modulus(ModulusFields):
+    """Stiffness and flexural modulus, as :func:`modulus` gives them: every number of ``flexslip modulus --json``.
+
+    Attributes
+    ----------
+    success : bool
+        Has the record a straight rising part? If not, `message` says why.
+    remarks : tuple of str
+        Where the numbers come from, what they assume, and where that does not hold.
+    case : Case
+    """
+
+    _title = "Modulus"
+
+    def __init__(self, data: Mapping[str, Any], case: Case, remarks: tuple[str, ...]) -> None:
+        super().__init__(data, case.reduced)
+        self.case, self.remarks = case, remarks
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Modulus, (self._data, self.case, self.remarks)
+
+    @property
+    def success(self) -> bool:
+        return bool(self._data["status"] == "ok")
+
+    @property
+    def message(self) -> str:
+        return "" if self.success else self.remarks[0]
+
+
+def _window(given: Any) -> list[str]:
+    if given is None:
+        return []
+    if not isinstance(given, (tuple, list)) or len(given) != 2:
+        raise wrong("window", "two rising shares of the greatest force, (0.1, 0.3)", given)
+    return [quantity_in_words("window", share, "", "a share of the greatest force") for share in given]
+
+
+@with_keywords
+def modulus(file: Any = None, *, window: Sequence[Any] | None = None, set: Mapping[str, Any] | None = None,  # noqa: A002
+            **keywords: Any) -> Modulus:
+    """Stiffness and flexural modulus as the bending standards have them: small deflections, no friction, no shear.
+
+    Parameters
+    ----------
+    file : path or Case, optional
+        A case file, the data of a test, which the keywords describe, or a :class:`Case`. Without a span there is only a stiffness, without a section no
+        modulus.
+    window : (from, to), optional
+        The straight part, in shares of the greatest force at deflections below a tenth of the span; the steepest quarter.
+    set, **keywords
+        As of :class:`Case`.
+
+    Returns
+    -------
+    Modulus
+        Where there is no straight rising part, its `success` is False and its `message` says why.
+
+    Raises
+    ------
+    InputError
+        For a case or a record that is wrong, with file, line and remedy.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> found = flexslip.modulus("examples/simulated/case.toml")
+    >>> found.success, 20e9 < found.modulus.value < 40e9, found.modulus.unit
+    (True, True, 'Pa')
+    """
+    case = case_of(file, set, keywords)
+    found = _flexslip.modulus(case._case, _window(window))
+    return Modulus(found["told"], case, tuple(found["words"]))

@@ -1,0 +1,57 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "answers/equilibrium_fields.h"
+#include "case/equilibrium_study.h"
+#include "figures.h"
+#include "interruptible.h"
+#include "parts.h"
+#include "plain.h"
+#include "report/equilibrium_figure.h"
+
+namespace flexslip::python {
+namespace {
+
+namespace py = pybind11;
+
+py::dict told(const EquilibriumStudy& study) {
+  const Frame frame{study.scales, study.reduced};
+  const EquilibriumColumns columns = columns_of(study);
+  const Equilibria equilibria = told_of(study);
+  const Fields<Equilibria> fields = equilibria_fields(columns);
+  py::dict out;
+  for (const Field& field : fields) {
+    const py::str name(field.what.name.data(), field.what.name.size());
+    if (field.what.shape == Shape::list)
+      out[name] = columns_of_rows(equilibrium_fields(columns), equilibria.points, frame);
+    else
+      out[name] = plain(fields.of(field, equilibria, frame), field.what);
+  }
+  return out;
+}
+
+}  // namespace
+
+void add_equilibria(py::module_& module) {
+  py::class_<EquilibriumStudy, std::shared_ptr<EquilibriumStudy>>(module, "EquilibriumStudy")
+      .def("told", told)
+      .def("figures", [](const EquilibriumStudy& study) {
+        py::list out;
+        out.append(plain(figure_of(study)));
+        return out;
+      });
+  module.def("equilibrium", [](const Case& input, bool region, int points, int levels, const std::string& longest) {
+    return interruptible([&](const std::atomic<bool>&) {
+      return std::make_shared<EquilibriumStudy>(
+          study_equilibria(input, {.region = region, .points = points, .levels = levels, .longest = longest}));
+    });
+  });
+  module.attr("most_equilibria") = most_equilibria;
+  module.attr("most_levels") = most_levels;
+}
+
+}  // namespace flexslip::python

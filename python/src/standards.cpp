@@ -1,0 +1,31 @@
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "answers/standard_fields.h"
+#include "case/modulus_study.h"
+#include "interruptible.h"
+#include "parts.h"
+#include "plain.h"
+#include "report/small_deflection_words.h"
+
+namespace flexslip::python {
+namespace {
+
+namespace py = pybind11;
+
+py::dict modulus(const Case& input, const std::vector<std::string>& window) {
+  const ModulusStudy study =
+      interruptible([&](const std::atomic<bool>&) { return study_modulus(input, window_of(window)); });
+  const StandardTest test = told_of(study);
+  return py::dict(py::arg("told") = plain(modulus_fields()(test, frame_of(test)), modulus_fields().descriptions()),
+                  py::arg("words") = small_deflection_in_words(test));
+}
+
+}  // namespace
+
+void add_standards(py::module_& module) { module.def("modulus", modulus); }
+
+}  // namespace flexslip::python
