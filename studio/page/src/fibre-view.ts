@@ -2,7 +2,7 @@
 
 import { byId, label, svg } from "./dom";
 import type { Shape } from "./engine";
-import { greatest, haloed, nearest, path, placeIn, sized } from "./plot";
+import { greatest, haloed, nearest, path, placeIn, sized, sizeOf } from "./plot";
 import { unitFor, written } from "./quantity";
 import type { Studio } from "./studio";
 
@@ -27,7 +27,7 @@ export class FibreView {
 
   draw(): void {
     const { studio } = this, fit = studio.fit, { values } = studio, moment = studio.moment;
-    const width = this.host.clientWidth, height = this.host.clientHeight;
+    const { width, height } = sizeOf(this.host);
     if (!fit || !values || !moment || width < 40) return sized(this.drawing, this.host, svg("g"));
     const { rig } = studio;
     if (!rig) return sized(this.drawing, this.host, svg("g"));

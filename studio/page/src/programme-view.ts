@@ -2,7 +2,7 @@
 
 import { scaleLinear } from "d3-scale";
 import { byId, fill, svg } from "./dom";
-import { path, placeIn, sized, type Scale } from "./plot";
+import { path, placeIn, sized, sizeOf, type Scale } from "./plot";
 import { unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
 
@@ -68,7 +68,7 @@ export class ProgrammeView {
   draw(): void {
     const { studio } = this, fit = studio.fit, points = this.points;
     this.label();
-    const width = this.host.clientWidth, height = this.host.clientHeight;
+    const { width, height } = sizeOf(this.host);
     if (!fit || width < 40) return sized(this.drawing, this.host, svg("g"));
     const greatest = fit.greatestStage, most = Math.max(greatest, ...points) * 1.15;
     this.unit = unitFor(most, "length");
