@@ -112,6 +112,7 @@ class PowersBy {
 
 class Powers {
  public:
+  HWY_INLINE Powers() : powers_(exponents), lower_(lower_exponents), factors_(load_row(exponents)) {}
   // 1, x, ..., x^7
   HWY_INLINE Row of(double x) const { return powers_.of(x); }
   // Their derivatives: 0, 1, 2x, ..., 7x^6.
@@ -120,8 +121,8 @@ class Powers {
  private:
   static constexpr double exponents[terms_of_row] = {0, 1, 2, 3, 4, 5, 6, 7};
   static constexpr double lower_exponents[terms_of_row] = {0, 0, 1, 2, 3, 4, 5, 6};
-  PowersBy powers_{exponents}, lower_{lower_exponents};
-  Row factors_ = load_row(exponents);
+  PowersBy powers_, lower_;
+  Row factors_;
 };
 
 }  // namespace flexslip::HWY_NAMESPACE
