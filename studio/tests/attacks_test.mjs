@@ -161,7 +161,7 @@ test("states of well-formed addresses with wild contents are refused or made har
 test("a page that was damaged says that its program does not start, at each attempt", { skip }, async () => {
   const folder = mkdtempSync(join(tmpdir(), "studio-damaged-")), whole = readFileSync(page, "utf8");
   const packed = (bytes) => execFileSync("node", [join(root, "studio/page/engine/pack.mjs")], { input: gzipSync(bytes), encoding: "latin1" });
-  const wants = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 2, 7, 1, 1, 0x61, 1, 0x62, 0, 0);  // WebAssembly that asks for what there is not
+  const wants = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 2, 7, 1, 1, 0x51, 1, 0x52, 0, 0);  // WebAssembly that asks for what there is not
   const damages = { "what is no gzip": ["program", "((((((((((((("], "WebAssembly of something else": ["program", packed(wants)], "no WebAssembly": ["program", packed(Buffer.from("no"))], "a Worker that fails": ["worker", "throw new Error('damaged')"], "mechanics of something else": ["mechanics", packed(wants)] };
   try {
     for (const [what, [id, text]] of Object.entries(damages)) {
