@@ -9,6 +9,7 @@
 
 #include <hwy/foreach_target.h>  // must come before highway.h
 
+#include "fibre/cell_row-inl.h"
 #include "fibre/lanes-inl.h"
 
 #ifndef FLEXSLIP_FIBRE_CELL_TABLE_CPP_
@@ -16,9 +17,9 @@
 namespace flexslip {
 
 // A cell in memory: a polynomial of degree 7 in each of x and y, its coordinates in [-1, 1] along x and q: eight rows, one for each power of y,
-// of the coefficients of 1, x, ..., x^7 for the first quantity and then those for the second. A row fills vectors of any width.
+// of the coefficients of 1, x, ..., x^7 for the first quantity and then those for the second. A row fills vectors of any width (cell_row-inl.h).
 struct CellLayout {
-  static constexpr std::size_t terms = 8;  // of each polynomial
+  static constexpr std::size_t terms = terms_of_row;  // of each polynomial
   static constexpr std::size_t row = 2 * terms;
   static constexpr std::size_t cell = terms * row;
 };
@@ -43,83 +44,6 @@ struct Places {
 HWY_BEFORE_NAMESPACE();
 namespace flexslip::HWY_NAMESPACE {
 
-// As many vectors as hold a row's coefficients of one quantity.
-using RowTag = hn::CappedTag<double, CellLayout::terms>;
-using RowVector = hn::Vec<RowTag>;
-constexpr RowTag row_tag;
-constexpr std::size_t row_vectors = CellLayout::terms / hn::MaxLanes(row_tag);
-struct Row {
-  RowVector part[row_vectors];
-};
-
-HWY_INLINE Row load_row(const double* from) {
-  Row row;
-  for (std::size_t i = 0; i < row_vectors; ++i) row.part[i] = hn::LoadU(row_tag, from + i * hn::MaxLanes(row_tag));
-  return row;
-}
-
-// a y + b
-HWY_INLINE Row times_plus(const Row& a, RowVector y, const Row& b) {
-  Row row;
-  for (std::size_t i = 0; i < row_vectors; ++i) row.part[i] = hn::Add(hn::Mul(a.part[i], y), b.part[i]);
-  return row;
-}
-
-// The sum of a vector's lanes, upper half upon lower half until one is left: in the same order whatever the width.
-template <class D>
-HWY_INLINE double folded([[maybe_unused]] D tag, hn::Vec<D> vector) {
-#if HWY_TARGET != HWY_SCALAR
-  if constexpr (hn::MaxLanes(tag) > 1) {
-    const hn::Half<D> half;
-    return folded(half, hn::Add(hn::LowerHalf(half, vector), hn::UpperHalf(half, vector)));
-  }
-#endif
-  return hn::GetLane(vector);
-}
-
-HWY_INLINE Row times(const Row& a, const Row& b) {
-  Row product;
-  for (std::size_t i = 0; i < row_vectors; ++i) product.part[i] = hn::Mul(a.part[i], b.part[i]);
-  return product;
-}
-
-HWY_INLINE double dot(const Row& a, const Row& b) {
-  Row product = times(a, b);
-  for (std::size_t n = row_vectors / 2; n > 0; n /= 2)
-    for (std::size_t i = 0; i < n; ++i) product.part[i] = hn::Add(product.part[i], product.part[i + n]);
-  return folded(row_tag, product.part[0]);
-}
-
-// Powers of x up to the seventh, put together from x, x^2 and x^4 by the bits of the exponents.
-class Powers {
- public:
-  HWY_INLINE explicit Powers(const double (&exponents)[CellLayout::terms]) {
-    const Row all = load_row(exponents);
-    for (std::size_t i = 0; i < row_vectors; ++i) {
-      const auto bits = hn::ConvertTo(hn::RebindToSigned<RowTag>(), all.part[i]);
-      for (std::size_t bit = 0; bit < 3; ++bit) {
-        const auto value = hn::Set(hn::RebindToSigned<RowTag>(), std::int64_t{1} << bit);
-        has_[bit][i] = hn::RebindMask(row_tag, hn::Eq(hn::And(bits, value), value));
-      }
-    }
-  }
-
-  HWY_INLINE Row of(double x) const {
-    const RowVector one = hn::Set(row_tag, 1.0);
-    const RowVector x1 = hn::Set(row_tag, x);
-    const RowVector x2 = hn::Mul(x1, x1);
-    const RowVector x4 = hn::Mul(x2, x2);
-    Row row;
-    for (std::size_t i = 0; i < row_vectors; ++i)
-      row.part[i] = hn::Mul(hn::Mul(hn::IfThenElse(has_[0][i], x1, one), hn::IfThenElse(has_[1][i], x2, one)),
-                            hn::IfThenElse(has_[2][i], x4, one));
-    return row;
-  }
-
- private:
-  hn::Mask<RowTag> has_[3][row_vectors];  // whether the exponent has this bit
-};
-
 // The coordinate of what is given, and the slope of X = x g there, from g and dg/dx.
 struct OfLength {
   static HWY_INLINE Lanes coordinate(Lanes S) { return sqrt(S - 1.0); }
@@ -139,8 +63,8 @@ HWY_INLINE void find_places(const CellGrid& grid, const double* at, const double
     const Lanes coordinate = Of::coordinate(given);
     const Lanes along = coordinate * grid.x_scale;
     const Lanes across = (frictions - grid.q_least) * grid.q_scale;
-    const Lanes i_x(hn::Floor(along.v));
-    const Lanes i_q(hn::Floor(across.v));
+    const Lanes i_x(floor_of(along.v));
+    const Lanes i_q(floor_of(across.v));
     const auto inside =
         (Lanes(0.0) < along) & (along < Lanes(grid.x_cells)) & (Lanes(-1.0) < i_q) & (i_q < Lanes(grid.q_cells));
     store(coordinate, places.along + i, n);
@@ -151,7 +75,7 @@ HWY_INLINE void find_places(const CellGrid& grid, const double* at, const double
 }
 
 // One polynomial at y, in powers of x.
-HWY_INLINE Row at_y(const double* rows, RowVector y) {
+HWY_INLINE Row at_y(const double* rows, InEachLane y) {
   Row sum = load_row(rows + (CellLayout::terms - 1) * CellLayout::row);
   for (std::size_t r = CellLayout::terms - 1; r-- > 0;) sum = times_plus(sum, y, load_row(rows + r * CellLayout::row));
   return sum;
@@ -161,7 +85,7 @@ HWY_INLINE Row at_y(const double* rows, RowVector y) {
 struct RowSlope {
   Row value, slope;
 };
-HWY_INLINE RowSlope at_y_with_slope(const double* rows, RowVector y) {
+HWY_INLINE RowSlope at_y_with_slope(const double* rows, InEachLane y) {
   Row sum = load_row(rows + (CellLayout::terms - 1) * CellLayout::row);
   Row slope = sum;
   sum = times_plus(sum, y, load_row(rows + (CellLayout::terms - 2) * CellLayout::row));
@@ -191,10 +115,10 @@ HWY_INLINE void for_each_place(const CellGrid& grid, const double* at, const dou
 template <class Of>
 HWY_INLINE void interpolate(const CellGrid& grid, const double* at, const double* q, std::size_t count, double* first,
                             double* second) {
-  const Powers powers({0, 1, 2, 3, 4, 5, 6, 7});
+  const Powers powers;
   for_each_place<Of>(grid, at, q, count, [&](std::size_t i, const Places& places, std::size_t j) HWY_ATTR {
     const double* rows = cell_at(grid, places, j);
-    const RowVector y = hn::Set(row_tag, places.y[j]);
+    const InEachLane y = in_each_lane(places.y[j]);
     const Row x = powers.of(places.x[j]);
     first[i] = places.along[j] * dot(at_y(rows, y), x);
     second[i] = places.along[j] * dot(at_y(rows + CellLayout::terms, y), x);
@@ -204,15 +128,12 @@ HWY_INLINE void interpolate(const CellGrid& grid, const double* at, const double
 template <class Of>
 HWY_INLINE void interpolate_slopes(const CellGrid& grid, const double* at, const double* q, std::size_t count,
                                    double* const* columns) {
-  const Powers powers({0, 1, 2, 3, 4, 5, 6, 7});
-  const Powers lower_powers({0, 0, 1, 2, 3, 4, 5, 6});
-  HWY_ALIGN constexpr double exponents[] = {0, 1, 2, 3, 4, 5, 6, 7};
-  const Row factors = load_row(exponents);
+  const Powers powers;
   for_each_place<Of>(grid, at, q, count, [&](std::size_t i, const Places& places, std::size_t j) HWY_ATTR {
     const double* rows = cell_at(grid, places, j);
-    const RowVector y = hn::Set(row_tag, places.y[j]);
+    const InEachLane y = in_each_lane(places.y[j]);
     const Row x = powers.of(places.x[j]);
-    const Row dx = times(factors, lower_powers.of(places.x[j]));
+    const Row dx = powers.slopes_of(places.x[j]);
     const double along = places.along[j];
     for (std::size_t k = 0; k < 2; ++k) {
       const RowSlope polynomial = at_y_with_slope(rows + k * CellLayout::terms, y);

@@ -27,9 +27,10 @@ FibreState nothing_at(double S, double q) {
 // The least length that a friction of zero lets slide back to, to first order.
 double least_length_on(const Supports& supports) { return 1 - 3.75 * supports.half_depth * supports.half_depth; }
 
-// A pair of quantities of many states with their slopes along w and in q.
+// A pair of quantities with their slopes along w and in q: first, second, first_w, first_q, second_w, second_q; of one state (no memory of the heap), of many.
+using PairSlope = std::array<double, 6>;
 struct PairSlopes {
-  std::array<std::vector<double>, 6> columns;  // first, second, first_w, first_q, second_w, second_q
+  std::array<std::vector<double>, 6> columns;
   explicit PairSlopes(std::size_t n) {
     for (auto& column : columns) column.resize(n);
   }
@@ -81,6 +82,12 @@ class Fibre::Tables {
   PairSlopes contacts(std::span<const double> w, std::span<const double> q) const {
     return slopes(contacts_, &SupportedState::theta0, &SupportedState::Pn, w, q);
   }
+  PairSlope sliding(double w, double q) const {
+    return slopes(sliding_, &SupportedState::slid, &SupportedState::F, w, q);
+  }
+  PairSlope contacts(double w, double q) const {
+    return slopes(contacts_, &SupportedState::theta0, &SupportedState::Pn, w, q);
+  }
 
   double energy(double w, double q) const {
     double U = 0, curvature = 0;
@@ -90,16 +97,11 @@ class Fibre::Tables {
 
   // Deflections of lengths: by Newton's iteration; the length is convex in the deflection.
   std::vector<double> deflections(std::span<const double> S, std::span<const double> q) const {
-    const std::size_t n = S.size();
-    const double tau = supports.half_depth;
-    std::vector<double> w(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double rise = (S[i] - 1) / 2.4 + 1.5625 * tau * tau;
-      w[i] = 1.25 * tau + std::sqrt(std::max(rise, 0.0));
-    }
-    std::vector<std::size_t> active(n);
+    std::vector<double> w(S.size());
+    std::transform(S.begin(), S.end(), w.begin(), [&](double length) { return shallow_deflection(length); });
+    std::vector<std::size_t> active(S.size());
     std::iota(active.begin(), active.end(), 0);
-    for (int round = 0; round < 40 && !active.empty(); ++round) {
+    for (int round = 0; round < most_rounds && !active.empty(); ++round) {
       std::vector<double> w_now, q_now;
       for (const std::size_t i : active) {
         w_now.push_back(w[i]);
@@ -109,28 +111,50 @@ class Fibre::Tables {
       std::size_t left = 0;
       for (std::size_t j = 0; j < active.size(); ++j) {
         const std::size_t i = active[j];
-        const double step = (S[i] - 1 - at.columns[0][j]) / at.columns[2][j];
-        constexpr double small = 1e-8;  // of the deflection: what is left is its square
-        if (!std::isfinite(step) || !(at.columns[2][j] > 0)) {
-          w[i] = beyond(S[i], q[i]);
-          continue;
-        }
-        w[i] = std::clamp(w[i] + step, 0.5 * w[i], 2 * w[i]);
-        if (!(w[i] < deepest_on_supports))
-          w[i] = not_a_number;
-        else if (!(std::abs(step) <= small * w[i]))
-          active[left++] = i;
+        const Step step = step_from(w[i], S[i], q[i], at.columns[0][j], at.columns[2][j]);
+        w[i] = step.w;
+        if (!step.is_last) active[left++] = i;
       }
       active.resize(left);
     }
     for (const std::size_t i : active) w[i] = beyond(S[i], q[i]);
     return w;
   }
+  double deflection(double S, double q) const {
+    double w = shallow_deflection(S);
+    for (int round = 0; round < most_rounds; ++round) {
+      const PairSlope at = sliding(w, q);
+      const Step step = step_from(w, S, q, at[0], at[2]);
+      if (step.is_last) return step.w;
+      w = step.w;
+    }
+    return beyond(S, q);
+  }
 
   const Supports supports;
 
  private:
   using Field = double SupportedState::*;
+  static constexpr int most_rounds = 40;  // of Newton's iteration
+
+  double shallow_deflection(double S) const {
+    const double tau = supports.half_depth;
+    return 1.25 * tau + std::sqrt(std::max((S - 1) / 2.4 + 1.5625 * tau * tau, 0.0));
+  }
+
+  struct Step {
+    double w;
+    bool is_last;
+  };
+  // From a deflection whose length has this much beyond the span, and this slope.
+  Step step_from(double w, double S, double q, double slid, double slid_w) const {
+    const double step = (S - 1 - slid) / slid_w;
+    constexpr double small = 1e-8;  // of the deflection: what is left is its square
+    if (!std::isfinite(step) || !(slid_w > 0)) return {beyond(S, q), true};
+    const double next = std::clamp(w + step, 0.5 * w, 2 * w);
+    if (!(next < deepest_on_supports)) return {not_a_number, true};
+    return {next, std::abs(step) <= small * next};
+  }
 
   static CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
 
@@ -158,13 +182,23 @@ class Fibre::Tables {
     };
   }
 
-  // Where a table has nothing, from states nearby.
   PairSlopes slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
                     std::span<const double> q) const {
     PairSlopes at(w.size());
-    table.slopes(w.data(), q.data(), w.size(), at.data());
+    fill_slopes(table, first, second, w, q, at.data());
+    return at;
+  }
+  PairSlope slopes(const CellTable& table, Field first, Field second, double w, double q) const {
+    PairSlope at{};
+    fill_slopes(table, first, second, {&w, 1}, {&q, 1}, {&at[0], &at[1], &at[2], &at[3], &at[4], &at[5]});
+    return at;
+  }
+  // Where a table has nothing, from states nearby.
+  void fill_slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
+                   std::span<const double> q, const std::array<double*, 6>& columns) const {
+    table.slopes(w.data(), q.data(), w.size(), columns);
     for (std::size_t i = 0; i < w.size(); ++i) {
-      if (!std::isnan(at.columns[0][i])) continue;
+      if (!std::isnan(columns[0][i])) continue;
       const SupportedState here = state(w[i], q[i]);
       if (here.status != FibreStatus::ok) continue;
       constexpr double near = 1e-5;
@@ -179,9 +213,8 @@ class Fibre::Tables {
       };
       const std::array values{here.*first,         here.*second,         slope(first, dw, 0),
                               slope(first, 0, dq), slope(second, dw, 0), slope(second, 0, dq)};
-      for (std::size_t k = 0; k < values.size(); ++k) at.columns[k][i] = values[k];
+      for (std::size_t k = 0; k < values.size(); ++k) columns[k][i] = values[k];
     }
-    return at;
   }
 
   // By bisection, where Newton's iteration leads nowhere: close to the end of the branch.
@@ -226,9 +259,7 @@ const Supports& Fibre::supports() const {
 }
 
 Fibre::BentState Fibre::bent(double w, double q) const {
-  const PairSlopes sliding = tables_->sliding({&w, 1}, {&q, 1}), contacts = tables_->contacts({&w, 1}, {&q, 1});
-  const auto slid = [&](std::size_t k) { return sliding.columns[k][0]; };
-  const auto turned = [&](std::size_t k) { return contacts.columns[k][0]; };
+  const PairSlope slid = tables_->sliding(w, q), turned = tables_->contacts(w, q);
   BentState at{};
   if (w == 0) {
     at.state = fibre_state(1, 0);
@@ -238,21 +269,21 @@ Fibre::BentState Fibre::bent(double w, double q) const {
     at.Pn_w = 0.5 * at.F_w;
     return at;
   }
-  if (!(slid(1) >= 0)) {
+  if (!(slid[1] >= 0)) {
     at.state = nothing_at(not_a_number, q);
     return at;
   }
   at.state = {.status = FibreStatus::ok,
-              .S = 1 + slid(0),
+              .S = 1 + slid[0],
               .q = q,
               .w = w,
-              .F = slid(1),
-              .theta0 = turned(0),
-              .Pn = turned(1),
+              .F = slid[1],
+              .theta0 = turned[0],
+              .Pn = turned[1],
               .U = tables_->energy(w, q),
               .u = 0};
-  at.S_w = slid(2), at.S_q = slid(3), at.F_w = slid(4), at.F_q = slid(5);
-  at.theta0_w = turned(2), at.theta0_q = turned(3), at.Pn_w = turned(4), at.Pn_q = turned(5);
+  at.S_w = slid[2], at.S_q = slid[3], at.F_w = slid[4], at.F_q = slid[5];
+  at.theta0_w = turned[2], at.theta0_q = turned[3], at.Pn_w = turned[4], at.Pn_q = turned[5];
   return at;
 }
 
@@ -265,7 +296,7 @@ FibreStateSlopes Fibre::state_slopes(double S, double q) const {
     result.state = fibre_state(1, q);
     return result;
   }
-  const double w = tables_->deflections({&S, 1}, {&q, 1})[0];
+  const double w = tables_->deflection(S, q);
   result.state = nothing_at(S, q);
   if (std::isnan(w)) return result;
   const BentState at = bent(w, q);
@@ -291,7 +322,7 @@ FibreStateSlopes Fibre::state_slopes(double S, double q) const {
 
 Fibre::Contact Fibre::contact(double S, double q) const {
   if (on_edges()) return {S, 1, 0};
-  const double w = tables_->deflections({&S, 1}, {&q, 1})[0];
+  const double w = tables_->deflection(S, q);
   const PairSlopes sliding = tables_->sliding({&w, 1}, {&q, 1}), contacts = tables_->contacts({&w, 1}, {&q, 1});
   const double rolled = 2 * supports().radius, S_w = sliding.columns[2][0], S_q = sliding.columns[3][0];
   const double theta0 = contacts.columns[0][0], theta0_w = contacts.columns[2][0], theta0_q = contacts.columns[3][0];

@@ -24,16 +24,17 @@ async function launched() {
 export const close = async () => browser?.close();
 
 /** A page that has shown its first picture; `said` is what the console said, `asked` what was requested. */
-export async function open({ width = 1280, height = 800, theme = "light", hash = "", visited = true, wait = true, reducedMotion = "no-preference" } = {}) {
+export async function open({ width = 1280, height = 800, theme = "light", hash = "", visited = true, wait = true, file = page, reducedMotion = "no-preference" } = {}) {
   const context = await (await launched()).newContext({ viewport: { width, height }, colorScheme: theme, acceptDownloads: true, offline: true, reducedMotion });
+  context.setDefaultTimeout(600_000);  // that of a hang: a loaded machine is no fault
   const tab = await context.newPage(), said = [], asked = [];
   tab.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
   tab.on("pageerror", (error) => said.push(`error: ${error.message}`));
   tab.on("request", (request) => /^(blob|data):/.test(request.url()) || asked.push(request.url()));
   tab.on("dialog", (dialog) => said.push(`dialog: ${dialog.message()}`) && dialog.dismiss());
   if (visited) await tab.addInitScript(() => { try { localStorage.setItem("flexslip-studio-visited", "yes"); } catch {} });
-  await tab.goto(pathToFileURL(page).href + hash);
-  if (wait) await tab.waitForSelector("body[data-ready]", { timeout: 15_000 });
+  await tab.goto(pathToFileURL(file).href + hash);
+  if (wait) await tab.waitForSelector("body[data-ready]");
   return Object.assign(tab, { said, asked, end: () => context.close() });
 }
 
@@ -47,7 +48,7 @@ export async function drop(tab, ...files) {
   }, list);
   await tab.dispatchEvent("body", "drop", { dataTransfer: transfer });
 }
-export const fitted = (tab) => tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit" && /Fitted|No fit/.test(document.querySelector("#fit-said").textContent), null, { timeout: 120_000 });
+export const fitted = (tab) => tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit" && /Fitted|No fit/.test(document.querySelector("#fit-said").textContent));
 export const errorOf = (tab) => tab.locator("#error").innerText();
 export const painted = (tab) => tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 

@@ -5,12 +5,12 @@ import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, join, relative } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { after, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
-const program = process.env.FLEXSLIP ?? join(root, "build/release/flexslip");
+const program = resolve(process.env.FLEXSLIP ?? join(root, "build/release/flexslip"));
 const wasm = join(root, "build/studio/wasm");
 const skip = !existsSync(join(wasm, "program.wasm")) ? "the studio is not built: tools/build-studio" : !existsSync(program) ? `there is no program ${program}` : false;
 const folder = mkdtempSync(join(tmpdir(), "flexslip-engine-"));
@@ -109,9 +109,15 @@ test("read, modulus, invert and keys have the same bytes", { skip }, async (t) =
   await same(t, ["keys"], {});
 });
 
-test("a campaign has the same bytes", { skip }, async (t) => {
-  const files = filesOf(join(root, "examples/simulated"));
-  await same(t, ["campaign", ".", "--json"], Object.fromEntries(Object.entries(files).map(([name, bytes]) => [`a/${name}`, bytes])), "test");
+test("a campaign has the same bytes, its workbook too", { skip }, async (t) => {
+  const files = Object.fromEntries(["simulated", "cyclic"].flatMap((example) => Object.entries(filesOf(join(root, "examples", example))).map(([name, bytes]) => [`${example}/${name}`, bytes])));
+  await same(t, ["campaign", ".", "--json"], files, "test");
+  await same(t, ["campaign", ".", "--report", "out", "--no-figures", "--quiet"], files, "test");
+});
+
+test("a program that does not start is a fault, and no answer that never comes", { skip }, async () => {
+  const imports = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 2, 7, 1, 1, 0x51, 1, 0x52, 0, 0);  // a function "R" of a module "Q", which there is none of
+  await assert.rejects(opened.runProgram(await WebAssembly.compile(imports), ["--version"], {}, () => undefined), /Import|instantiate/);
 });
 
 test("faults are the program's own sentences and codes; what a page cannot do, it says", { skip }, async (t) => {

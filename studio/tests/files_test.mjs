@@ -1,9 +1,9 @@
 // What comes in: each instrument's format, spicules as they were measured, cases, workbooks; the card, and what it changes.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { basename, dirname, join } from "node:path";
 import { after, test } from "node:test";
 import { close, data, drop, errorOf, fitted, missing, native, open, painted, program, RIG, root, say } from "./browser.mjs";
 
@@ -21,15 +21,14 @@ const readNatively = (folder, name) => {
   }
 };
 
-test("each instrument's format, dropped: the card shows what `flexslip read` decides, or the line says its sentence", { skip }, async () => {
+/** Drops files one after the other; the card and the line say of each what the program says. */
+async function readAs(folder, names) {
   const tab = await open();
-  const names = readdirSync(fixtures).filter((name) => !heights.test(name));
-  assert.ok(names.length > 10);
   for (const name of names) {
-    const told = readNatively(fixtures, name), before = await tab.locator("#tests li").count();
+    const told = readNatively(folder, name), before = await tab.locator("#tests li").count();
     await tab.keyboard.press("Escape");
     await painted(tab);
-    await drop(tab, join(fixtures, name));
+    await drop(tab, join(folder, name));
     await tab.waitForFunction((n) => !document.querySelector("#error").hidden || document.querySelectorAll("#tests li").length > n, before);
     await painted(tab);
     if (typeof told === "string") {
@@ -46,6 +45,19 @@ test("each instrument's format, dropped: the card shows what `flexslip read` dec
   }
   assert.deepEqual(tab.said, []);
   await tab.end();
+}
+
+test("each instrument's format, dropped: the card shows what `flexslip read` decides, or the line says its sentence", { skip }, async () => {
+  const names = readdirSync(fixtures).filter((name) => !heights.test(name));
+  assert.ok(names.length > 10);
+  await readAs(fixtures, names);
+});
+
+const exports = join(data, "instruments");
+test("exports as machines wrote them, each of them dropped: likewise", { skip: skip || (!existsSync(exports) && "no ../shared/data") }, async () => {
+  const names = readdirSync(exports, { recursive: true }).filter((name) => statSync(join(exports, name)).isFile());
+  assert.ok(names.length >= 10);
+  for (const folder of new Set(names.map((name) => dirname(name)))) await readAs(join(exports, folder), names.filter((name) => dirname(name) === folder).map((name) => basename(name)));
 });
 
 for (const name of ["SS14", "SS36"])

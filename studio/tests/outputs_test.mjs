@@ -10,36 +10,17 @@ after(close);
 const example = Object.fromEntries([["simulated.toml", "case.toml"], ["test.csv", "test.csv"]].map(([name, file]) => [name, readFileSync(join(root, "examples/simulated", file))]));
 const text = (files, name) => Buffer.from(files[name]).toString("utf8");
 
-/** Estimates agree to a thousandth of their standard error. */
-function sameFit(page, shell, where = "") {
-  for (const [name, told] of Object.entries(shell.parameters)) {
-    const shown = page.parameters[name];
-    assert.ok(shown, `${where}${name}`);
-    if (told.standard_error > 0) assert.ok(Math.abs(shown.value - told.value) <= 1e-3 * told.standard_error, `${where}${name}: ${shown.value}, natively ${told.value} ± ${told.standard_error}`);
-  }
-  assert.equal(page.drops.length, shell.drops.length);
-  assert.deepEqual(page.drops.map((d) => [d.row_before, d.row_after, d.slip]), shell.drops.map((d) => [d.row_before, d.row_after, d.slip]));
-  assert.deepEqual(page.judgement.standing, shell.judgement.standing);
-  assert.deepEqual(page.checks.map((c) => [c.name, c.passed]), shell.checks.map((c) => [c.name, c.passed]));
+/** All that was computed, apart from where it came from. */
+function sameFit(page, shell) {
+  const computed = ({ provenance: _, ...rest }) => rest;
+  assert.deepEqual(computed(page), computed(shell));
 }
 
-test("JSON and CSV are those of the command line: fits to a thousandth of the standard error, what is measured to the last bit", { skip }, async () => {
+test("JSON and CSV have the bytes of the command line", { skip }, async () => {
   const tab = await open();
   const shell = native(["fit", "simulated.toml", "--json", "--profile", "profile.csv", "--curves", "curves.csv", "--draws", "draws.csv"], example);
-  const json = JSON.parse(text(await exported(tab, "All results"), "simulated.json"));
-  sameFit(json, JSON.parse(shell.out));
-  const curves = text(await exported(tab, "Curves"), "simulated-curves.csv"), there = shell["curves.csv"];
-  assert.equal(curves.split("\n")[0], there.split("\n")[0]);
-  const [a, b] = [numbersOf(curves), numbersOf(there)];
-  assert.equal(a.length, b.length);
-  a.forEach((line, i) => assert.deepEqual(line.slice(0, 4), b[i].slice(0, 4), "row, w_s, w and F are measured: the same bits"));
-  const se = json.parameters.bending_stiffness.standard_error / json.parameters.bending_stiffness.value, profile = text(await exported(tab, "Profile of friction"), "simulated-profile.csv");
-  const [p, q] = [numbersOf(profile), numbersOf(shell["profile.csv"])], mu = profile.split("\n")[0].split(",").indexOf("mu");
-  assert.equal(p.length, q.length);
-  p.forEach((line, i) => assert.ok(Math.abs(line[mu] - q[i][mu]) <= 1e-3 * q[i][mu + 1], `friction of row ${line[0]} (EI known to ${se})`));
-  const [d, e] = [text(await exported(tab, "Mean and draws"), "simulated-draws.csv"), shell["draws.csv"]].map(numbersOf);
-  assert.equal(d.length, e.length);
-  d.forEach((line, i) => assert.ok(Math.abs(line[1] - e[i][1]) <= 1e-2 * Math.max(e[i][2], 1e-6), `mean of the fit at ${line[0]}`));
+  assert.equal(text(await exported(tab, "All results"), "simulated.json"), shell.out);
+  for (const [title, part] of [["Curves", "curves"], ["Profile of friction", "profile"], ["Mean and draws", "draws"]]) assert.equal(text(await exported(tab, title), `simulated-${part}.csv`), shell[`${part}.csv`], title);
   await tab.end();
 });
 

@@ -1,8 +1,10 @@
 // The page by itself: what it shows first, what follows the pointer and the keys, at three sizes, light and dark.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, test } from "node:test";
-import { close, errorOf, fitted, missing, open, page, painted } from "./browser.mjs";
 import { pathToFileURL } from "node:url";
+import { close, drop, errorOf, fitted, missing, open, page, painted, root } from "./browser.mjs";
 
 const skip = missing || false;
 after(close);
@@ -200,6 +202,165 @@ test("cycle: unload and reload are added, drawn, dragged and played", { skip }, 
   assert.notEqual(await tried(), "");
   quiet(tab);
   await tab.end();
+});
+
+test("programme: a double-click adds a point and takes one away; play runs through the record and then through what is tried", { skip }, async () => {
+  const tab = await open();
+  const knobs = () => tab.locator("[data-knob]").count(), before = await knobs();
+  const box = await tab.locator("#programme-plot").boundingBox();
+  await tab.mouse.dblclick(box.x + box.width * 0.5, box.y + box.height * 0.6);
+  await painted(tab);
+  assert.equal(await knobs(), before + 1);
+  await tab.keyboard.press("Control+z");
+  await painted(tab);
+  assert.equal(await knobs(), before, "one undo takes it back");
+  await tab.locator("#add-cycle").click();
+  await painted(tab);
+  assert.equal(await knobs(), before + 2);
+  const knob = await tab.locator("[data-knob='3'] circle").last().boundingBox();
+  await tab.mouse.dblclick(knob.x + knob.width / 2, knob.y + knob.height / 2);
+  await painted(tab);
+  assert.equal(await knobs(), before + 1);
+  await tab.locator("#force-plot").focus();
+  for (let i = 0; i < 60; ++i) await tab.keyboard.press("Shift+ArrowRight");  // to the last drop, so that little of the record is left
+  await tab.keyboard.press("Space");
+  const dot = () => tab.evaluate(() => Number(document.querySelector("#programme-plot circle[fill='var(--moment)']").getAttribute("cx")));
+  await tab.waitForFunction(() => document.querySelector("#moment .cell").textContent === "tried");
+  const at = await dot();
+  await tab.waitForTimeout(300);
+  await tab.keyboard.press("Space");
+  assert.ok((await dot()) > at, "the moment goes on through what is tried");
+  assert.match(await tab.locator("#moment").innerText(), /stage\s*[\d.]+/);
+  quiet(tab);
+  await tab.end();
+});
+
+test("rows before contact and after failure are taken off by dragging either handle, by keys on it, and by [ and ]", { skip }, async () => {
+  const tab = await open();
+  const command = () => tab.locator("#command").innerText(), { x, y, width, height } = await tab.locator("[data-handle=first]").boundingBox();
+  await tab.mouse.move(x + width / 2, y + height / 2);
+  await tab.mouse.down();
+  await tab.mouse.move(x + width / 2 + 60, y + height / 2, { steps: 4 });
+  await tab.mouse.up();
+  await painted(tab);
+  const first = Number(/record\.first=(\d+)/.exec(await command())[1]);
+  assert.ok(first > 5 && first < 150, `${first}`);
+  await tab.locator("[data-handle=first]").focus();
+  await tab.keyboard.press("ArrowRight");
+  await painted(tab);
+  assert.match(await command(), new RegExp(`record\\.first=${first + 1}\\b`));
+  await tab.locator("#force-plot").focus();
+  const here = await row(tab);
+  await tab.keyboard.press("]");
+  await painted(tab);
+  assert.match(await command(), new RegExp(`record\\.until=${here}\\b`));
+  for (let i = 0; i < 3; ++i) await tab.keyboard.press("Control+z"), await painted(tab);
+  assert.equal(await command(), "flexslip fit simulated.toml", "three undos take the three back");
+  quiet(tab);
+  await tab.end();
+});
+
+test("lock: EI that is held stays in the next fit where the slider stands", { skip }, async () => {
+  const tab = await open();
+  const box = tab.locator(".parameter[data-parameter=EI] input.number"), lock = tab.locator("[data-focus=lock-EI]");
+  assert.equal(await lock.getAttribute("aria-pressed"), "false");
+  const stiffer = ((await box.inputValue()) * 1.02).toPrecision(4);
+  await box.fill(stiffer);
+  await box.press("Enter");
+  await lock.click();
+  await painted(tab);
+  assert.equal(await lock.getAttribute("aria-pressed"), "true");
+  await tab.locator("#fit").click();
+  await fitted(tab);
+  assert.match(await tab.locator("#command").innerText(), /--set '?specimen\.(modulus|bending_stiffness)=/);
+  assert.equal(Number(await box.inputValue()).toPrecision(4), stiffer);
+  quiet(tab);
+  await tab.end();
+});
+
+test("fit: while it runs, what it is at is said, and the pointer and the keys are answered", { skip }, async () => {
+  const tab = await open();
+  const before = await row(tab);
+  await tab.locator("#fit").click();
+  await tab.waitForFunction(() => document.querySelector("#fit").textContent === "Cancel" && document.querySelector("#fit-said").textContent.length > 3 && parseFloat(document.querySelector("#fit-bar span").style.width) > 0);
+  await tab.keyboard.press("ArrowLeft");
+  await painted(tab);
+  assert.equal(await tab.locator("#fit").innerText(), "Cancel", "the fit is still running");
+  assert.equal(await row(tab), before - 1);
+  await fitted(tab);
+  assert.equal(await row(tab), before - 1, "and leaves the moment where it is");
+  quiet(tab);
+  await tab.end();
+});
+
+test("tests: J, K and Delete go through the list, and each has its own verdict and views", { skip }, async () => {
+  const tab = await open();
+  const head = () => tab.locator("#what b").innerText();
+  for (const name of ["cracked", "cyclic"]) {
+    await drop(tab, { name: `${name}.toml`, bytes: Buffer.from(readFileSync(join(root, `examples/${name}/case.toml`), "utf8").replace("test.csv", `${name}.csv`)) }, { name: `${name}.csv`, bytes: readFileSync(join(root, `examples/${name}/test.csv`)) });
+    await tab.waitForFunction((n) => document.querySelector("#what b")?.textContent === n, name);
+    await fitted(tab);
+  }
+  const drawn = () => tab.evaluate(() => ["#answer", "#force-plot", "#friction-plot", "#fibre-plot", "#rows-plot", "#parameters"].map((q) => document.querySelector(q).innerHTML));
+  const last = await drawn();
+  await tab.locator("#force-plot").focus();
+  await tab.keyboard.press("k");
+  await painted(tab);
+  assert.equal(await head(), "cracked");
+  (await drawn()).forEach((part, i) => assert.notEqual(part, last[i], `part ${i} is that of the other test`));
+  await tab.keyboard.press("k");
+  await painted(tab);
+  assert.equal(await head(), "simulated");
+  await tab.keyboard.press("j");
+  await painted(tab);
+  assert.equal(await head(), "cracked");
+  await tab.locator("#tests li[aria-selected=true]").focus();
+  await tab.keyboard.press("Delete");
+  await painted(tab);
+  assert.deepEqual(await tab.locator("#tests li b").allInnerTexts(), ["simulated", "cyclic"]);
+  quiet(tab);
+  await tab.end();
+});
+
+test("pins: a pinned curve stays where it was, and can be hidden and taken away", { skip }, async () => {
+  const tab = await open();
+  const pinned = () => tab.evaluate(() => document.querySelector("#force-plot path[stroke='var(--pin)']")?.getAttribute("d") ?? "");
+  await tab.locator("#pin").click();
+  await painted(tab);
+  const curve = await pinned();
+  assert.ok(curve.length > 500);
+  const box = tab.locator(".parameter[data-parameter=EI] input.number");
+  await box.fill(((await box.inputValue()) * 0.97).toPrecision(4));
+  await box.press("Enter");
+  await painted(tab);
+  assert.equal(await pinned(), curve);
+  await tab.locator("#pins input").uncheck();
+  await painted(tab);
+  assert.equal(await pinned(), "");
+  await tab.locator("#pins .away").click();
+  await painted(tab);
+  assert.equal(await tab.locator("#pins li").count(), 0);
+  quiet(tab);
+  await tab.end();
+});
+
+test("colours: what carries a fact has a contrast of 4.5 as text and 3 as a mark, light and dark (WCAG 2's formula)", { skip }, async () => {
+  for (const theme of ["light", "dark"]) {
+    const tab = await open({ theme });
+    const colours = await tab.evaluate(() => {
+      const style = getComputedStyle(document.documentElement), probe = document.body.appendChild(document.createElement("span"));
+      return Object.fromEntries(["surface", "sunk", "ink", "ink2", "ink3", "data", "model", "moment", "ok", "warn", "bad", "pin", "ref", "line2", "ok-ground", "warn-ground", "no-ground"].map((name) => {
+        probe.style.color = style.getPropertyValue(`--${name}`);
+        return [name, getComputedStyle(probe).color.match(/[\d.]+/g).slice(0, 3).map(Number)];
+      }));
+    });
+    const light = (rgb) => rgb.map((c) => c / 255).map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)).reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+    const contrast = (a, b) => (Math.max(light(colours[a]), light(colours[b])) + 0.05) / (Math.min(light(colours[a]), light(colours[b])) + 0.05);
+    for (const name of ["ink", "ink2", "ink3", "model", "moment", "ok", "warn", "bad", "pin", "ref", "data"]) assert.ok(contrast(name, "surface") >= 4.5, `${theme}: ${name} has ${contrast(name, "surface").toFixed(2)}`);
+    for (const [name, ground] of [["ink2", "sunk"], ["ink3", "sunk"], ["ok", "ok-ground"], ["warn", "warn-ground"], ["ink2", "no-ground"]]) assert.ok(contrast(name, ground) >= 4.5, `${theme}: ${name} on ${ground} has ${contrast(name, ground).toFixed(2)}`);
+    assert.ok(contrast("line2", "surface") >= 3, `${theme}: edges of controls`);
+    await tab.end();
+  }
 });
 
 test("fit: it becomes Cancel in place, the views stay alive, cancelling leaves all as before", { skip }, async () => {

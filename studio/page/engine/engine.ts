@@ -2,8 +2,9 @@
 // of the Worker in #worker. Nothing is fetched.
 import flexslipMechanics, { type Answered } from "mechanics-glue";
 import { type Answer, Cancelled, type Mechanics, type Program } from "../src/engine";
+import { instantiated } from "./instance";
 import type { Asked, Told } from "./messages";
-import { unpacked } from "./unpack";
+import { moduleOf } from "./unpack";
 
 function textOf(id: string): string {
   const element = document.getElementById(id);
@@ -11,28 +12,25 @@ function textOf(id: string): string {
   return element.textContent;
 }
 
-async function compiled(id: string): Promise<WebAssembly.Module> {
-  const code = new Blob([unpacked(textOf(id))]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(code).arrayBuffer());
-}
-
 interface Pending { resolve(answer: Answer): void; reject(error: Error): void; progress?: ((line: string) => void) | undefined }
 
+const without = (why: string): Error => new Error(`the program ended without an answer: ${why}`);
+
 class ProgramInWorker implements Program {
-  private readonly module = compiled("program");
+  private module: WebAssembly.Module | null = null;  // as the first Worker compiled it: those after it need not
   private readonly script = URL.createObjectURL(new Blob([textOf("worker")], { type: "text/javascript" }));
-  private worker = this.start();
   private readonly pending = new Map<number, Pending>();
   private next = 0;
+  private worker: Worker | null = this.start();
 
-  constructor() {
-    this.module.catch(() => undefined);  // said by each run
-  }
-
+  /** The program is unpacked and compiled in the Worker, while the page makes its views. */
   private start(): Worker {
     const worker = new Worker(this.script);
-    void this.module.then((module) => worker.postMessage({ module } satisfies Asked), () => undefined);
     worker.onmessage = ({ data }: MessageEvent<Told>) => {
+      if ("module" in data) {
+        this.module = data.module;
+        return;
+      }
       const run = this.pending.get(data.id);
       if (!run) return;
       if ("line" in data) {
@@ -40,34 +38,38 @@ class ProgramInWorker implements Program {
         return;
       }
       this.pending.delete(data.id);
-      if ("failure" in data) run.reject(new Error(`the program ended without an answer: ${data.failure}`));
+      if ("failure" in data) run.reject(without(data.failure));
       else run.resolve({ code: data.code, out: data.out, err: data.err, files: data.files });
     };
+    // One that does not start is started again by the next run, not at once: it would fail again.
     worker.onerror = (event) => {
       event.preventDefault();
-      this.end(new Error(`the program ended without an answer: ${event.message || "its Worker did not start"}`));
+      this.end(without(event.message || "its Worker did not start"));
     };
+    worker.onmessageerror = () => this.end(without("what its Worker said cannot be read"));
+    worker.postMessage((this.module ? { module: this.module } : { text: textOf("program") }) satisfies Asked);
     return worker;
   }
 
-  async run(args: string[], files: Record<string, Uint8Array>, progress?: (line: string) => void): Promise<Answer> {
+  run(args: string[], files: Record<string, Uint8Array>, progress?: (line: string) => void): Promise<Answer> {
     const id = this.next++;
-    const answer = new Promise<Answer>((resolve, reject) => this.pending.set(id, { resolve, reject, progress }));
-    answer.catch(() => undefined);  // cancelled while the program is still being unpacked
-    await this.module;
-    if (this.pending.has(id)) this.worker.postMessage({ id, args, files } satisfies Asked);
-    return answer;
+    return new Promise((resolve, reject) => {
+      this.pending.set(id, { resolve, reject, progress });
+      (this.worker ??= this.start()).postMessage({ id, args, files } satisfies Asked);
+    });
   }
 
   cancel(): void {
-    if (this.pending.size > 0) this.end(new Cancelled());
+    if (this.pending.size === 0) return;
+    this.end(new Cancelled());
+    this.worker = this.start();
   }
 
   private end(reason: Error): void {
-    this.worker.terminate();
+    this.worker?.terminate();
+    this.worker = null;
     const ended = [...this.pending.values()];
     this.pending.clear();
-    this.worker = this.start();
     for (const run of ended) run.reject(reason);
   }
 }
@@ -82,13 +84,7 @@ function result<T>(answered: Answered<T>): T {
 }
 
 export async function openMechanics(): Promise<Mechanics> {
-  const module = await compiled("mechanics");
-  const bound = await flexslipMechanics({
-    instantiateWasm(imports, done) {
-      void WebAssembly.instantiate(module, imports).then(done);
-      return {};
-    },
-  });
+  const bound = await instantiated(flexslipMechanics, await moduleOf(textOf("mechanics")), {});
   const pointsOfStretch = 200;  // as the program's, where nothing else is asked
   return {
     simulate: (rig, programme, step) => result(bound.simulate(rig, programme, step, pointsOfStretch)),

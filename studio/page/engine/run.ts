@@ -1,5 +1,6 @@
 // One run of the program: an instance of its own, with memory and files of its own.
 import flexslipProgram from "program-glue";
+import { instantiated } from "./instance";
 
 export interface Ran { code: number; out: string; err: string; files: Record<string, Uint8Array> }
 
@@ -41,11 +42,7 @@ export async function runProgram(module: WebAssembly.Module, args: string[], fil
   const out = new Bytes(), err = new Bytes();
   let shown = 0;
   const carriageReturn = 13, newline = 10;
-  const running = await flexslipProgram({
-    instantiateWasm(imports, done) {
-      void WebAssembly.instantiate(module, imports).then(done);
-      return {};
-    },
+  const running = await instantiated(flexslipProgram, module, {
     thisProgram: "flexslip",
     stdin: () => null,
     stdout: (byte) => out.push(byte),

@@ -2,7 +2,7 @@
 
 import { byId, label, svg } from "./dom";
 import type { Shape } from "./engine";
-import { greatest, haloed, nearest, path, placeIn, sized } from "./plot";
+import { greatest, haloed, nearest, path, placeIn, sized, sizeOf } from "./plot";
 import { unitFor, written } from "./quantity";
 import type { Studio } from "./studio";
 
@@ -27,7 +27,7 @@ export class FibreView {
 
   draw(): void {
     const { studio } = this, fit = studio.fit, { values } = studio, moment = studio.moment;
-    const width = this.host.clientWidth, height = this.host.clientHeight;
+    const { width, height } = sizeOf(this.host);
     if (!fit || !values || !moment || width < 40) return sized(this.drawing, this.host, svg("g"));
     const { rig } = studio;
     if (!rig) return sized(this.drawing, this.host, svg("g"));
@@ -123,7 +123,8 @@ export class FibreView {
       arrow(x + nx * thick * 0.5, y - ny * thick * 0.5, nx * length(shape.normal), -ny * length(shape.normal), "var(--ink)");
       arrow(x + ox * 4, y - oy * 4, ox * length(Math.abs(shape.tangential)) * Math.sign(shape.tangential || 1), -oy * length(Math.abs(shape.tangential)) * Math.sign(shape.tangential || 1), "var(--model)");
       if (side < 0) {
-        g.append(haloed(`normal ${written(shape.normal, "force")}`, x + nx * length(shape.normal) + 8, y - ny * length(shape.normal) + 2, "start"));
+        const tip = x + nx * length(shape.normal), narrow = X(0) - tip < 60;  // then the words stand over both tips
+        g.append(haloed(`normal ${written(shape.normal, "force")}`, narrow ? X(0) : tip + 8, y - ny * length(shape.normal) + (narrow ? -5 : 2), narrow ? "middle" : "start"));
         const fx = Math.max(62, x - 16 - Math.max(6, 2 * this.studio.values!.R * this.scale));
         g.append(haloed("friction", fx, y + 26, "end", "var(--model)"), haloed(written(Math.abs(shape.tangential), "force"), fx, y + 39, "end", "var(--model)"));
       }

@@ -6,7 +6,7 @@ import { slipOf } from "./answer";
 import type { Drop } from "./answers";
 import { byId, el, fill, label, svg } from "./dom";
 import type { Curve } from "./model";
-import { area, axes, dots, dotted, dropColour, dropMark, frameOf, greatest, haloed, least, lineThrough, path, placeIn, sized, type Frame, type Scale } from "./plot";
+import { area, axes, dots, dotted, dropColour, dropMark, frameOf, greatest, haloed, least, lineThrough, path, placeIn, rangeIn, sized, sizeOf, type Frame, type Scale } from "./plot";
 import { fixed, unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
 import type { Fit } from "./test";
@@ -16,7 +16,10 @@ const DRAWS = 20;
 
 export class ForceView {
   private readonly host = byId("force-plot");
+  // Three drawings over one another, so that what follows a slider or the pointer is painted without the two thousand points beneath it.
   private readonly drawing = svg("svg", { role: "img", "aria-hidden": "true" });
+  private readonly moving = svg("svg", { class: "layer", "aria-hidden": "true" });
+  private readonly over = svg("svg", { class: "layer", "aria-hidden": "true" });
   private readonly marker = svg("g", { class: "marker" });
   private frame: Frame | null = null;
   private readonly references = svg("g");
@@ -27,7 +30,7 @@ export class ForceView {
   units: { x: Unit; y: Unit } = { x: unitFor(1e-4, "length"), y: unitFor(1e-2, "force") };
 
   constructor(private readonly studio: Studio) {
-    this.host.append(this.drawing);
+    this.host.append(this.drawing, this.moving, this.over);
     const toRow = (event: PointerEvent): void => this.pick(event);
     this.host.addEventListener("pointermove", toRow);
     this.host.addEventListener("pointerdown", toRow);
@@ -75,7 +78,7 @@ export class ForceView {
     const { studio } = this, fit = studio.fit;
     for (const axis of ["deflection", "stage"] as const) byId(`axis-${axis}`).setAttribute("aria-pressed", String(studio.axis === axis));
     if (!fit || !studio.values || fit.rows.length === 0) {
-      sized(this.drawing, this.host, svg("g"));
+      for (const drawing of [this.drawing, this.moving, this.over]) sized(drawing, this.host);
       this.still = null;
       this.host.setAttribute("aria-label", "Force against deflection: nothing to show yet");
       return this.drawRaw();
@@ -94,17 +97,19 @@ export class ForceView {
     this.frame = { ...base, x: sx.domain(dx), y: sy.domain(dy) };
     const { x, y } = this.si();
     const key = JSON.stringify([studio.axis, base.width, base.height, dx, dy, studio.bandReady && !studio.changed, farthest]);
-    if (this.still?.fit !== fit || this.still.key !== key || !this.drawing.contains(this.model)) {
+    if (this.still?.fit !== fit || this.still.key !== key || !this.moving.contains(this.model)) {
       this.still = { fit, key };
       byId("force-unit").textContent = `(${this.units.y.name})`;
       const title = studio.axis === "stage" ? `stage displacement (${this.units.x.name})` : `deflection at midspan *δ* (${this.units.x.name})`;
-      const clip = svg("clipPath", { id: "force-clip" }, svg("rect", { x: MARGINS.left, y: 0, width: Math.max(0, base.width - MARGINS.left - MARGINS.right + 1), height: Math.max(0, base.height - MARGINS.bottom) }));
+      const box = { x: MARGINS.left, y: 0, width: Math.max(0, base.width - MARGINS.left - MARGINS.right + 1), height: Math.max(0, base.height - MARGINS.bottom) };
+      const clipped = (id: string, ...parts: SVGElement[]): SVGElement[] => [svg("defs", {}, svg("clipPath", { id }, svg("rect", box))), svg("g", { "clip-path": `url(#${id})` }, ...parts)];
       const band = svg("g"), data = svg("g"), drops = svg("g");
       this.drawBand(band, fit, x, y);
       data.append(dotted(dots(xs, force, x, y), "var(--data)", xs.length > 900 ? 2 : 2.6));
       this.drawDrops(drops, fit, x, y);
-      sized(this.drawing, this.host, svg("defs", {}, clip), axes(this.frame, title, { x: Math.max(3, Math.round(base.width / 150)), y: Math.max(3, Math.round(base.height / 48)) }),
-        svg("g", { "clip-path": "url(#force-clip)" }, band, this.references, data, this.model, drops), this.marker);
+      sized(this.drawing, this.host, axes(this.frame, title, { x: Math.max(3, Math.round(base.width / 150)), y: Math.max(3, Math.round(base.height / 48)) }), ...clipped("force-clip", band, data));
+      sized(this.moving, this.host, ...clipped("model-clip", this.references, this.model, drops));
+      sized(this.over, this.host, this.marker);
       this.host.setAttribute("aria-label", `Force against ${studio.axis} of ${fit.answer.name}, ${fit.rows.length} rows, ${fit.answer.drops.length} drops. Arrow keys move row by row, with Shift from drop to drop, T shows the table.`);
       this.drawKeys(fit);
     }
@@ -136,7 +141,6 @@ export class ForceView {
 
   /** Before there is a fit: what the file holds. */
   private drawRaw(): void {
-    this.marker.replaceChildren();
     const rows = this.studio.test?.rows;
     fill(byId("force-marks"));
     if (!rows) return;
@@ -290,8 +294,9 @@ export class ForceView {
       if (ax < left - w || ax > right + w) continue;
       inside.append(path(`M${ax} ${ay}L${lx(w0 + dw)} ${ly(f0 - reach)}`, dropColour(slip), 1.1, { "stroke-dasharray": "4 3" }), dropMark(slip, ax, ay - 8));
     }
-    if (this.studio.loading) inside.append(path(lineThrough(this.of(this.studio.loading), this.studio.loading.force, lx, ly), "var(--model)", 1.5));
-    inside.append(dotted(dots(xs, f, lx, ly), "var(--data)", 3.4), svg("circle", { cx: lx(at), cy: ly(force), r: 5.5, fill: "none", stroke: "var(--moment)", "stroke-width": 2 }));
+    const { loading } = this.studio;
+    if (loading) inside.append(path(lineThrough(this.of(loading), loading.force, lx, ly, ...rangeIn(this.of(loading), lx)), "var(--model)", 1.5));
+    inside.append(dotted(dots(xs, f, lx, ly, ...rangeIn(xs, lx)), "var(--data)", 3.4), svg("circle", { cx: lx(at), cy: ly(force), r: 5.5, fill: "none", stroke: "var(--moment)", "stroke-width": 2 }));
     this.marker.append(
       svg("defs", {}, clip), svg("rect", { x: left, y: top, width: w, height: h, fill: "var(--surface)", stroke: "var(--line2)" }), inside,
       svg("rect", { x: px - half.x, y: middle - half.y, width: 2 * half.x, height: 2 * half.y, fill: "none", stroke: "var(--line2)" }),
@@ -317,7 +322,7 @@ export class ForceView {
   /** Data less model, where the page is wide and high. */
   drawResiduals(): void {
     const host = byId("residual-plot"), { studio } = this, fit = studio.fit;
-    const shown = innerWidth >= 1600 && this.host.clientHeight > 270 && !!fit && studio.residual.length > 0;
+    const shown = innerWidth >= 1600 && sizeOf(this.host).height > 270 && !!fit && studio.residual.length > 0;
     const was = host.classList.contains("shown");
     host.classList.toggle("shown", shown);
     if (was !== shown) requestAnimationFrame(() => this.draw());

@@ -1,7 +1,7 @@
 // Friction along the fibre: points read off the curve with their errors, the mean of the fit and its band, friction by the sliders.
 
 import { byId, label, svg } from "./dom";
-import { area, axes, dots, dotted, frameOf, greatest, haloed, lineThrough, path, placeIn, sized, type Frame } from "./plot";
+import { area, axes, dots, dotted, frameOf, greatest, haloed, lineThrough, path, placeIn, sized, sizeOf, type Frame } from "./plot";
 import { unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
 import type { Fit } from "./test";
@@ -31,7 +31,7 @@ export class FrictionView {
 
   draw(): void {
     const { studio } = this, fit = studio.fit, reach = this.reach();
-    const v = studio.values, key = JSON.stringify([this.host.clientWidth, this.host.clientHeight, reach, studio.wave, v && [v.mu0, v.rms, v.len, v.amp, v.lam, v.phi]]);
+    const v = studio.values, key = JSON.stringify([sizeOf(this.host), reach, studio.wave, v && [v.mu0, v.rms, v.len, v.amp, v.lam, v.phi]]);
     if (this.frame && this.still?.fit === fit && this.still?.key === key) return this.mark();
     this.still = fit ? { fit, key } : null;
     this.frame = null;

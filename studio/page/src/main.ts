@@ -38,7 +38,7 @@ const remember = (name: string, value: string): void => {
 
 async function start(): Promise<void> {
   startTheme(remembered("theme"));
-  const program = openProgram(), studio = new Studio(program, await openMechanics());
+  const program = openProgram(), studio = new Studio(program, openMechanics());
   const force = new ForceView(studio), rows = new RowsView(studio), friction = new FrictionView(studio), fibre = new FibreView(studio);
   const programme = new ProgrammeView(studio), parameters = new ParametersView(studio), card = new CardView(studio);
 
@@ -254,6 +254,7 @@ async function start(): Promise<void> {
     }
     if (error && !studio.error) studio.report(error);
   }
+  await studio.ready;
   addEventListener("hashchange", () => void openLink());
   document.body.dataset["ready"] = "yes";
 }
@@ -327,7 +328,10 @@ function openTable(studio: Studio): void {
 }
 
 void start().catch((cause: unknown) => {
-  const host = byId("error");
-  host.hidden = false;
-  host.textContent = `The studio could not start: ${messageOf(cause)}`;
+  // In the next frame: what was said before of the test that was to be opened is drawn by then.
+  requestAnimationFrame(() => {
+    const host = byId("error");
+    host.hidden = false;
+    host.textContent = `The studio could not start: ${messageOf(cause)}`;
+  });
 });

@@ -52,6 +52,12 @@ export class Model {
   monotone(fit: Fit, rig: Rig, live = false): Loading {
     return this.loading(rig, [0, fit.greatestStage], live);
   }
+  /** Makes the tables of states on these supports, and lets the browser compile what runs through them, while there is nothing else to do: of any specimen on them. */
+  prepare({ span, diameter, stiffness, tipRadius }: { span: number; diameter: number; stiffness: number; tipRadius: number }): void {
+    const position = Float64Array.from({ length: 60 }, (_, i) => span * (1 + i / 120)), mu = position.map((_, i) => 0.5 + 0.1 * Math.sin(i));
+    const farthest = 0.4 * span, k = Number.isFinite(stiffness) && stiffness > 0 ? stiffness : 1;
+    this.mechanics.simulate({ span, diameter, tipRadius, stiffness: k, bendingStiffness: (k * span ** 3) / 200, friction: { model: "table", position, mu, met: tipRadius > 0 } }, [0, farthest], farthest / 300);
+  }
   withoutFriction(rig: Rig): Loading {
     return this.mechanics.equilibrium({ ...rig, friction: { model: "table", position: Float64Array.of(rig.span, 2 * rig.span), mu: Float64Array.of(0, 0) } }, 200);
   }

@@ -21,9 +21,10 @@ export function download(name: string, data: BlobPart, type: string): void {
 const FIGURE_WIDTH = 170;  // [mm] two columns of a journal
 const DOTS = 300;          // [1/inch]
 
-/** A drawing of the page by itself: colours resolved, without what marks the moment. */
+/** A drawing of the page by itself, its layers in one: colours resolved, without what marks the moment. */
 export function standalone(host: Element, title: string): { text: string; width: number; height: number } {
-  const original = host.querySelector("svg")!, copy = original.cloneNode(true) as SVGSVGElement;
+  const [copy, ...layers] = [...host.querySelectorAll(":scope > svg")].map((layer) => layer.cloneNode(true) as SVGSVGElement) as [SVGSVGElement, ...SVGSVGElement[]];
+  for (const layer of layers) copy.append(...layer.childNodes);
   copy.querySelectorAll(".marker").forEach((marker) => marker.remove());
   const width = host.clientWidth, height = host.clientHeight, head = 22;
   copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");

@@ -7,8 +7,22 @@ export type Scale = ScaleLinear<number, number>;
 export interface Margins { left: number; right: number; top: number; bottom: number }
 export interface Frame { width: number; height: number; margins: Margins; x: Scale; y: Scale }
 
+const sizes = new WeakMap<Element, { width: number; height: number }>();
+const watcher = new ResizeObserver((entries) => {
+  for (const { target, contentRect } of entries) sizes.set(target, { width: Math.round(contentRect.width), height: Math.round(contentRect.height) });
+});
+/** The size of a drawing's host [px], without asking the page to be laid out anew for it. */
+export function sizeOf(host: Element): { width: number; height: number } {
+  const known = sizes.get(host);
+  if (known) return known;
+  watcher.observe(host);
+  const size = { width: host.clientWidth, height: host.clientHeight };
+  sizes.set(host, size);
+  return size;
+}
+
 export const frameOf = (host: Element, margins: Margins, x: [number, number], y: [number, number]): Frame => {
-  const width = host.clientWidth, height = host.clientHeight;
+  const { width, height } = sizeOf(host);
   return {
     width, height, margins,
     x: scaleLinear(x, [margins.left, Math.max(margins.left + 1, width - margins.right)]),
@@ -134,9 +148,20 @@ export function placeIn(event: PointerEvent | MouseEvent, element: Element): [nu
 
 /** Clears a drawing and gives it the size of its host. */
 export function sized(drawing: SVGSVGElement, host: Element, ...children: Child[]): void {
-  drawing.setAttribute("width", String(host.clientWidth));
-  drawing.setAttribute("height", String(host.clientHeight));
+  const { width, height } = sizeOf(host);
+  if (drawing.getAttribute("width") !== String(width)) drawing.setAttribute("width", String(width));
+  if (drawing.getAttribute("height") !== String(height)) drawing.setAttribute("height", String(height));
   drawing.replaceChildren(...(children.filter((c) => c instanceof Node) as Node[]));
+}
+
+/** From the first of the values within a scale's domain to behind the last, with a neighbour of each. */
+export function rangeIn(values: ArrayLike<number>, x: Scale): [number, number] {
+  const [low, high] = x.domain() as [number, number];
+  let from = 0, to = values.length;
+  const outside = (i: number): boolean => !(values[i]! >= low && values[i]! <= high);
+  while (from < to && outside(from)) ++from;
+  while (to > from && outside(to - 1)) --to;
+  return [Math.max(0, from - 1), Math.min(values.length, to + 1)];
 }
 
 /** Index of the value nearest to `at` among ascending values. */

@@ -2,7 +2,7 @@
 
 import { scaleLinear } from "d3-scale";
 import { byId, fill, svg } from "./dom";
-import { path, placeIn, sized, type Scale } from "./plot";
+import { path, placeIn, sized, sizeOf, type Scale } from "./plot";
 import { unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
 
@@ -22,9 +22,9 @@ export class ProgrammeView {
   constructor(private readonly studio: Studio) {
     this.host.append(this.drawing);
     this.host.addEventListener("pointerdown", (event) => {
-      const at = (event.target as Element).closest("[data-knob]")?.getAttribute("data-knob");
-      if (at === undefined || at === null) return;
-      this.gripped = Number(at);
+      const at = this.knobAt(event);
+      if (at === null) return;
+      this.gripped = at;
       studio.remember();
       this.host.setPointerCapture(event.pointerId);
     });
@@ -48,18 +48,24 @@ export class ProgrammeView {
   private stageAt(event: PointerEvent | MouseEvent): number {
     return Math.max(0, Math.min(this.y.domain()[1]!, this.y.invert(placeIn(event, this.host)[1]))) * this.unit.factor;
   }
+  /** The point under the pointer; by its place, since while one is gripped all events are those of the host. */
+  private knobAt(event: PointerEvent | MouseEvent): number | null {
+    const [px, py] = placeIn(event, this.host), { points } = this;
+    for (let i = points.length - 1; i > 0; --i) if (Math.hypot(px - this.x(i), py - this.y(points[i]! / this.unit.factor)) <= 12) return i;
+    return null;
+  }
   private set(index: number, stage: number): void {
     const points = [...this.points];
     points[index] = stage;
     this.studio.setProgramme(points);
   }
   private twice(event: MouseEvent): void {
-    const { studio } = this, points = [...this.points], at = (event.target as Element).closest("[data-knob]")?.getAttribute("data-knob");
+    const { studio } = this, points = [...this.points], at = this.knobAt(event);
     if (!studio.fit) return;
     studio.remember();
-    if (at !== undefined && at !== null) {
-      if (Number(at) < 2 && points.length <= 2) return;
-      if (Number(at) > 0) points.splice(Number(at), 1);
+    if (at !== null) {
+      if (at < 2 && points.length <= 2) return;
+      points.splice(at, 1);
       if (points.length < 2) points.push(studio.fit.greatestStage);
     } else points.splice(Math.max(1, Math.min(points.length, Math.ceil(this.x.invert(placeIn(event, this.host)[0])))), 0, this.stageAt(event));
     studio.setProgramme(points.length === 2 && points[1] === studio.fit.greatestStage ? null : points);
@@ -68,7 +74,7 @@ export class ProgrammeView {
   draw(): void {
     const { studio } = this, fit = studio.fit, points = this.points;
     this.label();
-    const width = this.host.clientWidth, height = this.host.clientHeight;
+    const { width, height } = sizeOf(this.host);
     if (!fit || width < 40) return sized(this.drawing, this.host, svg("g"));
     const greatest = fit.greatestStage, most = Math.max(greatest, ...points) * 1.15;
     this.unit = unitFor(most, "length");

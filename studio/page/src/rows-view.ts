@@ -3,7 +3,7 @@
 import { scaleLinear } from "d3-scale";
 import { slipOf } from "./answer";
 import { byId, svg } from "./dom";
-import { dropColour, greatest, least, lineThrough, path, placeIn, sized, type Scale } from "./plot";
+import { dropColour, greatest, least, lineThrough, path, placeIn, sized, sizeOf, type Scale } from "./plot";
 import type { Studio } from "./studio";
 
 const LEFT = 54, RIGHT = 24, TOP = 4, BOTTOM = 17;
@@ -35,7 +35,7 @@ export class RowsView {
     const force = test?.rows?.force ?? fit?.curves.column("F") ?? null;
     if (!force?.length) return sized(this.drawing, this.host, svg("g"));
     this.last = force.length;
-    const width = this.host.clientWidth, height = this.host.clientHeight, bottom = height - BOTTOM;
+    const { width, height } = sizeOf(this.host), bottom = height - BOTTOM;
     this.x = scaleLinear([1, this.last], [LEFT, Math.max(LEFT + 1, width - RIGHT)]);
     const sign = fit?.answer.preparation.some((s) => s.step === "sign" && s.changed && /revers/.test(s.done)) ? -1 : 1;
     const f = sign === 1 ? force : force.map((v) => -v), most = greatest(f), low = Math.min(0, least(f));
@@ -72,7 +72,7 @@ export class RowsView {
   }
 
   mark(): void {
-    const px = this.x(this.studio.row), height = this.host.clientHeight;
+    const px = this.x(this.studio.row), height = sizeOf(this.host).height;
     for (const [name, value] of Object.entries({ x1: px, x2: px, y1: 1, y2: height - BOTTOM + 3 })) this.marker.setAttribute(name, String(value));
   }
 

@@ -14,6 +14,7 @@ interface State { test: Test; values: Values | null; wave: boolean; settings: Se
 
 export interface Moment { row: number; stage: number; deflection: number; force: number; mu: number; muError: number; drawn: number; used: boolean; drop: { drop: Drop; number: number } | null }
 
+const SOON = 300;  // [ms] when the Worker has begun to compute, and its code is compiled
 const REST = 250;  // [ms] after which a slider that is held still is taken to rest
 
 export class Studio {
@@ -31,7 +32,8 @@ export class Studio {
   step = -1;  // of the first visit; -1: none
   bandReady = false;  // the band of the draws is computed once the page is at rest
   tried: number | null = null;  // a state of the programme that is marked instead of a row
-  readonly model: Model;
+  model!: Model;  // from `ready` on, and so with every fit
+  readonly ready: Promise<void>;
   rig: Rig | null = null;            // at the values of the sliders
   loading: Loading | null = null;    // the model over the record
   programmed: Loading | null = null; // and over the programme, if there is one
@@ -41,9 +43,13 @@ export class Studio {
   private listeners: ((topics: ReadonlySet<Topic>) => void)[] = [];
   private dirty = new Set<Topic>();
   private frame = 0;
+  private ahead = false;     // a model was computed before the frame that shows it
+  private computed = false;  // and is that of the values as they stand
 
-  constructor(readonly program: Program, mechanics: Mechanics) {
-    this.model = new Model(mechanics);
+  /** A fit is under way while the mechanics are still opened. */
+  constructor(readonly program: Program, mechanics: Promise<Mechanics>) {
+    this.ready = mechanics.then((opened) => void (this.model = new Model(opened)));
+    this.ready.catch(() => undefined);  // said by each fit
   }
 
   // ---- telling the views, once a frame
@@ -52,6 +58,7 @@ export class Studio {
   }
   tell(...topics: Topic[]): void {
     topics.forEach((topic) => this.dirty.add(topic));
+    if (topics.includes("model")) this.computed = false;
     if (!this.frame) this.frame = requestAnimationFrame(() => this.flush());
   }
   flush(): void {
@@ -59,7 +66,9 @@ export class Studio {
     this.frame = 0;
     const topics = this.dirty;
     this.dirty = new Set();
-    if (topics.has("model")) this.recompute();
+    if (topics.has("model") && !this.computed) this.recompute();
+    this.computed = false;
+    this.ahead = false;
     for (const listener of this.listeners) listener(topics);
   }
   private recompute(): void {
@@ -180,6 +189,10 @@ export class Studio {
     clearTimeout(this.resting);
     if (live) this.resting = window.setTimeout(() => this.settle(), REST);
     this.tell("model", "parameters", "moment");
+    // At once, not when the frame begins: the time until then is used. Of several changes in one frame the last is computed with the frame.
+    this.computed = !this.ahead;
+    if (this.computed) this.recompute();
+    this.ahead = true;
   }
   /** A slider was let go: the model in full. */
   settle(): void {
@@ -248,11 +261,13 @@ export class Studio {
     this.error = "";
     this.tell("fitting", "error");
     const before = this.state;
+    if (!this.fit) void this.ready.then(() => setTimeout(() => this.fitting === fitting && this.prepare(test), SOON), () => undefined);
     try {
       const fit = await test.analyse(this.program, (line) => {
         fitting.line = line;
         this.tell("progress");
       });
+      await this.ready;
       if (this.fitting !== fitting) return;
       this.fitting = null;
       this.lastFit = performance.now() - fitting.since;
@@ -274,6 +289,16 @@ export class Studio {
       this.tell("fitting");
     } finally {
       clearInterval(clock);
+    }
+  }
+  /** While the first fit runs there is nothing to see, nor to point at. */
+  private prepare(test: Test): void {
+    const { stated } = test;
+    if (!stated || this.fit) return;
+    try {
+      this.model.prepare(stated);
+    } catch {
+      // what cannot be computed the fit will say
     }
   }
   /** What the fit does not find it holds at the sliders: span, diameter, load train, tip radius. */

@@ -49,6 +49,13 @@ export class Test {
     const text = this.fit?.text;
     return text?.hasRoundSection && text.raw("specimen.modulus") !== null ? (this.settings.diameter ?? text.quantity("specimen.diameter")) : null;
   }
+  /** The rig, as far as it is said before there is a fit [SI]. */
+  get stated(): { span: number; diameter: number; stiffness: number; tipRadius: number } | null {
+    const text = this.isCase ? new CaseText(decode(this.files[this.main])) : null, { settings, read } = this;
+    const span = settings.span ?? text?.quantity("rig.span") ?? read?.test.span, stiffness = settings.stiffness ?? text?.quantity("rig.stiffness") ?? Infinity;
+    if (!span) return null;
+    return { span, diameter: settings.diameter ?? text?.quantity("specimen.diameter") ?? read?.test.diameter ?? 0, stiffness, tipRadius: settings.tipRadius ?? text?.quantity("rig.roller_radius") ?? 0 };
+  }
   private get plainName(): string {
     return this.data.replace(/\.[^.]*$/, "") + ".plain.csv";
   }
