@@ -653,7 +653,7 @@ class FitSlipsSlipsTable(Table[FitSlipsSlips]):
     mu_after: Numbers
 
 class FitSlips(Answer):
-    """the drops that can be slips, read at the bending stiffness stated"""
+    """the drops that can be slips by the bending stiffness stated, read at that of the fit"""
 
     @property
     def count(self) -> int:
@@ -1376,6 +1376,12 @@ class FitSmallDeflection(Answer):
     def deflection_large(self) -> bool | None:
         """it is beyond a tenth of the span: stress and strain of the standards do not hold"""
     @property
+    def supports_share(self) -> float:
+        """what rollers and thickness, left out, add to the stiffness between the deflections of chord or straight part, without friction [1]"""
+    @property
+    def modulus_less_supports(self) -> Estimate | None:
+        """modulus of the chord, or else of the straight part, less that [Pa]"""
+    @property
     def shear_share(self) -> float:
         """what shear, left out, adds to a small deflection [1]"""
     @property
@@ -1692,7 +1698,7 @@ class FitFields(Answer):
         """of the force"""
     @property
     def slips(self) -> FitSlips:
-        """the drops that can be slips, read at the bending stiffness stated"""
+        """the drops that can be slips by the bending stiffness stated, read at that of the fit"""
     @property
     def teeth(self) -> FitTeeth | None:
         """whether the specimen sticks or slides between the drops; null where that is not asked"""
@@ -2223,6 +2229,9 @@ class DesignParameters(Answer):
     @property
     def reference(self) -> float:
         """length at which the mean friction holds [m]"""
+    @property
+    def pin_friction(self) -> float:
+        """friction between roller and pin [1]"""
 
 class DesignUnits(Answer):
     """of plain numbers"""
@@ -2303,6 +2312,9 @@ class DesignFields(Answer):
     @property
     def critical_stiffness(self) -> float:
         """stiffness at and above which this loading meets no snap; null if it snaps on every rig, 0 if on none [N/m]"""
+    @property
+    def pin_limit(self) -> float:
+        """friction at which the rollers turn on their pins, the most that acts; null of others [1]"""
     @property
     def snaps_whatever_the_stiffness(self) -> bool:
         """even where the deflection itself is controlled"""
@@ -3021,6 +3033,12 @@ class ModulusFields(Answer):
     @property
     def deflection_large(self) -> bool | None:
         """it is beyond a tenth of the span: stress and strain of the standards do not hold"""
+    @property
+    def supports_share(self) -> float:
+        """what rollers and thickness, left out, add to the stiffness between the deflections of chord or straight part, without friction [1]"""
+    @property
+    def modulus_less_supports(self) -> Estimate | None:
+        """modulus of the chord, or else of the straight part, less that [Pa]"""
     @property
     def shear_share(self) -> float:
         """what shear, left out, adds to a small deflection [1]"""
