@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
+#include <vector>
 
 #include "bending_test/quadrature.h"
 #include "bending_test/sliding_table.h"
@@ -79,7 +81,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const auto at = [&](const Way& way, double w) { return place(way, w, from.q); };
   // A fibre slides where friction is exhausted, and rises along the specimen by less than it would have to for the fibre to stay at rest.
   Way way{from.w == 0 || mu < level ? (here.S_w * advance >= 0 ? 1.0 : -1.0) : from.q > 0 ? 1.0 : -1.0, from.S};
-  const bool slides =
+  bool slides =
       from.w == 0 || (std::abs(from.q) >= mu - level && at(way, from.w).slides() * advance * way.direction > 0);
   if (!slides) way.direction = 0;
 
@@ -87,13 +89,13 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   if (advance > 0)
     while (fibre.bent(far, mu).state.S < 1) far *= 1.2;
   const auto passed = [&](const Place& there) { return advance * (stage_of(there) - stage) >= 0; };
-  const bool leaves = advance > 0 && way.direction > 0;
+  const auto leaves = [&] { return advance > 0 && way.direction > 0; };
   const auto ends = [&](double w) {
     if (w == 0) return true;
     const Place there = at(way, w);
     const FibreState& state = there.at.state;
     if (passed(there)) return true;
-    if (slides) return there.slides() * advance * way.direction <= 0 || (leaves && state.S >= 1);
+    if (slides) return there.slides() * advance * way.direction <= 0 || (leaves() && state.S >= 1);
     const bool is_held = state.status == FibreStatus::ok && std::abs(state.S - way.S) <= 1e-11;
     return !is_held || std::abs(state.q) > friction_at(state) + level;
   };
@@ -110,6 +112,17 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     next = advance > 0 ? std::min(w + scale / rate, far) : std::max(w - scale / rate, far);
   }
   w = first_where(w, next, ends);
+  // Where at some deflection friction hardly moves what is drawn in, neither rest nor sliding leads on by more than rounding: there the
+  // fibre follows friction for a thousandth of half its depth.
+  if (std::abs(w - from.w) <= 2 * least * half_depth && w > 0 && !passed(at(way, w))) {
+    slides = true;
+    way.direction = from.q > 0 ? 1 : -1;
+    constexpr double follows = 1e-3;
+    const double follow = from.w + advance * std::min(follows * half_depth, std::abs(far - from.w));
+    w = first_where(from.w, follow, [&](double there) {
+      return there == 0 || passed(at(way, there)) || (leaves() && at(way, there).at.state.S >= 1);
+    });
+  }
 
   PathPoint to{0, 0, 0, 1, way.direction * friction_.at(1).mu, Motion::stick};
   if (w > 0) {
@@ -118,7 +131,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     to = {stage_of(there), w, state.F, slides ? state.S : from.S, state.q, Motion::stick};
     if (passed(there))
       to.stage = stage;
-    else if (leaves && to.S >= 1)
+    else if (leaves() && to.S >= 1)
       to.S = 1;
   }
   to.motion = !slides ? Motion::stick : way.direction > 0 ? Motion::slip_in : Motion::slip_out;
@@ -141,10 +154,28 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   const double for_knots = knots.size() > 1 ? static_cast<double>(knots.size()) / (knots.back() - knots.front()) : 0;
   const double scales = (rolled + slid) * std::max(1 / friction_.smooth_scale(), for_knots);
   const int pieces = 2 + static_cast<int>(std::ceil(2 * scales));
+  const auto length_at = [&](double w) {
+    return fibre.length_between_contacts(place(way, w, 0.5 * (from.q + to.q)).at.state);
+  };
   SlidingWork sum;
-  for (int i = 0; i < pieces; ++i)
-    sum +=
-        integral(gauss_10, from.w + (to.w - from.w) * i / pieces, from.w + (to.w - from.w) * (i + 1) / pieces, power);
+  double begin = from.w, length = length_at(begin);
+  for (int i = 1; i <= pieces; ++i) {
+    const double end = i < pieces ? from.w + (to.w - from.w) * i / pieces : to.w, length_there = length_at(end);
+    const auto [least, most] = std::minmax(length, length_there);
+    std::vector<double> met;
+    if (!std::holds_alternative<FrictionTable>(friction_.form()))  // which has no corners at its knots
+      met.assign(std::upper_bound(knots.begin(), knots.end(), least),
+                 std::lower_bound(knots.begin(), knots.end(), std::max(least, most)));
+    if (length_there < length) std::reverse(met.begin(), met.end());
+    for (const double knot : met) {
+      const double corner = first_where(
+          begin, end, [&](double w) { return length_there > length ? length_at(w) >= knot : length_at(w) <= knot; });
+      sum += integral(gauss_10, begin, corner, power);
+      begin = corner;
+    }
+    sum += integral(gauss_10, begin, end, power);
+    begin = end, length = length_there;
+  }
   return {sum.stage, sum.friction, 0};
 }
 

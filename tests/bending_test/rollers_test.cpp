@@ -257,6 +257,15 @@ TEST_CASE(
   CHECK(history.path.back().stage == 0.4);
 }
 
+TEST_CASE("rollers, identity: where friction hardly moves what is drawn in, a test goes on, and its energies close") {
+  const Rig rig{119.66, Fibre(Supports{20.0 / 1278, 3.5 / 1278})};
+  const BendingTest test{Friction::sinusoid(0.5, 0.15, 10.9 / 1278, 1), rig};
+  const History history = follow_continuously(test, std::vector<double>{0, 0.1, 0.05, 0.2}, 3);
+  CHECK(history.path.size() < 20000);
+  CHECK(history.path.back().stage == 0.2);
+  CHECK(std::abs(history.energy.imbalance) < 1e-10 * history.energy.stage_work);
+}
+
 TEST_CASE("rollers, bad input: static friction above the kinetic, two supports that are not alike") {
   const Rig rig{50, Fibre({.02, .01})};
   CHECK(message_of([&] {

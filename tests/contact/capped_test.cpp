@@ -64,6 +64,17 @@ TEST_CASE("pins, oracle: folds, at corners of friction among them, are the turns
 }
 
 TEST_CASE(
+    "pins, identity: the energy account closes where the cap cuts a wave in the beginning of a thick specimen's test") {
+  const Fibre fibre(Supports{0.078, 0.075});
+  const Friction both =
+      capped(Friction::sinusoid(0.3, 0.9, 0.2, 1.3339113708779602), friction_of_pins(0.3, 0.039, 0.078), 1.5);
+  const History history = follow_continuously({both, {14.94, fibre}}, std::vector<double>{0, 0.6814, 0.2, 0.05}, 20);
+  double most = 0;
+  for (const EnergyAccount& energy : history.energy_at) most = std::max(most, energy.stage_work);
+  for (const EnergyAccount& energy : history.energy_at) CHECK(std::abs(energy.imbalance) < 1e-10 * most);
+}
+
+TEST_CASE(
     "pins, contract: only what the points of a specimen show can be capped, and pins that turn not at all are "
     "refused") {
   CHECK_THROWS_AS(capped(Friction::constant(0.5), -1, 1.3), std::invalid_argument);
