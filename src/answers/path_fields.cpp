@@ -30,8 +30,8 @@ Fields<SimulatedLeg> leg_fields() {
              [](L leg) {
                return name_in_order<Direction::unloading>(leg.direction, {"loading", "unloading"});
              })
-      .number("from", kind::length, "stage position where it begins", &SimulatedLeg::from)
-      .number("to", kind::length, "stage position where it ends", &SimulatedLeg::to)
+      .own("from", kind::length, "stage position where it begins", &SimulatedLeg::from)
+      .own("to", kind::length, "stage position where it ends", &SimulatedLeg::to)
       .all_of(part_fields(), &SimulatedLeg::change)
       .number("work_of_fracture", kind::energy, "work on the specimen", &SimulatedLeg::work_of_fracture);
 }

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "bending_test/curve_samples.h"
@@ -41,7 +40,7 @@ struct Bracket {
 using Nodes = std::span<const CurveSample, degree + 1>;
 struct Cell {
   double a, b;
-  bool ends_at_knot = false;
+  bool ends_at_corner = false;
 };
 
 // Where friction has a corner: points a hair before and behind it, between which the slope of the curve jumps.
@@ -71,7 +70,7 @@ class FoldSearch {
       std::vector<Cell> cells;
       for (double a = x; cells.size() < cells_at_once && S != S_to; a = cells.back().b) {
         S = end_of_stretch(friction_, rig_.fibre, S, S_to, 1);
-        cells.push_back({a, way_at(rig_.fibre, sliding_, S), S != S_to && is_knot(S)});
+        cells.push_back({a, way_at(rig_.fibre, sliding_, S), S != S_to && is_corner(S)});
       }
       ended = search(cells, x);
     }
@@ -111,17 +110,15 @@ class FoldSearch {
     }
   }
 
-  // Of friction that may have a corner there: tables have none.
-  bool is_knot(double S) const {
+  bool is_corner(double S) const {
     const auto knots = friction_.knots();
-    return !std::holds_alternative<FrictionTable>(friction_.form()) &&
-           std::binary_search(knots.begin(), knots.end(), S);
+    return friction_.has_corners() && std::binary_search(knots.begin(), knots.end(), S);
   }
 
   std::optional<Corner> corner_at_end(const Cell& cell) const {
     constexpr double hair = 1e-9;  // of the cell: beyond how well a knot on rollers is known
     constexpr double jump = 1e-6;  // of the slope, relative to its scale: less is resolved without
-    if (!cell.ends_at_knot) return std::nullopt;
+    if (!cell.ends_at_corner) return std::nullopt;
     const double before = cell.b - hair * (cell.b - cell.a), behind = cell.b + hair * (cell.b - cell.a);
     const auto beside = tabulated_samples_at(friction_, rig_, sliding_, std::array{before, behind});
     const auto& [low, high] = std::pair(beside[0], beside[1]);

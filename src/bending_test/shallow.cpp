@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 #include <vector>
 
 #include "bending_test/quadrature.h"
@@ -163,7 +162,7 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
     const double end = i < pieces ? from.w + (to.w - from.w) * i / pieces : to.w, length_there = length_at(end);
     const auto [least, most] = std::minmax(length, length_there);
     std::vector<double> met;
-    if (!std::holds_alternative<FrictionTable>(friction_.form()))  // which has no corners at its knots
+    if (friction_.has_corners())
       met.assign(std::upper_bound(knots.begin(), knots.end(), least),
                  std::lower_bound(knots.begin(), knots.end(), std::max(least, most)));
     if (length_there < length) std::reverse(met.begin(), met.end());

@@ -163,13 +163,22 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
   return specimen;
 }
 
-void read_rollers(const Keys& keys, RigInput& rig) {
+void read_rollers(const Keys& keys, const Case& input, RigInput& rig) {
+  const auto written = [&](double length) {
+    return input.reduced ? fmt::format("{:.4g}", length) : in_quotes(readable_length(input, length));
+  };
   const std::string rollers = keys.has("rollers") ? keys.word("rollers") : "fixed";
   if (rollers != "fixed" && !(rig.roller_radius.value_or(0) > 0))
-    keys.refuse("rollers", "rollers with a radius", "none", "add roller_radius = \"5 mm\", or delete it");
+    keys.refuse("rollers", "rollers with a radius", "none",
+                rig.span
+                    ? fmt::format("add a radius, such as roller_radius = {}, or delete it", written(0.08 * *rig.span))
+                    : "add roller_radius, or delete it");
   rig.rollers = rollers == "pinned" ? Rollers::pinned : rollers == "loose" ? Rollers::loose : Rollers::fixed;
   for (const std::string_view of_pins : {"pin_radius", "pin_friction"}) {
-    if (rig.rollers == Rollers::pinned) keys.need(of_pins);
+    if (rig.rollers == Rollers::pinned && !keys.has(of_pins))
+      keys.refuse(of_pins, "it beside rollers = \"pinned\"", "nothing",
+                  fmt::format("add that of your rig, such as {} = {}", of_pins,
+                              of_pins == "pin_friction" ? "0.1" : written(0.2 * *rig.roller_radius)));
     if (rig.rollers != Rollers::pinned && keys.has(of_pins))
       keys.refuse(of_pins, "rollers on pins beside it", in_quotes(rollers), "write rollers = \"pinned\", or delete it");
   }
@@ -197,7 +206,7 @@ RigInput read_rig(const Keys& keys, const Case& input) {
   rig.nose_radius = keys.optional_quantity("nose_radius");
   rig.support_stiffness = keys.optional_quantity("support_stiffness");
   rig.roller_radius = keys.optional_quantity("roller_radius");
-  read_rollers(keys, rig);
+  read_rollers(keys, input, rig);
   if (keys.has("friction_at")) {
     const std::string at = keys.word("friction_at");
     const bool has_no_depth = input.specimen && !input.specimen->section &&

@@ -92,9 +92,6 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
   if (excess > 0 && most > rig.fibre.most_friction())
     throw wrong_value(input, "friction.static_excess", "static " + friction_limit(rig.fibre),
                       fmt::format("{:g}, which brings it to {:g}", excess, most), "write a smaller one");
-  if (kinetic.walk() && rig.fibre.supports().radius > 0)
-    throw wrong_value(input, "rig.roller_radius", "edges, where [friction.other] says that the supports are not alike",
-                      "rollers", "delete it, or [friction.other]");
   if (excess > 0 && rig.fibre.supports().radius > 0)
     throw wrong_value(input, "friction.static_excess", "no static friction above the kinetic one, on rollers",
                       fmt::format("{:g}", excess), "delete it, or roller_radius");

@@ -74,7 +74,7 @@ std::vector<std::string> left_out_in_words(const Case& input, const Simulation& 
 
 // On rollers that roll loose: no snaps, no heat, no history.
 SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& options, const Scales& scales,
-                               const StageProgramme& programme) {
+                               const StageProgramme& programme, const LegOptions& legs) {
   const auto& friction_input = input.friction;
   for (const auto& [asked, key] : {std::pair{!input.specimen->cracks.empty(), "specimen.cracks"},
                                    {friction_input && friction_input->other, "friction.other"},
@@ -138,6 +138,7 @@ SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& optio
   }
   test.status = gets_there ? "ok" : "not_computable";
   test.energy = energy;
+  test.legs = told_legs(test, legs);
   add_noise(test.path, options.noise, rig_stiffness_of(input), options.seed);
   std::vector<std::string> remarks = left_out_in_words(input, test, scales);
   SimulatedTest result{input.reduced, is_in_inches(input), scales, std::move(test), {}, std::move(remarks), ""};
@@ -162,7 +163,8 @@ SimulatedTest simulate(const Case& input, const SimulationOptions& options, doub
   constexpr double least_stated_travel = 1e-9;    // of one that was written down
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const StageProgramme programme = programme_of(input);
-  if (input.rig->rollers == Rollers::loose) return simulate_rolling(input, options, scales, programme);
+  const LegOptions legs{programme.measured ? least_measured_travel : least_stated_travel};
+  if (input.rig->rollers == Rollers::loose) return simulate_rolling(input, options, scales, programme, legs);
   BendingTest bending_test =
       bending_test_of(input, scales, std::max(farthest, scales.reduced_length(programme.farthest)));
 
@@ -176,7 +178,6 @@ SimulatedTest simulate(const Case& input, const SimulationOptions& options, doub
                         : follow_continuously(bending_test, stages, options.points, cracks, options.progress);
   std::vector<std::string> remarks;
   if (std::string lift = lift_in_words(input, history, scales); !lift.empty()) remarks.push_back(std::move(lift));
-  const LegOptions legs{programme.measured ? least_measured_travel : least_stated_travel};
   Simulation test = simulated(input, history, bending_test.rig.fibre, scales, legs);
   if (test.wraps_nose_from)
     remarks.push_back(

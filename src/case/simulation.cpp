@@ -24,19 +24,17 @@ EnergyAccount difference(const EnergyAccount& after, const EnergyAccount& before
   return change;
 }
 
-std::vector<SimulatedLeg> told_legs(const History& history, const std::vector<Leg>& legs) {
-  std::vector<SimulatedLeg> told;
-  EnergyAccount before{};
-  double from = 0;
-  for (const Leg& leg : legs) {
-    const EnergyAccount& after = history.energy_at[leg.last - 1];
-    const double to = history.path[leg.last - 1].stage;
-    told.push_back(
-        {leg.direction, from, to, difference(after, before), work_of_fracture(after) - work_of_fracture(before)});
-    before = after;
-    from = to;
+template <class Point>
+std::vector<Leg> legs_along(const std::vector<Point>& path, const LegOptions& options) {
+  std::vector<double> stages{0};
+  stages.reserve(path.size() + 1);
+  for (const Point& point : path) stages.push_back(point.stage);
+  std::vector<Leg> legs;
+  for (const Leg& leg : find_legs(stages, options)) {
+    const Leg of_path{std::max<std::size_t>(leg.first, 1) - 1, leg.last - 1, leg.direction};
+    if (of_path.last > of_path.first) legs.push_back(of_path);
   }
-  return told;
+  return legs;
 }
 
 // Where the specimen first wraps the nose.
@@ -53,15 +51,23 @@ std::optional<double> wraps_nose_from(const Case& input, const History& history,
 }  // namespace
 
 std::vector<Leg> legs_of(const History& history, const LegOptions& options) {
-  std::vector<double> stages{0};
-  stages.reserve(history.path.size() + 1);
-  for (const PathPoint& point : history.path) stages.push_back(point.stage);
-  std::vector<Leg> legs;
-  for (const Leg& leg : find_legs(stages, options)) {
-    const Leg of_path{std::max<std::size_t>(leg.first, 1) - 1, leg.last - 1, leg.direction};
-    if (of_path.last > of_path.first) legs.push_back(of_path);
+  return legs_along(history.path, options);
+}
+
+std::vector<SimulatedLeg> told_legs(const Simulation& test, const LegOptions& options) {
+  std::vector<SimulatedLeg> told;
+  EnergyAccount before{};
+  double from = 0;
+  for (const Leg& leg : legs_along(test.path, options)) {
+    const bool is_last = leg.last == test.path.size();
+    const EnergyAccount& after = is_last ? test.energy : test.path[leg.last - 1].energy;
+    const double to = test.path[leg.last - 1].stage;
+    told.push_back(
+        {leg.direction, from, to, difference(after, before), work_of_fracture(after) - work_of_fracture(before)});
+    before = after;
+    from = to;
   }
-  return legs;
+  return told;
 }
 
 Simulation simulated(const Case& input, const History& history, const Fibre& fibre, const Scales& scales,
@@ -73,7 +79,7 @@ Simulation simulated(const Case& input, const History& history, const Fibre& fib
       .snaps = history.snaps,
       .cracks = history.cracks,
       .wraps_nose_from = wraps_nose_from(input, history, fibre, scales),
-      .legs = told_legs(history, legs_of(history, options)),
+      .legs = {},
       .energy = history.energy,
       .has_surface = surface.has_value(),
       .has_three_lengths = !fibre.on_edges(),
@@ -102,6 +108,7 @@ Simulation simulated(const Case& input, const History& history, const Fibre& fib
     }
     test.path.push_back(told);
   }
+  test.legs = told_legs(test, options);
   return test;
 }
 

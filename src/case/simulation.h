@@ -28,8 +28,8 @@ struct SimulatedPoint {
 // From a turn of the stage to the next.
 struct SimulatedLeg {
   Direction direction;
-  double from, to;  // [L] stage positions
-  EnergyAccount change;
+  double from, to;          // stage positions, in the units of the case
+  EnergyAccount change;     // [EI/L] the last up to the end of the test, which may be beyond the last point
   double work_of_fracture;  // [EI/L] likewise
 };
 
@@ -48,6 +48,7 @@ struct Simulation {
 // Legs of a path, in indices of its points. The way from the straight fibre to the first point belongs to the first leg.
 // Domain:     as find_legs.
 std::vector<Leg> legs_of(const History& history, const LegOptions& options);
+std::vector<SimulatedLeg> told_legs(const Simulation& test, const LegOptions& options);
 
 Simulation simulated(const Case& input, const History& history, const Fibre& fibre, const Scales& scales,
                      const LegOptions& options);

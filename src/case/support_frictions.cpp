@@ -151,6 +151,44 @@ std::string friction_limit(const Fibre& fibre) {
   return fmt::format("friction of at most {:g}{}", fibre.most_friction(), fibre.on_edges() ? "" : " at the surface");
 }
 
+namespace {
+
+// [L] The greatest radius of rollers on which so steep a profile is followed; none where it is not on edges either.
+std::optional<double> widest_that_follows(const Fibre& fibre, double steepest, double most, double S_max) {
+  const auto [radius, half_depth] = fibre.supports();
+  const auto follows = [&](double smaller) {
+    return steepest < steepest_followed(Fibre({smaller, half_depth}), most, S_max);
+  };
+  if (!follows(0)) return std::nullopt;
+  double good = 0, bad = radius;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (good + bad);
+    (follows(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
+// What would be followed instead of a profile that is so many times too steep.
+std::string less_steep(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
+                       const Fibre& fibre, const Scales& scales, double excess, double S_max) {
+  constexpr double rounding = 1e-3;  // of the four digits that a quantity is shown in
+  const double enough = excess * (1 + rounding);
+  const auto length = [&](double reduced) { return readable_length(input, scales.physical_length(reduced)); };
+  const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
+  std::string words = "write a profile that is less steep";
+  if (const auto* rough = std::get_if<RoughFriction>(&profile))
+    words = fmt::format("write at least {}", readable_length(input, rough->correlation_length * enough));
+  else if (waves && waves->terms.empty())
+    words = "write a smaller one";
+  else if (waves && waves->terms.size() == 1 && waves->drift == 0)
+    words = fmt::format("write a wavelength of at least {}", length(waves->terms.front().wavelength * enough));
+  const double radius = fibre.supports().radius;
+  if (radius == 0) return words + ", or [rig] friction_at = \"axis\"";
+  const auto widest = widest_that_follows(fibre, kinetic.steepest(), kinetic.most_up_to(S_max), S_max);
+  if (!widest) return words;
+  return fmt::format("{}, or a roller_radius of at most {}", words, length(*widest * (1 - rounding)));
+}
+
 // Where friction changes so fast along the specimen that the point that touches would jump.
 std::optional<InputFault> too_steep(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
                                     const Fibre& fibre, const Scales& scales, double S_max) {
@@ -159,22 +197,22 @@ std::optional<InputFault> too_steep(const Case& input, const FrictionProfileInpu
   const double limit = steepest_followed(fibre, kinetic.most_up_to(S_max), S_max);
   if (steepest < limit) return std::nullopt;
   const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
-  const bool has_rollers = fibre.supports().radius > 0;
-  return InputFault{
-      .field = !waves                 ? std::holds_alternative<RoughFriction>(profile)     ? "correlation_length"
-                                        : std::holds_alternative<SurfaceFriction>(profile) ? "trace"
-                                                                                           : "file"
-               : waves->terms.empty() ? "drift"
-               : input.friction->model == FrictionModel::sinusoid ? "wavelength"
-                                                                  : "waves",
-      .expected = fmt::format(
-          "friction that changes by less than {} with the length between the {}: on these, the point "
-          "that touches moves with friction, and would jump",
-          readable(limit / scales.span(), kind_in(input, kind::inverse_length)), has_rollers ? "contacts" : "supports"),
-      .found = fmt::format("up to {:.3g} times as much", steepest / limit),
-      .remedy = fmt::format("write a profile that is less steep, {}",
-                            has_rollers ? "or a smaller roller_radius" : "or [rig] friction_at = \"axis\"")};
+  return InputFault{.field = !waves ? std::holds_alternative<RoughFriction>(profile)     ? "correlation_length"
+                                      : std::holds_alternative<SurfaceFriction>(profile) ? "trace"
+                                                                                         : "file"
+                             : waves->terms.empty()                             ? "drift"
+                             : input.friction->model == FrictionModel::sinusoid ? "wavelength"
+                                                                                : "waves",
+                    .expected = fmt::format(
+                        "friction that changes by less than {} with the length between the {}: on these, the point "
+                        "that touches moves with friction, and would jump",
+                        readable(limit / scales.span(), kind_in(input, kind::inverse_length)),
+                        fibre.supports().radius > 0 ? "contacts" : "supports"),
+                    .found = fmt::format("up to {:.5g} times as much", steepest / limit),
+                    .remedy = less_steep(input, profile, kinetic, fibre, scales, steepest / limit, S_max)};
 }
+
+}  // namespace
 
 std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
                                     const Fibre& fibre, const Scales& scales, double S_max) {
@@ -256,6 +294,9 @@ Friction together(const Case& input, SupportFrictions supports, const Fibre& fib
                         fmt::format("delete it ({})", error.what()));
     }
   if (!supports.other) return std::move(supports.first);
+  if (fibre.supports().radius > 0)
+    throw wrong_value(input, "rig.roller_radius", "edges, where [friction.other] says that the supports are not alike",
+                      "rollers", "delete it, or [friction.other]");
   return Friction::on_two_supports(std::move(supports.first), *std::move(supports.other), S_max);
 }
 

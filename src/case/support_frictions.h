@@ -58,7 +58,7 @@ SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scale
 
 // Of both together: on supports that are not alike that of the way on which the specimen is drawn in (contact/two_supports.h), and likewise
 // where friction builds up (contact/build_up.h).
-// Fails:      InputError where it is too fine to be followed as it builds up.
+// Fails:      InputError where it is too fine to be followed as it builds up, and for what is not covered on rollers.
 Friction together(const Case& input, SupportFrictions supports, const Fibre& fibre, const Scales& scales, double S_max);
 
 // The kinetic friction of a case for lengths up to S_max [L], of both supports together.

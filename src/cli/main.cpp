@@ -73,6 +73,8 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   if (is_program && command.get_subcommands().empty())
     return fmt::format("expected one of the commands {}", listed(command_names(app))) + help;
   std::string message = error.what();
+  if (const std::string_view unread = "Could not convert: "; message.starts_with(unread))
+    message = fmt::format("{} is not a number as this option takes it", message.substr(unread.size()));
   for (char& c : message)
     if (c == '\n') c = ' ';
   return fmt::format("{}: {}", command.get_name(), message) + help;

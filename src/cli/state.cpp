@@ -186,7 +186,7 @@ void add_state_command(CLI::App& app) {
                    "Thickness of the specimen, in spans; friction acts at its surface")
       ->type_name("NUMBER");
   command->add_flag("--loose", request->loose,
-                    "The rollers roll on a flat base and determine the friction: give --w alone");
+                    "The rollers roll on a flat base and determine the friction: give --w alone; a column q is left");
   command->add_flag("--slopes", request->slopes, "Also write the partial derivatives with respect to S and q");
   add_output_options(*command, request->output);
   command->footer(

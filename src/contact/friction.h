@@ -76,6 +76,7 @@ class Friction {
   // (infinite for constant friction, and infinite for tables, too, which are smooth between their knots).
   double smooth_scale() const;
   std::span<const double> knots() const;
+  bool has_corners() const { return way() != nullptr; }  // at its knots, at which a table is smooth
 
   // The end of a stretch of so many smooth scales, on the way in or out: infinite as these are.
   double end_of(double S, double scales, bool inwards) const;

@@ -224,6 +224,7 @@ void FrictionProcess::settle(Mode& mode) const {
   for (int round = 0; round < most_rounds; ++round) {
     const Chain chain(looks, mode.kernel, p);
     double evidence = chain.log_likelihood() - by_moving_stiffness(mode, chain);
+    if (!std::isfinite(evidence)) evidence = -infinity;  // so far from any sliding that it leads nowhere
     if (!mode.sites.empty()) {
       const auto smoothed = chain.smoothed();
       std::size_t j = 0;
@@ -273,6 +274,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   const Looks looks = looks_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
   const Chain chain(looks, mode.kernel, p);
+  if (!std::isfinite(chain.log_likelihood())) return 0;
   const auto smoothed = chain.smoothed();
   const auto slopes = slopes_of(mode, looks, chain, smoothed);
   auto& at = mode.at;
@@ -439,6 +441,7 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
     Vector step = inverse * g;
     for (Index i = 0; i < n; ++i)  // at a wall, nothing moves into it
       if ((x[i] <= low[i] && step[i] < 0) || (x[i] >= high[i] && step[i] > 0)) step[i] = 0;
+    if (!step.allFinite()) break;
     const double over = step.cwiseQuotient(longest).cwiseAbs().maxCoeff();
     if (over > 1) step /= over;
     bool risen = false;

@@ -147,6 +147,7 @@ class Search {
   ProcessSearch run() {
     ProcessSearch result;
     Mode plain = without_wave(first_kernel());
+    if (!std::isfinite(plain.merit)) return result;
     result.scan = scan_of(process_, plain);
     const std::size_t asked = options_.waves.value_or(1);
     std::vector<Mode> waves;
@@ -208,6 +209,7 @@ class Search {
 
   // The mode from readings past a fold moved back, and from where its own mean runs: kept where that is better.
   void mend(Mode& mode) const {
+    if (!std::isfinite(mode.merit)) return;
     // Where noise blurs the places of readings, a polish makes up for more.
     const double hopeless = mode.theta.waves > 0 && is_blurred(mode) ? 3 : 0;
     const auto better_from = [&](Mode other) {
@@ -329,6 +331,7 @@ class Search {
                mode.merit < other.merit + 0.5;
       });
       if (known) continue;
+      if (!std::isfinite(mode.merit)) break;
       const Mode before = mode;
       process_.polish(mode, polished.empty() ? 4 : 2, 8, 0.2);
       if (before.merit > mode.merit) mode = before;

@@ -32,7 +32,7 @@ struct ScannedWavelength {
 };
 
 struct ProcessSearch {
-  std::vector<Component> components;    // likeliest first
+  std::vector<Component> components;    // likeliest first; none where the readings are too far from any friction
   std::vector<ScannedWavelength> scan;  // of the mode without a wave, λ rising
 };
 

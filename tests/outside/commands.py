@@ -95,6 +95,19 @@ amplitude = 0.2
         shorter = self.file("shorter.toml", self.ISO_BAR + 'wavelength = "0.02 mm"')
         for command in "simulate", "design":
             self.refused(command, shorter, says=["wavelength: expected friction that changes by less than"])
+        remedy = run("simulate", shorter).stderr
+        for key, told in ("friction.wavelength", "a wavelength of at least "), ("rig.roller_radius", "a roller_radius of at most "):
+            value = remedy[remedy.index(told) + len(told):].split(",")[0].strip()
+            self.succeeds("simulate", "--quiet", shorter, "--set", f'{key}="{value}"')
+        steep = self.ISO_BAR.replace('"sinusoid"', '"rough"').replace("amplitude = 0.2", "rms = 0.3\nseed = 1") + 'correlation_length = "5 um"'
+        told, remedy = "write at least ", run("simulate", self.file("steep.toml", steep)).stderr
+        value = remedy[remedy.index(told) + len(told):].split(",")[0].strip()
+        self.succeeds("simulate", "--quiet", self.folder / "steep.toml", "--set", f'friction.correlation_length="{value}"')
+
+    def test_unlike_supports_on_rollers_are_refused_by_each_command(self):
+        case = self.file("unlike.toml", self.ISO_BAR + 'wavelength = "0.3 mm"\n[friction.other]\nmodel = "constant"\nmu0 = 0.2')
+        for command in "simulate", "design", "equilibrium":
+            self.refused(command, case, says=["unlike.toml:8", "roller_radius: expected edges", "[friction.other]"])
         self.succeeds("simulate", "--quiet", self.file("edges.toml", self.ISO_BAR.replace('roller_radius = "5 mm"', "") + 'wavelength = "0.02 mm"'))
 
     def test_what_is_left_out_of_a_bar_is_said(self):
@@ -279,9 +292,10 @@ program = ["0 um", "900 um"]
         self.refused("state", "--w", "0.1", "--loose", says=["--loose", "--roller-radius"])
 
     def test_supports_of_a_case_that_are_none_are_refused(self):
-        for rig, said in (('rollers = "loose"', "add roller_radius"), (self.PINNED.replace("pinned", "held"), '"fixed", "pinned" or "loose"'),
+        for rig, said in (('rollers = "loose"', "add a radius, such as roller_radius = '5.12 mm'"), (self.PINNED.replace("pinned", "held"), '"fixed", "pinned" or "loose"'),
                           (self.PINNED.replace('"pinned"', '"fixed"'), "rollers on pins beside it"), (self.PINNED.replace("1 mm", "6 mm"), "no more than the radius"),
-                          (self.PINNED.replace("pin_friction = 0.1", ""), "pin_friction"), (self.PINNED.replace("0.1", "7"), "over that of the pin")):
+                          (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"),
+                          (self.PINNED.replace('pin_radius = "1 mm"', ""), "such as pin_radius = '1 mm'"), (self.PINNED.replace("0.1", "7"), "over that of the pin")):
             self.refused("simulate", self.bar("p.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', rig=rig), says=[said])
         ends = 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]'
         self.refused("simulate", self.bar("a.toml", ends, rig='roller_radius = "30 mm"'), says=["roller_radius", "0.45 spans together"])
@@ -311,6 +325,7 @@ program = ["0 um", "900 um"]
             self.refused("invert", points, "--thickness", thickness, says=["--thickness", "less than 0.2 spans"])
             self.refused("state", "--w", "0.1", "--q", "0", "--thickness", thickness, says=["--thickness", "less than 0.2 spans", "beam theory"])
         self.refused("invert", points, "--roller-radius", "5 mm", says=["--roller-radius"])
+        self.refused("state", "--w", "0.1", "--q", "0", "--roller-radius", "5 mm", says=["--roller-radius = 5 mm is not a number"])
         result = run("invert", points, "--thickness", "0.12")
         self.assertEqual(result.returncode, 1)
         self.assertIn("no friction from -2 to 2", result.stderr)

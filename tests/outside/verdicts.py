@@ -101,6 +101,22 @@ until = {int(float(row["index_of_failure"]))}
         for name in ("SS5", "SS19"):
             self.assertEqual(verdicts[name], "cannot_be_told", name)
 
+    @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
+    def test_a_record_that_no_friction_on_such_rollers_gives_is_said_to_be_one(self):
+        """SS14 as on rollers of a quarter to two fifths of its span, with a diameter of 38.9 µm for 34.8 µm: below any sliding."""
+        case = self.file("case.toml", f'''[specimen]
+diameter = "38.9 um"
+modulus = {{ value = "29.6 GPa", uncertainty = "3 %" }}
+[rig]
+span = "1278 um"
+stiffness = "90.65 N/m"
+[record]
+file = "{(SHARED / "spicules/ss").resolve() / "SS14.csv"}"
+''')
+        for radius in 300, 350, 400, 450, 500:
+            result = run("fit", case, "--quiet", "--set", f'rig.roller_radius="{radius} um"')
+            self.assertIn("no sliding with a friction of 0 to 2 gives this record", " ".join((result.stdout + result.stderr).lower().split()))
+
 
 if __name__ == "__main__":
     unittest.main()
