@@ -49,10 +49,6 @@ std::string si_unit(const Kind& kind) {
   return "1";
 }
 
-std::optional<std::string> unless_empty(std::string text) {
-  return text.empty() ? std::nullopt : std::optional(std::move(text));
-}
-
 }  // namespace
 
 StandardTest standard_test(const Measurement& measurement, const BeamGeometry& geometry,
@@ -149,8 +145,9 @@ Fields<PreparationStep> preparation_fields() {
                      return step.rows ? std::optional(std::vector{step.rows->first, step.rows->last}) : std::nullopt;
                    })
       .words("key", "what to write into the case for having it otherwise",
-             [](S step) { return unless_empty(step.key); })
-      .words("flag", "the flag that says the same", [](S step) { return unless_empty(flag_of(step)); });
+             [](S step) { return step.otherwise ? std::optional(step.otherwise->in_case()) : std::nullopt; })
+      .words("flag", "the flag that says the same",
+             [](S step) { return step.otherwise ? std::optional(step.otherwise->flag()) : std::nullopt; });
 }
 
 Fields<StandardTest> modulus_fields() {

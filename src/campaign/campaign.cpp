@@ -26,13 +26,18 @@ CampaignCurves curves_of(const TestAnalysis& analysis) {
   return curves;
 }
 
-std::string reason_of(const std::string& status) {
-  if (status == "too_few_points")
-    return "fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness";
-  if (status == "not_explained") return "no sliding with a friction of 0 to 2 gives this record";
-  if (status == "no_initial_slope")
-    return "the force does not rise where the record begins: state the bending stiffness";
-  return "";
+std::string reason_of(AnalysisStatus status) {
+  switch (status) {
+    case AnalysisStatus::ok:
+      return "";
+    case AnalysisStatus::too_few_points:
+      return "fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness";
+    case AnalysisStatus::not_explained:
+      return "no sliding with a friction of 0 to 2 gives this record";
+    case AnalysisStatus::no_initial_slope:
+      break;
+  }
+  return "the force does not rise where the record begins: state the bending stiffness";
 }
 
 std::string failed_checks_in_words(const TestAnalysis& analysis) {
@@ -118,10 +123,9 @@ std::vector<std::string> remarks_of(const FittedTest& test) {
 }  // namespace
 
 CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
-  const std::string status(status_of(test));
   CampaignTest kept{.name = test.name,
-                    .status = status,
-                    .reason = reason_of(status),
+                    .status = std::string(status_of(test)),
+                    .reason = reason_of(test.analysis.status),
                     .file = file,
                     .summary = {},
                     .curves = {},

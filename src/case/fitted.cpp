@@ -57,7 +57,7 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
        .value = PreparedValue{contact.value, contact.standard_error, kind},
        .rows =
            skipped > 0 ? std::optional(RowRange{1, cyclic_file_row(measurement, measurement.first) - 1}) : std::nullopt,
-       .key = "[record] contact = \"0 um\""});
+       .otherwise = KeyChange{"record", "contact", "\"0 um\""}});
 }
 
 // A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with

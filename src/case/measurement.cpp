@@ -70,9 +70,10 @@ void find_sign(SignRule rule, ReadingColumns& columns, PreparationSteps& steps) 
                                                                 : "displacement and force keep their signs";
   words += !is_found ? ", as stated" : changed ? ", as compression is negative in the file" : ", positive in loading";
   steps.add("sign", changed, std::move(words),
-            fmt::format("[record] sign = \"{}\"", !is_found ? "find"
-                                                  : changed ? "keep"
-                                                            : "reverse"));
+            KeyChange{"record", "sign",
+                      !is_found ? "\"find\""
+                      : changed ? "\"keep\""
+                                : "\"reverse\""});
 }
 
 // The rows of the first rise, up to the greatest force.
@@ -89,22 +90,22 @@ std::size_t rows_of_points(const Sampling& sampling, std::size_t rows, std::size
 void note_sampling(const Sampling& sampling, std::size_t rows, PreparationSteps& steps) {
   if (sampling.repeated > 0)
     steps.add("repeated", true,
-              fmt::format("{} of the {} rows repeat the row before and count once", sampling.repeated, rows), "");
+              fmt::format("{} of the {} rows repeat the row before and count once", sampling.repeated, rows), {});
   if (sampling.held > 0)
     steps.add("held", true,
               fmt::format("in {} of the {} rows the force is held over from the row before; these rows do not count",
                           sampling.held, rows),
-              "");
+              {});
   if (sampling.interpolated > 0)
     steps.add("interpolated", true,
               fmt::format("{} of the {} rows lie on a straight line between readings and do not count",
                           sampling.interpolated, rows),
-              "");
+              {});
   if (sampling.stride > 1)
     steps.add("thinning", true,
               fmt::format("one in {} of the {} rows is used", sampling.stride,
                           rows - sampling.repeated - sampling.held - sampling.interpolated),
-              "");
+              {});
 }
 
 ForceZero zero_of(const Record& record) {
@@ -124,25 +125,26 @@ Record zeroed(const Case& input, const Record& record, bool stage_is_read, doubl
               std::size_t rows, PreparationSteps& steps) {
   const ForceZeroRule& rule = input.record->zero;
   if (std::holds_alternative<ToKeep>(rule)) {
-    steps.add("zero", false, "the force counts from the zero of the file, as stated", "[record] zero = \"find\"");
+    steps.add("zero", false, "the force counts from the zero of the file, as stated",
+              KeyChange{"record", "zero", "\"find\""});
     return record;
   }
   if (const auto* stated = std::get_if<double>(&rule)) {
-    steps.add("zero", *stated != 0, "the force counts from the zero stated", "[record] zero = \"keep\"",
+    steps.add("zero", *stated != 0, "the force counts from the zero stated", KeyChange{"record", "zero", "\"keep\""},
               steps.value(*stated, {}, kind::force));
     return with_force_zero(record, *stated, stage_is_read, stiffness);
   }
   const ForceZero zero = zero_of(record);
   if (zero.status != ForceZeroStatus::found) {
     steps.add("zero", false, "no rows before the contact tell the zero of the force: the zero of the file is kept",
-              "[record] zero = \"…\"");
+              KeyChange{"record", "zero", "\"…\""});
     return record;
   }
   const bool changed = is_significant(zero);
   steps.add("zero", changed,
             changed ? "the mean force before the contact is taken off"
                     : "the mean force before the contact is zero within four standard errors and is left alone",
-            "[record] zero = \"keep\"", steps.value(zero.offset, zero.error, kind::force),
+            KeyChange{"record", "zero", "\"keep\""}, steps.value(zero.offset, zero.error, kind::force),
             RowRange{1, rows_of_points(sampling, rows, zero.points)});
   return changed ? with_force_zero(record, zero.offset, stage_is_read, stiffness) : record;
 }
@@ -164,8 +166,8 @@ void note_compliance(const Case& input, const ReadingColumns& columns, double st
                        : fmt::format("the displacement of the stage is the deflection plus force over {}", of);
   std::optional<PreparedValue> value;
   if (!is_stiff) value = steps.value(stiffness, {}, kind::stiffness);
-  steps.add("compliance", !is_stiff, std::move(words),
-            is_stiff ? "[rig] stiffness = \"…\"" : "[rig] stiffness = \"inf\"", value);
+  steps.add("compliance", !is_stiff, std::move(words), KeyChange{"rig", "stiffness", is_stiff ? "\"…\"" : "\"inf\""},
+            value);
 }
 
 // A load train under a force gives way by no more than the stage moves: the rest is the deflection.
@@ -214,7 +216,7 @@ void hold_stage(const Case& input, const Table& table, Record& record, const Sam
     steps.add("stage", true,
               fmt::format("where the stage runs back, at {} {}, it is held at its farthest position", held,
                           held == 1 ? "point" : "points"),
-              "", steps.value(largest, {}, kind::length));
+              {}, steps.value(largest, {}, kind::length));
 }
 
 bool begins_before_contact(const Record& record, const Contact& contact, double noise) {
@@ -297,12 +299,13 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
     result.end = MeasurementEnd::until;
     const bool changed = *until < rows;
     steps.add("end", changed, fmt::format("the record ends with row {}, as stated", *until),
-              fmt::format("[record] until = {}", rows), {},
+              KeyChange{"record", "until", fmt::format("{}", rows)}, {},
               changed ? std::optional(RowRange{*until + 1, rows}) : std::nullopt);
     return points;
   }
   if (!input.record->find_failure) {
-    steps.add("end", false, "no failure was looked for, as stated: all rows are used", "[record] failure = \"find\"");
+    steps.add("end", false, "no failure was looked for, as stated: all rows are used",
+              KeyChange{"record", "failure", "\"find\""});
     return points;
   }
   const Failure failure = find_failure(all);
@@ -310,10 +313,10 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
     result.end = MeasurementEnd::failure;
     const std::size_t last = rows_of_points(result.sampling, rows, failure.points);
     steps.add("end", true, fmt::format("a failure was found after row {}: the rows after it are left out", last),
-              "[record] failure = \"none\"", {}, RowRange{last + 1, rows});
+              KeyChange{"record", "failure", "\"none\""}, {}, RowRange{last + 1, rows});
     return failure.points;
   }
-  steps.add("end", false, "no failure was found: no row is left out", "[record] until = …");
+  steps.add("end", false, "no failure was found: no row is left out", KeyChange{"record", "until", "…"});
   return points;
 }
 
@@ -339,7 +342,7 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
     result.contact_offset = contact.offset.value;
     result.contact_error = contact.offset.standard_error;
     steps.add("contact", true, "displacements count from where the straight beginning of the curve meets zero force",
-              "[record] contact = \"first row\"",
+              KeyChange{"record", "contact", "\"first row\""},
               steps.value(contact.offset.value, contact.offset.standard_error, kind::length),
               contact.points_before > 0
                   ? std::optional(RowRange{1, rows_of_points(result.sampling, result.rows, contact.points_before)})
@@ -354,7 +357,7 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
               toe ? "displacements count from the zero of the file; the value is where the straight beginning of the "
                     "curve would meet zero force"
                   : "displacements count from the zero of the file",
-              "[record] contact = \"find\"", toe);
+              KeyChange{"record", "contact", "\"find\""}, toe);
     return;
   }
   const auto* stated = std::get_if<double>(&rule);
@@ -363,7 +366,7 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
   steps.add(
       "contact", result.contact_offset != 0,
       stated ? "displacements count from the contact stated" : "displacements count from the first row, as stated",
-      "[record] contact = \"find\"", steps.value(result.contact_offset, {}, kind::length));
+      KeyChange{"record", "contact", "\"find\""}, steps.value(result.contact_offset, {}, kind::length));
 }
 
 }  // namespace
@@ -403,8 +406,8 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   std::size_t first = 0;
   if (const auto& place = input.record->first) first = rows_before(*place, "record.first", input, every, result.file);
   if (first > 0)
-    steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1), "[record] first = 1",
-              {}, RowRange{1, first});
+    steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1),
+              KeyChange{"record", "first", "1"}, {}, RowRange{1, first});
   result.sampling =
       sampling_of(std::span(columns.displacement()).subspan(first), std::span(every.force).subspan(first), most_points);
   for (std::size_t& row : result.sampling.rows) row += first;
@@ -424,7 +427,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
               fmt::format("the stage turns back after row {}: the first loading ends there; the rows after it belong "
                           "to {} further loadings and unloadings",
                           rows_of_points(result.sampling, result.rows, points), legs.size() - 1),
-              fmt::format("[record] until = {}", rows_of_points(result.sampling, result.rows, points)));
+              KeyChange{"record", "until", fmt::format("{}", rows_of_points(result.sampling, result.rows, points))});
   }
   Record whole = first_points(all, points);
   require_points(table, whole, least_points);

@@ -1,17 +1,17 @@
 #include "case/preparation.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace flexslip {
 
-std::string flag_of(const PreparationStep& step) {
-  const std::size_t begin = step.key.find("] ");
-  const std::size_t equals = step.key.find(" = ");
-  if (begin == std::string::npos || equals == std::string::npos) return "";
-  std::string name = step.key.substr(begin + 2, equals - begin - 2);
-  for (char& c : name)
-    if (c == '_') c = '-';
-  return fmt::format("--{} {}", name, step.key.substr(equals + 3));
+std::string KeyChange::in_case() const { return fmt::format("[{}] {} = {}", section, name, value); }
+
+std::string KeyChange::flag() const {
+  std::string flag(name);
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return fmt::format("--{} {}", flag, value);
 }
 
 }  // namespace flexslip

@@ -17,9 +17,9 @@ class PreparationSteps {
  public:
   PreparationSteps(Preparation& preparation, const Case& input) : steps_(preparation.steps), input_(input) {}
 
-  void add(std::string_view name, bool changed, std::string done, std::string key,
+  void add(std::string_view name, bool changed, std::string done, std::optional<KeyChange> otherwise,
            std::optional<PreparedValue> value = {}, std::optional<RowRange> rows = {}) {
-    steps_.push_back({std::string(name), changed, std::move(done), value, rows, std::move(key)});
+    steps_.push_back({std::string(name), changed, std::move(done), value, rows, std::move(otherwise)});
   }
 
   PreparedValue value(double value, std::optional<double> error, const Kind& kind) const {

@@ -14,9 +14,8 @@
 namespace flexslip {
 namespace {
 
-// The place of a step's switch in the case.
-std::string switch_to(std::string_view key, std::string_view value) {
-  return fmt::format("[record] {} = \"{}\"", key, value);
+KeyChange switch_to(std::string_view key, std::string_view value) {
+  return {"record", key, fmt::format("\"{}\"", value)};
 }
 
 Readings readings_from(const Case& input, const TableColumns& asked) {
@@ -52,7 +51,7 @@ Readings readings_from(const Case& input, const TableColumns& asked) {
                          table.columns[i].name);
   words += ", as stated";
   for (const std::string& note : table.notes) words += "; " + note;
-  PreparationStep step{"columns", false, std::move(words), {}, RowRange{1, table.rows()}, ""};
+  PreparationStep step{"columns", false, std::move(words), {}, RowRange{1, table.rows()}, {}};
   return {input, std::move(table), std::move(columns), {{std::move(step)}}};
 }
 
@@ -151,26 +150,26 @@ std::vector<LineRun> runs_of(const std::vector<std::size_t>& lines) {
 
 // Adds what the file says and the case does not.
 void complete(Case& input, const ExportedTest& said, Preparation& preparation) {
-  const auto note = [&](std::string words, double value, std::string key) {
+  const auto note = [&](std::string words, double value, KeyChange otherwise) {
     preparation.steps.push_back(
-        {"metadata", false, std::move(words), PreparedValue{value, {}, kind::length}, {}, std::move(key)});
+        {"metadata", false, std::move(words), PreparedValue{value, {}, kind::length}, {}, std::move(otherwise)});
   };
   if (said.span && !(input.rig && input.rig->span)) {
     {
       if (!input.rig) input.rig.emplace();
       input.rig->span = *said.span;
     }
-    note("the span is the one in the file", *said.span, "[rig] span = \"…\"");
+    note("the span is the one in the file", *said.span, KeyChange{"rig", "span", "\"…\""});
   }
   if (input.specimen && input.specimen->section) return;
   std::optional<Section> section;
   if (said.diameter) {
     section = RoundSection{*said.diameter};
-    note("the diameter is the one in the file", *said.diameter, "[specimen] diameter = \"…\"");
+    note("the diameter is the one in the file", *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
   } else if (said.width && said.thickness) {
     section = RectangularSection{*said.width, *said.thickness};
-    note("the width is the one in the file", *said.width, "[specimen] width = \"…\"");
-    note("the height is the thickness in the file", *said.thickness, "[specimen] height = \"…\"");
+    note("the width is the one in the file", *said.width, KeyChange{"specimen", "width", "\"…\""});
+    note("the height is the thickness in the file", *said.thickness, KeyChange{"specimen", "height", "\"…\""});
   }
   if (!section) return;
   if (!input.specimen) input.specimen = SpecimenInput{{}, Modulus{ToFit{}}};

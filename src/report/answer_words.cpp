@@ -177,8 +177,7 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
         if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction ||
             check.kind == CheckKind::stiffness)
           continue;
-        const std::string found = check_in_words(test, check);  // "Failed: …"
-        words += (words.empty() ? "A check failed" : " A check failed") + found.substr(found.find(':'));
+        words += (words.empty() ? "A check failed: " : " A check failed: ") + finding_in_words(test, check);
       }
       return words;
     }

@@ -113,7 +113,8 @@ void write_campaign_xlsx(const std::string& path, const Campaign& campaign) {
   Workbook book(file.name().string());
   book.add(in_best_units(test_table(campaign)), "Tests");
   book.add(in_best_units(category_table(campaign)), "Categories");
-  if (const auto specimens = specimen_table(campaign); !specimens.rows.empty()) book.add(specimens, "Specimens");
+  if (const auto specimens = specimen_table(campaign); !specimens.rows.empty())
+    book.add(in_best_units(specimens), "Specimens");
   book.add(failure_table(campaign), "Failures");
   if (!campaign.shared.empty()) book.add(shared_table(campaign), "Shared");
   if (const lxw_error error = book.close(); error != LXW_NO_ERROR)

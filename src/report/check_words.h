@@ -7,7 +7,10 @@
 
 namespace flexslip {
 
-// In a sentence that begins with "Passed", "Failed" or "Not possible".
+// What was found, in a sentence that begins in lower case.
+std::string finding_in_words(const FittedTest& test, const Check& check);
+
+// The same behind "Passed", "Failed" or "Not possible".
 std::string check_in_words(const FittedTest& test, const Check& check);
 
 // In a clause, and what to do where it failed; "" otherwise.

@@ -28,18 +28,22 @@ std::string ranged(double low, double high) {
 }  // namespace
 
 std::string why_no_answer(const FittedTest& test) {
-  const std::string_view status = status_of(test);
-  if (status == "ok") return "";
-  if (status == "too_few_points")
-    return fmt::format(
-        "{}: fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
-        "they tell no friction",
-        test.measurement.file);
-  if (status == "not_explained")
-    return fmt::format(
-        "{}: no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "
-        "section",
-        test.measurement.file);
+  switch (test.analysis.status) {
+    case AnalysisStatus::ok:
+      return "";
+    case AnalysisStatus::too_few_points:
+      return fmt::format(
+          "{}: fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
+          "they tell no friction",
+          test.measurement.file);
+    case AnalysisStatus::not_explained:
+      return fmt::format(
+          "{}: no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and "
+          "the section",
+          test.measurement.file);
+    case AnalysisStatus::no_initial_slope:
+      break;
+  }
   return fmt::format("{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
                      test.measurement.file);
 }

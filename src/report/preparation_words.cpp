@@ -18,7 +18,8 @@ std::vector<PreparationRow> preparation_rows(const Preparation& preparation) {
   rows.reserve(preparation.steps.size());
   for (const PreparationStep& step : preparation.steps)
     rows.push_back({step.name, step.done, step.value ? shown(*step.value) : "",
-                    step.rows ? fmt::format("{} to {}", step.rows->first, step.rows->last) : "", step.key});
+                    step.rows ? fmt::format("{} to {}", step.rows->first, step.rows->last) : "",
+                    step.otherwise ? step.otherwise->in_case() : ""});
   return rows;
 }
 

@@ -230,9 +230,9 @@ TEST_CASE("measurement: the steps are in their documented order, each with the f
   std::string names;
   for (const PreparationStep& step : found.preparation.steps) names += step.name + " ";
   CHECK(names == "columns sign zero compliance end contact ");
-  CHECK(step_of(found, "sign")->key == "[record] sign = \"reverse\"");
-  CHECK(flag_of(*step_of(found, "sign")) == "--sign \"reverse\"");
-  CHECK(flag_of(*step_of(found, "columns")).empty());
+  CHECK(step_of(found, "sign")->otherwise->in_case() == "[record] sign = \"reverse\"");
+  CHECK(step_of(found, "sign")->otherwise->flag() == "--sign \"reverse\"");
+  CHECK(!step_of(found, "columns")->otherwise);
   CHECK(step_of(found, "end")->rows->first == last_before_failure + 1);
   CHECK(step_of(found, "end")->rows->last == rows);
 }
