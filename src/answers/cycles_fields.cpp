@@ -21,25 +21,26 @@ struct LoopOf {
 using L = const LoopOf&;
 
 // A place of a table of friction.
-struct Place {
+struct LoopPlace {
   double S, mu;
   std::optional<double> error;
 };
 
-std::vector<Place> places_of(const FrictionTable& table, const std::vector<double>& errors = {}) {
-  std::vector<Place> places;
+std::vector<LoopPlace> places_of(const FrictionTable& table, const std::vector<double>& errors = {}) {
+  std::vector<LoopPlace> places;
   for (std::size_t i = 0; i < table.S.size(); ++i)
     places.push_back({table.S[i], table.mu[i], errors.empty() ? std::nullopt : std::optional(errors[i])});
   return places;
 }
 
-Fields<Place> place_fields() {
-  return Fields<Place>()
-      .number("length", kind::length, "drawn in, and the span", &Place::S)
-      .number("drawn_in", kind::length, "length drawn in over both supports", [](const Place& p) { return p.S - 1; })
+Fields<LoopPlace> place_fields() {
+  return Fields<LoopPlace>()
+      .number("length", kind::length, "drawn in, and the span", &LoopPlace::S)
+      .number("drawn_in", kind::length, "length drawn in over both supports",
+              [](const LoopPlace& p) { return p.S - 1; })
       .number("position", kind::length, "half of length: of the support along the specimen, from midspan, on edges",
-              [](const Place& p) { return p.S / 2; })
-      .number("mu", "friction there", &Place::mu);
+              [](const LoopPlace& p) { return p.S / 2; })
+      .number("mu", "friction there", &LoopPlace::mu);
 }
 
 Fields<BumpCorrelation> correlation_fields() {
@@ -128,7 +129,7 @@ Fields<LoopOf> loop_fields() {
                 return loop.i < rms.size() ? std::optional(rms[loop.i]) : std::nullopt;
               })
       .list("profile", "friction along the specimen as both directions support it",
-            place_fields().number("mu_error", "its standard error", &Place::error),
+            place_fields().number("mu_error", "its standard error", &LoopPlace::error),
             [](L loop) { return places_of(loop.loop().table, loop.loop().error); });
 }
 

@@ -169,10 +169,11 @@ Fields<Provenance> provenance_fields() {
       .words("case", "as TOML, also where it was given by flags", &Provenance::test);
 }
 
-Fields<FittedTest> all_fields() {
+Fields<FittedTest> every_fit_field() {
   const auto analysis = [](auto part) { return [part](T test) { return test.analysis.*part; }; };
   return Fields<FittedTest>()
-      .words("status", "ok, or why there is no answer: too_few_points, not_explained, no_initial_slope", status_of)
+      .words("status", "ok, or why there is no answer: too_few_points, not_explained, no_initial_slope",
+             [](T test) { return status_of(test); })
       .words("name", "of the test", &FittedTest::name)
       .group("units", "of plain numbers", units_of_numbers<FittedTest>())
       .only_where(is_fitted)
@@ -305,7 +306,7 @@ Frame frame_of(const FittedTest& test) {
 }
 
 const Fields<FittedTest>& fit_fields() {
-  static const Fields<FittedTest> fields = all_fields();
+  static const Fields<FittedTest> fields = every_fit_field();
   return fields;
 }
 

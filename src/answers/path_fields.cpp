@@ -23,7 +23,7 @@ Fields<EnergyAccount> part_fields() {
       .number("cracks", kind::energy, "set free by cracks", &EnergyAccount::cracks);
 }
 
-Fields<SimulatedLeg> leg_fields() {
+Fields<SimulatedLeg> simulated_leg_fields() {
   using L = const SimulatedLeg&;
   return Fields<SimulatedLeg>()
       .words("direction", "loading or unloading",
@@ -92,7 +92,8 @@ Fields<Simulation> simulation_fields(const PathColumns& columns) {
       .number("wraps_nose_from", kind::length,
               "stage position from which the specimen wraps the nose; null where it does not",
               &Simulation::wraps_nose_from)
-      .list("legs", "from turn to turn of the stage: by how much each energy changes", leg_fields(), &Simulation::legs)
+      .list("legs", "from turn to turn of the stage: by how much each energy changes", simulated_leg_fields(),
+            &Simulation::legs)
       .group("energy", "where the work went, from the start to the end", whole_energy_fields(), &Simulation::energy);
 }
 

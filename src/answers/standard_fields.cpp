@@ -8,7 +8,7 @@
 namespace flexslip {
 namespace {
 
-using T = const StandardTest&;
+using Standard = const StandardTest&;
 
 std::optional<Estimate> with_error_of_slope(const std::optional<double>& value, const Estimate& slope) {
   if (!value) return std::nullopt;
@@ -33,11 +33,11 @@ Fields<Chord> chord_fields() {
 Fields<StandardTest> window_fields() {
   return Fields<StandardTest>()
       .number("from", "where the straight part begins, in shares of of_force",
-              [](T t) { return t.numbers.window.from; })
-      .number("up_to", "where it ends, likewise", [](T t) { return t.numbers.window.up_to; })
+              [](Standard t) { return t.numbers.window.from; })
+      .number("up_to", "where it ends, likewise", [](Standard t) { return t.numbers.window.up_to; })
       .own("of_force", kind::force, "greatest force reached at a small deflection",
-           [](T t) { return t.numbers.window_force; })
-      .own_numbers("rows", kind::number, "first and last row of the file in it", [](T t) {
+           [](Standard t) { return t.numbers.window_force; })
+      .own_numbers("rows", kind::number, "first and last row of the file in it", [](Standard t) {
         return std::vector{file_row(t.measurement, t.numbers.first), last_file_row(t.measurement, t.numbers.last - 1)};
       });
 }
@@ -90,39 +90,41 @@ std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
 }
 
 Fields<StandardTest> standard_fields() {
-  const auto ok = [](T t) { return t.numbers.status == SmallDeflectionStatus::ok; };
+  const auto ok = [](Standard t) { return t.numbers.status == SmallDeflectionStatus::ok; };
   return Fields<StandardTest>()
       .words("status", "ok, or no_straight_part: no number is there then",
-             [ok](T t) { return ok(t) ? "ok" : "no_straight_part"; })
+             [ok](Standard t) { return ok(t) ? "ok" : "no_straight_part"; })
       .only_where(ok)
       .own_estimate("stiffness", kind::stiffness, "force over deflection, slope of the straight part",
-                    [](T t) { return t.numbers.stiffness; })
+                    [](Standard t) { return t.numbers.stiffness; })
       .own_estimate("bending_stiffness", kind::bending_stiffness, "EI = F L³/(48 δ); null without a span",
-                    [](T t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
+                    [](Standard t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
       .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
-                    [](T t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
+                    [](Standard t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
       .group("chord", "of ISO 178; null where the record does not cover both strains", chord_fields(),
-             [](T t) { return t.numbers.chord; })
+             [](Standard t) { return t.numbers.chord; })
       .group("window", "the straight part", window_fields())
       .own_quantity("origin", kind::length, "deflection at which the straight part would meet zero force",
-                    [](T t) { return t.numbers.origin; })
-      .own_quantity("greatest_force", kind::force, "greatest force", [](T t) { return t.numbers.greatest_force; })
+                    [](Standard t) { return t.numbers.origin; })
+      .own_quantity("greatest_force", kind::force, "greatest force",
+                    [](Standard t) { return t.numbers.greatest_force; })
       .own_quantity("deflection", kind::length, "deflection there, from the origin",
-                    [](T t) { return t.numbers.deflection; })
+                    [](Standard t) { return t.numbers.deflection; })
       .own_quantity("stress", kind::pressure, "flexural stress there, F L depth/(8 I)",
-                    [](T t) { return t.numbers.stress; })
-      .own_quantity("strain", kind::number, "flexural strain there, 6 δ depth/L²", [](T t) { return t.numbers.strain; })
+                    [](Standard t) { return t.numbers.stress; })
+      .own_quantity("strain", kind::number, "flexural strain there, 6 δ depth/L²",
+                    [](Standard t) { return t.numbers.strain; })
       .yes_no("deflection_large", "it is beyond a tenth of the span: stress and strain of the standards do not hold",
-              [](T t) { return t.numbers.deflection_large; })
+              [](Standard t) { return t.numbers.deflection_large; })
       .number("supports_share",
               "what rollers and thickness, left out, add to the stiffness between the deflections of chord or straight "
               "part, without friction",
               &StandardTest::supports_share)
       .own_estimate("modulus_less_supports", kind::pressure,
                     "modulus of the chord, or else of the straight part, less that",
-                    [](T t) { return modulus_less_supports(t); })
+                    [](Standard t) { return modulus_less_supports(t); })
       .number("shear_share", "what shear, left out, adds to a small deflection",
-              [](T t) { return t.numbers.shear_share; });
+              [](Standard t) { return t.numbers.shear_share; });
 }
 
 Fields<PreparationStep> preparation_fields() {
@@ -154,7 +156,7 @@ Fields<StandardTest> modulus_fields() {
   Fields<StandardTest> fields = standard_fields();
   return fields.anywhere().list(
       "preparation", "from the file to the record, step by step", preparation_fields(),
-      [](T t) -> const auto& { return t.measurement.preparation.steps; });
+      [](Standard t) -> const auto& { return t.measurement.preparation.steps; });
 }
 
 Frame frame_of(const StandardTest& test) {

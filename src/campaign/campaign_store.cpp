@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout = 5;  // of the kept text: another one is computed anew
+constexpr int layout_of_store = 5;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
 
 // JSON knows no NaN: null.
@@ -235,7 +235,7 @@ std::optional<CampaignTest> CampaignStore::find(const std::string& test, const s
   if (text.empty()) return std::nullopt;
   try {
     const Json json = Json::parse(text);
-    if (json.at("layout") != layout || json.at("key") != key) return std::nullopt;
+    if (json.at("layout") != layout_of_store || json.at("key") != key) return std::nullopt;
     return test_from(json.at("test"));
   } catch (const Json::exception&) {
     return std::nullopt;
@@ -244,7 +244,7 @@ std::optional<CampaignTest> CampaignStore::find(const std::string& test, const s
 
 void CampaignStore::keep(const CampaignTest& test, const std::string& key) const {
   const fs::path path = folder_ / folder_name(test.name) / kept_name;
-  write_text(path.string(), text_of({{"layout", layout}, {"key", key}, {"test", json_of(test)}}));
+  write_text(path.string(), text_of({{"layout", layout_of_store}, {"key", key}, {"test", json_of(test)}}));
 }
 
 }  // namespace flexslip

@@ -8,7 +8,7 @@
 
 namespace flexslip {
 
-inline constexpr Words<FrictionModel, 8> model_names{{
+inline constexpr Words<FrictionModel, 8> friction_model_names{{
     {"constant", FrictionModel::constant},
     {"drift", FrictionModel::drift},
     {"sinusoid", FrictionModel::sinusoid},

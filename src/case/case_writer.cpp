@@ -168,7 +168,7 @@ void write(Writer& out, const SurfaceFriction& surface, FrictionModel) {
 }
 
 void write_model(Writer& out, FrictionModel written) {
-  for (const auto& [name, model] : model_names)
+  for (const auto& [name, model] : friction_model_names)
     if (written == model) out.line("model", fmt::format("\"{}\"", name));
 }
 

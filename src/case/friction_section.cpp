@@ -18,7 +18,7 @@ namespace {
 FrictionModel read_model(const Keys& keys) {
   const toml::node& node = keys.need("model");
   std::vector<std::string> names;
-  for (const auto& [name, model] : model_names) {
+  for (const auto& [name, model] : friction_model_names) {
     if (node.value_exact<std::string_view>() == name) return model;
     names.emplace_back(name);
   }

@@ -11,7 +11,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t least_points = 12;  // a noise, and a profile that is more than a handful of points
+constexpr std::size_t least_inverted_points = 12;  // a noise, and a profile that is more than a handful of points
 
 std::vector<std::string> assumptions_in_words(const BendingStiffnessUsed& stiffness) {
   constexpr std::string_view remedy =
@@ -28,7 +28,7 @@ std::vector<std::string> assumptions_in_words(const BendingStiffnessUsed& stiffn
 }  // namespace
 
 InvertedTest invert_test(const Case& asked, const OtherSupports& other) {
-  Measurement measurement = read_measurement(asked, least_points);
+  Measurement measurement = read_measurement(asked, least_inverted_points);
   const Case& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   const Scales scales = scales_of(input, stiffness);

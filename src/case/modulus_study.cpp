@@ -12,7 +12,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t least_points = 11;  // they tell the noise
+constexpr std::size_t least_points_of_line = 11;  // they tell the noise
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::optional<ForceWindow> window_of(const std::vector<std::string>& words) {
 }
 
 ModulusStudy study_modulus(const Case& input, const std::optional<ForceWindow>& window) {
-  Measurement measurement = read_measurement(input, least_points);
+  Measurement measurement = read_measurement(input, least_points_of_line);
   const BeamGeometry geometry = geometry_of(measurement.test);
   const SmallDeflection numbers = small_deflection(measurement.record, geometry, {.window = window});
   return {std::move(measurement), geometry, numbers};

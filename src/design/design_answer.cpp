@@ -96,7 +96,7 @@ std::vector<double> stiffness_changes(const DesignCase& input, double own, bool 
 }
 
 // Rounded away from what it is now, to as few digits, three or more, as leave it otherwise.
-double printed(const DesignCase& input, DesignParameter parameter, double to, bool now) {
+double as_printed(const DesignCase& input, DesignParameter parameter, double to, bool now) {
   constexpr int least_digits = 3;
   constexpr int most_digits = 9;
   const bool more = to > input.value(parameter);
@@ -162,7 +162,7 @@ DesignAnswer answer_of(const DesignCase& input) {
     const auto outcome = outcome_with(input, parameter, to);
     if (outcome && (outcome->snaps > 0) != now)
       answer.changes.push_back(
-          {parameter, input.value(parameter), to, printed(input, parameter, to, now), and_beyond, *outcome});
+          {parameter, input.value(parameter), to, as_printed(input, parameter, to, now), and_beyond, *outcome});
   };
   const auto is_told = [&](DesignParameter parameter) {
     return std::any_of(answer.changes.begin(), answer.changes.end(),

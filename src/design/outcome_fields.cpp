@@ -5,8 +5,8 @@
 namespace flexslip {
 namespace {
 
-constexpr double nothing = not_a_number;
-constexpr FirstSnap no_snap{nothing, nothing, nothing, nothing};
+constexpr double no_number = not_a_number;
+constexpr FirstSnap no_snap{no_number, no_number, no_number, no_number};
 
 using O = const DesignOutcome&;
 using U = const DesignUnits&;
@@ -43,9 +43,9 @@ Fields<DesignResult> fields_of_outcomes() {
       .own("greatest_force", kind::force, "greatest force",
            told([](O o, U u) { return u.scales.physical_force(o.greatest_force); }))
       .number("greatest_strain", "greatest bending strain, at the surface at midspan; none without a section",
-              told([](O o, U u) { return u.surface ? u.surface->strain(o.greatest_curvature) : nothing; }))
+              told([](O o, U u) { return u.surface ? u.surface->strain(o.greatest_curvature) : no_number; }))
       .own("greatest_stress", kind::pressure, "greatest bending stress, likewise",
-           told([](O o, U u) { return u.surface ? u.surface->stress(o.greatest_curvature) : nothing; }))
+           told([](O o, U u) { return u.surface ? u.surface->stress(o.greatest_curvature) : no_number; }))
       .own("work", kind::energy, "work measured on the specimen",
            told([](O o, U u) { return u.scales.physical_energy(o.work); }))
       .own("friction_heat", kind::energy, "part of the work that friction turns into heat at the supports",

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 static_assert(std::endian::native == std::endian::little, "parts may be read on another computer");
 
-constexpr int layout = 1;  // of the folder and its parts: another one is not read
+constexpr int layout_of_parts = 1;  // of the folder and its parts: another one is not read
 constexpr const char* plan_name = "sweep.json";
 constexpr std::string_view part_prefix = "part-";
 constexpr std::size_t checksum_size = 64;  // [bytes]
@@ -50,7 +50,7 @@ std::optional<Label> read_label(const fs::path& folder) {
   if (!in) return std::nullopt;
   try {
     const Json json = Json::parse(in);
-    if (json.at("layout") != layout)
+    if (json.at("layout") != layout_of_parts)
       refuse(folder, "those of another version of FlexSlip", "go on with that version, or remove the folder");
     return Label{json.at("version").get<std::string>(), json.at("digest").get<std::string>(),
                  json.at("source").get<std::string>(), json.at("text").get<std::string>(),
@@ -61,8 +61,8 @@ std::optional<Label> read_label(const fs::path& folder) {
 }
 
 void write_label(const fs::path& folder, const SweepPlan& plan, const std::string& digest) {
-  const Json json{{"layout", layout},       {"program", "FlexSlip"},       {"version", FLEXSLIP_VERSION},
-                  {"digest", digest},       {"source", plan.input.source}, {"text", plan.text},
+  const Json json{{"layout", layout_of_parts}, {"program", "FlexSlip"},       {"version", FLEXSLIP_VERSION},
+                  {"digest", digest},          {"source", plan.input.source}, {"text", plan.text},
                   {"changes", plan.changes}};
   write_text((folder / plan_name).string(), json.dump(1) + "\n");
 }
@@ -146,7 +146,7 @@ fs::path SweepParts::file_of(std::uint64_t chunk) const {
 
 std::string SweepParts::head_of(std::uint64_t chunk) const {
   const auto [first, count] = rows_of_chunk(plan_, chunk);
-  return fmt::format("FlexSlip sweep {}\nplan {}\nrows {} to {}\ncolumns {}\n", layout, digest_, first + 1,
+  return fmt::format("FlexSlip sweep {}\nplan {}\nrows {} to {}\ncolumns {}\n", layout_of_parts, digest_, first + 1,
                      first + count, columns_);
 }
 

@@ -20,7 +20,7 @@ namespace flexslip {
 namespace {
 
 constexpr std::uint64_t most_rows = 1'000'000'000'000;  // three days of a thousand cores; more is a slip of the pen
-constexpr std::uint64_t most_points = 1'000'000;        // of an axis; all its values stand in the file
+constexpr std::uint64_t most_axis_points = 1'000'000;   // of an axis; all its values stand in the file
 constexpr std::uint64_t many_chunks = 512;              // enough for every core that a cluster gives one person
 constexpr std::uint64_t least_chunk = 64;               // [rows] 20 ms of a core: a file for less would cost as much
 constexpr std::uint64_t largest_chunk = 1 << 16;        // [rows] 20 s of a core: what a kill may lose
@@ -59,8 +59,8 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameterName&
   AxisRange range{keys.quantity("from", parameter.kind, Range::any), keys.quantity("to", parameter.kind, Range::any),
                   keys.optional_choice("spacing", spacing_names).value_or(Spacing::linear),
                   is_grid ? keys.whole_number("points", 2) : 0};
-  if (range.points > most_points)
-    keys.refuse("points", fmt::format("at most {} points", most_points), std::to_string(range.points));
+  if (range.points > most_axis_points)
+    keys.refuse("points", fmt::format("at most {} points", most_axis_points), std::to_string(range.points));
   if (range.from == range.to)
     keys.refuse("to", "another value than from", kind_of_node(keys.need("to")), "leave the axis out, or write a list");
   if (range.spacing == Spacing::logarithmic && !(range.from > 0 && range.to > 0))

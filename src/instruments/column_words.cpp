@@ -79,14 +79,15 @@ constexpr std::array words{
     Word{"deformation", ColumnRole::displacement, true}, Word{"変位", ColumnRole::displacement, false},
     Word{"伸び", ColumnRole::displacement, false}};
 
-bool is_letter(char c) {
+bool is_word_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
 }
 
 bool has_word(std::string_view text, std::string_view word, bool whole) {
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    if (!whole || ((at == 0 || !is_letter(text[at - 1])) && (end == text.size() || !is_letter(text[end])))) return true;
+    if (!whole || ((at == 0 || !is_word_letter(text[at - 1])) && (end == text.size() || !is_word_letter(text[end]))))
+      return true;
   }
   return false;
 }

@@ -9,7 +9,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t few_below = 12;  // rows below a break, which may be no readings; more are another cycle
+constexpr std::size_t few_below_break = 12;  // rows below a break, which may be no readings; more are another cycle
 
 std::vector<LabelledRow> labelled_rows(const TableBlock& block, const Sheet& sheet) {
   std::vector<LabelledRow> labelled;
@@ -54,7 +54,7 @@ std::string leave_out_statistics(TableBlock& block, const ExportCells& cells, co
     const std::vector<std::span<const double>> views(columns.begin(), columns.end());
     for (std::size_t tail = statistics_at_end(views, below); tail > 0; --tail) rows.push_back(count - tail);
     if (rows.empty())
-      return below > 0 && below <= few_below && 2 * below < begin
+      return below > 0 && below <= few_below_break && 2 * below < begin
                  ? below_a_break(block.rows[begin] + 1, block.rows.back() + 1)
                  : "";
   }

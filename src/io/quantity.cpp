@@ -39,7 +39,7 @@ constexpr std::array with_prefix{
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double pound_force = 4.4482216152605;  // [N] exact by definition
-constexpr double kilogram_force = 9.80665;       // [N] likewise
+constexpr double standard_gravity = 9.80665;     // [N] likewise
 constexpr double inch = 0.0254;                  // [m] exact by definition
 
 constexpr std::array without_prefix{
@@ -54,7 +54,7 @@ constexpr std::array without_prefix{
     NamedUnit{"psi", {of_pressure, 0, pound_force / (inch * inch)}},
     NamedUnit{"ksi", {of_pressure, 3, pound_force / (inch * inch)}},
     NamedUnit{"Msi", {of_pressure, 6, pound_force / (inch * inch)}},
-    NamedUnit{"kgf", {of_force, 0, kilogram_force}},
+    NamedUnit{"kgf", {of_force, 0, standard_gravity}},
     NamedUnit{"deg", {{.radian = 1}, 0, degree}},
     NamedUnit{"°", {{.radian = 1}, 0, degree}},
     NamedUnit{"%", {{}, -2}},

@@ -71,7 +71,7 @@ std::optional<Relation> of_kind(const std::map<std::string, Relation>& relations
   return std::nullopt;
 }
 
-struct Sheet {
+struct ListedSheet {
   std::string name, part;
   bool is_hidden;
 };
@@ -106,7 +106,7 @@ class Workbook {
 
   std::vector<std::string> names() const {
     std::vector<std::string> names;
-    for (const Sheet& sheet : sheets_) names.push_back(sheet.name);
+    for (const ListedSheet& sheet : sheets_) names.push_back(sheet.name);
     return names;
   }
 
@@ -162,7 +162,7 @@ class Workbook {
       if (std::to_string(i + 1) == number) return i;
     const std::string meant = name != nullptr ? nearest(*name, names()) : "";
     const bool is_name =
-        std::any_of(sheets_.begin(), sheets_.end(), [&](const Sheet& each) { return each.name == number; });
+        std::any_of(sheets_.begin(), sheets_.end(), [&](const ListedSheet& each) { return each.name == number; });
     throw InputError(
         {.field = "--sheet",
          .expected = (sheets_.size() == 1 ? "the sheet " : "one of the sheets ") + listed(names()) + ", or its number",
@@ -184,7 +184,7 @@ class Workbook {
   ZipArchive archive_;
   std::vector<std::string> strings_;
   std::vector<CellKind> styles_;
-  std::vector<Sheet> sheets_;
+  std::vector<ListedSheet> sheets_;
   bool dates_from_1904_ = false;
 };
 

@@ -35,7 +35,7 @@ constexpr std::array<CategoryLook, 3> looks{{{SawtoothCategory::clear, "clear sa
                                              {SawtoothCategory::none, "almost no sawtooth", 7, 55}}};
 
 // The last number in a name: 14 of "SS14 b".
-std::optional<double> number_in(std::string_view name) {
+std::optional<double> number_named_in(std::string_view name) {
   const auto last = std::find_if(name.rbegin(), name.rend(), is_digit);
   const auto first = std::find_if_not(last, name.rend(), is_digit);
   if (last == name.rend() || last.base() - first.base() > 6) return std::nullopt;
@@ -52,7 +52,7 @@ TestNumbers numbers_of(const Campaign& campaign) {
   TestNumbers numbers{true, {}};
   std::set<double> seen;
   for (const auto& test : campaign.tests) {
-    const auto number = number_in(test.name);
+    const auto number = number_named_in(test.name);
     numbers.of_test.push_back(number.value_or(0));
     if (test.summary) numbers.of_names = numbers.of_names && number && seen.insert(*number).second;
   }
@@ -123,11 +123,11 @@ std::string mean_in_words(double mean, double factor, int digits) {
   return std::isfinite(mean) ? fmt::format("mean {:.{}f}", factor * mean, digits) : "no mean";
 }
 
-struct Extent {
+struct CurveExtent {
   double low, high;
 };
 
-std::string mean_line(double mean, const Extent& along, std::string_view looks_like) {
+std::string mean_line(double mean, const CurveExtent& along, std::string_view looks_like) {
   if (!std::isfinite(mean)) return "";
   return fmt::format("  set arrow 1 from {:.6g},{:.6g} to {:.6g},{:.6g} nohead front {}\n", along.low, mean, along.high,
                      mean, looks_like);
@@ -336,7 +336,7 @@ Figure distribution_figure(const Campaign& campaign) {
                     fmt::format("wavelength [{}]", length), fmt::format("low [{}]", length),
                     fmt::format("high [{}]", length), "wave claimed"},
                    {}};
-  Extent along{not_a_number, not_a_number}, waves{not_a_number, not_a_number};
+  CurveExtent along{not_a_number, not_a_number}, waves{not_a_number, not_a_number};
   double highest = 1;
   for (std::size_t i = 0; i < campaign.tests.size(); ++i) {
     if (!campaign.tests[i].summary) continue;
@@ -357,7 +357,7 @@ Figure distribution_figure(const Campaign& campaign) {
   const bool has_waves = std::isfinite(waves.low);
   const bool logarithmic = has_waves && waves.low > 0 && waves.high > 8 * waves.low;
   if (!has_waves) waves = {0, 1};
-  waves = logarithmic ? Extent{waves.low / 1.5, waves.high * 1.5} : Extent{0, 1.12 * waves.high};
+  waves = logarithmic ? CurveExtent{waves.low / 1.5, waves.high * 1.5} : CurveExtent{0, 1.12 * waves.high};
 
   Figure figure{.name = "distributions",
                 .title = "Wavelength and mean friction of all tests",

@@ -144,7 +144,7 @@ std::string build_up_in_words(const FittedTest& test) {
           : roughly(unit * build_up->value, Print(test).as(kind::length)));
 }
 
-std::string replay_in_words(const FittedTest& test) {
+std::string loops_replayed_in_words(const FittedTest& test) {
   std::vector<std::string> errors;
   for (const double rms : test.cycles->replay.residual_rms)
     errors.push_back(std::isfinite(rms) ? fmt::format("{:.1f} %", 100 * rms) : "not run");
@@ -222,7 +222,7 @@ std::vector<std::string> cycles_in_words(const FittedTest& test) {
   }
   paragraphs.push_back(build_up_in_words(test));
   paragraphs.push_back(energy_in_words(test));
-  paragraphs.push_back(replay_in_words(test));
+  paragraphs.push_back(loops_replayed_in_words(test));
   return paragraphs;
 }
 

@@ -41,7 +41,7 @@ class InUnits {
 };
 
 // To three digits, no less than it is.
-double rounded_up(double value) {
+double rounded_to_enough(double value) {
   if (value == 0) return value;
   const double step = std::pow(10, std::floor(std::log10(value)) - 2);
   return step * std::ceil(value / step);
@@ -124,7 +124,7 @@ std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) 
     return fmt::format(
         "There is no critical {}: in this test the specimen snaps even if the deflection itself is controlled. {}",
         which, yours);
-  const double critical = rounded_up(answer.scales.physical_stiffness(answer.critical));
+  const double critical = rounded_to_enough(answer.scales.physical_stiffness(answer.critical));
   const bool is_too_soft = answer.outcome.snaps == 0 && answer.design.rig.stiffness < answer.critical;
   const std::string why =
       is_too_soft
@@ -172,7 +172,7 @@ std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
       std::isfinite(study.critical)
           ? fmt::format("On a load train{} of at least {} it never snaps, whichever of these phases holds",
                         answer.input.support_compliance() > 0 ? " and supports together" : "",
-                        shown.stiffness(rounded_up(answer.scales.physical_stiffness(study.critical))))
+                        shown.stiffness(rounded_to_enough(answer.scales.physical_stiffness(study.critical))))
           : "With some of these phases it snaps however stiff the load train is";
   return fmt::format("{} The specimen snaps {}{}. {}.", known, count, drops, remedy);
 }

@@ -28,7 +28,7 @@ Json entry(const Json& row, std::string_view path) {
   return dot == std::string_view::npos ? *found : entry(*found, path.substr(dot + 1));
 }
 
-double number_in(const Json& value) { return value.is_number() ? value.get<double>() : not_a_number; }
+double number_or_nan(const Json& value) { return value.is_number() ? value.get<double>() : not_a_number; }
 
 std::string words_for(const Json& value, const Shown& column) {
   if (!value.is_string()) return "";
@@ -39,7 +39,7 @@ std::string words_for(const Json& value, const Shown& column) {
 }
 
 std::string with_error(const Json& value, const Json& error, const Kind& kind) {
-  return value.is_number() ? readable(number_in(value), number_in(error), kind) : "";
+  return value.is_number() ? readable(number_or_nan(value), number_or_nan(error), kind) : "";
 }
 
 // A column of one cell per row, under its heading.
@@ -56,7 +56,7 @@ PrintedTable column_of(const std::vector<Description>& fields, const Json& rows,
   switch (field.shape) {
     case Shape::number: {
       NumberColumn numbers{column.heading, {}, kind, column.digits};
-      for (const Json& row : rows) numbers.values.push_back(column.factor * number_in(entry(row, column.field)));
+      for (const Json& row : rows) numbers.values.push_back(column.factor * number_or_nan(entry(row, column.field)));
       return printed({numbers});
     }
     case Shape::estimate:

@@ -26,7 +26,7 @@ constexpr double font_size = 8;         // [pt] journals want at least 7 in prin
 constexpr double png_resolution = 400;  // [1/in]
 
 // Colours that all can tell apart (Okabe and Ito), and the looks that every figure shares.
-constexpr std::string_view style = R"(
+constexpr std::string_view gnuplot_style = R"(
 blue = '#0072B2'; sky = '#56B4E9'; green = '#009E73'; orange = '#E69F00'; vermillion = '#D55E00'; brown = '#8C510A'; grey = '#8C8C8C'
 set encoding utf8
 set datafile separator comma
@@ -73,10 +73,10 @@ std::string script_of(const Figure& figure) {
       "if (!exists('formats')) formats = 'svg pdf png'\n"
       "if (!exists('folder')) folder = ''\n"
       "{}{}\ndo for [format in formats] {{\n{}  set output folder.{}.'.'.format\n{}  unset output\n}}\n",
-      files, style, terminals(figure), in_script(figure.name), figure.script);
+      files, gnuplot_style, terminals(figure), in_script(figure.name), figure.script);
 }
 
-std::string read_text(const fs::path& path) {
+std::string text_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -90,7 +90,7 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
     text.replace(at, what.size(), by);
 }
 
-std::string escaped(std::string_view text) {
+std::string gnuplot_escaped(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
   return out;
@@ -98,11 +98,11 @@ std::string escaped(std::string_view text) {
 
 // Says what the picture shows, and takes fonts that exist everywhere.
 std::string finished_svg(std::string text, const Figure& figure) {
-  replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", escaped(figure.title)));
+  replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", gnuplot_escaped(figure.title)));
   const auto from = text.find("<desc>");
   const auto to = text.find("</desc>");
   if (from != std::string::npos && to != std::string::npos)
-    text.replace(from, to - from, "<desc>" + escaped(figure.description));
+    text.replace(from, to - from, "<desc>" + gnuplot_escaped(figure.description));
   replace_all(text, "<text>", "<text xml:space=\"preserve\">");
   replace_all(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
   return text;
@@ -216,7 +216,7 @@ DrawStatus draw(const Figure& figure, const std::string& folder, const std::vect
     throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", (base / script).string(), result.output));
   for (const auto& format : formats) {
     const std::string picture = fmt::format("{}.{}", figure.name, format);
-    const std::string drawn = read_text(drawing.path() / picture);
+    const std::string drawn = text_of(drawing.path() / picture);
     write_text((base / picture).string(), format == "svg"   ? finished_svg(drawn, figure)
                                           : format == "pdf" ? finished_pdf(drawn)
                                                             : drawn);

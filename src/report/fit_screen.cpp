@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t label_width = 12;
 
 // Words beside a label, in lines of their own.
-std::string entry(std::string_view label, const std::string& words) {
+std::string line_of_screen(std::string_view label, const std::string& words) {
   constexpr std::size_t width = 3 + label_width + 2;
   const std::string text = wrapped(std::string(width, '.') + words, std::string(width, ' '));
   return fmt::format("   {}  {}", padded_right(label, label_width), text.substr(width));
@@ -53,7 +53,7 @@ bool claims_friction(const FittedTest& test) {
          caution_of(test).empty();
 }
 
-std::string friction_in_short(const FittedTest& test) {
+std::string friction_on_screen(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   const auto& read = test.analysis.friction_read;
   if (test.judgement.value().standing == Standing::untrusted || !caution_of(test).empty())
@@ -65,7 +65,7 @@ std::string friction_in_short(const FittedTest& test) {
                      read.low80, read.high80, model);
 }
 
-std::string stiffness_in_words(const FittedTest& test) {
+std::string stiffness_on_screen(const FittedTest& test) {
   std::string words;
   for (const ParameterRow& row : parameter_rows(test)) {
     if (row.name == "bending_stiffness") words = fmt::format("EI = {}, {}", row.value, row.remark);
@@ -133,7 +133,7 @@ std::string checks_in_short(const FittedTest& test) {
   std::string text;
   for (const Check& check : test.analysis.checks) {
     const auto [outcome, words, remedy] = check_in_short(test, check);
-    text += entry(outcome, words + (remedy.empty() ? "" : "; " + remedy));
+    text += line_of_screen(outcome, words + (remedy.empty() ? "" : "; " + remedy));
   }
   return text;
 }
@@ -148,16 +148,18 @@ std::string fit_screen(const FittedTest& test) {
       text += wrapped(sentence, "   ", " - ");
     return text;
   }
-  text += "\n" + entry("record", record_in_words(test)) + entry("friction", friction_in_short(test));
+  text += "\n" + line_of_screen("record", record_in_words(test)) + line_of_screen("friction", friction_on_screen(test));
   if (claims_friction(test)) {
-    if (test.analysis.fit.model == ProfileModel::roughness) text += entry("along it", variation_in_short(test));
-    text += entry("energy", energy_in_short(test));
+    if (test.analysis.fit.model == ProfileModel::roughness)
+      text += line_of_screen("along it", variation_in_short(test));
+    text += line_of_screen("energy", energy_in_short(test));
   }
-  text += entry("stiffness", stiffness_in_words(test));
-  if (const std::string strain = strain_in_short(test); !strain.empty()) text += entry("strain", strain);
+  text += line_of_screen("stiffness", stiffness_on_screen(test));
+  if (const std::string strain = strain_in_short(test); !strain.empty()) text += line_of_screen("strain", strain);
   text += "Checks of the fit\n" + checks_in_short(test);
-  text += entry("assumed", assumed_in_short(test));
-  text += entry("more", "--full: every table; --report FOLDER: figures; docs/reading-your-report.md: what they mean");
+  text += line_of_screen("assumed", assumed_in_short(test));
+  text += line_of_screen("more",
+                         "--full: every table; --report FOLDER: figures; docs/reading-your-report.md: what they mean");
   return text;
 }
 

@@ -42,7 +42,7 @@ class Axes {
 };
 
 // Enough points for every wave and every knot of the friction.
-int points_for(const Friction& friction, double S_max) {
+int points_drawn_for(const Friction& friction, double S_max) {
   constexpr double most = 20000;
   const double waves = 16 * (S_max - 1) / friction.smooth_scale();
   return static_cast<int>(std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, most));
@@ -69,8 +69,8 @@ FigureData euler_bernoulli(double w_max, const Axes& axes) {
 }
 
 FigureData sliding_curve(const Friction& friction, const Fibre& fibre, double S_max, const Axes& axes) {
-  return curve_data("curve", equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max), fibre).points,
-                    axes);
+  return curve_data(
+      "curve", equilibrium_curve(friction, Sliding::in, S_max, points_drawn_for(friction, S_max), fibre).points, axes);
 }
 
 constexpr std::string_view one_panel =
@@ -81,7 +81,7 @@ constexpr std::string_view one_panel =
 }  // namespace
 
 Figure region_figure(const Friction& friction, const Fibre& fibre, double S_max, const DrawnIn& units) {
-  const int n = points_for(friction, S_max);
+  const int n = points_drawn_for(friction, S_max);
   const auto upper = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
   auto lower = equilibrium_curve(friction, Sliding::out, S_max, n, fibre).points;
   const auto extent = extent_of(upper);
@@ -149,7 +149,7 @@ Figure region_figure(const Friction& friction, const Fibre& fibre, double S_max,
 }
 
 Figure equilibrium_figure(const Friction& friction, const Fibre& fibre, double S_max, const DrawnIn& units) {
-  const int n = points_for(friction, S_max);
+  const int n = points_drawn_for(friction, S_max);
   const auto sliding = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
   const auto smooth = equilibrium_curve(Friction::constant(0), Sliding::in, S_max, n, fibre).points;
   const auto extent = extent_of(sliding);
@@ -225,7 +225,8 @@ Figure loading_figure(const BendingTest& test, const History& history, std::span
   const Fibre& fibre = test.rig.fibre;
   const double S_max = longest_of(history);
   const Friction& friction = test.friction.kinetic;
-  auto extent = extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max), fibre).points);
+  auto extent =
+      extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_drawn_for(friction, S_max), fibre).points);
   const auto track = track_of(history, legs);
   for (const auto& point : track) extent = {std::max(extent.w, point.w), std::max(extent.F, point.F)};
   const Axes axes(units, extent.w, extent.F);
@@ -269,7 +270,7 @@ Figure loops_figure(const BendingTest& test, const History& history, std::span<c
   const double S_max = longest_of(history);
   const Friction& friction = test.friction.kinetic;
   const auto track = track_of(history, legs);
-  const int n = points_for(friction, S_max);
+  const int n = points_drawn_for(friction, S_max);
   auto upper = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
   auto lower = equilibrium_curve(friction, Sliding::out, S_max, n, fibre).points;
   if (friction.depends_on_way()) lower.clear();  // it depends on where the specimen turns back
@@ -381,7 +382,7 @@ Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::
   }
   S_max = std::min(1 + 1.1 * (S_max - 1), traced.end.S);
   const auto extent =
-      extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_for(friction, S_max), fibre).points);
+      extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_drawn_for(friction, S_max), fibre).points);
   const Axes axes(units, extent.w, extent.F);
 
   const std::vector<std::string> titles{axes.title("deflection"), axes.title("force")};

@@ -12,9 +12,9 @@
 namespace flexslip {
 namespace {
 
-std::string length(double value) { return readable(value, kind::length); }
+std::string told_length(double value) { return readable(value, kind::length); }
 
-std::string entry(std::string_view label, const std::string& words) {
+std::string line_of_surface(std::string_view label, const std::string& words) {
   constexpr std::size_t label_width = 12, width = 3 + label_width + 2;
   const std::string text = wrapped(std::string(width, '.') + words, std::string(width, ' '));
   return fmt::format("   {}  {}", padded_right(label, label_width), text.substr(width));
@@ -23,10 +23,10 @@ std::string entry(std::string_view label, const std::string& words) {
 std::string noise_in_words(const SurfaceStudy& study) {
   const Texture& texture = study.texture;
   if (study.options.texture.noise)
-    return texture.noise > 0 ? fmt::format("white, {} a height, as stated; it is taken out", length(texture.noise))
+    return texture.noise > 0 ? fmt::format("white, {} a height, as stated; it is taken out", told_length(texture.noise))
                              : "none, as stated";
   if (texture.continuum.noise_found)
-    return fmt::format("white, {} a height, by the floor of the spectrum; it is taken out", length(texture.noise));
+    return fmt::format("white, {} a height, by the floor of the spectrum; it is taken out", told_length(texture.noise));
   return "no floor in the spectrum: what noise there is counts as surface; state it with --noise";
 }
 
@@ -38,13 +38,13 @@ std::string friction_in_words(const SurfaceStudy& study) {
   std::string words = fmt::format("{:.3f} ± {:.3f} (standard deviation along the trace) from {:g} on the flat", sum,
                                   std::sqrt(squares), *study.options.friction);
   if (study.options.edge_radius > 0)
-    words += fmt::format(", climbed by an edge of {}", length(study.options.edge_radius));
+    words += fmt::format(", climbed by an edge of {}", told_length(study.options.edge_radius));
   const double mu = *study.options.friction;
   if (!study.texture.waves.empty() && mu > 0) {
     const DominantWave& wave = study.texture.waves.front();
     words += fmt::format("; its highest wave would show as A = {:.3f} every {}",
                          2 * std::numbers::pi * wave.amplitude.value / wave.wavelength.value * (1 + mu * mu) / mu,
-                         length(wave.wavelength.value));
+                         told_length(wave.wavelength.value));
   }
   return words;
 }
@@ -62,9 +62,10 @@ std::string surface_in_short(const SurfaceStudy& study) {
   const Texture& texture = study.texture;
   if (texture.drowned)
     return fmt::format("Noise of {} a height hides the surface at all wavelengths from {} to {}.",
-                       length(texture.noise), length(2 * study.trace.step), length(texture.longest));
+                       told_length(texture.noise), told_length(2 * study.trace.step), told_length(texture.longest));
   return fmt::format("The slope of the surface is {} (rms, 95 %), told of wavelengths from {} to {}.",
-                     with_interval(texture.rms_slope, kind::number), length(texture.shortest), length(texture.longest));
+                     with_interval(texture.rms_slope, kind::number), told_length(texture.shortest),
+                     told_length(texture.longest));
 }
 
 std::vector<std::string> waves_in_words(const SurfaceStudy& study) {
@@ -82,7 +83,7 @@ std::vector<std::string> waves_in_words(const SurfaceStudy& study) {
 std::vector<std::string> resolution_in_words(const SurfaceStudy& study) {
   std::vector<std::string> all;
   for (const WaveResolution& wave : study.resolution) {
-    std::string words = fmt::format("{}: ", length(wave.wavelength));
+    std::string words = fmt::format("{}: ", told_length(wave.wavelength));
     if (!wave.is_sampled) {
       all.push_back(words +
                     fmt::format("not seen, {:.2g} heights a wave where two are the least", wave.heights_a_wave));
@@ -92,14 +93,14 @@ std::vector<std::string> resolution_in_words(const SurfaceStudy& study) {
         fmt::format("{:.3g} heights a wave, {:.3g} waves in the field{}; a coherent wave shows from an amplitude of {}",
                     wave.heights_a_wave, wave.waves_in_field,
                     wave.has_field ? "" : fmt::format(" where the paper asks for {:g}", periods_wanted),
-                    length(wave.least_by_spectrum));
+                    told_length(wave.least_by_spectrum));
     if (wave.least_by_pixels > 0)
       words += fmt::format("; by the paper's rule, {:g} pixels of {} from crest to trough, from {}", pixels_wanted,
-                           length(study.pixel), length(wave.least_by_pixels));
+                           told_length(study.pixel), told_length(wave.least_by_pixels));
     if (std::isfinite(wave.pixel_wanted))
       words += fmt::format("; by that rule {} wants pixels of {} in a field of {}",
-                           study.options.amplitude ? "the wave asked for" : "the wave found", length(wave.pixel_wanted),
-                           length(periods_wanted * wave.wavelength));
+                           study.options.amplitude ? "the wave asked for" : "the wave found",
+                           told_length(wave.pixel_wanted), told_length(periods_wanted * wave.wavelength));
     all.push_back(words);
   }
   return all;
@@ -110,29 +111,33 @@ std::string surface_text(const SurfaceStudy& study) {
   std::string text = wrapped(fmt::format("{}: {}", study.file.source, surface_in_short(study)), "") + "\n";
   std::string treatment =
       fmt::format("{} every {}, a field of {}; ", counted(study.trace.height.size(), "height", "heights"),
-                  length(study.trace.step), length(study.trace.width()));
+                  told_length(study.trace.step), told_length(study.trace.width()));
   treatment += study.options.level == 0   ? "their mean taken off"
                : study.options.level == 1 ? "levelled by a straight line"
                                           : fmt::format("a polynomial of degree {} taken off", study.options.level);
-  if (study.options.cutoff) treatment += fmt::format("; waves below {} filtered out", length(*study.options.cutoff));
-  text += entry("trace", treatment);
+  if (study.options.cutoff)
+    treatment += fmt::format("; waves below {} filtered out", told_length(*study.options.cutoff));
+  text += line_of_surface("trace", treatment);
   if (!texture.drowned) {
-    text += entry("height", fmt::format("{}, rms of the same wavelengths; {} of the whole levelled trace",
-                                        with_interval(texture.rms_height, kind::length), length(texture.total_height)));
+    text += line_of_surface(
+        "height", fmt::format("{}, rms of the same wavelengths; {} of the whole levelled trace",
+                              with_interval(texture.rms_height, kind::length), told_length(texture.total_height)));
   }
   if (study.rms_slope_of_path)
-    text += entry("edge", fmt::format("the path of an edge of {} has a slope of {} (rms, from height to height)",
-                                      length(study.options.edge_radius), significant(*study.rms_slope_of_path, 3)));
+    text += line_of_surface(
+        "edge", fmt::format("the path of an edge of {} has a slope of {} (rms, from height to height)",
+                            told_length(study.options.edge_radius), significant(*study.rms_slope_of_path, 3)));
   if (texture.correlation_length)
-    text +=
-        entry("correlation", with_interval(*texture.correlation_length, kind::length) + ", where it has fallen to 1/e");
-  text += entry("noise", noise_in_words(study));
+    text += line_of_surface("correlation",
+                            with_interval(*texture.correlation_length, kind::length) + ", where it has fallen to 1/e");
+  text += line_of_surface("noise", noise_in_words(study));
   const auto waves = waves_in_words(study);
-  for (std::size_t i = 0; i < waves.size(); ++i) text += entry(i == 0 ? "waves" : "", waves[i]);
+  for (std::size_t i = 0; i < waves.size(); ++i) text += line_of_surface(i == 0 ? "waves" : "", waves[i]);
   const auto seen = resolution_in_words(study);
-  for (std::size_t i = 0; i < seen.size(); ++i) text += entry(i == 0 ? "resolution" : "", seen[i]);
-  if (study.friction) text += entry("friction", friction_in_words(study));
-  for (std::size_t i = 0; i < study.file.notes.size(); ++i) text += entry(i == 0 ? "file" : "", study.file.notes[i]);
+  for (std::size_t i = 0; i < seen.size(); ++i) text += line_of_surface(i == 0 ? "resolution" : "", seen[i]);
+  if (study.friction) text += line_of_surface("friction", friction_in_words(study));
+  for (std::size_t i = 0; i < study.file.notes.size(); ++i)
+    text += line_of_surface(i == 0 ? "file" : "", study.file.notes[i]);
   return text;
 }
 
