@@ -3,254 +3,32 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
-#include <mutex>
 #include <numbers>
-#include <numeric>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "fibre/cell_table.h"
 #include "fibre/elementary.h"
 #include "fibre/limits.h"
 #include "fibre/state_table.h"
+#include "fibre/supported_tables.h"
 
 namespace flexslip {
 namespace {
+
+using PairSlope = SupportedTables::PairSlope;
+using PairSlopes = SupportedTables::PairSlopes;
 
 FibreState nothing_at(double S, double q) {
   constexpr double n = not_a_number;
   return {.status = FibreStatus::beyond_branch, .S = S, .q = q, .w = n, .F = n, .theta0 = n, .Pn = n, .U = n, .u = n};
 }
 
-// The least length that a friction of zero lets slide back to, to first order.
-double least_length_on(const Supports& supports) { return 1 - 3.75 * supports.half_depth * supports.half_depth; }
-
-// A pair of quantities with their slopes along w and in q: first, second, first_w, first_q, second_w, second_q; of one state (no memory of the heap), of many.
-using PairSlope = std::array<double, 6>;
-struct PairSlopes {
-  std::array<std::vector<double>, 6> columns;
-  explicit PairSlopes(std::size_t n) {
-    for (auto& column : columns) column.resize(n);
-  }
-  std::array<double*, 6> data() {
-    std::array<double*, 6> to{};
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] = columns[k].data();
-    return to;
-  }
-};
-
 }  // namespace
-
-// S - 1 with F, θ0 with Pn, and U with the curvature, over deflection and friction; and w with F over length and friction, where the two lengths of
-// a friction that are alike are far enough away for polynomials.
-class Fibre::Tables {
- public:
-  explicit Tables(const Supports& on)
-      : supports(on),
-        sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
-        contacts_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::Pn)),
-        bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)),
-        by_length_(CellTable::Along::length, {1.05, 44, table_q.least, table_q.greatest, 48},
-                   [this](std::span<const double> x, std::span<const double> q) { return pair_by_length(x, q); }) {}
-
-  // [√L] From which way on (Fibre::way) by_length has states, where it has them at all: nearer, the least length of each friction disturbs.
-  double smooth_from() const { return supports.half_depth > 0 ? 0.12 + supports.half_depth : 0; }
-  // What it has is the state less that of the least length, to first order.
-  double least_w() const { return 1.25 * supports.half_depth; }
-  double least_F() const { return 48 * least_w(); }
-  const CellTable& by_length() const { return by_length_; }
-
-  // Those of supports met not long ago are shared.
-  static std::shared_ptr<const Tables> of(const Supports& supports) {
-    static std::mutex looking;
-    static std::deque<std::shared_ptr<const Tables>> known;
-    constexpr std::size_t most = 16;
-    const std::scoped_lock lock(looking);
-    for (const auto& tables : known)
-      if (tables->supports.radius == supports.radius && tables->supports.half_depth == supports.half_depth)
-        return tables;
-    known.push_front(std::make_shared<const Tables>(supports));
-    if (known.size() > most) known.pop_back();
-    return known.front();
-  }
-
-  PairSlopes sliding(std::span<const double> w, std::span<const double> q) const {
-    return slopes(sliding_, &SupportedState::slid, &SupportedState::F, w, q);
-  }
-  PairSlopes contacts(std::span<const double> w, std::span<const double> q) const {
-    return slopes(contacts_, &SupportedState::theta0, &SupportedState::Pn, w, q);
-  }
-  PairSlope sliding(double w, double q) const {
-    return slopes(sliding_, &SupportedState::slid, &SupportedState::F, w, q);
-  }
-  PairSlope contacts(double w, double q) const {
-    return slopes(contacts_, &SupportedState::theta0, &SupportedState::Pn, w, q);
-  }
-
-  double energy(double w, double q) const {
-    double U = 0, curvature = 0;
-    bent_.values(&w, &q, 1, &U, &curvature);
-    return std::isnan(U) ? state(w, q).U : U;
-  }
-
-  // Deflections of lengths: by Newton's iteration; the length is convex in the deflection.
-  std::vector<double> deflections(std::span<const double> S, std::span<const double> q) const {
-    std::vector<double> w(S.size());
-    std::transform(S.begin(), S.end(), w.begin(), [&](double length) { return shallow_deflection(length); });
-    std::vector<std::size_t> active(S.size());
-    std::iota(active.begin(), active.end(), 0);
-    for (int round = 0; round < most_rounds && !active.empty(); ++round) {
-      std::vector<double> w_now, q_now;
-      for (const std::size_t i : active) {
-        w_now.push_back(w[i]);
-        q_now.push_back(q[i]);
-      }
-      const PairSlopes at = sliding(w_now, q_now);
-      std::size_t left = 0;
-      for (std::size_t j = 0; j < active.size(); ++j) {
-        const std::size_t i = active[j];
-        const Step step = step_from(w[i], S[i], q[i], at.columns[0][j], at.columns[2][j]);
-        w[i] = step.w;
-        if (!step.is_last) active[left++] = i;
-      }
-      active.resize(left);
-    }
-    for (const std::size_t i : active) w[i] = beyond(S[i], q[i]);
-    return w;
-  }
-  double deflection(double S, double q) const {
-    double w = shallow_deflection(S);
-    for (int round = 0; round < most_rounds; ++round) {
-      const PairSlope at = sliding(w, q);
-      const Step step = step_from(w, S, q, at[0], at[2]);
-      if (step.is_last) return step.w;
-      w = step.w;
-    }
-    return beyond(S, q);
-  }
-
-  const Supports supports;
-
- private:
-  using Field = double SupportedState::*;
-  static constexpr int most_rounds = 40;  // of Newton's iteration
-
-  double shallow_deflection(double S) const {
-    const double tau = supports.half_depth;
-    return 1.25 * tau + std::sqrt(std::max((S - 1) / 2.4 + 1.5625 * tau * tau, 0.0));
-  }
-
-  struct Step {
-    double w;
-    bool is_last;
-  };
-  // From a deflection whose length has this much beyond the span, and this slope.
-  Step step_from(double w, double S, double q, double slid, double slid_w) const {
-    const double step = (S - 1 - slid) / slid_w;
-    constexpr double small = 1e-8;  // of the deflection: what is left is its square
-    if (!std::isfinite(step) || !(slid_w > 0)) return {beyond(S, q), true};
-    const double next = std::clamp(w + step, 0.5 * w, 2 * w);
-    if (!(next < deepest_on_supports)) return {not_a_number, true};
-    return {next, std::abs(step) <= small * next};
-  }
-
-  static CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
-
-  SupportedState state(double w, double q) const {
-    if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q) {
-      const SupportedState led = state_led_on(w, q, supports);
-      // Leading on may lose a state that is there, of a fibre much bent.
-      return led.status == FibreStatus::ok ? led : state_on_supports(w, q, supports);
-    }
-    SupportedState none{};
-    none.status = FibreStatus::beyond_branch;
-    return none;
-  }
-
-  CellTable::Source source(Field first, Field second) const {
-    return [this, first, second](std::span<const double> w, std::span<const double> q) {
-      CellTable::Pair pair;
-      for (std::size_t i = 0; i < w.size(); ++i) {
-        const SupportedState at = state(w[i], q[i]);
-        const bool exists = at.status == FibreStatus::ok;
-        pair.first.push_back(exists ? at.*first / w[i] : not_a_number);
-        pair.second.push_back(exists ? at.*second / w[i] : not_a_number);
-      }
-      return pair;
-    };
-  }
-
-  PairSlopes slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
-                    std::span<const double> q) const {
-    PairSlopes at(w.size());
-    fill_slopes(table, first, second, w, q, at.data());
-    return at;
-  }
-  PairSlope slopes(const CellTable& table, Field first, Field second, double w, double q) const {
-    PairSlope at{};
-    fill_slopes(table, first, second, {&w, 1}, {&q, 1}, {&at[0], &at[1], &at[2], &at[3], &at[4], &at[5]});
-    return at;
-  }
-  // Where a table has nothing, from states nearby.
-  void fill_slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
-                   std::span<const double> q, const std::array<double*, 6>& columns) const {
-    table.slopes(w.data(), q.data(), w.size(), columns);
-    for (std::size_t i = 0; i < w.size(); ++i) {
-      if (!std::isnan(columns[0][i])) continue;
-      const SupportedState here = state(w[i], q[i]);
-      if (here.status != FibreStatus::ok) continue;
-      constexpr double near = 1e-5;
-      const double dw = near * w[i], dq = near;
-      const auto slope = [&](Field field, double along_w, double along_q) {
-        const SupportedState ahead = state(w[i] + along_w, q[i] + along_q);
-        const SupportedState behind = state(w[i] - along_w, q[i] - along_q);
-        const bool has_ahead = ahead.status == FibreStatus::ok, has_behind = behind.status == FibreStatus::ok;
-        const double h = along_w + along_q;
-        if (has_ahead && has_behind) return (ahead.*field - behind.*field) / (2 * h);
-        return has_ahead ? (ahead.*field - here.*field) / h : (here.*field - behind.*field) / h;
-      };
-      const std::array values{here.*first,         here.*second,         slope(first, dw, 0),
-                              slope(first, 0, dq), slope(second, dw, 0), slope(second, 0, dq)};
-      for (std::size_t k = 0; k < values.size(); ++k) columns[k][i] = values[k];
-    }
-  }
-
-  // By bisection, where Newton's iteration leads nowhere: close to the end of the branch.
-  double beyond(double S, double q) const {
-    double low = 1.25 * supports.half_depth, high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9;
-    const auto slid = [&](double w) {
-      const SupportedState at = state(w, q);
-      return at.status == FibreStatus::ok ? at.slid : not_a_number;
-    };
-    while (slid(high) < S - 1 && high < deepest_on_supports) high *= 1.1;
-    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-      (slid(middle) < S - 1 ? low : high) = middle;
-    const double reached = slid(low);
-    constexpr double close = 1e-10;  // of the length
-    return std::abs(reached - (S - 1)) <= close ? low : not_a_number;
-  }
-
-  CellTable::Pair pair_by_length(std::span<const double> x, std::span<const double> q) const {
-    std::vector<double> S;
-    for (const double way : x) S.push_back(least_length_on(supports) + way * way);
-    CellTable::Pair pair{deflections(S, q), {}};
-    const PairSlopes at = sliding(pair.first, q);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      pair.first[i] = (pair.first[i] - least_w()) / x[i];
-      pair.second.push_back((at.columns[1][i] - least_F()) / x[i]);
-    }
-    return pair;
-  }
-
-  CellTable sliding_, contacts_, bent_, by_length_;
-};
 
 Fibre::Fibre(const Supports& supports) {
   static_cast<void>(state_on_supports(0.01, 0, supports));  // refuses what leaves no span
-  if (supports.radius > 0 || supports.half_depth > 0) tables_ = Tables::of(supports);
-  least_length_ = least_length_on(supports);
+  if (supports.radius > 0 || supports.half_depth > 0) tables_ = SupportedTables::of(supports);
+  least_length_ = SupportedTables::least_length(supports);
+  if (tables_) smooth_from_ = tables_->smooth_from();
 }
 
 const Supports& Fibre::supports() const {
@@ -341,18 +119,18 @@ template <std::size_t n_columns>
 void Fibre::complete(const FibrePoints& points, const std::array<double*, n_columns>& columns) const {
   const auto& [w, F] = std::array{columns[0], columns[1]};
   std::vector<std::size_t> others;
-  std::vector<double> S, q;
-  const double smooth_from = least_length_ + tables_->smooth_from() * tables_->smooth_from();
+  std::vector<double> S, q, guesses;
   for (std::size_t i = 0; i < points.size(); ++i) {
     w[i] += tables_->least_w();
     F[i] += tables_->least_F();
-    if (points.lengths()[i] >= smooth_from && F[i] >= 0) continue;
+    if (points.lengths()[i] >= smooth_from_ && F[i] >= 0) continue;
     others.push_back(i);
+    guesses.push_back(w[i]);
     S.push_back(points.lengths()[i]);
     q.push_back(points.frictions()[i]);
   }
   if (others.empty()) return;
-  SlopeArrays by_deflection = slopes_by_deflection(S, q);
+  SlopeArrays by_deflection = slopes_by_deflection(S, q, tables_->deflections(S, q, std::move(guesses)));
   const auto from = by_deflection.columns();
   for (std::size_t k = 0; k < columns.size(); ++k)
     for (std::size_t j = 0; j < others.size(); ++j) columns[k][others[j]] = from[k][j];
@@ -374,9 +152,9 @@ SlopeArrays Fibre::slopes_by_length(const FibrePoints& points) const {
   return result;
 }
 
-SlopeArrays Fibre::slopes_by_deflection(std::span<const double> S, std::span<const double> q) const {
+SlopeArrays Fibre::slopes_by_deflection(std::span<const double> S, std::span<const double> q,
+                                        std::span<const double> w) const {
   const std::size_t n = S.size();
-  const std::vector<double> w = tables_->deflections(S, q);
   const PairSlopes at = tables_->sliding(w, q);
   SlopeArrays result(n);
   const bool has_straight = supports().half_depth == 0;
@@ -427,8 +205,8 @@ StateArrays Fibre::states(const FibrePoints& points) const {
 
 SlopeArrays Fibre::states_slopes(const FibrePoints& points) const {
   if (on_edges()) return fibre_states_slopes(points);
-  const std::size_t n = points.size();
-  return slopes_by_deflection({points.lengths(), n}, {points.frictions(), n});
+  const std::span S(points.lengths(), points.size()), q(points.frictions(), points.size());
+  return slopes_by_deflection(S, q, tables_->deflections(S, q));
 }
 
 InverseArrays Fibre::tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) const {

@@ -19,6 +19,8 @@
 
 namespace flexslip {
 
+class SupportedTables;
+
 class Fibre {
  public:
   Fibre() = default;
@@ -87,16 +89,17 @@ class Fibre {
   double curvature_at_midspan(const FibreState& state) const;
 
  private:
-  class Tables;
   std::vector<double> from_the_least(const FibrePoints& points) const;
   template <std::size_t n_columns>
   void complete(const FibrePoints& points, const std::array<double*, n_columns>& columns) const;
   StateArrays states_by_length(const FibrePoints& points) const;
   SlopeArrays slopes_by_length(const FibrePoints& points) const;
-  SlopeArrays slopes_by_deflection(std::span<const double> S, std::span<const double> q) const;
+  SlopeArrays slopes_by_deflection(std::span<const double> S, std::span<const double> q,
+                                   std::span<const double> w) const;
 
-  std::shared_ptr<const Tables> tables_;
+  std::shared_ptr<const SupportedTables> tables_;
   double least_length_ = 1;  // [L] Σ0
+  double smooth_from_ = 1;   // [L] from which on the table by length is used
 };
 
 }  // namespace flexslip
