@@ -26,20 +26,6 @@ CampaignCurves curves_of(const TestAnalysis& analysis) {
   return curves;
 }
 
-std::string reason_of(AnalysisStatus status) {
-  switch (status) {
-    case AnalysisStatus::ok:
-      return "";
-    case AnalysisStatus::too_few_points:
-      return "fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness";
-    case AnalysisStatus::not_explained:
-      return "no sliding with a friction of 0 to 2 gives this record";
-    case AnalysisStatus::no_initial_slope:
-      break;
-  }
-  return "the force does not rise where the record begins: state the bending stiffness";
-}
-
 std::string failed_checks_in_words(const TestAnalysis& analysis) {
   std::string words;
   for (const auto& check : analysis.checks) {

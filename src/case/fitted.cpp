@@ -82,6 +82,23 @@ std::optional<Materials> materials_of(const Case& input) {
 
 }  // namespace
 
+std::string reason_of(AnalysisStatus status) {
+  switch (status) {
+    case AnalysisStatus::ok:
+      return "";
+    case AnalysisStatus::too_few_points:
+      return "fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
+             "they "
+             "tell no friction";
+    case AnalysisStatus::not_explained:
+      return "no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "
+             "section";
+    case AnalysisStatus::no_initial_slope:
+      break;
+  }
+  return "the force does not rise where the record begins: state the bending stiffness";
+}
+
 std::string name_of_test(const std::string& file) {
   if (file == "-") return "standard input";
   const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();

@@ -177,7 +177,7 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
         if (check.outcome != CheckOutcome::failed || check.kind == CheckKind::friction ||
             check.kind == CheckKind::stiffness)
           continue;
-        words += (words.empty() ? "A check failed: " : " A check failed: ") + finding_in_words(test, check);
+        words += fmt::format("{}A check failed: {}.", words.empty() ? "" : " ", check_in_words(test, check).words);
       }
       return words;
     }

@@ -7,17 +7,12 @@
 
 namespace flexslip {
 
-// What was found, in a sentence that begins in lower case.
-std::string finding_in_words(const FittedTest& test, const Check& check);
-
-// The same behind "Passed", "Failed" or "Not possible".
-std::string check_in_words(const FittedTest& test, const Check& check);
-
-// In a clause, and what to do where it failed; "" otherwise.
-struct CheckInShort {
+struct CheckInWords {
   std::string outcome;  // "ok", "warning", "not possible"
-  std::string words, remedy;
+  std::string words;    // what was found, a clause
+  std::string detail;   // by which numbers, a sentence; may be empty
+  std::string remedy;   // what to do about a warning; empty otherwise
 };
-CheckInShort check_in_short(const FittedTest& test, const Check& check);
+CheckInWords check_in_words(const FittedTest& test, const Check& check);
 
 }  // namespace flexslip

@@ -132,8 +132,8 @@ std::string energy_in_short(const FittedTest& test) {
 std::string checks_in_short(const FittedTest& test) {
   std::string text;
   for (const Check& check : test.analysis.checks) {
-    const auto [outcome, words, remedy] = check_in_short(test, check);
-    text += line_of_screen(outcome, words + (remedy.empty() ? "" : "; " + remedy));
+    const CheckInWords said = check_in_words(test, check);
+    text += line_of_screen(said.outcome, said.words + (said.remedy.empty() ? "" : "; " + said.remedy));
   }
   return text;
 }

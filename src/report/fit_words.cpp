@@ -28,24 +28,8 @@ std::string ranged(double low, double high) {
 }  // namespace
 
 std::string why_no_answer(const FittedTest& test) {
-  switch (test.analysis.status) {
-    case AnalysisStatus::ok:
-      return "";
-    case AnalysisStatus::too_few_points:
-      return fmt::format(
-          "{}: fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
-          "they tell no friction",
-          test.measurement.file);
-    case AnalysisStatus::not_explained:
-      return fmt::format(
-          "{}: no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and "
-          "the section",
-          test.measurement.file);
-    case AnalysisStatus::no_initial_slope:
-      break;
-  }
-  return fmt::format("{}: the force does not rise where the record begins, so it tells no bending stiffness: state it",
-                     test.measurement.file);
+  const std::string reason = reason_of(test.analysis.status);
+  return reason.empty() ? "" : fmt::format("{}: {}", test.measurement.file, reason);
 }
 
 std::string model_in_words(ProfileModel model) {
@@ -125,7 +109,11 @@ std::string sides_in_words(const FittedTest& test) {
 
 std::vector<std::string> checks_in_words(const FittedTest& test) {
   std::vector<std::string> all;
-  for (const auto& check : test.analysis.checks) all.push_back(check_in_words(test, check));
+  for (const auto& check : test.analysis.checks) {
+    const CheckInWords said = check_in_words(test, check);
+    all.push_back(fmt::format("{}: {}{}.{}", said.outcome, said.words, said.remedy.empty() ? "" : "; " + said.remedy,
+                              said.detail.empty() ? "" : " " + said.detail));
+  }
   return all;
 }
 
