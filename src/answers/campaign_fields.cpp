@@ -10,12 +10,9 @@
 namespace flexslip {
 namespace {
 
-using Listed = const CampaignTest&;
-using Summarised = const TestSummary&;
-
 Fields<TestSummary> summary_parameter_fields() {
   const auto of_roughness = [](Estimate TestSummary::*estimate) {
-    return [estimate](Summarised test) {
+    return [estimate](const TestSummary& test) {
       return test.model == ProfileModel::roughness ? std::optional(test.*estimate) : std::nullopt;
     };
   };
@@ -45,13 +42,15 @@ Fields<CampaignTest> name_fields() {
 Fields<TestSummary> verdict_fields() {
   return Fields<TestSummary>()
       .words("category", "of the sawtooth: clear, nominal, none",
-             [](Summarised test) { return name_of(test.category); })
+             [](const TestSummary& test) { return name_of(test.category); })
       .yes_no("suspect", "its standing is suspect or untrusted", &TestSummary::suspect)
       .words("standing", "sound, doubtful, suspect, untrusted: the remarks say why",
-             [](Summarised test) { return name_of(test.standing); })
+             [](const TestSummary& test) { return name_of(test.standing); })
       .words("drops_verdict", "not_by_cracks_alone, cracks, cannot_be_told; null without drops",
-             [](Summarised test) { return test.drops > 0 ? std::optional(name_of(test.drops_verdict)) : std::nullopt; })
-      .words("model", "of friction, that was fitted", [](Summarised test) { return name_of(test.model); });
+             [](const TestSummary& test) {
+               return test.drops > 0 ? std::optional(name_of(test.drops_verdict)) : std::nullopt;
+             })
+      .words("model", "of friction, that was fitted", [](const TestSummary& test) { return name_of(test.model); });
 }
 
 Fields<TestSummary> number_fields() {
@@ -67,7 +66,7 @@ Fields<TestSummary> number_fields() {
 Fields<CampaignTest> remark_fields() {
   return Fields<CampaignTest>()
       .words("reason", "why the status is not ok",
-             [](Listed test) { return test.reason.empty() ? std::nullopt : std::optional(test.reason); })
+             [](const CampaignTest& test) { return test.reason.empty() ? std::nullopt : std::optional(test.reason); })
       .words("remarks", "what a reader of the table should know of it", &CampaignTest::remarks)
       .words("file", "what describes the test", &CampaignTest::file);
 }
@@ -87,15 +86,15 @@ Fields<CampaignTest> test_fields() {
       .group("friction_read", "friction read off the curve point by point, before any model of it",
              Fields<TestSummary>()
                  .number("median", "half of the points lie below it",
-                         [](Summarised test) { return test.friction_read.median; })
+                         [](const TestSummary& test) { return test.friction_read.median; })
                  .number("low80", "a tenth of the points lie below it",
-                         [](Summarised test) { return test.friction_read.low80; })
+                         [](const TestSummary& test) { return test.friction_read.low80; })
                  .number("high80", "a tenth of the points lie above it",
-                         [](Summarised test) { return test.friction_read.high80; }),
+                         [](const TestSummary& test) { return test.friction_read.high80; }),
              &CampaignTest::summary)
       .all_of(Fields<TestSummary>().words("failed_checks",
                                           "residuals, drops, whiteness, nesting, friction, stability, stiffness",
-                                          [](Summarised test) {
+                                          [](const TestSummary& test) {
                                             std::vector<std::string_view> names;
                                             for (const auto kind : test.failed_checks) names.push_back(name_of(kind));
                                             return names;
@@ -289,7 +288,7 @@ Fields<CampaignTest> test_columns() {
                   .yes_no("mu0_is_bound", "the record does not tell mu0 from 0: mu0_high is its upper limit",
                           &TestSummary::mu0_is_bound)
                   .yes_no("wave_claimed", "by the evidence; a wave that is not is only indicative",
-                          [](Summarised test) {
+                          [](const TestSummary& test) {
                             return test.wavelength ? std::optional(test.wave_claimed) : std::nullopt;
                           }),
               &CampaignTest::summary)

@@ -9,14 +9,12 @@
 namespace flexslip {
 namespace {
 
-using Designed = const ToldDesign&;
-
 struct ToldChange {
   const DesignChange& change;
   const std::string& words;
 };
 
-std::vector<ToldChange> changes_of(Designed told) {
+std::vector<ToldChange> changes_of(const ToldDesign& told) {
   std::vector<ToldChange> all;
   for (std::size_t i = 0; i < told.changes.size(); ++i) all.push_back({told.answer.changes[i], told.changes[i]});
   return all;
@@ -51,14 +49,14 @@ Fields<ToldDesign> changed_parameter_fields() {
   Fields<ToldDesign> fields;
   fields.left_out_where_missing();
   for (const DesignParameterName& known : design_parameters())
-    fields.own(known.name, known.kind, known.description, [parameter = known.parameter](Designed told) {
+    fields.own(known.name, known.kind, known.description, [parameter = known.parameter](const ToldDesign& told) {
       const DesignCase& input = told.answer.input;
       return input.has(parameter) ? std::optional(input.value(parameter)) : std::nullopt;
     });
   return fields;
 }
 
-DesignResult outcome_told(Designed told) {
+DesignResult outcome_told(const ToldDesign& told) {
   const DesignAnswer& answer = told.answer;
   return {status_of(answer.outcome), DesignUnits{answer.scales, answer.surface}, answer.outcome};
 }
@@ -70,25 +68,26 @@ constexpr std::string_view statuses =
 
 Fields<ToldDesign> design_fields() {
   return Fields<ToldDesign>()
-      .in_frame([](Designed told) {
+      .in_frame([](const ToldDesign& told) {
         return Frame{told.answer.scales, told.answer.input.reduced()};
       })
-      .words("status", statuses, [](Designed told) { return word_of(status_of(told.answer.outcome)); })
+      .words("status", statuses, [](const ToldDesign& told) { return word_of(status_of(told.answer.outcome)); })
       .all_of(outcome_fields(), outcome_told)
       .yes_no("wraps_nose", "the specimen is bent more sharply than the nose",
-              [](Designed told) { return told.answer.wraps_nose; })
+              [](const ToldDesign& told) { return told.answer.wraps_nose; })
       .number("friction_share", "of the work that went into friction and snaps",
-              [](Designed told) { return friction_share(told.answer.outcome); })
-      .words("answer", "whether the test shows a sawtooth, in a sentence", [](Designed told) { return told.words; })
+              [](const ToldDesign& told) { return friction_share(told.answer.outcome); })
+      .words("answer", "whether the test shows a sawtooth, in a sentence",
+             [](const ToldDesign& told) { return told.words; })
       .number("critical_stiffness", kind::stiffness,
               "stiffness at and above which this loading meets no snap; null if it snaps on every rig, 0 if on none",
-              [](Designed told) { return told.answer.critical; })
+              [](const ToldDesign& told) { return told.answer.critical; })
       .number("pin_limit", "friction at which the rollers turn on their pins, the most that acts; null of others",
-              [](Designed told) { return told.answer.input.pin_limit(); })
+              [](const ToldDesign& told) { return told.answer.input.pin_limit(); })
       .yes_no("snaps_whatever_the_stiffness", "even where the deflection itself is controlled",
-              [](Designed told) { return told.answer.critical > 0 && !std::isfinite(told.answer.critical); })
+              [](const ToldDesign& told) { return told.answer.critical > 0 && !std::isfinite(told.answer.critical); })
       .group("phases", "what the phase of the friction decides; null where it decides nothing", phase_fields(),
-             [](Designed told) { return told.answer.phases; })
+             [](const ToldDesign& told) { return told.answer.phases; })
       .list("changes", "with which the answer is the other one", change_fields(), changes_of)
       .group("parameters", "of the design, in their units; null where infinite", changed_parameter_fields())
       .group("units", "of plain numbers", units_of_numbers<ToldDesign>());

@@ -8,8 +8,6 @@
 namespace flexslip {
 namespace {
 
-using Standard = const StandardTest&;
-
 std::optional<Estimate> with_error_of_slope(const std::optional<double>& value, const Estimate& slope) {
   if (!value) return std::nullopt;
   return normal_estimate(*value, *value * (slope.standard_error / slope.value));
@@ -33,11 +31,11 @@ Fields<Chord> chord_fields() {
 Fields<StandardTest> window_fields() {
   return Fields<StandardTest>()
       .number("from", "where the straight part begins, in shares of of_force",
-              [](Standard t) { return t.numbers.window.from; })
-      .number("up_to", "where it ends, likewise", [](Standard t) { return t.numbers.window.up_to; })
+              [](const StandardTest& t) { return t.numbers.window.from; })
+      .number("up_to", "where it ends, likewise", [](const StandardTest& t) { return t.numbers.window.up_to; })
       .own("of_force", kind::force, "greatest force reached at a small deflection",
-           [](Standard t) { return t.numbers.window_force; })
-      .own_numbers("rows", kind::number, "first and last row of the file in it", [](Standard t) {
+           [](const StandardTest& t) { return t.numbers.window_force; })
+      .own_numbers("rows", kind::number, "first and last row of the file in it", [](const StandardTest& t) {
         return std::vector{file_row(t.measurement, t.numbers.first), last_file_row(t.measurement, t.numbers.last - 1)};
       });
 }
@@ -90,41 +88,42 @@ std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
 }
 
 Fields<StandardTest> standard_fields() {
-  const auto ok = [](Standard t) { return t.numbers.status == SmallDeflectionStatus::ok; };
+  const auto ok = [](const StandardTest& t) { return t.numbers.status == SmallDeflectionStatus::ok; };
   return Fields<StandardTest>()
       .words("status", "ok, or no_straight_part: no number is there then",
-             [ok](Standard t) { return ok(t) ? "ok" : "no_straight_part"; })
+             [ok](const StandardTest& t) { return ok(t) ? "ok" : "no_straight_part"; })
       .only_where(ok)
       .own_estimate("stiffness", kind::stiffness, "force over deflection, slope of the straight part",
-                    [](Standard t) { return t.numbers.stiffness; })
-      .own_estimate("bending_stiffness", kind::bending_stiffness, "EI = F L³/(48 δ); null without a span",
-                    [](Standard t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
+                    [](const StandardTest& t) { return t.numbers.stiffness; })
+      .own_estimate(
+          "bending_stiffness", kind::bending_stiffness, "EI = F L³/(48 δ); null without a span",
+          [](const StandardTest& t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
       .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
-                    [](Standard t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
+                    [](const StandardTest& t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
       .group("chord", "of ISO 178; null where the record does not cover both strains", chord_fields(),
-             [](Standard t) { return t.numbers.chord; })
+             [](const StandardTest& t) { return t.numbers.chord; })
       .group("window", "the straight part", window_fields())
       .own_quantity("origin", kind::length, "deflection at which the straight part would meet zero force",
-                    [](Standard t) { return t.numbers.origin; })
+                    [](const StandardTest& t) { return t.numbers.origin; })
       .own_quantity("greatest_force", kind::force, "greatest force",
-                    [](Standard t) { return t.numbers.greatest_force; })
+                    [](const StandardTest& t) { return t.numbers.greatest_force; })
       .own_quantity("deflection", kind::length, "deflection there, from the origin",
-                    [](Standard t) { return t.numbers.deflection; })
+                    [](const StandardTest& t) { return t.numbers.deflection; })
       .own_quantity("stress", kind::pressure, "flexural stress there, F L depth/(8 I)",
-                    [](Standard t) { return t.numbers.stress; })
+                    [](const StandardTest& t) { return t.numbers.stress; })
       .own_quantity("strain", kind::number, "flexural strain there, 6 δ depth/L²",
-                    [](Standard t) { return t.numbers.strain; })
+                    [](const StandardTest& t) { return t.numbers.strain; })
       .yes_no("deflection_large", "it is beyond a tenth of the span: stress and strain of the standards do not hold",
-              [](Standard t) { return t.numbers.deflection_large; })
+              [](const StandardTest& t) { return t.numbers.deflection_large; })
       .number("supports_share",
               "what rollers and thickness, left out, add to the stiffness between the deflections of chord or straight "
               "part, without friction",
               &StandardTest::supports_share)
       .own_estimate("modulus_less_supports", kind::pressure,
                     "modulus of the chord, or else of the straight part, less that",
-                    [](Standard t) { return modulus_less_supports(t); })
+                    [](const StandardTest& t) { return modulus_less_supports(t); })
       .number("shear_share", "what shear, left out, adds to a small deflection",
-              [](Standard t) { return t.numbers.shear_share; });
+              [](const StandardTest& t) { return t.numbers.shear_share; });
 }
 
 Fields<PreparationStep> preparation_fields() {
@@ -156,7 +155,7 @@ Fields<StandardTest> modulus_fields() {
   Fields<StandardTest> fields = standard_fields();
   return fields.anywhere().list(
       "preparation", "from the file to the record, step by step", preparation_fields(),
-      [](Standard t) -> const auto& { return t.measurement.preparation.steps; });
+      [](const StandardTest& t) -> const auto& { return t.measurement.preparation.steps; });
 }
 
 Frame frame_of(const StandardTest& test) {

@@ -12,8 +12,6 @@
 namespace flexslip {
 namespace {
 
-using Studied = const SurfaceStudy&;
-
 template <class Value>
 std::optional<Value> unless(bool missing, Value value) {
   return missing ? std::nullopt : std::optional(std::move(value));
@@ -21,28 +19,29 @@ std::optional<Value> unless(bool missing, Value value) {
 
 Fields<SurfaceStudy> file_fields() {
   return Fields<SurfaceStudy>()
-      .words("name", "as it was given", [](Studied study) { return study.file.source; })
+      .words("name", "as it was given", [](const SurfaceStudy& study) { return study.file.source; })
       .words("position", "column of the positions; null where their distance was stated",
-             [](Studied study) { return unless(study.file.position.empty(), study.file.position); })
-      .words("height", "column of the heights", [](Studied study) { return study.file.height; })
-      .count("heights", "that it has", [](Studied study) { return study.trace.height.size(); })
-      .own("step", kind::length, "between heights", [](Studied study) { return study.trace.step; })
-      .own("field", kind::length, "width of the trace", [](Studied study) { return study.trace.width(); })
+             [](const SurfaceStudy& study) { return unless(study.file.position.empty(), study.file.position); })
+      .words("height", "column of the heights", [](const SurfaceStudy& study) { return study.file.height; })
+      .count("heights", "that it has", [](const SurfaceStudy& study) { return study.trace.height.size(); })
+      .own("step", kind::length, "between heights", [](const SurfaceStudy& study) { return study.trace.step; })
+      .own("field", kind::length, "width of the trace", [](const SurfaceStudy& study) { return study.trace.width(); })
       .number("unevenness", "greatest departure of a distance from their mean, relative",
-              [](Studied study) { return study.file.sampled.unevenness; })
+              [](const SurfaceStudy& study) { return study.file.sampled.unevenness; })
       .yes_no("interpolated", "as distances differ by more than 1 %",
-              [](Studied study) { return study.file.sampled.interpolated; })
-      .words("notes", "what was decided about the file", [](Studied study) { return study.file.notes; });
+              [](const SurfaceStudy& study) { return study.file.sampled.interpolated; })
+      .words("notes", "what was decided about the file", [](const SurfaceStudy& study) { return study.file.notes; });
 }
 
 Fields<SurfaceStudy> treatment_fields() {
   return Fields<SurfaceStudy>()
-      .count("level", "degree of the polynomial taken off", [](Studied study) { return study.options.level; })
+      .count("level", "degree of the polynomial taken off",
+             [](const SurfaceStudy& study) { return study.options.level; })
       .own("cutoff", kind::length, "of the Gaussian filter; null without one",
-           [](Studied study) { return study.options.cutoff; })
+           [](const SurfaceStudy& study) { return study.options.cutoff; })
       .own("edge_radius", kind::length, "of the edge that is drawn over it",
-           [](Studied study) { return study.options.edge_radius; })
-      .count("tapers", "of the spectrum", [](Studied study) { return study.texture.spectrum.tapers; });
+           [](const SurfaceStudy& study) { return study.options.edge_radius; })
+      .count("tapers", "of the spectrum", [](const SurfaceStudy& study) { return study.texture.spectrum.tapers; });
 }
 
 Fields<DominantWave> dominant_wave_fields() {
@@ -60,7 +59,7 @@ Fields<DominantWave> dominant_wave_fields() {
 
 Fields<SurfaceStudy> predicted_fields() {
   const auto quantile = [](double share) {
-    return [share](Studied study) {
+    return [share](const SurfaceStudy& study) {
       std::vector<double> mu = study.friction->mu;
       const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(mu.size() - 1));
       std::nth_element(mu.begin(), mu.begin() + at, mu.end());
@@ -68,15 +67,16 @@ Fields<SurfaceStudy> predicted_fields() {
     };
   };
   return Fields<SurfaceStudy>()
-      .number("base", "of the flat surface, as stated", [](Studied study) { return study.options.friction; })
+      .number("base", "of the flat surface, as stated",
+              [](const SurfaceStudy& study) { return study.options.friction; })
       .number("mean", "of what the slopes show",
-              [](Studied study) {
+              [](const SurfaceStudy& study) {
                 double sum = 0;
                 for (const double mu : study.friction->mu) sum += mu;
                 return sum / static_cast<double>(study.friction->mu.size());
               })
       .number("deviation", "standard deviation of it",
-              [](Studied study) {
+              [](const SurfaceStudy& study) {
                 double sum = 0, squares = 0;
                 const auto n = static_cast<double>(study.friction->mu.size());
                 for (const double mu : study.friction->mu) sum += mu / n;
@@ -106,10 +106,10 @@ Fields<WaveResolution> resolution_fields() {
 }  // namespace
 
 Fields<SurfaceStudy> surface_fields() {
-  const auto texture = [](auto part) { return [part](Studied study) { return study.texture.*part; }; };
+  const auto texture = [](auto part) { return [part](const SurfaceStudy& study) { return study.texture.*part; }; };
   return Fields<SurfaceStudy>()
       .words("status", "ok, or noise: no surface is seen in it",
-             [](Studied study) { return study.texture.drowned ? "noise" : "ok"; })
+             [](const SurfaceStudy& study) { return study.texture.drowned ? "noise" : "ok"; })
       .group("units", "of plain numbers", units_of_numbers<SurfaceStudy>())
       .group("trace", "as it was read", file_fields())
       .group("treatment", "of the heights", treatment_fields())
@@ -120,37 +120,37 @@ Fields<SurfaceStudy> surface_fields() {
       .own("longest", kind::length, "likewise", texture(&Texture::longest))
       .words(
           "shortest_is", "noise: where it is as great as the surface; five_steps; stated",
-          [](Studied study) {
+          [](const SurfaceStudy& study) {
             return study.options.texture.shortest ? "stated" : study.texture.shortest_is_noise ? "noise" : "five_steps";
           })
       .own_estimate("rms_height", kind::length, "of the surface, of wavelengths between these, without noise",
-                    [](Studied study) { return unless(study.texture.drowned, study.texture.rms_height); })
+                    [](const SurfaceStudy& study) { return unless(study.texture.drowned, study.texture.rms_height); })
       .own_estimate("rms_slope", kind::number, "likewise",
-                    [](Studied study) { return unless(study.texture.drowned, study.texture.rms_slope); })
+                    [](const SurfaceStudy& study) { return unless(study.texture.drowned, study.texture.rms_slope); })
       .number("rms_slope_of_edge", "of the path of the edge, from height to height; null of a sharp one",
-              [](Studied study) { return study.rms_slope_of_path; })
+              [](const SurfaceStudy& study) { return study.rms_slope_of_path; })
       .own_estimate("correlation_length", kind::length,
                     "where the correlation has fallen to 1/e; null beyond a tenth of the field",
                     texture(&Texture::correlation_length))
       .own("noise", kind::length, "standard deviation of a height, white", texture(&Texture::noise))
       .words(
           "noise_is", "stated, found or not_found",
-          [](Studied study) {
+          [](const SurfaceStudy& study) {
             return study.options.texture.noise ? "stated" : study.texture.continuum.noise_found ? "found" : "not_found";
           })
       .list("waves", "that stand out of the spectrum, the highest first", dominant_wave_fields(),
             texture(&Texture::waves))
       .own("pixel", kind::length, "least difference of heights that is told; null if they are as fine as their noise",
-           [](Studied study) { return unless(study.pixel == 0, study.pixel); })
+           [](const SurfaceStudy& study) { return unless(study.pixel == 0, study.pixel); })
       .words("pixel_is", "stated, heights: all are multiples of it; null without one",
-             [](Studied study) {
+             [](const SurfaceStudy& study) {
                return unless(study.pixel_source == PixelSource::none,
                              std::string(study.pixel_source == PixelSource::stated ? "stated" : "heights"));
              })
       .list("resolution", "of the wavelengths in question, of those found, or of a tenth of the field",
             resolution_fields(), &SurfaceStudy::resolution)
       .group("friction", "that its slopes predict; null where none is stated", predicted_fields(),
-             [](Studied study) { return study.friction ? &study : nullptr; });
+             [](const SurfaceStudy& study) { return study.friction ? &study : nullptr; });
 }
 
 std::vector<TracePoint> points_of(const SurfaceStudy& study) {

@@ -197,11 +197,6 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
   throw InputError({.file = path.string(), .expected = "a folder that can be written to", .found = error.message()});
 }
 
-std::string read_whole(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 std::string to_text(const CampaignTest& test) { return text_of(json_of(test)); }
@@ -231,7 +226,7 @@ fs::path CampaignStore::emptied_folder(const std::string& test) const {
 }
 
 std::optional<CampaignTest> CampaignStore::find(const std::string& test, const std::string& key) const {
-  const std::string text = read_whole(folder_ / folder_name(test) / kept_name);
+  const std::string text = read_text((folder_ / folder_name(test) / kept_name).string());
   if (text.empty()) return std::nullopt;
   try {
     const Json json = Json::parse(text);

@@ -284,10 +284,11 @@ double power_of_ten(int exponent) {  // exact up to 10^22, the last power that a
 
 int decade(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
+constexpr int most_decimals = 7;  // that one still reads
+
 // Fixed notation in the range that people read at a glance, scientific outside.
 std::string with_decimals(double value, int decimals) {
-  const double size = std::abs(value);
-  if (size != 0 && (size < 1e-3 || size >= 1e7))
+  if (value != 0 && (decimals > most_decimals || std::abs(value) >= 1e7))
     return fmt::format("{:.{}e}", value, std::clamp(decade(value) + decimals, 0, 16));
   return fmt::format("{:.{}f}", value, std::clamp(decimals, 0, 16));
 }
@@ -468,9 +469,7 @@ std::string readable(double value, double uncertainty, const Kind& kind) {
   const double shown = from_si(value, scale);
   const double spread = from_si(uncertainty, scale);
   const int decimals = 1 - decade(spread);
-  constexpr int most_decimals = 7;  // that one still reads
-  const double size = std::abs(shown);
-  const bool is_fixed = (size == 0 || (size >= 1e-3 && size < 1e7)) && spread < 1e7 && decimals <= most_decimals;
+  const bool is_fixed = std::max(std::abs(shown), spread) < 1e7 && decimals <= most_decimals;
   const auto text = [&](double number) {
     return is_fixed ? without_minus_of_zero(fmt::format("{:.{}f}", number, std::max(decimals, 0)))
                     : with_decimals(number, decimals);

@@ -1,5 +1,8 @@
 #include "io/text_file.h"
 
+#include <fstream>
+#include <iterator>
+
 #include "io/durable_file.h"
 
 namespace flexslip {
@@ -8,6 +11,11 @@ void write_text(const std::string& path, std::string_view text) {
   OutputFile file(path);
   file.stream() << text;
   file.finish();
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace flexslip

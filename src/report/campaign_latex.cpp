@@ -67,7 +67,9 @@ std::string tabular(const PrintedTable& table, std::string_view label, std::stri
 // The tests by their sawtooth, over as many pages as they take.
 std::string tests_of(const Campaign& campaign) {
   const PrintedTable all = test_rows(campaign, with_error);
-  const PrintedTable sawtooth = picked(all, {"Sawtooth", "Standing"});
+  std::vector<const TestSummary*> summaries;  // of its rows
+  for (const auto& test : campaign.tests)
+    if (test.summary) summaries.push_back(&*test.summary);
   const PrintedTable table =
       picked(all, {"Test", "μ₀", "A", "λ", "Height", "Slope", "EI", "Residual", "Drops", "Friction"});
   const std::string head = row_of(table.head);
@@ -87,15 +89,14 @@ std::string tests_of(const Campaign& campaign) {
     return fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\*\n", table.head.size(), words);
   };
   bool first = true;
-  for (const auto& [category, title] : {std::pair{"clear", "Clear sawtooth"},
-                                        {"nominal", "Nominal sawtooth"},
-                                        {"none", "No sawtooth, or hardly any"}}) {
+  for (const auto& [category, title] : {std::pair{SawtoothCategory::clear, "Clear sawtooth"},
+                                        {SawtoothCategory::nominal, "Nominal sawtooth"},
+                                        {SawtoothCategory::none, "No sawtooth, or hardly any"}}) {
     std::string rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-      if (sawtooth.rows[i][0] != category) continue;
+      if (summaries[i]->category != category) continue;
       std::vector<std::string> row = table.rows[i];
-      const bool suspect = sawtooth.rows[i][1] == "suspect" || sawtooth.rows[i][1] == "untrusted";
-      if (suspect) row[0] += " ×";
+      if (summaries[i]->suspect) row[0] += " ×";
       rows += row_of(row);
     }
     if (rows.empty()) continue;

@@ -33,12 +33,6 @@ double quantile(std::vector<double> values, double share) {
   return *at;
 }
 
-// A round number of two digits or one, not below the value.
-double top_of_axis(double value) {
-  const double step = std::pow(10, std::floor(std::log10(value))) / 2;
-  return step * std::ceil(value / step);
-}
-
 double tick_for(double range) {
   const double decade = std::pow(10, std::floor(std::log10(range / 3)));
   return (range / 3 >= 5 * decade ? 5 : range / 3 >= 2 * decade ? 2 : 1) * decade;
@@ -156,7 +150,7 @@ Figure boxes_figure(const FittedTest& test) {
     before = &point;
   }
   // What the noise throws far off where deflection begins would flatten all else.
-  const double top = top_of_axis(std::max(1.2 * quantile(sizes, 0.98), 1e-3));
+  const double top = rounded_up(std::max(1.2 * quantile(sizes, 0.98), 1e-3));
 
   const std::size_t panels = std::min(friction.loops.size(), most_drawn_loops);
   std::vector<FigureData> data;

@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
@@ -15,6 +13,7 @@
 
 #include "io/child_process.h"
 #include "io/input_error.h"
+#include "io/text.h"
 #include "io/text_file.h"
 
 namespace flexslip {
@@ -76,11 +75,6 @@ std::string script_of(const Figure& figure) {
       files, gnuplot_style, terminals(figure), in_script(figure.name), figure.script);
 }
 
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 void replace_first(std::string& text, std::string_view what, std::string_view by) {
   if (const auto at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
 }
@@ -90,19 +84,13 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
     text.replace(at, what.size(), by);
 }
 
-std::string gnuplot_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
-  return out;
-}
-
 // Says what the picture shows, and takes fonts that exist everywhere.
 std::string finished_svg(std::string text, const Figure& figure) {
-  replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", gnuplot_escaped(figure.title)));
+  replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", escaped(figure.title)));
   const auto from = text.find("<desc>");
   const auto to = text.find("</desc>");
   if (from != std::string::npos && to != std::string::npos)
-    text.replace(from, to - from, "<desc>" + gnuplot_escaped(figure.description));
+    text.replace(from, to - from, "<desc>" + escaped(figure.description));
   replace_all(text, "<text>", "<text xml:space=\"preserve\">");
   replace_all(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
   return text;
@@ -151,6 +139,11 @@ class DrawingFolder {
 double tick_within(double value) {
   const double decade = std::pow(10, std::floor(std::log10(value)));
   return (value >= 5 * decade ? 5 : value >= 2 * decade ? 2 : 1) * decade;
+}
+
+double rounded_up(double value) {
+  const double step = std::pow(10, std::floor(std::log10(value))) / 2;
+  return step * std::ceil(value / step);
 }
 
 std::string logarithmic_tics(double a, double b) {
@@ -216,7 +209,7 @@ DrawStatus draw(const Figure& figure, const std::string& folder, const std::vect
     throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", (base / script).string(), result.output));
   for (const auto& format : formats) {
     const std::string picture = fmt::format("{}.{}", figure.name, format);
-    const std::string drawn = text_of(drawing.path() / picture);
+    const std::string drawn = read_text((drawing.path() / picture).string());
     write_text((base / picture).string(), format == "svg"   ? finished_svg(drawn, figure)
                                           : format == "pdf" ? finished_pdf(drawn)
                                                             : drawn);

@@ -47,6 +47,9 @@ enum class DrawStatus {
 // A round distance of ticks: 1, 2 or 5 times a power of ten, at most the value given. Domain: value > 0.
 double tick_within(double value);
 
+// A round number, 1 to 10 in halves times a power of ten, at least the value given: where an axis ends. Domain: value > 0.
+double rounded_up(double value);
+
 // Round values within a range, for gnuplot, which labels only the powers of ten of a logarithmic axis. Domain: a, b > 0.
 std::string logarithmic_tics(double a, double b);
 

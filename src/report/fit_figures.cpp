@@ -52,11 +52,6 @@ History drawn_model(const FittedTest& test) {
   return history;
 }
 
-double rounded_up(double value) {
-  const double step = std::pow(10, std::floor(std::log10(value))) / 2;
-  return step * std::ceil(value / step);
-}
-
 }  // namespace
 
 Figure force_figure(const FittedTest& test) {

@@ -1,13 +1,13 @@
 #include "report/page.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "io/input_error.h"
+#include "io/text.h"
+#include "io/text_file.h"
 
 namespace flexslip {
 namespace {
@@ -69,14 +69,9 @@ std::string cells(const std::vector<std::string>& row, std::string_view tag) {
   return out;
 }
 
-std::string read_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // Several pictures in one page must not share the names of their parts.
 std::string inline_svg(const fs::path& path, const Figure& figure) {
-  std::string svg = read_text(path);
+  std::string svg = read_text(path.string());
   svg.erase(0, svg.find("<svg"));
   const auto rename = [&](const std::string& what, const std::string& by) {
     for (auto at = svg.find(what); at != std::string::npos; at = svg.find(what, at + by.size()))
@@ -92,23 +87,6 @@ std::string inline_svg(const fs::path& path, const Figure& figure) {
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 std::string typeset_minus(const std::string& text) {
   std::string out;

@@ -19,9 +19,6 @@ struct Plate {
 
 inline constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
-// Text as it may stand in HTML.
-std::string escaped(std::string_view text);
-
 // A hyphen before a number is a minus sign.
 std::string typeset_minus(const std::string& text);
 
