@@ -23,17 +23,18 @@ std::vector<PreparationRow> preparation_rows(const Preparation& preparation) {
   return rows;
 }
 
+std::string in_words(const PreparationRow& row) {
+  std::string sentence = fmt::format("{}: {}", row.name, row.done);
+  const std::string rows = row.rows.empty() ? "" : "rows " + row.rows;
+  if (!row.value.empty() || !rows.empty())
+    sentence += fmt::format(" ({}{}{})", row.value, row.value.empty() || rows.empty() ? "" : "; ", rows);
+  if (!row.otherwise.empty()) sentence += fmt::format("; to change this: {}", row.otherwise);
+  return sentence;
+}
+
 std::vector<std::string> preparation_in_words(const Preparation& preparation) {
   std::vector<std::string> sentences;
-  sentences.reserve(preparation.steps.size());
-  for (const PreparationRow& row : preparation_rows(preparation)) {
-    std::string sentence = fmt::format("{}: {}", row.name, row.done);
-    const std::string rows = row.rows.empty() ? "" : "rows " + row.rows;
-    if (!row.value.empty() || !rows.empty())
-      sentence += fmt::format(" ({}{}{})", row.value, row.value.empty() || rows.empty() ? "" : "; ", rows);
-    if (!row.otherwise.empty()) sentence += fmt::format("; to change this: {}", row.otherwise);
-    sentences.push_back(std::move(sentence));
-  }
+  for (const PreparationRow& row : preparation_rows(preparation)) sentences.push_back(in_words(row));
   return sentences;
 }
 

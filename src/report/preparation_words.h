@@ -18,7 +18,8 @@ struct PreparationRow {
 
 std::vector<PreparationRow> preparation_rows(const Preparation& preparation);
 
-// A sentence for each step.
+// A step as a sentence; all of them.
+std::string in_words(const PreparationRow& row);
 std::vector<std::string> preparation_in_words(const Preparation& preparation);
 
 }  // namespace flexslip

@@ -1,0 +1,133 @@
+#include "report/document.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/text.h"
+#include "report/plain_text.h"
+
+namespace flexslip {
+namespace {
+
+const std::string indent(3, ' ');
+
+struct AsText {
+  std::string operator()(const std::string& words) const { return wrapped(words, indent, indent); }
+  std::string operator()(const Bullets& list) const {
+    std::string out;
+    for (const auto& item : list.items) out += wrapped(item, indent, " - ");
+    return out;
+  }
+  std::string operator()(const PrintedTable& table) const { return laid_out(table); }
+  std::string operator()(const std::vector<ParameterRow>& rows) const {
+    std::array<std::size_t, 3> widths{};
+    for (const auto& row : rows)
+      for (std::size_t i = 0; const auto* cell : {&row.name, &row.value, &row.interval}) {
+        widths[i] = std::max(widths[i], width_of(*cell));
+        ++i;
+      }
+    std::string out;
+    for (const auto& row : rows) {
+      std::string line = fmt::format("   {}  {}", padded_right(row.name, widths[0]), row.value);
+      if (!row.interval.empty())
+        line += fmt::format("{}  [{}]", std::string(widths[1] - width_of(row.value), ' '), row.interval);
+      if (!row.remark.empty())
+        line += fmt::format("{}  {}", std::string(widths[2] - width_of(row.interval), ' '), row.remark);
+      out += line + '\n';
+    }
+    return out;
+  }
+  std::string operator()(const std::vector<PreparationRow>& rows) const {
+    Bullets list;
+    for (const auto& row : rows) list.items.push_back(in_words(row));
+    return (*this)(list);
+  }
+  std::string operator()(const Picture&) const { return ""; }
+  std::string operator()(const Verbatim&) const { return ""; }
+};
+
+struct AsHtml {
+  const std::function<std::string(const Plate&)>& figure;
+
+  std::string operator()(const std::string& words) const { return paragraph(words); }
+  std::string operator()(const Bullets& list) const {
+    std::string out = "<ul>\n";
+    for (const auto& item : list.items) out += fmt::format("<li>{}</li>\n", typeset_minus(escaped(item)));
+    return out + "</ul>\n";
+  }
+  std::string operator()(const PrintedTable& table) const { return html_table(table); }
+  std::string operator()(const std::vector<ParameterRow>& rows) const {
+    std::string out =
+        "<div class=\"scroll\"><table "
+        "class=\"parameters\">\n<thead><tr><th></th><th>Parameter</th><th>Value</th><th>95 "
+        "% interval</th><th></th></tr></thead>\n<tbody>\n";
+    for (const auto& row : rows)
+      out += fmt::format(
+          "<tr><td>{}</td><td><code>{}</code>, {}</td><td class=\"value\">{}</td><td class=\"value\">{}</td><td "
+          "class=\"remark\">{}</td></tr>\n",
+          escaped(row.symbol), escaped(row.name), escaped(row.meaning), typeset_minus(escaped(row.value)),
+          typeset_minus(escaped(row.interval)), typeset_minus(escaped(row.remark)));
+    return out + "</tbody></table></div>\n";
+  }
+  std::string operator()(const std::vector<PreparationRow>& rows) const {
+    std::string out =
+        "<div class=\"scroll\"><table class=\"parameters\">\n<thead><tr><th>Step</th><th>What was "
+        "done</th><th>Value</th><th>Rows</th><th>To change this</th></tr></thead>\n<tbody>\n";
+    for (const auto& row : rows)
+      out += fmt::format(
+          "<tr><td>{}</td><td>{}</td><td class=\"value\">{}</td><td "
+          "class=\"value\">{}</td><td><code>{}</code></td></tr>\n",
+          escaped(row.name), typeset_minus(escaped(row.done)), typeset_minus(escaped(row.value)), escaped(row.rows),
+          escaped(row.otherwise));
+    return out + "</tbody></table></div>\n";
+  }
+  std::string operator()(const Picture& picture) const { return figure(picture.plate()); }
+  std::string operator()(const Verbatim& lines) const { return fmt::format("<pre>{}</pre>\n", escaped(lines.text)); }
+};
+
+}  // namespace
+
+Chapter& Chapter::say(const std::string& words) {
+  if (!words.empty()) blocks.emplace_back(words);
+  return *this;
+}
+
+Chapter& Chapter::say(const std::vector<std::string>& paragraphs) {
+  for (const auto& words : paragraphs) say(words);
+  return *this;
+}
+
+Chapter& Chapter::show(PrintedTable table) {
+  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
+  return *this;
+}
+
+Chapter& Chapter::show(Block block) {
+  blocks.push_back(std::move(block));
+  return *this;
+}
+
+std::string in_text(const std::vector<Chapter>& chapters) {
+  std::string out;
+  for (const Chapter& chapter : chapters) {
+    if (!chapter.title.empty()) out += fmt::format("\n[[{}]]\n", chapter.title);
+    for (const Block& block : chapter.blocks) out += std::visit(AsText(), block);
+  }
+  return out;
+}
+
+std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string(const Plate&)>& figure) {
+  std::string out;
+  for (const Chapter& each : chapters) {
+    if (!each.title.empty()) out += section(each.title);
+    for (const Block& block : each.blocks) out += std::visit(AsHtml{figure}, block);
+  }
+  return out;
+}
+
+}  // namespace flexslip

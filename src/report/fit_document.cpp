@@ -1,0 +1,207 @@
+#include "report/fit_document.h"
+
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "report/answer_words.h"
+#include "report/cycles_figures.h"
+#include "report/cycles_words.h"
+#include "report/fit_figures.h"
+#include "report/fit_words.h"
+#include "report/implied_words.h"
+#include "report/plain_text.h"
+#include "report/record_figure.h"
+#include "report/small_deflection_words.h"
+#include "report/teeth_figure.h"
+#include "report/teeth_words.h"
+
+namespace flexslip {
+namespace {
+
+// Two texts, of which either may be empty.
+std::string joined(const std::string& first, const std::string& second) {
+  return first + (first.empty() || second.empty() ? "" : " ") + second;
+}
+
+Picture record_picture(const FittedTest& test) {
+  return {[&] {
+    return Plate{
+        record_figure(test),
+        "Measured force (blue). Orange: Euler–Bernoulli (dashed) and the model without friction, both with the "
+        "bending stiffness stated, or that of the initial slope."};
+  }};
+}
+
+Picture force_picture(const FittedTest& test) {
+  return {[&] {
+    return Plate{
+        force_figure(test),
+        fmt::format(
+            "Measured force (blue) and the mean of the fit run forward (black; dashed where it snaps). Orange: "
+            "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. "
+            "Grey: "
+            "load lines (slope: the stiffness of the load train) through the {} drops found. Below: measured minus "
+            "model, grey where the force tells too little of friction and the mean is continued as it begins.",
+            test.analysis.drops.drops.size())};
+  }};
+}
+
+Picture profile_picture(const FittedTest& test) {
+  return {[&] {
+    const auto literature = literature_of(test);
+    return Plate{
+        profile_figure(test),
+        fmt::format(
+            "Friction read off the curve point by point, at the bending stiffness of the fit. Bars: 95 % "
+            "intervals from the noise of each point. Red-orange: the slips. Black: the mean of the fit; grey band: two "
+            "standard deviations about the mean, with the errors of stiffness and contact.{}{}",
+            test.analysis.fit.wave_claimed ? " Orange: the wave claimed." : "",
+            literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
+                                     literature->support)
+                       : "")};
+  }};
+}
+
+Picture wavelength_picture(const FittedTest& test) {
+  return {[&] {
+    return Plate{wavelength_figure(test),
+                 "How much a wave of friction adds to the logarithm of the evidence, against its wavelength. The "
+                 "roughness is kept as fitted without a wave; for ln B, wave and roughness are fitted anew. "
+                 "Dotted: 3, beyond which a wave is claimed."};
+  }};
+}
+
+Picture teeth_picture(const FittedTest& test) {
+  return {[&] {
+    return Plate{
+        teeth_figure(test),
+        "Every rise between two drops, on a scale from sliding at constant friction (0) to sticking (1). Below "
+        "1 the specimen is drawn in; below 0 friction falls at the same time. Thin bars: noise, 95 %. Wide "
+        "grey bars: stiffness and contact, 95 %, common to all rises. Orange: cannot be told from sticking; "
+        "sliding against steeply rising friction looks the same. Crosses: a stuck specimen on supports that "
+        "give way by the one compliance that fits best."};
+  }};
+}
+
+Picture loops_picture(const FittedTest& test) {
+  return {[&] {
+    return Plate{loops_figure(test),
+                 "Force against deflection, loading (blue) and unloading (red); arrows show the direction. Black: "
+                 "one friction profile for all loops and both directions, run forward over the stage positions."};
+  }};
+}
+
+Picture boxes_picture(const FittedTest& test) {
+  return {[&] {
+    return Plate{
+        boxes_figure(test),
+        fmt::format(
+            "Top: each loop is a box. The specimen slides in along its upper side, sticks while the stage turns back, "
+            "and slides out along its lower side. Below{}: friction of both directions at the same points of the "
+            "specimen. Bands: 95 % intervals from noise, bending stiffness and contact; the last two move a whole "
+            "band. Points that noise throws beyond the axis are not shown.",
+            test.cycles->friction.loops.size() > most_drawn_loops
+                ? fmt::format(", the first {} loops", most_drawn_loops)
+                : "")};
+  }};
+}
+
+Chapter friction_chapter(const FittedTest& test) {
+  Chapter chapter{"Friction"};
+  chapter.say(fmt::format("Of the model {}.", model_in_words(test.analysis.fit.model)))
+      .show(parameter_rows(test))
+      .say(joined(caution_of(test), friction_in_words(test)))
+      .say(joined(strain_in_words(test), friction_in_literature(test)));
+  return chapter;
+}
+
+Chapter wave_chapter(const FittedTest& test) {
+  Chapter chapter{"Does it repeat along the specimen?"};
+  chapter.say(joined(joined(wave_in_words(test), sides_in_words(test)), smoothing_in_words(test)))
+      .say(implied_in_words(test));
+  if (!test.analysis.fit.scan.empty()) chapter.show(wavelength_picture(test));
+  if (test.analysis.fit.explanations.size() > 1)
+    chapter.say("The answer is an average over these explanations, weighted as listed:").show(explanation_table(test));
+  return chapter;
+}
+
+std::vector<Chapter> slip_chapters(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  std::vector<Chapter> chapters{Chapter{"Drops and slips"}.say(slips_in_words(test)).show(drop_table(test))};
+  if (!analysis.drops.drops.empty() || !analysis.model.snaps.empty())
+    chapters.push_back(Chapter{"Snaps of the fit's mean"}.say(snaps_in_words(test)).show(snap_table(test)));
+  Chapter teeth{"Stick or slide"};
+  teeth.say(teeth_in_words(test));
+  if (analysis.teeth && !analysis.teeth->teeth.empty()) teeth.show(teeth_picture(test)).show(tooth_table(test));
+  chapters.push_back(std::move(teeth));
+  return chapters;
+}
+
+Chapter cycles_chapter(const FittedTest& test) {
+  Chapter chapter{"Load and unload"};
+  if (has_loops(test)) chapter.show(loops_picture(test)).show(boxes_picture(test));
+  chapter.say(cycles_in_words(test));
+  if (PrintedTable loops = loop_table(test); !loops.rows.empty())
+    chapter.show(std::move(loops)).show(loop_energy_table(test));
+  return chapter.say(reloading_in_words(test)).show(loading_table(test));
+}
+
+Chapter energy_chapter(const FittedTest& test) {
+  Chapter chapter{test.cycles ? "Where the work of the first loading went" : "Where the work went"};
+  return chapter.say(caution_of(test)).show(energy_table(test));
+}
+
+Chapter provenance_chapter(const FittedTest& test) {
+  const auto& provenance = test.provenance;
+  PrintedTable files{{"File", "Bytes", "SHA-256"}, {}};
+  for (const auto& file : provenance.inputs)
+    files.rows.push_back({file.name, file.sha256.empty() ? "" : fmt::format("{}", file.bytes), file.sha256});
+  Chapter chapter{"Provenance"};
+  return chapter
+      .say(fmt::format("FlexSlip {}. Options: model {}; {:g} false alarms a test; friction suspect above {:g}.",
+                       provenance.version, name_of(provenance.options.fit.model),
+                       provenance.options.drops.false_alarms_per_test, provenance.options.suspect_limit))
+      .show(std::move(files))
+      .show(Verbatim{provenance.test});
+}
+
+Chapter preparation_chapter(const FittedTest& test) {
+  return Chapter{"From the file to the record"}.show(preparation_rows(test.measurement.preparation));
+}
+
+}  // namespace
+
+std::vector<Chapter> document_of(const FittedTest& test) {
+  const AnalysisStatus status = test.analysis.status;
+  if (status != AnalysisStatus::ok) {
+    std::vector<Chapter> chapters;
+    if (status == AnalysisStatus::not_explained) chapters.push_back(Chapter{""}.show(record_picture(test)));
+    chapters.push_back(preparation_chapter(test));
+    chapters.push_back(provenance_chapter(test));
+    return chapters;
+  }
+  std::vector<Chapter> chapters{Chapter{""}.show(force_picture(test)).show(profile_picture(test)),
+                                friction_chapter(test), wave_chapter(test),
+                                Chapter{"Checks"}.show(Bullets{checks_in_words(test)})};
+  for (Chapter& chapter : slip_chapters(test)) chapters.push_back(std::move(chapter));
+  if (test.cycles) chapters.push_back(cycles_chapter(test));
+  chapters.push_back(energy_chapter(test));
+  chapters.push_back(Chapter{"Can it be trusted?"}.say(suspicion_in_words(test)).say(replay_in_words(test)));
+  const StandardTest standard = standard_test(test);
+  chapters.push_back(Chapter{"Small deflection, as the standards have it"}
+                         .show(small_deflection_table(standard))
+                         .say(small_deflection_in_words(standard))
+                         .say(small_deflection_and_fit(test)));
+  chapters.push_back(preparation_chapter(test));
+  chapters.push_back(Chapter{"What was assumed"}.show(Bullets{assumptions_of(test)}));
+  chapters.push_back(provenance_chapter(test));
+  return chapters;
+}
+
+std::string fit_text(const FittedTest& test) {
+  return wrapped(fmt::format("{}: {}", test.name, answer_of(test)), "") + in_text(document_of(test));
+}
+
+}  // namespace flexslip
