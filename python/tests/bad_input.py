@@ -195,6 +195,8 @@ class Faults(unittest.TestCase):
         self.assertIn("span", error.remedy)
         error = self.fault(lambda: flexslip.simulate(**SPECIMEN))
         self.assertEqual(error.kind, "missing")
+        error = self.fault(lambda: flexslip.Case.from_toml('[rig]\nspan = "64 mm"\nroller_radius = "5 mm"\nrollers = "pinned"\npin_radius = "1 mm"\n', "pins.toml"))
+        self.assertEqual((error.key, error.kind), ("rig.pin_friction", "missing"))
 
     def test_outside_files_that_are_not_there(self):
         for call in (lambda: flexslip.fit("nothing.toml"), lambda: flexslip.read("nothing.csv"), lambda: flexslip.simulate("nothing.toml"),

@@ -22,9 +22,10 @@ namespace {
 // A state with what holds the stage there, and how it changes as the fibre slides at that stage position.
 struct Rest {
   FibreState state;
-  double potential;               // [EI/L] U + F^2/2k
-  double Pn_slope;                // [EI/L^3] dPn/dS
-  double contact, contact_slope;  // [L], [1] length between the contacts, at which friction is looked up; likewise
+  double potential = 0;  // [EI/L] U + F^2/2k
+  double Pn_slope = 0;   // [EI/L^3] dPn/dS
+  double contact = 0,
+         contact_slope = 0;  // [L], [1] length between the contacts, at which friction is looked up; likewise
 };
 
 Rest rest_at(const Rig& rig, double S, double q) {
@@ -58,7 +59,7 @@ class Loading {
   DesignStatus walk() {
     RigPoint here = curve_.begin;
     if (!fibre().begins_straight() && !bend_shallow(here)) return breaks_ ? DesignStatus::breaks : DesignStatus::ok;
-    Rest rest{fibre().state(here.S, here.q), 0, 0, 0, 0};
+    Rest rest{fibre().state(here.S, here.q)};
     for (std::size_t i = 0;; i += 2) {
       RigPoint to = point(i);
       const bool arrives = to.stage >= design_.travel;

@@ -1,7 +1,5 @@
 #include "campaign/campaign_store.h"
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -226,7 +224,7 @@ fs::path CampaignStore::emptied_folder(const std::string& test) const {
 }
 
 std::optional<CampaignTest> CampaignStore::find(const std::string& test, const std::string& key) const {
-  const std::string text = read_text((folder_ / folder_name(test) / kept_name).string());
+  const std::string text = read_text((folder_ / folder_name(test) / kept_name).string()).value_or("");
   if (text.empty()) return std::nullopt;
   try {
     const Json json = Json::parse(text);

@@ -176,8 +176,8 @@ void read_rollers(const Keys& keys, const Case& input, RigInput& rig) {
   rig.rollers = rollers == "pinned" ? Rollers::pinned : rollers == "loose" ? Rollers::loose : Rollers::fixed;
   for (const std::string_view of_pins : {"pin_radius", "pin_friction"}) {
     if (rig.rollers == Rollers::pinned && !keys.has(of_pins))
-      throw missing(input, fmt::format("rig.{}", of_pins),
-                    fmt::format("that of your rig, such as {} = {}", of_pins,
+      throw missing(input, fmt::format("rig.{}", of_pins), "it beside rollers = \"pinned\"",
+                    fmt::format("add that of your rig, such as {} = {}", of_pins,
                                 of_pins == "pin_friction" ? "0.1" : written(0.2 * *rig.roller_radius)));
     if (rig.rollers != Rollers::pinned && keys.has(of_pins))
       keys.refuse(of_pins, "rollers on pins beside it", in_quotes(rollers), "write rollers = \"pinned\", or delete it");
@@ -462,25 +462,25 @@ std::string depth_key(const Section& section) {
   return std::holds_alternative<RectangularSection>(section) ? "specimen.height" : "specimen.diameter";
 }
 
-InputError missing(const Case& input, std::string_view key, std::string_view example) {
-  InputError error =
-      wrong_value(input, key, "it in the file", "nothing", example.empty() ? "" : fmt::format("add {}", example));
+InputError missing(const Case& input, std::string_view key, std::string why, std::string remedy) {
+  InputError error = wrong_value(input, key, std::move(why), "nothing", std::move(remedy));
   error.fault.kind = FaultKind::missing;
   return error;
 }
 
 InputError missing(const Case& input, std::string_view key) {
+  const auto fault = [&](std::string remedy) { return missing(input, key, "it in the file", std::move(remedy)); };
   for (const Example& example : examples) {
     const std::string_view text = input.reduced ? example.reduced : example.physical;
-    if (example.key == key && !text.empty()) return missing(input, key, text);
+    if (example.key == key && !text.empty()) return fault(fmt::format("add {}", text));
   }
   const std::size_t dot = key.rfind('.');
   if (dot != std::string_view::npos)
     if (const CaseKey* described = case_key(key.substr(0, dot), key.substr(dot + 1))) {
       const std::string_view text = input.reduced ? described->reduced : described->example;
-      if (!text.empty()) return missing(input, key, fmt::format("{} = {}", described->name, text));
+      if (!text.empty()) return fault(fmt::format("add {} = {}", described->name, text));
     }
-  return missing(input, key, "");
+  return fault("");
 }
 
 }  // namespace flexslip

@@ -87,9 +87,8 @@ std::string reason_of(AnalysisStatus status) {
     case AnalysisStatus::ok:
       return "";
     case AnalysisStatus::too_few_points:
-      return "fewer than 20 rows with a deflection beyond a twentieth of the span and twice the specimen's thickness: "
-             "they "
-             "tell no friction";
+      return "fewer than 30 rows, or than 20 with a deflection beyond a twentieth of the span and twice the specimen's "
+             "thickness, tell no friction: bend farther, or record more rows";
     case AnalysisStatus::not_explained:
       return "no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "
              "section";

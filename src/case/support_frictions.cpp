@@ -153,11 +153,25 @@ std::string friction_limit(const Fibre& fibre) {
 
 namespace {
 
+// The friction of a support as asked for, the profile it was made from, and the fibre that is to meet it at lengths up to S_max [L].
+struct Asked {
+  const Case& input;
+  const FrictionProfileInput& profile;
+  const Friction& kinetic;
+  const Fibre& fibre;
+  const Scales& scales;
+  double S_max;
+
+  // [1/L] How steep it may be.
+  double limit_of(const Fibre& on) const { return steepest_followed(on, kinetic.most_up_to(S_max), S_max); }
+  std::string length(double reduced) const { return readable_length(input, scales.physical_length(reduced)); }
+};
+
 // [L] The greatest radius of rollers on which so steep a profile is followed; none where it is not on edges either.
-std::optional<double> widest_that_follows(const Fibre& fibre, double steepest, double most, double S_max) {
-  const auto [radius, half_depth] = fibre.supports();
+std::optional<double> widest_that_follows(const Asked& asked) {
+  const auto [radius, half_depth] = asked.fibre.supports();
   const auto follows = [&](double smaller) {
-    return steepest < steepest_followed(Fibre({smaller, half_depth}), most, S_max);
+    return asked.kinetic.steepest() < asked.limit_of(Fibre({smaller, half_depth}));
   };
   if (!follows(0)) return std::nullopt;
   double good = 0, bad = radius;
@@ -169,32 +183,29 @@ std::optional<double> widest_that_follows(const Fibre& fibre, double steepest, d
 }
 
 // What would be followed instead of a profile that is so many times too steep.
-std::string less_steep(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
-                       const Fibre& fibre, const Scales& scales, double excess, double S_max) {
+std::string less_steep(const Asked& asked, double excess) {
   constexpr double rounding = 1e-3;  // of the four digits that a quantity is shown in
   const double enough = excess * (1 + rounding);
-  const auto length = [&](double reduced) { return readable_length(input, scales.physical_length(reduced)); };
-  const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
+  const auto* waves = std::get_if<FrictionWaves>(&asked.kinetic.form());
   std::string words = "write a profile that is less steep";
-  if (const auto* rough = std::get_if<RoughFriction>(&profile))
-    words = fmt::format("write at least {}", readable_length(input, rough->correlation_length * enough));
+  if (const auto* rough = std::get_if<RoughFriction>(&asked.profile))
+    words = fmt::format("write at least {}", readable_length(asked.input, rough->correlation_length * enough));
   else if (waves && waves->terms.empty())
     words = "write a smaller one";
   else if (waves && waves->terms.size() == 1 && waves->drift == 0)
-    words = fmt::format("write a wavelength of at least {}", length(waves->terms.front().wavelength * enough));
-  const double radius = fibre.supports().radius;
-  if (radius == 0) return words + ", or [rig] friction_at = \"axis\"";
-  const auto widest = widest_that_follows(fibre, kinetic.steepest(), kinetic.most_up_to(S_max), S_max);
+    words = fmt::format("write a wavelength of at least {}", asked.length(waves->terms.front().wavelength * enough));
+  if (asked.fibre.supports().radius == 0) return words + ", or [rig] friction_at = \"axis\"";
+  const auto widest = widest_that_follows(asked);
   if (!widest) return words;
-  return fmt::format("{}, or a roller_radius of at most {}", words, length(*widest * (1 - rounding)));
+  return fmt::format("{}, or a roller_radius of at most {}", words, asked.length(*widest * (1 - rounding)));
 }
 
 // Where friction changes so fast along the specimen that the point that touches would jump.
-std::optional<InputFault> too_steep(const Case& input, const FrictionProfileInput& profile, const Friction& kinetic,
-                                    const Fibre& fibre, const Scales& scales, double S_max) {
+std::optional<InputFault> too_steep(const Asked& asked) {
+  const auto& [input, profile, kinetic, fibre, scales, S_max] = asked;
   const double steepest = kinetic.steepest();
   if (steepest == 0 || fibre.on_edges()) return std::nullopt;
-  const double limit = steepest_followed(fibre, kinetic.most_up_to(S_max), S_max);
+  const double limit = asked.limit_of(fibre);
   if (steepest < limit) return std::nullopt;
   const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
   return InputFault{.field = !waves ? std::holds_alternative<RoughFriction>(profile)     ? "correlation_length"
@@ -209,7 +220,7 @@ std::optional<InputFault> too_steep(const Case& input, const FrictionProfileInpu
                         readable(limit / scales.span(), kind_in(input, kind::inverse_length)),
                         fibre.supports().radius > 0 ? "contacts" : "supports"),
                     .found = fmt::format("up to {:.5g} times as much", steepest / limit),
-                    .remedy = less_steep(input, profile, kinetic, fibre, scales, steepest / limit, S_max)};
+                    .remedy = less_steep(asked, steepest / limit)};
 }
 
 }  // namespace
@@ -218,7 +229,8 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
                                     const Fibre& fibre, const Scales& scales, double S_max) {
   const double most = kinetic.most_up_to(S_max);
   const double limit = fibre.most_friction();
-  if (most <= limit) return too_steep(input, profile, kinetic, fibre, scales, S_max);
+  const Asked asked{input, profile, kinetic, fibre, scales, S_max};
+  if (most <= limit) return too_steep(asked);
   InputFault fault{.expected = friction_limit(fibre), .found = fmt::format("{:g}", most)};
   const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
   if (!waves) {
@@ -239,11 +251,10 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
     fault.remedy = "write a smaller one";
     return fault;
   }
-  const auto length = [&](double S) { return readable_length(input, scales.physical_length(S)); };
   fault.field = "drift";
   fault.found = fmt::format("{}, which brings it from {:g} at {} to {:g} at {}",
                             readable(waves->drift / scales.span(), kind_in(input, kind::inverse_length)), without_drift,
-                            length(waves->S_reference), most, length(waves->drift > 0 ? S_max : 1));
+                            asked.length(waves->S_reference), most, asked.length(waves->drift > 0 ? S_max : 1));
   const bool is_at_span = waves->S_reference == 1;
   fault.remedy = is_at_span ? "check its unit, or go less far" : "check its unit, and that of reference";
   return fault;

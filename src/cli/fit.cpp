@@ -90,8 +90,9 @@ void add_fit_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "Writes the answer on one screen. With --full it writes the parameters with their intervals, every slip, the\n"
-      "energy account and all that was assumed. Rows are those of the file, counted from 1 without its header.\n"
+      "Writes the answer on one screen. With --full it writes all that the report says but for its pictures: the\n"
+      "parameters with their intervals, every slip and snap, the energy account, what was assumed, and the files. Rows "
+      "are those of the file, counted from 1 without its header.\n"
       "Without gnuplot the report has the scripts and data of the pictures, but no pictures, and the exit code is\n"
       "0. The exit code is 1 if there is no answer. One that is not to be trusted is an answer: judgement.standing of\n"
       "--json says so.\n\n"

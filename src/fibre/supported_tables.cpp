@@ -42,11 +42,13 @@ SupportedTables::SupportedTables(const Supports& on)
       by_length_(CellTable::Along::length, {longest_way, ways, table_q.least, table_q.greatest, 48},
                  [this](std::span<const double> x, std::span<const double> q) { return pair_by_length(x, q); }) {}
 
-// Nearer, the least length of each friction disturbs: it lies up to δ = 12 τ³ off that of the fibre hardly bent, and over cells of half width h
-// polynomials of degree 7 in the way x err by (h / 2x)^8 δ / x².
+// Nearer, the least length of each friction disturbs. It lies δ off that of the fibre hardly bent, about 6 q τ³ (theory.md), so that w holds a term of
+// 0.32 δ / x in the way x; over a cell of half width h that ends at x, polynomials of degree 7 err in 1/x² by 18 (h / 2x)^8 / x².
 double SupportedTables::smooth_from() const {
-  constexpr double error = 1e-13, h = 0.5 * longest_way / ways;
-  const double way = std::pow(12 * std::pow(supports.half_depth, 3) * std::pow(0.5 * h, 8) / error, 0.1);
+  if (supports.half_depth == 0) return 1;
+  constexpr double error = 1e-12, q = 2, h = 0.5 * longest_way / ways;
+  const double least = 6 * q * std::pow(supports.half_depth, 3);
+  const double way = std::pow(18 * 0.32 * least * std::pow(0.5 * h, 8) / error, 0.1) + 2 * h;  // where the cell begins
   return least_length(supports) + way * way;
 }
 

@@ -16,9 +16,10 @@ namespace flexslip {
 
 class SupportedTables {
  public:
+  // Domain: as state_on_supports, and not edges of a specimen without thickness.
   explicit SupportedTables(const Supports& on);
 
-  // Those of supports met not long ago are shared.
+  // Those of the sixteen supports that were asked for last are shared.
   static std::shared_ptr<const SupportedTables> of(const Supports& supports);
 
   // [L] The least length that a friction of zero lets slide back to, to first order.
@@ -32,22 +33,22 @@ class SupportedTables {
   // [L] The length from which on by_length has states, where it has them at all.
   double smooth_from() const;
 
-  // A pair of quantities with their slopes along w and in q: first, second, first_w, first_q, second_w, second_q; of one state (no memory of the
-  // heap), of many. NaN where there is no state.
+  // A pair of quantities with their slopes along w [L] and in q: first, second, first_w, first_q, second_w, second_q; of one state (no memory of the
+  // heap), of many. NaN where there is no state: beyond deepest_on_supports, largest_q, or the branch. Max error: as Fibre::state_slopes.
   using PairSlope = std::array<double, 6>;
   struct PairSlopes {
     std::array<std::vector<double>, 6> columns;
     explicit PairSlopes(std::size_t n);
     std::array<double*, 6> data();
   };
-  PairSlopes sliding(std::span<const double> w, std::span<const double> q) const;   // S - 1 and F
-  PairSlopes contacts(std::span<const double> w, std::span<const double> q) const;  // θ0 and Pn
+  PairSlopes sliding(std::span<const double> w, std::span<const double> q) const;   // [L] S - 1, [EI/L^2] F
+  PairSlopes contacts(std::span<const double> w, std::span<const double> q) const;  // [rad] θ0, [EI/L^2] Pn
   PairSlope sliding(double w, double q) const;
   PairSlope contacts(double w, double q) const;
-  double energy(double w, double q) const;
+  double energy(double w, double q) const;  // [EI/L] U
 
-  // Deflections of lengths: by Newton's iteration, from guesses where there are any (NaN: none); the length is convex in the deflection. NaN where
-  // there is no state.
+  // [L] Deflections of lengths S, the more bent ones: by Newton's iteration, from a guess for each where there is one (w; NaN: none), as the length is
+  // convex in the deflection. NaN where there is no state.
   std::vector<double> deflections(std::span<const double> S, std::span<const double> q) const;
   std::vector<double> deflections(std::span<const double> S, std::span<const double> q, std::vector<double> w) const;
   double deflection(double S, double q) const;

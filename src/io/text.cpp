@@ -27,7 +27,7 @@ std::string folded(std::string_view text) {
   return out;
 }
 
-std::string escaped(std::string_view text) {
+std::string html_escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     if (c == '<')

@@ -17,7 +17,7 @@ std::string_view without_brackets(std::string_view text);
 // Text in lower case: ASCII and the letters with accents of Latin-1.
 std::string folded(std::string_view text);
 
-// Text as it may stand in HTML and SVG, also within quotes.
-std::string escaped(std::string_view text);
+// Text as it may stand in HTML and SVG, also within double quotes.
+std::string html_escaped(std::string_view text);
 
 }  // namespace flexslip

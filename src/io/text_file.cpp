@@ -13,9 +13,10 @@ void write_text(const std::string& path, std::string_view text) {
   file.finish();
 }
 
-std::string read_text(const std::string& path) {
+std::optional<std::string> read_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  if (!in) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace flexslip

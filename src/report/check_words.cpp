@@ -31,20 +31,20 @@ Finding finding_of(const FittedTest& test, const Check& check) {
   const bool passed = check.outcome == CheckOutcome::passed, possible = check.outcome != CheckOutcome::not_possible;
   switch (check.kind) {
     case CheckKind::residuals:
-      return {fmt::format("the fit, run forward, misses the force by {}; the limit is 10 %",
+      return {fmt::format("the mean of the fit, run forward, misses the force by {}; the limit is 10 %",
                           percent_of(number("residual_rms"), number("greatest_force"))),
-              fmt::format("The root mean square is {}; its share is that of the greatest force.",
+              fmt::format("That is {} rms; the percentage is of the greatest force measured.",
                           print.force(number("residual_rms")))};
     case CheckKind::drops: {
       if (!possible) return {"drops of the fit: it has no profiles whose drops could be counted", ""};
       const double record_fall = number("record_fall"), draws_fall = number("draws_fall");
       std::string detail =
-          fmt::format("Profiles drawn from it drop {:.0f} times (median), counting falls of at least {}",
+          fmt::format("Profiles drawn from the fit give a median of {:.0f}, counting falls of at least {}",
                       number("draws_median"), print.force(number("threshold")));
       if (std::isfinite(record_fall) && std::isfinite(draws_fall))
         detail += fmt::format("; their drops average {}, those of the record {}", print.force(draws_fall),
                               print.force(record_fall));
-      return {fmt::format("the fit drops {} times, the record {:.0f}",
+      return {fmt::format("drops of the fit: {}; of the record: {:.0f}",
                           number("draws_low") < number("draws_high")
                               ? fmt::format("{:.0f} to {:.0f}", number("draws_low"), number("draws_high"))
                               : fmt::format("{:.0f}", number("draws_low")),
@@ -62,11 +62,11 @@ Finding finding_of(const FittedTest& test, const Check& check) {
     case CheckKind::nesting:
       if (!possible) return {"simpler explanations: the likeliest one contains no other", ""};
       return {passed ? "no simpler explanation fits better" : "a simpler explanation fits better",
-              fmt::format("The ln L of the likeliest one is at most {:.1f} below that of one it contains.",
+              fmt::format("The ln L of the likeliest explanation is at most {:.1f} below that of a simpler one.",
                           std::max(number("most_below"), 0.0))};
     case CheckKind::friction:
       return {passed ? "the record tells friction from zero"
-                     : fmt::format("the record does not tell friction from zero: at most {}",
+                     : fmt::format("the record does not tell friction from zero: at most {} (95 %)",
                                    significant(number("mu0_high"), 2)),
               ""};
     case CheckKind::stiffness:

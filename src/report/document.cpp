@@ -14,7 +14,10 @@
 namespace flexslip {
 namespace {
 
-const std::string indent(3, ' ');
+constexpr std::string_view indent = "   ";
+
+// Of standard input nothing is known.
+std::string bytes_of(const InputFile& file) { return file.sha256.empty() ? "" : fmt::format("{}", file.bytes); }
 
 struct AsText {
   std::string operator()(const std::string& words) const { return wrapped(words, indent, indent); }
@@ -25,27 +28,29 @@ struct AsText {
   }
   std::string operator()(const PrintedTable& table) const { return laid_out(table); }
   std::string operator()(const std::vector<ParameterRow>& rows) const {
-    std::array<std::size_t, 3> widths{};
+    const auto cells = [](const ParameterRow& row) {
+      return std::array{row.name, row.value, row.interval.empty() ? "" : fmt::format("[{}]", row.interval), row.remark};
+    };
+    std::array<std::size_t, 4> widths{};
     for (const auto& row : rows)
-      for (std::size_t i = 0; const auto* cell : {&row.name, &row.value, &row.interval}) {
-        widths[i] = std::max(widths[i], width_of(*cell));
-        ++i;
-      }
+      for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(cells(row)[i]));
     std::string out;
     for (const auto& row : rows) {
-      std::string line = fmt::format("   {}  {}", padded_right(row.name, widths[0]), row.value);
-      if (!row.interval.empty())
-        line += fmt::format("{}  [{}]", std::string(widths[1] - width_of(row.value), ' '), row.interval);
-      if (!row.remark.empty())
-        line += fmt::format("{}  {}", std::string(widths[2] - width_of(row.interval), ' '), row.remark);
-      out += line + '\n';
+      std::string line = " ";
+      for (std::size_t i = 0; i < widths.size(); ++i) line += "  " + padded_right(cells(row)[i], widths[i]);
+      out += line.erase(line.find_last_not_of(' ') + 1) + '\n';
     }
     return out;
   }
   std::string operator()(const std::vector<PreparationRow>& rows) const {
     Bullets list;
-    for (const auto& row : rows) list.items.push_back(in_words(row));
+    for (const auto& row : rows) list.items.push_back(step_in_words(row));
     return (*this)(list);
+  }
+  std::string operator()(const Files& of) const {
+    PrintedTable table{{"File", "Bytes", "SHA-256"}, {}};
+    for (const auto& file : of.files) table.rows.push_back({file.name, bytes_of(file), file.sha256});
+    return laid_out(table);
   }
   std::string operator()(const Picture&) const { return ""; }
   std::string operator()(const Verbatim&) const { return ""; }
@@ -57,7 +62,7 @@ struct AsHtml {
   std::string operator()(const std::string& words) const { return paragraph(words); }
   std::string operator()(const Bullets& list) const {
     std::string out = "<ul>\n";
-    for (const auto& item : list.items) out += fmt::format("<li>{}</li>\n", typeset_minus(escaped(item)));
+    for (const auto& item : list.items) out += fmt::format("<li>{}</li>\n", typeset_minus(html_escaped(item)));
     return out + "</ul>\n";
   }
   std::string operator()(const PrintedTable& table) const { return html_table(table); }
@@ -70,8 +75,9 @@ struct AsHtml {
       out += fmt::format(
           "<tr><td>{}</td><td><code>{}</code>, {}</td><td class=\"value\">{}</td><td class=\"value\">{}</td><td "
           "class=\"remark\">{}</td></tr>\n",
-          escaped(row.symbol), escaped(row.name), escaped(row.meaning), typeset_minus(escaped(row.value)),
-          typeset_minus(escaped(row.interval)), typeset_minus(escaped(row.remark)));
+          html_escaped(row.symbol), html_escaped(row.name), html_escaped(row.meaning),
+          typeset_minus(html_escaped(row.value)), typeset_minus(html_escaped(row.interval)),
+          typeset_minus(html_escaped(row.remark)));
     return out + "</tbody></table></div>\n";
   }
   std::string operator()(const std::vector<PreparationRow>& rows) const {
@@ -82,12 +88,22 @@ struct AsHtml {
       out += fmt::format(
           "<tr><td>{}</td><td>{}</td><td class=\"value\">{}</td><td "
           "class=\"value\">{}</td><td><code>{}</code></td></tr>\n",
-          escaped(row.name), typeset_minus(escaped(row.done)), typeset_minus(escaped(row.value)), escaped(row.rows),
-          escaped(row.otherwise));
+          html_escaped(row.name), typeset_minus(html_escaped(row.done)), typeset_minus(html_escaped(row.value)),
+          html_escaped(row.rows), html_escaped(row.otherwise));
+    return out + "</tbody></table></div>\n";
+  }
+  std::string operator()(const Files& of) const {
+    std::string out =
+        "<div class=\"scroll\"><table><thead><tr><th>File</th><th>Bytes</th><th>SHA-256</th></tr></thead><tbody>\n";
+    for (const auto& file : of.files)
+      out += fmt::format("<tr><td>{}</td><td>{}</td><td><code>{}</code></td></tr>\n", html_escaped(file.name),
+                         bytes_of(file), file.sha256);
     return out + "</tbody></table></div>\n";
   }
   std::string operator()(const Picture& picture) const { return figure(picture.plate()); }
-  std::string operator()(const Verbatim& lines) const { return fmt::format("<pre>{}</pre>\n", escaped(lines.text)); }
+  std::string operator()(const Verbatim& lines) const {
+    return fmt::format("<pre>{}</pre>\n", html_escaped(lines.text));
+  }
 };
 
 }  // namespace

@@ -27,8 +27,12 @@ struct Verbatim {
   std::string text;
 };
 
+struct Files {
+  std::vector<InputFile> files;
+};
+
 using Block = std::variant<std::string, Bullets, PrintedTable, std::vector<ParameterRow>, std::vector<PreparationRow>,
-                           Picture, Verbatim>;
+                           Files, Picture, Verbatim>;
 
 struct Chapter {
   std::string title;  // empty: what comes right after the answer
@@ -37,9 +41,10 @@ struct Chapter {
   Chapter& say(const std::string& words);  // a paragraph; nothing if there are no words
   Chapter& say(const std::vector<std::string>& paragraphs);
   Chapter& show(PrintedTable table);  // nothing if it has no rows
-  Chapter& show(Block block);
+  Chapter& show(Block block);         // as it is
 };
 
+// Without pictures and what a machine reads.
 std::string in_text(const std::vector<Chapter>& chapters);
 
 // Domain:     figure gives the HTML of a plate.

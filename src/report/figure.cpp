@@ -86,11 +86,11 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
 
 // Says what the picture shows, and takes fonts that exist everywhere.
 std::string finished_svg(std::string text, const Figure& figure) {
-  replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", escaped(figure.title)));
+  replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", html_escaped(figure.title)));
   const auto from = text.find("<desc>");
   const auto to = text.find("</desc>");
   if (from != std::string::npos && to != std::string::npos)
-    text.replace(from, to - from, "<desc>" + escaped(figure.description));
+    text.replace(from, to - from, "<desc>" + html_escaped(figure.description));
   replace_all(text, "<text>", "<text xml:space=\"preserve\">");
   replace_all(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
   return text;
@@ -209,10 +209,11 @@ DrawStatus draw(const Figure& figure, const std::string& folder, const std::vect
     throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", (base / script).string(), result.output));
   for (const auto& format : formats) {
     const std::string picture = fmt::format("{}.{}", figure.name, format);
-    const std::string drawn = read_text((drawing.path() / picture).string());
-    write_text((base / picture).string(), format == "svg"   ? finished_svg(drawn, figure)
-                                          : format == "pdf" ? finished_pdf(drawn)
-                                                            : drawn);
+    const auto drawn = read_text((drawing.path() / picture).string());
+    if (!drawn) throw std::runtime_error(fmt::format("gnuplot has not drawn {}", (base / picture).string()));
+    write_text((base / picture).string(), format == "svg"   ? finished_svg(*drawn, figure)
+                                          : format == "pdf" ? finished_pdf(*drawn)
+                                                            : *drawn);
   }
   return DrawStatus::drawn;
 }

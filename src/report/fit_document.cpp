@@ -1,6 +1,5 @@
 #include "report/fit_document.h"
 
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -110,9 +109,9 @@ Picture boxes_picture(const FittedTest& test) {
 
 Chapter friction_chapter(const FittedTest& test) {
   Chapter chapter{"Friction"};
-  chapter.say(fmt::format("Of the model {}.", model_in_words(test.analysis.fit.model)))
+  chapter.say(joined(caution_of(test), friction_in_words(test)))
+      .say(fmt::format("The parameters of the model, {}:", model_in_words(test.analysis.fit.model)))
       .show(parameter_rows(test))
-      .say(joined(caution_of(test), friction_in_words(test)))
       .say(joined(strain_in_words(test), friction_in_literature(test)));
   return chapter;
 }
@@ -143,8 +142,7 @@ Chapter cycles_chapter(const FittedTest& test) {
   Chapter chapter{"Load and unload"};
   if (has_loops(test)) chapter.show(loops_picture(test)).show(boxes_picture(test));
   chapter.say(cycles_in_words(test));
-  if (PrintedTable loops = loop_table(test); !loops.rows.empty())
-    chapter.show(std::move(loops)).show(loop_energy_table(test));
+  chapter.show(loop_table(test)).show(loop_energy_table(test));
   return chapter.say(reloading_in_words(test)).show(loading_table(test));
 }
 
@@ -155,15 +153,12 @@ Chapter energy_chapter(const FittedTest& test) {
 
 Chapter provenance_chapter(const FittedTest& test) {
   const auto& provenance = test.provenance;
-  PrintedTable files{{"File", "Bytes", "SHA-256"}, {}};
-  for (const auto& file : provenance.inputs)
-    files.rows.push_back({file.name, file.sha256.empty() ? "" : fmt::format("{}", file.bytes), file.sha256});
   Chapter chapter{"Provenance"};
   return chapter
       .say(fmt::format("FlexSlip {}. Options: model {}; {:g} false alarms a test; friction suspect above {:g}.",
                        provenance.version, name_of(provenance.options.fit.model),
                        provenance.options.drops.false_alarms_per_test, provenance.options.suspect_limit))
-      .show(std::move(files))
+      .show(Files{provenance.inputs})
       .show(Verbatim{provenance.test});
 }
 

@@ -9,7 +9,7 @@
 
 namespace flexslip {
 
-// In the order of a report, without the answer that stands above it. The test must outlive its pictures.
+// In the order of a report, without the answer that stands above it; of a test of any status. The test must outlive its pictures.
 std::vector<Chapter> document_of(const FittedTest& test);
 
 // For a terminal, the answer first.

@@ -111,8 +111,8 @@ std::vector<std::string> checks_in_words(const FittedTest& test) {
   std::vector<std::string> all;
   for (const auto& check : test.analysis.checks) {
     const CheckInWords said = check_in_words(test, check);
-    all.push_back(fmt::format("{}: {}{}.{}", said.outcome, said.words, said.remedy.empty() ? "" : "; " + said.remedy,
-                              said.detail.empty() ? "" : " " + said.detail));
+    all.push_back(fmt::format("{}: {}.{}{}", said.outcome, said.words, said.detail.empty() ? "" : " " + said.detail,
+                              said.remedy.empty() ? "" : fmt::format(" What to do: {}.", said.remedy)));
   }
   return all;
 }

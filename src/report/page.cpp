@@ -1,6 +1,7 @@
 #include "report/page.h"
 
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -65,13 +66,14 @@ a { color: var(--mark); }
 
 std::string cells(const std::vector<std::string>& row, std::string_view tag) {
   std::string out;
-  for (const auto& cell : row) out += fmt::format("<{}>{}</{}>", tag, typeset_minus(escaped(cell)), tag);
+  for (const auto& cell : row) out += fmt::format("<{}>{}</{}>", tag, typeset_minus(html_escaped(cell)), tag);
   return out;
 }
 
 // Several pictures in one page must not share the names of their parts.
 std::string inline_svg(const fs::path& path, const Figure& figure) {
-  std::string svg = read_text(path.string());
+  std::string svg = read_text(path.string()).value_or("");
+  if (svg.find("<svg") == std::string::npos) throw std::runtime_error(fmt::format("no picture in {}", path.string()));
   svg.erase(0, svg.find("<svg"));
   const auto rename = [&](const std::string& what, const std::string& by) {
     for (auto at = svg.find(what); at != std::string::npos; at = svg.find(what, at + by.size()))
@@ -82,7 +84,7 @@ std::string inline_svg(const fs::path& path, const Figure& figure) {
     rename("xlink:href=" + quote + "#", "xlink:href=" + quote + "#" + figure.name + "-");
   }
   rename("url(#", "url(#" + figure.name + "-");
-  svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", escaped(figure.description)));
+  svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escaped(figure.description)));
   return svg;
 }
 
@@ -114,8 +116,8 @@ std::string html_word_table(const PrintedTable& table, const std::vector<std::st
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& row = table.rows[i];
     const bool linked = i < links.size() && !links[i].empty();
-    out += linked ? fmt::format("<tr><td><a href=\"{}\">{}</a></td>{}</tr>\n", escaped(links[i]), escaped(row.front()),
-                                cells({row.begin() + 1, row.end()}, "td"))
+    out += linked ? fmt::format("<tr><td><a href=\"{}\">{}</a></td>{}</tr>\n", html_escaped(links[i]),
+                                html_escaped(row.front()), cells({row.begin() + 1, row.end()}, "td"))
                   : fmt::format("<tr>{}</tr>\n", cells(row, "td"));
   }
   return out + "</tbody></table></div>\n";
@@ -141,7 +143,7 @@ std::string html_figure(const std::string& folder, const Plate& plate, DrawStatu
   return fmt::format(
       "<figure{}>\n<div class=\"plate\">{}</div>\n<figcaption><b>Figure {}.</b> {} <span "
       "class=\"files\">Files:{}</span></figcaption>\n</figure>\n",
-      narrow ? " class=\"narrow\"" : "", picture, number, escaped(plate.caption), files);
+      narrow ? " class=\"narrow\"" : "", picture, number, html_escaped(plate.caption), files);
 }
 
 std::string page(const std::string& title, const std::string& answer, const std::string& body) {
@@ -151,12 +153,14 @@ std::string page(const std::string& title, const std::string& answer, const std:
       "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p "
       "class=\"answer\">{}</p>\n{}</main>\n"
       "</body>\n</html>\n",
-      escaped(title), style, escaped(title), typeset_minus(escaped(answer)), body);
+      html_escaped(title), style, html_escaped(title), typeset_minus(html_escaped(answer)), body);
 }
 
-std::string paragraph(const std::string& words) { return fmt::format("<p>{}</p>\n", typeset_minus(escaped(words))); }
+std::string paragraph(const std::string& words) {
+  return fmt::format("<p>{}</p>\n", typeset_minus(html_escaped(words)));
+}
 
-std::string section(const std::string& title) { return fmt::format("<h2>{}</h2>\n", escaped(title)); }
+std::string section(const std::string& title) { return fmt::format("<h2>{}</h2>\n", html_escaped(title)); }
 
 void make_folder(const std::string& folder) {
   std::error_code error;

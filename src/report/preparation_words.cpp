@@ -23,7 +23,7 @@ std::vector<PreparationRow> preparation_rows(const Preparation& preparation) {
   return rows;
 }
 
-std::string in_words(const PreparationRow& row) {
+std::string step_in_words(const PreparationRow& row) {
   std::string sentence = fmt::format("{}: {}", row.name, row.done);
   const std::string rows = row.rows.empty() ? "" : "rows " + row.rows;
   if (!row.value.empty() || !rows.empty())
@@ -34,7 +34,7 @@ std::string in_words(const PreparationRow& row) {
 
 std::vector<std::string> preparation_in_words(const Preparation& preparation) {
   std::vector<std::string> sentences;
-  for (const PreparationRow& row : preparation_rows(preparation)) sentences.push_back(in_words(row));
+  for (const PreparationRow& row : preparation_rows(preparation)) sentences.push_back(step_in_words(row));
   return sentences;
 }
 

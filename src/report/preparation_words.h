@@ -19,7 +19,7 @@ struct PreparationRow {
 std::vector<PreparationRow> preparation_rows(const Preparation& preparation);
 
 // A step as a sentence; all of them.
-std::string in_words(const PreparationRow& row);
+std::string step_in_words(const PreparationRow& row);
 std::vector<std::string> preparation_in_words(const Preparation& preparation);
 
 }  // namespace flexslip

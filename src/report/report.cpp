@@ -29,7 +29,7 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test, const
                      : fmt::format(
                            "<p class=\"files\"><a href=\"{}\">Open this test in the studio</a>: see it move, change "
                            "it, fit it again, in this browser.</p>\n",
-                           escaped(studio));
+                           html_escaped(studio));
   DrawStatus drawn = DrawStatus::drawn;
   const std::string body = in_html(document_of(test), [&, number = 0](const Plate& plate) mutable {
     drawn = draw(plate.figure, (base / "figures").string(), {"svg", "pdf", "png"});

@@ -217,6 +217,7 @@ TEST_CASE("table: quantities for people") {
   CHECK(readable(0, kind::force) == "0 N");
   CHECK(readable(0.1449, kind::number) == "0.1449");
   CHECK(readable(1.5e-12, kind::number) == "1.5e-12");
+  CHECK(readable(1.5e-4, kind::number) == "0.00015");
   CHECK(readable(-3e-3, kind::force) == "-3 mN");
 }
 
@@ -228,6 +229,10 @@ TEST_CASE("table: a value shows as many digits as its uncertainty knows") {
   CHECK(readable(0.1e-6, 20e-6, kind::length) == "0 ± 20 µm");
   CHECK(readable(123.4, 45.6, kind::number) == "123 ± 46");
   CHECK(readable(0.201583, 8.8e-4, kind::number) == "0.20158 ± 0.00088");
+  CHECK(readable(4.6e-4, 3e-4, kind::number) == "0.00046 ± 0.00030");
+  CHECK(readable(4.6e-6, 3e-6, kind::number) == "0.0000046 ± 0.0000030");
+  CHECK(readable(4.6e-7, 3e-7, kind::number) == "4.6e-07 ± 3.0e-07");
+  CHECK(readable(1e-9, 3e-4, kind::number) == "0.00000 ± 0.00030");
   CHECK(readable(-0.001, 0.12, kind::number) == "0.00 ± 0.12");
   CHECK(readable(1.5e-12, 3e-13, kind::number) == "1.50e-12 ± 3.0e-13");
   CHECK(signed_percent(-0.0001) == "+0.0 %");

@@ -294,7 +294,7 @@ program = ["0 um", "900 um"]
     def test_supports_of_a_case_that_are_none_are_refused(self):
         for rig, said in (('rollers = "loose"', "add a radius, such as roller_radius = '5.12 mm'"), (self.PINNED.replace("pinned", "held"), '"fixed", "pinned" or "loose"'),
                           (self.PINNED.replace('"pinned"', '"fixed"'), "rollers on pins beside it"), (self.PINNED.replace("1 mm", "6 mm"), "no more than the radius"),
-                          (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"),
+                          (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"), (self.PINNED.replace("pin_friction = 0.1", ""), 'it beside rollers = "pinned"'),
                           (self.PINNED.replace('pin_radius = "1 mm"', ""), "such as pin_radius = '1 mm'"), (self.PINNED.replace("0.1", "7"), "over that of the pin")):
             self.refused("simulate", self.bar("p.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', rig=rig), says=[said])
         ends = 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]'

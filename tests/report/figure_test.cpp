@@ -106,3 +106,11 @@ TEST_CASE("identity: an axis shows a quantity in the unit that reads best") {
   CHECK(axis_label("Force", "{/:Italic F}", force) == "Force\u00a0{/:Italic F}\u00a0(mN)");
   CHECK(plot_unit(0.012, kind::force, true, "EI/L²").factor == 1);
 }
+
+TEST_CASE("axes, by hand: they end at a round number, not below the greatest value") {
+  CHECK(rounded_up(1) == 1);
+  CHECK(rounded_up(1.01) == 1.5);
+  CHECK(rounded_up(9.6) == 10);
+  CHECK(rounded_up(96) == 100);
+  CHECK(rounded_up(0.0213) == doctest::Approx(0.025));
+}

@@ -1,0 +1,64 @@
+#include "fibre/supported_tables.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "fibre/fibre.h"
+#include "tests/approximately.h"
+#include "tests/generators.h"
+
+namespace flexslip {
+
+TEST_CASE(
+    "tables on supports, oracle: by length, from where polynomials are trusted on, they give what the iteration on "
+    "deflections gives") {
+  for (const double tau : {0.001, 0.005, 0.0157, 0.031, 0.05, 0.08})
+    for (const double radius : {0.0, 0.02}) {
+      const Supports supports{radius, tau};
+      const SupportedTables& tables = *SupportedTables::of(supports);
+      const Fibre fibre(supports);
+      for (const double beyond : {1e-9, 1e-4, 1e-3, 3e-3, 1e-2})
+        for (double q = -0.8; q <= 2; q += 0.0937) {
+          const double S = tables.smooth_from() + beyond;
+          const double w = tables.deflection(S, q);
+          if (std::isnan(w)) continue;  // such friction may leave no force
+          const auto at = tables.sliding(w, q);
+          if (!(at[1] > 0)) continue;
+          INFO("half depth ", tau, ", radius ", radius, ", S ", S, ", q ", q);
+          const SlopeArrays by_length = fibre.tabulated_states_slopes({std::vector{S}, std::vector{q}});
+          CHECK(by_length.w[0] == to(2e-12, w));
+          CHECK(by_length.F[0] == to(4e-12 * (1 + q * q), at[1]));
+          CHECK(by_length.w_S[0] == to(1e-9, 1 / at[2]));
+          CHECK(std::abs(by_length.w_q[0] + at[3] / at[2]) <= 1e-9 * w);
+        }
+    }
+}
+
+TEST_CASE("tables on supports: the least length of a friction q lies 6 q τ³ below that of none, to first order") {
+  constexpr double tau = 0.002;
+  const auto least = [&](double q) {  // of a parabola through three states about it
+    const auto slid = [&](double share) { return state_led_on(share * tau, q, {0, tau}).slid; };
+    const double a = slid(1.15), b = slid(1.25), c = slid(1.35);
+    return b - (c - a) * (c - a) / (8 * (a - 2 * b + c));
+  };
+  for (const double q : {-1.0, 1.0, 2.0})
+    CHECK((least(q) - least(0)) / (tau * tau * tau) == doctest::Approx(-6 * q).epsilon(0.05));
+}
+
+TEST_CASE("tables on supports: a deflection is found whatever the guess (property)") {
+  CHECK(rc::check([] {
+    const Supports supports{0.008, 0.0157};
+    const SupportedTables& tables = *SupportedTables::of(supports);
+    const double w = *between(4 * supports.half_depth, 0.35), q = *between(0, 2);
+    const std::vector<double> S{1 + tables.sliding(w, q)[0]};
+    const std::vector<double> frictions{q};
+    for (const double guess :
+         {std::numeric_limits<double>::quiet_NaN(), -1.0, 1.2 * tables.least_w(), 0.5 * w, w, 1.5 * w, 5.0})
+      RC_ASSERT(tables.deflections(S, frictions, {guess})[0] == to(1e-11, w));
+  }));
+}
+
+}  // namespace flexslip
