@@ -93,6 +93,11 @@ bool lost_stiffness(const FittedTest& test) {
   });
 }
 
+// Drops that nothing says to be slips.
+bool may_have_cracked(const FittedTest& test) {
+  return !test.analysis.drops.drops.empty() && test.judgement.value().drops != CrackVerdict::not_by_cracks_alone;
+}
+
 // The friction of the specimen as tested, and whether it repeats.
 std::string friction_in_short(const FittedTest& test) {
   if (lost_stiffness(test)) return "No friction can be read off the record of a specimen that loses stiffness.";
@@ -101,7 +106,8 @@ std::string friction_in_short(const FittedTest& test) {
       fit.mu0_is_bound
           ? fmt::format("Friction at the supports is {} (95 %): the record does not tell it from zero.",
                         mean_friction(fit))
-          : fmt::format("Friction at the supports is {} on average over the fibre seen.", mean_friction(fit));
+          : fmt::format("{} at the supports is {} on average over the fibre seen.",
+                        may_have_cracked(test) ? "If nothing cracked, friction" : "Friction", mean_friction(fit));
   if (fit.mu0_is_bound) return words;
   if (fit.wave_claimed && fit.model == ProfileModel::roughness)
     words += fmt::format(" It repeats every {} along the fibre.",
@@ -134,8 +140,9 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
   const auto& fit = analysis.fit;
   switch (doubt) {
     case Doubt::wrong_stiffness:
-      return fmt::format("the bending stiffness stated is {:.2g} times that of the record's initial slope{}.",
-                         analysis.stiffness_over_slope, likely_slip_of_units(analysis.stiffness_over_slope));
+      return fmt::format("the bending stiffness stated is {} times that of the record's initial slope{}.",
+                         roughly(analysis.stiffness_over_slope, kind::number),
+                         likely_slip_of_units(analysis.stiffness_over_slope));
     case Doubt::no_sliding:
       return test.judgement->doubts.front() == Doubt::no_sliding
                  ? "no sliding with a friction of 0 to 2 gives this record."
@@ -309,8 +316,9 @@ std::string answer_of(const FittedTest& test) {
         "No answer: no sliding with a friction of 0 to 2 gives this record. Check the columns, their units, the span "
         "and the section.";
     if (analysis.stiffness_implausible)
-      answer += fmt::format(" The bending stiffness stated is {:.2g} times that of the record's initial slope{}.",
-                            analysis.stiffness_over_slope, likely_slip_of_units(analysis.stiffness_over_slope));
+      answer += fmt::format(" The bending stiffness stated is {} times that of the record's initial slope{}.",
+                            roughly(analysis.stiffness_over_slope, kind::number),
+                            likely_slip_of_units(analysis.stiffness_over_slope));
     return answer +
            " Next: see what flexslip read makes of the file; docs/reading-your-report.md has symptoms and remedies.";
   }
@@ -331,7 +339,7 @@ std::string answer_of(const FittedTest& test) {
   const bool is_told = !analysis.fit.mu0_is_bound && !lost_stiffness(test);
   if (share > 0.005 && judgement.standing < Standing::suspect && is_told)
     answer +=
-        analysis.drops.drops.empty() || judgement.drops == CrackVerdict::not_by_cracks_alone
+        !may_have_cracked(test)
             ? fmt::format(" {} of the work on the specimen went into friction and should not be counted as toughness.",
                           percent(share))
             : fmt::format(

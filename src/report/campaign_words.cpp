@@ -52,7 +52,8 @@ std::vector<std::string> names_of(const Campaign& campaign, Predicate belongs) {
   return names;
 }
 
-bool is_suspect(const CampaignTest& test) { return test.summary && test.summary->suspect; }
+bool is_untrusted(const CampaignTest& test) { return test.summary && test.summary->standing == Standing::untrusted; }
+bool is_suspect(const CampaignTest& test) { return test.summary && test.summary->suspect && !is_untrusted(test); }
 bool is_failure(const CampaignTest& test) { return !test.summary; }
 
 const CategorySummary* summary_of_all(const Campaign& campaign) {
@@ -106,10 +107,15 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
 }  // namespace
 
 std::string suspects_in_words(const Campaign& campaign) {
-  const auto names = names_of(campaign, is_suspect);
-  if (names.empty()) return "";
-  return fmt::format("{} {} suspect or untrusted; the remarks say why.", enumerated(names),
-                     names.size() == 1 ? "is" : "are");
+  std::string words;
+  const auto say = [&](const std::vector<std::string>& names, std::string_view what) {
+    if (names.empty()) return;
+    words +=
+        fmt::format("{}{} {} {}", words.empty() ? "" : "; ", enumerated(names), names.size() == 1 ? "is" : "are", what);
+  };
+  say(names_of(campaign, is_suspect), "suspect");
+  say(names_of(campaign, is_untrusted), "not to be trusted");
+  return words.empty() ? "" : words + "; the remarks say why.";
 }
 
 std::optional<LiteratureFriction> literature_of(const Campaign& campaign) {

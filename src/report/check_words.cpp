@@ -9,6 +9,7 @@
 
 #include "answers/friction_fields.h"
 #include "report/digits.h"
+#include "report/fit_print.h"
 #include "report/printed.h"
 
 namespace flexslip {
@@ -71,10 +72,10 @@ Finding finding_of(const FittedTest& test, const Check& check) {
               ""};
     case CheckKind::stiffness:
       if (!possible) return {"the bending stiffness is not fitted with a constant friction", ""};
-      return {fmt::format("the bending stiffness of the fit is {} from that {}, {:.1f} times its error",
-                          signed_percent(number("fitted_over_nominal") - 1),
-                          test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number("errors")),
-              ""};
+      return {
+          fmt::format("the bending stiffness of the fit is {} from that {}, {:.1f} times its error",
+                      signed_percent(number("fitted_over_nominal") - 1), stiffness_beforehand(test), number("errors")),
+          ""};
     case CheckKind::stability:
       break;
   }

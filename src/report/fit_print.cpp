@@ -20,8 +20,6 @@ namespace {
 ParameterRow row_of(std::string name, std::string symbol, std::string meaning, const Estimate& estimate, double factor,
                     const Kind& kind) {
   const bool known = std::isfinite(estimate.standard_error);
-  const double low = estimate.low * factor;
-  const double high = estimate.high * factor;
   ParameterRow row{std::move(name),
                    std::move(symbol),
                    std::move(meaning),
@@ -29,8 +27,7 @@ ParameterRow row_of(std::string name, std::string symbol, std::string meaning, c
                    "",
                    ""};
   if (known) {
-    // Both ends in the unit of the larger one.
-    const std::string_view unit = best_unit(std::max(std::abs(low), std::abs(high)), kind);
+    const std::string_view unit = best_unit(factor * std::max(std::abs(estimate.value), estimate.standard_error), kind);
     const MatchedDigits digits = matched_digits(estimate, unit.empty() ? factor : from_si(factor, parse_unit(unit)));
     row.interval = fmt::format("{} to {}{}{}", digits.low, digits.high, unit.empty() ? "" : " ", typeset(unit));
   } else {
@@ -54,6 +51,17 @@ std::string_view in_words(Kernel kernel) {
 }
 
 }  // namespace
+
+std::string_view stiffness_beforehand(const FittedTest& test) {
+  switch (test.stiffness) {
+    case StiffnessSource::initial_slope:
+      return "of the initial slope";
+    case StiffnessSource::mirror:
+      return "of the loops";
+    default:
+      return "stated";
+  }
+}
 
 std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
   const auto& scales = test.analysis.scales;
@@ -100,11 +108,8 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
                         print.as(kind::bending_stiffness)));
   rows.back().remark = fit.model == ProfileModel::constant
                            ? "not fitted: with a constant friction, roughness would distort it"
-                           : fmt::format("{} from {}, ± {:.1f} %", signed_percent(fit.bending_stiffness.value - 1),
-                                         test.stiffness == StiffnessSource::initial_slope ? "the initial slope"
-                                         : test.stiffness == StiffnessSource::mirror      ? "that of the loops"
-                                                                                          : "that given",
-                                         100 * test.analysis.bending_stiffness_error);
+                           : fmt::format("{} from that {}, ± {:.1f} %", signed_percent(fit.bending_stiffness.value - 1),
+                                         stiffness_beforehand(test), 100 * test.analysis.bending_stiffness_error);
   if (test.section_moment && !test.reduced)
     rows.push_back(row_of("modulus", "E", "flexural modulus, EI/I", fit.bending_stiffness,
                           scales.bending_stiffness() / *test.section_moment, print.as(kind::pressure)));

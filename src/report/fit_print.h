@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/fitted.h"
@@ -17,6 +18,9 @@ struct ParameterRow {
   std::string interval;  // of 95 %
   std::string remark;    // why the error is not to be trusted, or what the value depends on; mostly empty
 };
+
+// Where the bending stiffness comes from that the fit begins with: "stated", "of the loops", …
+std::string_view stiffness_beforehand(const FittedTest& test);
 
 // Domain of all below: analysis.status is ok.
 std::vector<ParameterRow> parameter_rows(const FittedTest& test);

@@ -27,6 +27,12 @@ std::string line_of_screen(std::string_view label, const std::string& words) {
   return fmt::format("   {}  {}", padded_right(label, label_width), text.substr(width));
 }
 
+// Does the answer claim a friction?
+bool claims_friction(const FittedTest& test) {
+  return test.judgement.value().standing != Standing::untrusted && !test.analysis.fit.mu0_is_bound &&
+         caution_of(test).empty();
+}
+
 std::string record_in_words(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const auto& slips = analysis.slip_summary;
@@ -40,17 +46,11 @@ std::string record_in_words(const FittedTest& test) {
       for (const Drop& drop : analysis.drops.drops) largest = std::max(largest, drop.force_fall);
       return Print(test).own(largest, kind::force);
     }());
-  if (slips.count > 1)
+  if (slips.count > 1 && claims_friction(test))
     words += fmt::format("; {} apart on the specimen; friction falls by {} in each (medians)",
                          roughly(analysis.scales.physical_length(slips.median_spacing), Print(test).as(kind::length)),
                          significant(slips.median_fall, 2));
   return words;
-}
-
-// Does the answer claim a friction?
-bool claims_friction(const FittedTest& test) {
-  return test.judgement.value().standing != Standing::untrusted && !test.analysis.fit.mu0_is_bound &&
-         caution_of(test).empty();
 }
 
 std::string friction_on_screen(const FittedTest& test) {
@@ -71,6 +71,7 @@ std::string stiffness_on_screen(const FittedTest& test) {
     if (row.name == "bending_stiffness") words = fmt::format("EI = {}, {}", row.value, row.remark);
     if (row.name == "modulus") words += fmt::format("; E = {}, of the fit", row.value);
   }
+  if (test.judgement.value().standing == Standing::untrusted) words += "; not to be used";
   return words;
 }
 

@@ -159,9 +159,15 @@ std::string friction_in_literature(const FittedTest& test) {
   const std::string value = mean_friction(fit);
   if (mu0.value >= low && mu0.value <= high) return fmt::format("μ₀ = {} lies within {}.", value, range);
   const double away = mu0.value < low ? low - mu0.value : mu0.value - high;
-  std::string words = fmt::format("μ₀ = {} lies {} {}", value, mu0.value < low ? "below" : "above", range);
+  const bool agrees = mu0.low <= high && mu0.high >= low;
+  std::string words = fmt::format("μ₀ = {} {} {}", value,
+                                  agrees            ? "agrees with"
+                                  : mu0.value < low ? "lies below"
+                                                    : "lies above",
+                                  range);
   if (mu0.standard_error > 0)
-    words += fmt::format("; the nearer end is {:.1f} standard errors away", away / mu0.standard_error);
+    words +=
+        fmt::format("{} the nearer end is {:.1f} standard errors away", agrees ? ":" : ";", away / mu0.standard_error);
   return words + ".";
 }
 

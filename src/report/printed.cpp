@@ -55,7 +55,9 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }
 
 std::string percent_of(double part, double whole) {
-  return whole > 0 ? fmt::format("{:.1f} %", 100 * part / whole) : "";
+  if (!(whole > 0)) return "";
+  const double share = 100 * part / whole;
+  return share > 0 && share < 0.05 ? "less than 0.1 %" : fmt::format("{:.1f} %", share);
 }
 
 std::string percent(double share) {
