@@ -87,8 +87,9 @@ std::string reason_of(AnalysisStatus status) {
     case AnalysisStatus::ok:
       return "";
     case AnalysisStatus::too_few_points:
-      return "fewer than 30 rows, or than 20 with a deflection beyond a twentieth of the span and twice the specimen's "
-             "thickness, tell no friction: bend farther, or record more rows";
+      return "fewer than 30 rows, or than 20 with a deflection that tells friction, from a twentieth of the span and "
+             "twice "
+             "the specimen's thickness on: check the units, bend farther, or record more rows";
     case AnalysisStatus::not_explained:
       return "no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "
              "section";

@@ -201,10 +201,11 @@ void hold_stage(const Case& input, const Table& table, Record& record, const Sam
           {.file = table.source,
            .line = table.line_of(sampling.rows[i]),
            .field = "the stage",
-           .expected =
-               fmt::format("a position not behind that of the row before, {}", readable_length(input, stage[i - 1])),
+           .expected = fmt::format("a position not behind that of the row before, {}",
+                                   readable_length(input, stage[i - 1] == 0 ? 0 : stage[i - 1])),
            .found = readable_length(input, stage[i]),
-           .remedy = fmt::format("keep the loading only: write until = {} into [record]", sampling.rows[i])});
+           .remedy = i < 30 ? "check the sign of the displacement: write sign = \"keep\" or \"reverse\" into [record]"
+                            : fmt::format("keep the loading only: write until = {} into [record]", sampling.rows[i])});
     if (stage[i] < farthest) {
       ++held;
       largest = std::max(largest, farthest - stage[i]);

@@ -169,12 +169,12 @@ struct Asked {
 
 // [L] The greatest radius of rollers on which so steep a profile is followed; none where it is not on edges either.
 std::optional<double> widest_that_follows(const Asked& asked) {
-  const auto [radius, half_depth] = asked.fibre.supports();
-  const auto follows = [&](double smaller) {
-    return asked.kinetic.steepest() < asked.limit_of(Fibre({smaller, half_depth}));
+  const Supports& supports = asked.fibre.supports();
+  const auto follows = [&](double radius) {
+    return asked.kinetic.steepest() < asked.limit_of(Fibre({radius, supports.half_depth}));
   };
   if (!follows(0)) return std::nullopt;
-  double good = 0, bad = radius;
+  double good = 0, bad = supports.radius;
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (good + bad);
     (follows(middle) ? good : bad) = middle;

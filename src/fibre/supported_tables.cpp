@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "fibre/elementary.h"
 #include "fibre/limits.h"
 #include "fibre/state_table.h"
 
@@ -46,9 +47,10 @@ SupportedTables::SupportedTables(const Supports& on)
 // 0.32 δ / x in the way x; over a cell of half width h that ends at x, polynomials of degree 7 err in 1/x² by 18 (h / 2x)^8 / x².
 double SupportedTables::smooth_from() const {
   if (supports.half_depth == 0) return 1;
-  constexpr double error = 1e-12, q = 2, h = 0.5 * longest_way / ways;
-  const double least = 6 * q * std::pow(supports.half_depth, 3);
-  const double way = std::pow(18 * 0.32 * least * std::pow(0.5 * h, 8) / error, 0.1) + 2 * h;  // where the cell begins
+  constexpr double error = 1e-12, q = 2, h = 0.5 * longest_way / ways, h2 = 0.25 * h * h;  // h2: (h/2)^2
+  const double tau = supports.half_depth, least = 6 * q * tau * tau * tau;
+  const double tenth_power = 18 * 0.32 * least * h2 * h2 * h2 * h2 / error;
+  const double way = elementary::exp(0.1 * elementary::log(tenth_power)) + 2 * h;  // where the cell begins
   return least_length(supports) + way * way;
 }
 

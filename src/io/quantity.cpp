@@ -284,7 +284,7 @@ double power_of_ten(int exponent) {  // exact up to 10^22, the last power that a
 
 int decade(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
-constexpr int most_decimals = 7;  // that one still reads
+constexpr int most_decimals = 9;  // that one still reads
 
 // Fixed notation in the range that people read at a glance, scientific outside.
 std::string with_decimals(double value, int decimals) {

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "inference/process_search.h"
 #include "io/quantity.h"
 #include "report/check_words.h"
 #include "report/cycles_words.h"
@@ -114,7 +115,7 @@ std::string friction_in_short(const FittedTest& test) {
                          roughly(test.analysis.scales.physical_length(fit.waves.front().wavelength.value),
                                  Print(test).as(kind::length)));
   else if (fit.model == ProfileModel::roughness)
-    words += std::isfinite(fit.log_evidence_of_wave)
+    words += fit.log_evidence_of_wave <= claiming_gain
                  ? fmt::format(" It shows no periodicity beyond roughness (ln B = {:.1f}).", fit.log_evidence_of_wave)
                  : " It shows no periodicity beyond roughness.";
   return words;
@@ -296,6 +297,9 @@ std::string answer_of(const FittedTest& test) {
   const auto& analysis = test.analysis;
   if (analysis.status == AnalysisStatus::no_initial_slope)
     return "No answer: the force does not rise where the record begins, so the bending stiffness cannot be told.";
+  const auto& force = analysis.record.force;
+  if (!force.empty() && *std::max_element(force.begin(), force.end()) <= 0)
+    return "No answer: the force is nowhere above zero. Check the column of force, and its sign.";
   if (analysis.status == AnalysisStatus::too_few_points)
     return greatest_deflection(analysis) > farthest_deflection
                ? fmt::format(
@@ -354,6 +358,8 @@ std::string answer_of(const FittedTest& test) {
 }
 
 std::string caution_of(const FittedTest& test) {
+  if (test.judgement.value().standing == Standing::untrusted)
+    return "The numbers below are those of a fit that is not to be used: they tell no friction.";
   return lost_stiffness(test)
              ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";

@@ -188,20 +188,22 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
     const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
-      if (!estimate) return std::string();
+      if (!estimate || is_untrusted(test)) return std::string();
       const std::string wave = written(*estimate, factor);
       return summary.wave_claimed ? wave : fmt::format("[{}]", wave);
     };
-    const bool is_rough = summary.model == ProfileModel::roughness;
+    const bool is_rough = summary.model == ProfileModel::roughness && !is_untrusted(test);
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     table.rows.push_back(
         {printable(test.name), std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
-         summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2)) : written(summary.mu0, 1),
+         is_untrusted(test)     ? ""
+         : summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
+                                : written(summary.mu0, 1),
          is_rough ? written(summary.roughness, 1) : "",
          is_rough ? written(summary.correlation_length, units.wavelength.factor) : "", of_wave(summary.amplitude, 1),
          of_wave(summary.wavelength, units.wavelength.factor), of_wave(summary.surface_height, units.wavelength.factor),
-         summary.surface_slope ? written(*summary.surface_slope, 1) : "",
+         summary.surface_slope && !is_untrusted(test) ? written(*summary.surface_slope, 1) : "",
          written(summary.bending_stiffness, units.bending_stiffness.factor),
          significant(units.residual.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
          significant(units.work.factor * summary.work_of_fracture, 3), share_in_words(summary.friction_share),

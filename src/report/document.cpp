@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
+#include "io/text_table.h"
 #include "report/plain_text.h"
 
 namespace flexslip {
@@ -49,7 +50,7 @@ struct AsText {
   }
   std::string operator()(const Files& of) const {
     PrintedTable table{{"File", "Bytes", "SHA-256"}, {}};
-    for (const auto& file : of.files) table.rows.push_back({file.name, bytes_of(file), file.sha256});
+    for (const auto& file : of.files) table.rows.push_back({printable(file.name), bytes_of(file), file.sha256});
     return laid_out(table);
   }
   std::string operator()(const Picture&) const { return ""; }

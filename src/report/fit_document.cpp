@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "io/text_table.h"
 #include "report/answer_words.h"
 #include "report/cycles_figures.h"
 #include "report/cycles_words.h"
 #include "report/fit_figures.h"
+#include "report/fit_screen.h"
 #include "report/fit_words.h"
 #include "report/implied_words.h"
 #include "report/plain_text.h"
@@ -163,7 +165,9 @@ Chapter provenance_chapter(const FittedTest& test) {
 }
 
 Chapter preparation_chapter(const FittedTest& test) {
-  return Chapter{"From the file to the record"}.show(preparation_rows(test.measurement.preparation));
+  Chapter chapter{"From the file to the record"};
+  if (test.analysis.status == AnalysisStatus::ok) chapter.say(fmt::format("The record has {}.", record_in_words(test)));
+  return chapter.show(preparation_rows(test.measurement.preparation));
 }
 
 }  // namespace
@@ -178,8 +182,9 @@ std::vector<Chapter> document_of(const FittedTest& test) {
     return chapters;
   }
   std::vector<Chapter> chapters{Chapter{""}.show(force_picture(test)).show(profile_picture(test)),
-                                friction_chapter(test), wave_chapter(test),
-                                Chapter{"Checks"}.show(Bullets{checks_in_words(test)})};
+                                friction_chapter(test)};
+  if (test.judgement.value().standing != Standing::untrusted) chapters.push_back(wave_chapter(test));
+  chapters.push_back(Chapter{"Checks"}.show(Bullets{checks_in_words(test)}));
   for (Chapter& chapter : slip_chapters(test)) chapters.push_back(std::move(chapter));
   if (test.cycles) chapters.push_back(cycles_chapter(test));
   chapters.push_back(energy_chapter(test));
@@ -196,7 +201,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
 }
 
 std::string fit_text(const FittedTest& test) {
-  return wrapped(fmt::format("{}: {}", test.name, answer_of(test)), "") + in_text(document_of(test));
+  return wrapped(fmt::format("{}: {}", printable(test.name), answer_of(test)), "") + in_text(document_of(test));
 }
 
 }  // namespace flexslip

@@ -29,7 +29,8 @@ ParameterRow row_of(std::string name, std::string symbol, std::string meaning, c
   if (known) {
     const std::string_view unit = best_unit(factor * std::max(std::abs(estimate.value), estimate.standard_error), kind);
     const MatchedDigits digits = matched_digits(estimate, unit.empty() ? factor : from_si(factor, parse_unit(unit)));
-    row.interval = fmt::format("{} to {}{}{}", digits.low, digits.high, unit.empty() ? "" : " ", typeset(unit));
+    if (!digits.low.empty())
+      row.interval = fmt::format("{} to {}{}{}", digits.low, digits.high, unit.empty() ? "" : " ", typeset(unit));
   } else {
     row.remark = "error not known: the curve hardly depends on it";
   }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "inference/profile.h"
+#include "io/text_table.h"
 #include "report/answer_words.h"
 #include "report/check_words.h"
 #include "report/digits.h"
@@ -31,26 +32,6 @@ std::string line_of_screen(std::string_view label, const std::string& words) {
 bool claims_friction(const FittedTest& test) {
   return test.judgement.value().standing != Standing::untrusted && !test.analysis.fit.mu0_is_bound &&
          caution_of(test).empty();
-}
-
-std::string record_in_words(const FittedTest& test) {
-  const auto& analysis = test.analysis;
-  const auto& slips = analysis.slip_summary;
-  const auto& w = analysis.reduced.deflection;
-  std::string words = fmt::format("{}, to a deflection of {}, {} of the span", counted(w.size(), "row", "rows"),
-                                  Print(test).length(w.back()), percent(w.back()));
-  const std::size_t drops = analysis.drops.drops.size();
-  if (drops > 0)
-    words += fmt::format("; {}, the largest by {}", counted(drops, "drop", "drops"), [&] {
-      double largest = 0;
-      for (const Drop& drop : analysis.drops.drops) largest = std::max(largest, drop.force_fall);
-      return Print(test).own(largest, kind::force);
-    }());
-  if (slips.count > 1 && claims_friction(test))
-    words += fmt::format("; {} apart on the specimen; friction falls by {} in each (medians)",
-                         roughly(analysis.scales.physical_length(slips.median_spacing), Print(test).as(kind::length)),
-                         significant(slips.median_fall, 2));
-  return words;
 }
 
 std::string friction_on_screen(const FittedTest& test) {
@@ -141,8 +122,28 @@ std::string checks_in_short(const FittedTest& test) {
 
 }  // namespace
 
+std::string record_in_words(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& slips = analysis.slip_summary;
+  const auto& w = analysis.reduced.deflection;
+  std::string words = fmt::format("{}, to a deflection of {}, {} of the span", counted(w.size(), "row", "rows"),
+                                  Print(test).length(w.back()), percent(w.back()));
+  const std::size_t drops = analysis.drops.drops.size();
+  if (drops > 0)
+    words += fmt::format("; {}, the largest by {}", counted(drops, "drop", "drops"), [&] {
+      double largest = 0;
+      for (const Drop& drop : analysis.drops.drops) largest = std::max(largest, drop.force_fall);
+      return Print(test).own(largest, kind::force);
+    }());
+  if (slips.count > 1 && claims_friction(test))
+    words += fmt::format("; {} apart on the specimen; friction falls by {} in each (medians)",
+                         roughly(analysis.scales.physical_length(slips.median_spacing), Print(test).as(kind::length)),
+                         significant(slips.median_fall, 2));
+  return words;
+}
+
 std::string fit_screen(const FittedTest& test) {
-  std::string text = wrapped(fmt::format("{}: {}", test.name, answer_of(test)), "");
+  std::string text = wrapped(fmt::format("{}: {}", printable(test.name), answer_of(test)), "");
   if (test.analysis.status != AnalysisStatus::ok) {
     text += "\n";
     for (const auto& sentence : preparation_in_words(test.measurement.preparation))

@@ -37,6 +37,7 @@ std::string model_in_words(ProfileModel model) {
 }
 
 std::string friction_in_words(const FittedTest& test) {
+  if (test.judgement.value().standing == Standing::untrusted) return "";
   const auto& analysis = test.analysis;
   const auto& fit = analysis.fit;
   std::string words =

@@ -24,7 +24,10 @@ class PrintedColumn {
   }
   const std::string& title() const { return title_; }
   std::string cell(double value) const {
-    return std::isfinite(value) ? fmt::format("{:.{}f}", from_si(value, scale_), decimals_) : "";
+    if (!std::isfinite(value)) return "";
+    const double shown = from_si(value, scale_);
+    const bool is_zero = std::abs(shown) < 0.5 * std::pow(10, -decimals_);
+    return fmt::format("{:.{}f}", is_zero ? 0 : shown, decimals_);
   }
 
  private:
@@ -57,7 +60,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 std::string percent_of(double part, double whole) {
   if (!(whole > 0)) return "";
   const double share = 100 * part / whole;
-  return share > 0 && share < 0.05 ? "less than 0.1 %" : fmt::format("{:.1f} %", share);
+  return share != 0 && std::abs(share) < 0.05 ? "less than 0.1 %" : fmt::format("{:.1f} %", share);
 }
 
 std::string percent(double share) {
@@ -66,8 +69,11 @@ std::string percent(double share) {
 
 std::string roughly(double value, const Kind& kind) {
   if (!std::isfinite(value) || value == 0) return readable(value, kind);
-  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
-  return readable(step * std::round(value / step), kind);
+  const std::string_view unit = best_unit(value, kind);
+  const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
+  const double shown = from_si(value, scale);
+  const double step = std::pow(10, std::floor(std::log10(std::abs(shown))) - 1);
+  return readable(to_si(step * std::round(shown / step), scale), kind);
 }
 
 }  // namespace flexslip

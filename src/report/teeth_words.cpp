@@ -12,12 +12,11 @@
 namespace flexslip {
 namespace {
 
-// Of a compliance in m/N, or reduced: in µm/mN, which is 1000 m/N to the number.
 std::string compliance_in_words(const SupportCompliance& compliance, const FittedTest& test) {
   const double error = std::hypot(compliance.error, compliance.systematic);
   if (test.reduced) return readable(compliance.value, error, kind::number);
-  const double unit = 1000 / test.analysis.scales.stiffness_unit();
-  return readable(compliance.value * unit, error * unit, kind::number) + " µm/mN";
+  const double unit = 1 / test.analysis.scales.stiffness_unit();
+  return readable(compliance.value * unit, error * unit, Print(test).as(kind::compliance));
 }
 
 // Friction that builds up looks like sliding of one that is there at once.

@@ -231,7 +231,7 @@ TEST_CASE("table: a value shows as many digits as its uncertainty knows") {
   CHECK(readable(0.201583, 8.8e-4, kind::number) == "0.20158 ± 0.00088");
   CHECK(readable(4.6e-4, 3e-4, kind::number) == "0.00046 ± 0.00030");
   CHECK(readable(4.6e-6, 3e-6, kind::number) == "0.0000046 ± 0.0000030");
-  CHECK(readable(4.6e-7, 3e-7, kind::number) == "4.6e-07 ± 3.0e-07");
+  CHECK(readable(4.6e-9, 3e-9, kind::number) == "4.6e-09 ± 3.0e-09");
   CHECK(readable(1e-9, 3e-4, kind::number) == "0.00000 ± 0.00030");
   CHECK(readable(-0.001, 0.12, kind::number) == "0.00 ± 0.12");
   CHECK(readable(1.5e-12, 3e-13, kind::number) == "1.50e-12 ± 3.0e-13");
