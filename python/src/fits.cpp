@@ -1,6 +1,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -15,14 +16,10 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/cycles_figures.h"
 #include "report/fit_document.h"
-#include "report/fit_figures.h"
 #include "report/fit_screen.h"
 #include "report/fit_words.h"
-#include "report/record_figure.h"
 #include "report/report.h"
-#include "report/teeth_figure.h"
 
 namespace flexslip::python {
 namespace {
@@ -47,18 +44,11 @@ py::dict curves(Test test) {
 }
 
 py::list figures(Test test) {
-  py::list out;
-  if (test.analysis.status == AnalysisStatus::not_explained) out.append(plain(record_figure(test)));
-  if (!is_fitted(test)) return out;
-  out.append(plain(force_figure(test)));
-  out.append(plain(profile_figure(test)));
-  if (!test.analysis.fit.scan.empty()) out.append(plain(wavelength_figure(test)));
-  if (test.analysis.teeth && !test.analysis.teeth->teeth.empty()) out.append(plain(teeth_figure(test)));
-  if (has_loops(test)) {
-    out.append(plain(loops_figure(test)));
-    out.append(plain(boxes_figure(test)));
-  }
-  return out;
+  py::list all;
+  for (const Chapter& chapter : document_of(test))
+    for (const Block& block : chapter.blocks)
+      if (const auto* picture = std::get_if<Picture>(&block)) all.append(plain(picture->plate().figure));
+  return all;
 }
 
 std::shared_ptr<FittedTest> fit(const Case& input, const std::string& model, double false_alarms, double suspect_limit,
