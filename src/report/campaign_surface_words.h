@@ -7,7 +7,7 @@
 
 namespace flexslip {
 
-// One paragraph; empty where no test that counts has a wave.
+// One paragraph; empty where no test that counts has a wave that is claimed.
 std::string surfaces_in_words(const Campaign& campaign);
 
 }  // namespace flexslip

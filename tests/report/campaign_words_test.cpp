@@ -33,6 +33,9 @@ TEST_CASE("table: what surface would explain the waves of a campaign, and what w
   CHECK(words.find("images with pixels of 22 nm show those of the mean height") != std::string::npos);  // 2 h/10
   CHECK(surfaces_in_words(no_tests()).empty());
   CHECK(surfaces_in_words(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})).empty());
+  CampaignTest indicative = some_test("SS2", SawtoothCategory::clear, 0.5, 11e-6);
+  indicative.summary->wave_claimed = false;  // no reason to image anything
+  CHECK(surfaces_in_words(campaign_of({indicative})).empty());
 }
 
 TEST_CASE("limit: no tests, none with an answer, all suspect") {
