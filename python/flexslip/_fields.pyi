@@ -297,7 +297,8 @@ class FitJudgement(Answer):
         unexpected_stiffness"""
     @property
     def next_step(self) -> str:
-        """what would tell most: none, check_case, reload, finer_steps, stiffer_rig or image_length"""
+        """what would tell most: none, check_case, reload, finer_steps, stiffer_rig, image_length, state_radius, find_contact, finer_force or
+        measure_stiffness"""
     @property
     def stiffness_lost(self) -> float:
         """share lost, that the last comparable reload shows [1]"""
@@ -1649,6 +1650,9 @@ class FitFields(Answer):
     def stiffness_over_initial_slope(self) -> float:
         """bending stiffness used over that of the initial slope [1]"""
     @property
+    def force_over_frictionless(self) -> float:
+        """of the force without friction, median past a tenth of the span; below 1, no friction explains it [1]"""
+    @property
     def model_implausible(self) -> bool:
         """no sliding with friction gives such a record"""
     @property
@@ -2471,7 +2475,7 @@ class CampaignTestsTable(Table[CampaignTests]):
     file: Objects
 
 class CampaignCategoriesMu0(Answer):
-    """mean friction"""
+    """mean friction, without tests that tell only a limit"""
 
     @property
     def mean(self) -> float:
@@ -2551,7 +2555,7 @@ class CampaignCategoriesSurfaceSlope(Answer):
         """tests that it is taken over"""
 
 class CampaignCategoriesWithSuspectsMu0(Answer):
-    """mean friction"""
+    """mean friction, without tests that tell only a limit"""
 
     @property
     def mean(self) -> float:
@@ -2638,13 +2642,22 @@ class CampaignCategoriesWithSuspects(Answer):
         """in the category"""
     @property
     def mu0(self) -> CampaignCategoriesWithSuspectsMu0:
-        """mean friction"""
+        """mean friction, without tests that tell only a limit"""
+    @property
+    def mu0_limits(self) -> int:
+        """tests that tell only a limit of it"""
+    @property
+    def mu0_greatest_limit(self) -> float:
+        """of these limits [1]"""
     @property
     def amplitude(self) -> CampaignCategoriesWithSuspectsAmplitude:
         """of one wave of friction, relative to mu0"""
     @property
     def wavelength(self) -> CampaignCategoriesWithSuspectsWavelength:
         """of that wave, along the specimen"""
+    @property
+    def waves_claimed(self) -> int:
+        """of the tests with such a wave, those that claim it"""
     @property
     def surface_height(self) -> CampaignCategoriesWithSuspectsSurfaceHeight:
         """amplitude of the wave of the surface that would show it"""
@@ -2704,13 +2717,22 @@ class CampaignCategories(Answer):
         """in the category"""
     @property
     def mu0(self) -> CampaignCategoriesMu0:
-        """mean friction"""
+        """mean friction, without tests that tell only a limit"""
+    @property
+    def mu0_limits(self) -> int:
+        """tests that tell only a limit of it"""
+    @property
+    def mu0_greatest_limit(self) -> float:
+        """of these limits [1]"""
     @property
     def amplitude(self) -> CampaignCategoriesAmplitude:
         """of one wave of friction, relative to mu0"""
     @property
     def wavelength(self) -> CampaignCategoriesWavelength:
         """of that wave, along the specimen"""
+    @property
+    def waves_claimed(self) -> int:
+        """of the tests with such a wave, those that claim it"""
     @property
     def surface_height(self) -> CampaignCategoriesSurfaceHeight:
         """amplitude of the wave of the surface that would show it"""

@@ -118,10 +118,14 @@ Fields<Spread> spread_fields(const Kind& kind) {
 Fields<CategorySpread> category_fields() {
   return Fields<CategorySpread>()
       .count("tests", "in the category", &CategorySpread::tests)
-      .group("mu0", "mean friction", spread_fields(kind::number), &CategorySpread::mu0)
+      .group("mu0", "mean friction, without tests that tell only a limit", spread_fields(kind::number),
+             &CategorySpread::mu0)
+      .count("mu0_limits", "tests that tell only a limit of it", &CategorySpread::mu0_limits)
+      .number("mu0_greatest_limit", "of these limits", &CategorySpread::greatest_limit)
       .group("amplitude", "of one wave of friction, relative to mu0", spread_fields(kind::number),
              &CategorySpread::amplitude)
       .group("wavelength", "of that wave, along the specimen", spread_fields(kind::length), &CategorySpread::wavelength)
+      .count("waves_claimed", "of the tests with such a wave, those that claim it", &CategorySpread::waves_claimed)
       .group("surface_height", "amplitude of the wave of the surface that would show it", spread_fields(kind::length),
              &CategorySpread::surface_height)
       .group("surface_slope", "rms of the slopes that would show the friction", spread_fields(kind::number),

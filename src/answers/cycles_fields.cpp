@@ -174,9 +174,10 @@ Fields<CyclicPoint> point_fields() {
 
 Fields<BuildUpLength> build_up_fields() {
   return Fields<BuildUpLength>()
-      .number("value", kind::length, "length of sliding, both sides together", &BuildUpLength::value)
+      .number("value", kind::length, "length of sliding, both sides together",
+              [](const BuildUpLength& build_up) { return build_up.length.value; })
       .number("standard_error", kind::length, "from reversal to reversal; null of a single one",
-              &BuildUpLength::standard_error)
+              [](const BuildUpLength& build_up) { return build_up.length.standard_error; })
       .number("least", kind::length, "least that could be told", &BuildUpLength::least)
       .count("reversals", "that it is read off", &BuildUpLength::reversals)
       .yes_no("told", "it is told from none", &BuildUpLength::is_told);

@@ -62,8 +62,9 @@ Fields<SupportCompliance> compliance_fields() {
           })
       .only_where([](const SupportCompliance& compliance) { return compliance.status == ComplianceStatus::ok; })
       .number("value", kind::compliance, "of both supports together, if the specimen were stuck",
-              &SupportCompliance::value)
-      .number("standard_error", kind::compliance, "of value, from scatter", &SupportCompliance::error)
+              [](const SupportCompliance& compliance) { return compliance.estimate.value; })
+      .number("standard_error", kind::compliance, "of value, from scatter",
+              [](const SupportCompliance& compliance) { return compliance.estimate.standard_error; })
       .number("systematic", kind::compliance, "error of value from EI, contact and load train",
               &SupportCompliance::systematic)
       .words("unit", "of these",

@@ -34,8 +34,10 @@ Fields<ImagedPoint> imaged_point_fields() {
 
 Fields<ImagedLength> imaged_fields() {
   return Fields<ImagedLength>()
-      .number("offset", kind::length, "what the force says less what was imaged, median", &ImagedLength::offset)
-      .number("standard_error", kind::length, "of offset, if the points erred independently", &ImagedLength::error)
+      .number("offset", kind::length, "what the force says less what was imaged, median",
+              [](const ImagedLength& imaged) { return imaged.offset.value; })
+      .number("standard_error", kind::length, "of offset, if the points erred independently",
+              [](const ImagedLength& imaged) { return imaged.offset.standard_error; })
       .number("scatter", kind::length, "about it, 1.48 times the median absolute deviation", &ImagedLength::scatter)
       .list("points", "that were imaged", imaged_point_fields(), &ImagedLength::points);
 }
@@ -59,7 +61,9 @@ Fields<FittedTest> judgement_fields() {
             for (const Doubt doubt : test.judgement->doubts) names.push_back(name_of(doubt));
             return names;
           })
-      .words("next_step", "what would tell most: none, check_case, reload, finer_steps, stiffer_rig or image_length",
+      .words("next_step",
+             "what would tell most: none, check_case, reload, finer_steps, stiffer_rig, image_length, state_radius, "
+             "find_contact, finer_force or measure_stiffness",
              [](T test) { return name_of(test.judgement->next); })
       .number("stiffness_lost", "share lost, that the last comparable reload shows",
               [](T test) { return test.judgement->loss; })
@@ -188,6 +192,9 @@ Fields<FittedTest> every_fit_field() {
               })
       .number("stiffness_over_initial_slope", "bending stiffness used over that of the initial slope",
               analysis(&TestAnalysis::stiffness_over_slope))
+      .number("force_over_frictionless",
+              "of the force without friction, median past a tenth of the span; below 1, no friction explains it",
+              analysis(&TestAnalysis::force_over_frictionless))
       .yes_no("model_implausible", "no sliding with friction gives such a record",
               [](T test) { return is_not_explained(test) || test.analysis.model_implausible; })
       .yes_no("stiffness_implausible", "the bending stiffness is not that of the initial slope, by more than 40 %",

@@ -76,8 +76,9 @@ DesignOutcome outcome_of(const Design& design);
 // Cost:       the trace up to four times as far as the first snap, or of all of it.
 bool snaps(const Design& design);
 
-// The least stiffness of the load train [EI/L^3] with none stiffer than which this loading, to its travel or until the fibre breaks, comes to a fold, where the fibre
-// snaps or, if there is no rest beyond it, slips through. 0 where it does on none. The stiffness of the design itself does not count.
+// The smallest stiffness of the load train [EI/L^3] from which on this loading, to its travel or until the fibre breaks, meets no fold: at a
+// fold the fibre snaps or, if there is no rest beyond it, slips through. 0 where it meets none on any load train. The stiffness of the design
+// itself does not count.
 // Domain:     as outcome_of.
 // Tolerance:  rounded up, by 1e-7, so that on a rig of just this stiffness there is no snap; 1e-8 beside it.
 // Fails:      infinity where the fibre snaps even with the deflection controlled.

@@ -8,6 +8,7 @@
 #include "bending_test/curve_samples.h"
 #include "contact/over_rollers.h"
 #include "fibre/batch.h"
+#include "fibre/limits.h"
 
 namespace flexslip {
 namespace {
@@ -71,6 +72,25 @@ EquilibriumCurve curve_of(const Friction& along, const Fibre& fibre, Sliding sli
 
 EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n, const Fibre& fibre) {
   return curve_of(friction, fibre, sliding, S_max, n, [&](const FibrePoints& points) { return fibre.states(points); });
+}
+
+std::vector<EquilibriumPoint> sliding_up_to(double deflection, double mu, int n, const Fibre& fibre) {
+  if (!(deflection > 0))
+    throw std::invalid_argument("a curve needs a deflection > 0, not " + std::to_string(deflection));
+  double drawn_in = 2.6 * deflection * deflection;
+  while (true) {
+    const EquilibriumCurve curve = equilibrium_curve(Friction::constant(mu), Sliding::in, 1 + drawn_in, n, fibre);
+    if (curve.status == EquilibriumStatus::branch_ended || curve.points.back().w >= deflection) return curve.points;
+    drawn_in *= 1.5;
+  }
+}
+
+double force_at(std::span<const EquilibriumPoint> curve, double deflection) {
+  const auto above = std::lower_bound(curve.begin(), curve.end(), deflection,
+                                      [](const EquilibriumPoint& point, double w) { return point.w < w; });
+  if (above == curve.begin() || above == curve.end()) return not_a_number;
+  const EquilibriumPoint& below = *std::prev(above);
+  return std::lerp(below.F, above->F, (deflection - below.w) / (above->w - below.w));
 }
 
 EquilibriumCurve tabulated_equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n,

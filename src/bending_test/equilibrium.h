@@ -1,6 +1,7 @@
 // Equilibrium of the fibre by itself: every (S, q) with |q| <= μ(S), and the curve on which it slides (Figs. 7 and 8A).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "contact/friction.h"
@@ -35,7 +36,14 @@ struct EquilibriumCurve {
 EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n,
                                    const Fibre& fibre = {});
 
-// The same for bulk work, each point to the accuracy of the table (fibre/state_table.h).
+// Sliding in at one friction, up to a deflection [L] or beyond, or to the end of the branch; n points, w rising.
+// Domain:     deflection > 0; n >= 2; mu as Friction::constant; std::invalid_argument otherwise.
+std::vector<EquilibriumPoint> sliding_up_to(double deflection, double mu, int n, const Fibre& fibre = {});
+
+// [EI/L^2] The force on such a curve, between its points by a straight line; NaN where it has none.
+double force_at(std::span<const EquilibriumPoint> curve, double deflection);
+
+// As equilibrium_curve, for bulk work, each point to the accuracy of the table (fibre/state_table.h).
 EquilibriumCurve tabulated_equilibrium_curve(const Friction& friction, Sliding sliding, double S_max, int n,
                                              const Fibre& fibre = {});
 

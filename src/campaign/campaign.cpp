@@ -100,7 +100,7 @@ std::vector<std::string> remarks_of(const FittedTest& test) {
   std::vector<std::string> remarks;
   const auto& analysis = test.analysis;
   for (const Doubt doubt : test.judgement->doubts) remarks.push_back(remark_on(doubt, test));
-  if (analysis.fit.mu0_is_bound && test.judgement->standing != Standing::untrusted)
+  if (analysis.fit.mu0_is_bound && is_trusted(test.judgement->standing))
     remarks.emplace_back("the record does not tell friction from zero");
   if (test.measurement.end == MeasurementEnd::failure)
     remarks.push_back(fmt::format("fails after row {}", last_row(test)));

@@ -84,10 +84,10 @@ struct TestAnalysis {
   double bending_stiffness_error;  // [1] as used
   bool stiffness_from_slope;
   double stiffness_over_slope;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
-  // The fit misses the record by more than a tenth of its greatest force, or a fifth of the points past the deflection 0.1 need friction
-  // below -0.1 or beyond 20.
-  bool model_implausible = false;
-  bool stiffness_implausible;  // they differ by more than 40 %: a wrong modulus, section, span or unit
+  // The fit misses the record by a tenth of its greatest force, or a fifth of the points judged, at any stiffness within twice its error, need
+  bool model_implausible = false;        // friction below -0.1, or beyond what is read off
+  double force_over_frictionless = NAN;  // [1] past the deflection 0.1, median, at the bending stiffness beforehand
+  bool stiffness_implausible;            // they differ by more than 40 %: a wrong modulus, section, span or unit
   Failure failure;
   Contact contact;  // found; applied only if the description says so
   Record record;    // up to failure, contact taken off

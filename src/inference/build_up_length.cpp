@@ -104,7 +104,8 @@ std::optional<BuildUpLength> measure_build_up(std::span<const Leg> legs, std::sp
     most = std::max(most, *std::max_element(reversal.way.begin(), reversal.way.end()));
   if (!(most > 0)) return std::nullopt;
   const Found found = best_length(reversals, most);
-  BuildUpLength result{found.length, not_a_number, resolution(reversals, found.window), reversals.size()};
+  BuildUpLength result{normal_estimate(found.length, not_a_number), resolution(reversals, found.window),
+                       reversals.size()};
   if (reversals.size() < 2) return result;
   // Jackknife.
   double sum = 0, squares = 0;
@@ -117,7 +118,7 @@ std::optional<BuildUpLength> measure_build_up(std::span<const Leg> legs, std::sp
     squares += without * without;
   }
   const double between = std::max((n - 1) * (squares / n - sum * sum / (n * n)), 0.0);
-  result.standard_error = std::sqrt(between + std::pow(0.5 * (grid - 1) * result.value, 2));
+  result.length = normal_estimate(found.length, std::sqrt(between + std::pow(0.5 * (grid - 1) * found.length, 2)));
   return result;
 }
 

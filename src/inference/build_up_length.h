@@ -5,19 +5,19 @@
 #include <optional>
 #include <span>
 
+#include "data/estimate.h"
 #include "data/legs.h"
 #include "inference/cycles.h"
 
 namespace flexslip {
 
 struct BuildUpLength {
-  double value;           // [L] of S, as both sides slide
-  double standard_error;  // [L] from reversal to reversal; NaN of a single one
-  double least;           // [L] that can be told: what is slid from row to row, and five times its noise
+  Estimate length;  // [L] of S, as both sides slide; its error from reversal to reversal, NaN of a single one
+  double least;     // [L] that can be told: what is slid from row to row, and five times its noise
   std::size_t reversals;
 
   // Is it told from none?
-  bool is_told() const { return value > least && value > 2 * standard_error; }
+  bool is_told() const { return length.value > least && length.value > 2 * length.standard_error; }
 };
 
 // None without a reversal after which six points or more are seen from the first on.

@@ -28,19 +28,31 @@ class Gathered {
 
 template <class Predicate>
 CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs) {
-  std::size_t count = 0;
+  CategorySpread over{};
   Gathered mu0, amplitude, wavelength, height, slope;
   for (const auto& test : tests) {
     if (!belongs(test)) continue;
-    ++count;
-    mu0.add(test.mu0.value);
+    ++over.tests;
+    if (!is_trusted(test.standing)) continue;
+    if (test.mu0_is_bound) {
+      ++over.mu0_limits;
+      over.greatest_limit = std::fmax(over.greatest_limit, test.mu0.high);
+    } else {
+      mu0.add(test.mu0.value);
+    }
     if (test.surface_slope) slope.add(test.surface_slope->value);
     if (test.category == SawtoothCategory::none || !test.wavelength) continue;
+    over.waves_claimed += test.wave_claimed;
     amplitude.add(test.amplitude.value().value);
     wavelength.add(test.wavelength->value);
     if (test.surface_height) height.add(test.surface_height->value);
   }
-  return {count, mu0.spread(), amplitude.spread(), wavelength.spread(), height.spread(), slope.spread()};
+  over.mu0 = mu0.spread();
+  over.amplitude = amplitude.spread();
+  over.wavelength = wavelength.spread();
+  over.surface_height = height.spread();
+  over.surface_slope = slope.spread();
+  return over;
 }
 
 // With nearly equal parts made one, and moved to another unit.
@@ -84,26 +96,25 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no summary");
   const Scales& scales = analysis.scales;
   const FrictionFit& fit = analysis.fit;
-  TestSummary summary{
-      .name = name,
-      .category = analysis.category,
-      .suspect = judgement.standing >= Standing::suspect,
-      .standing = judgement.standing,
-      .drops_verdict = judgement.drops,
-      .model = fit.model,
-      .mu0 = fit.mu0,
-      .mu0_is_bound = fit.mu0_is_bound,
-      .friction_read = analysis.friction_read,
-      .roughness = fit.roughness,
-      .correlation_length = scaled(fit.length, scales.span()),
-      .wave_claimed = fit.wave_claimed,
-      .log_evidence_of_wave = fit.log_evidence_of_wave,
-      .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
-      .residual_rms = scales.physical_force(fit.residual_rms),
-      .drops = analysis.drops.drops.size(),
-      .friction_share = judgement.standing < Standing::untrusted ? analysis.energy.friction_share : not_a_number,
-      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
-      .known = marginals_of(fit, scales)};
+  TestSummary summary{.name = name,
+                      .category = analysis.category,
+                      .suspect = judgement.standing >= Standing::suspect,
+                      .standing = judgement.standing,
+                      .drops_verdict = judgement.drops,
+                      .model = fit.model,
+                      .mu0 = fit.mu0,
+                      .mu0_is_bound = fit.mu0_is_bound,
+                      .friction_read = analysis.friction_read,
+                      .roughness = fit.roughness,
+                      .correlation_length = scaled(fit.length, scales.span()),
+                      .wave_claimed = fit.wave_claimed,
+                      .log_evidence_of_wave = fit.log_evidence_of_wave,
+                      .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
+                      .residual_rms = scales.physical_force(fit.residual_rms),
+                      .drops = analysis.drops.drops.size(),
+                      .friction_share = is_trusted(judgement.standing) ? analysis.energy.friction_share : not_a_number,
+                      .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
+                      .known = marginals_of(fit, scales)};
   if (!fit.waves.empty()) {
     const WaveEstimate& wave = fit.waves.front();
     summary.amplitude = wave.amplitude;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fibre/limits.h"
 #include "inference/analysis.h"
 #include "inference/judgement.h"
 #include "inference/population.h"
@@ -53,7 +54,7 @@ struct TestSummary {
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
 TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement);
 
-// Mean (min, max) of a parameter over tests, as the paper reports it.
+// Mean (min, max) of a parameter over the tests that tell it, as the paper reports it; those not to be trusted tell nothing.
 struct Spread {
   std::size_t count;      // 0: nothing else is valid
   double mean, min, max;  // unit of the parameter
@@ -61,7 +62,10 @@ struct Spread {
 
 struct CategorySpread {
   std::size_t tests;
-  Spread mu0;               // [1]
+  Spread mu0;                            // [1] without tests that tell only a limit
+  std::size_t mu0_limits = 0;            // tests that tell only a limit
+  double greatest_limit = not_a_number;  // [1] of theirs
+  std::size_t waves_claimed = 0;         // of those that amplitude and wavelength are taken over
   Spread amplitude;         // [1] over the tests of categories with a sawtooth that have a wave, claimed or indicative
   Spread wavelength;        // [m] likewise
   Spread surface_height{};  // [m] likewise, of the wave of the surface that would show it

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "data/estimate.h"
 #include "inference/profile.h"
 
 namespace flexslip {
@@ -17,9 +18,9 @@ struct ImagedPoint {
 
 struct ImagedLength {
   std::vector<ImagedPoint> points;  // of the profile that were imaged
-  double offset;                    // [L] median of inferred less imaged; NaN without points
-  double scatter;                   // [L] about it, 1.48 times the median absolute deviation
-  double error;                     // [L] standard error of the offset, if the points erred independently
+  Estimate
+      offset;  // [L] median of inferred less imaged, its error if the points erred independently; NaN without points
+  double scatter;  // [L] about it, 1.48 times the median absolute deviation
 };
 
 // Domain:     pulled_in [L] of each point of the record, NaN where it was not imaged.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "bending_test/critical_stiffness.h"
+#include "bending_test/equilibrium.h"
 #include "data/names.h"
 #include "data/order.h"
 #include "fibre/elementary.h"
@@ -53,17 +54,37 @@ bool has_few_rows(const TestAnalysis& analysis) {
   return median_of(rows) < least_rows;
 }
 
-CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* reload) {
+// [1] Of the bending stiffness, that would be left if every drop were a crack at the mean friction of the fit.
+double left_by_drops(const TestAnalysis& analysis) {
+  const ReducedRecord& record = analysis.reduced;
+  constexpr int enough = 200;  // of the force, to 1e-4
+  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
+  const auto uncracked = sliding_up_to(deepest, std::max(analysis.fit.mu0.value, 0.0), enough, analysis.rig.fibre);
+  double left = 1;
+  for (const Drop& drop : analysis.drops.drops) {
+    const auto apparent = [&](std::size_t row) {
+      return record.force[row] / force_at(uncracked, record.deflection[row]);
+    };
+    if (const double ratio = apparent(drop.after) / apparent(drop.before); ratio < 1) left *= ratio;
+  }
+  return left;
+}
+
+// What all cracks together would leave, by the rises between the drops or, where these are too few, by the drops themselves.
+double left_by_cracks(const TestAnalysis& analysis) {
   const SlipOrCrack& rises = analysis.slip_or_crack;
-  if (!reload) return rises.verdict;
+  return rises.judged ? std::max({rises.cracks.left, rises.cracks_constant.left, rises.cracks_running.left})
+                      : left_by_drops(analysis);
+}
+
+CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* reload) {
+  const CrackVerdict by_rises = analysis.slip_or_crack.verdict;
+  if (!reload) return by_rises;
   if (reload->verdict == DamageVerdict::damaged) return CrackVerdict::cracks;
-  if (!rises.judged) return rises.verdict;
   constexpr double one_sided = 1.645;
   const double at_most =
       1 - reload->ratio.value + one_sided * elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
-  const double needed = 1 - std::max({rises.cracks.left, rises.cracks_constant.left, rises.cracks_running.left});
-  if (needed > at_most) return CrackVerdict::not_by_cracks_alone;
-  return rises.verdict;
+  return 1 - left_by_cracks(analysis) > at_most ? CrackVerdict::not_by_cracks_alone : by_rises;
 }
 
 Standing standing_of(const std::vector<Doubt>& doubts, bool half_impossible) {
@@ -74,6 +95,26 @@ Standing standing_of(const std::vector<Doubt>& doubts, bool half_impossible) {
            (doubt == Doubt::impossible_drops && half_impossible);
   });
   return suspect ? Standing::suspect : Standing::doubtful;
+}
+
+// What would settle the weightiest of the doubts that anything would.
+NextStep step_for(const Judgement& judgement, bool on_edges) {
+  for (const Doubt doubt : judgement.doubts) switch (doubt) {
+      case Doubt::implausible_friction:
+      case Doubt::falling_friction:
+        return on_edges ? NextStep::state_radius : NextStep::image_length;
+      case Doubt::impossible_drops:
+        return NextStep::image_length;
+      case Doubt::coarse_force:
+        return NextStep::finer_force;
+      case Doubt::settling_contact:
+        return NextStep::find_contact;
+      case Doubt::unexpected_stiffness:
+        return NextStep::measure_stiffness;
+      default:
+        break;
+    }
+  return judgement.standing == Standing::suspect ? NextStep::image_length : NextStep::none;
 }
 
 }  // namespace
@@ -90,8 +131,9 @@ std::string_view name_of(Standing standing) {
 }
 
 std::string_view name_of(NextStep step) {
-  return name_in_order<NextStep::image_length>(
-      step, {"none", "check_case", "reload", "finer_steps", "stiffer_rig", "image_length"});
+  return name_in_order<NextStep::measure_stiffness>(
+      step, {"none", "check_case", "reload", "finer_steps", "stiffer_rig", "image_length", "state_radius",
+             "find_contact", "finer_force", "measure_stiffness"});
 }
 
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
@@ -140,17 +182,18 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
            Doubt::unexpected_stiffness);
   judgement.standing = standing_of(judgement.doubts, 2 * impossible >= drops);
 
+  const bool on_edges = analysis.rig.fibre.supports().radius == 0;
   const bool in_question = drops > 0 && judgement.drops != CrackVerdict::not_by_cracks_alone;
   constexpr double most_jumped = 0.5;
   const bool cracks_explain_it = judgement.drops == CrackVerdict::cracks && !analysis.stiffness_implausible;
-  if (judgement.standing == Standing::untrusted && !cracks_explain_it)
+  if (!is_trusted(judgement.standing) && !cracks_explain_it)
     judgement.next = NextStep::check_case;
   else if (in_question && !reload)
     judgement.next = NextStep::reload;
   else if (has_few_rows(analysis))
     judgement.next = NextStep::finer_steps;
-  else if (judgement.standing == Standing::suspect)
-    judgement.next = NextStep::image_length;
+  else if (const NextStep step = step_for(judgement, on_edges); step != NextStep::none)
+    judgement.next = step;
   else if (drops > 0 && jumped_part(analysis) > most_jumped) {
     const double deflection = *std::max_element(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end());
     judgement.stiffness_for_all =

@@ -39,6 +39,9 @@ enum class Standing {
 
 std::string_view name_of(Standing standing);
 
+// Is the answer one?
+constexpr bool is_trusted(Standing standing) { return standing != Standing::untrusted; }
+
 // What would tell most.
 enum class NextStep {
   none,
@@ -47,6 +50,10 @@ enum class NextStep {
   finer_steps,  // fewer than five rows on most rises
   stiffer_rig,  // the fibre jumps over more than half of what it passes
   image_length,
+  state_radius,       // of the supports, which are taken for edges
+  find_contact,       // the curve bends where it begins
+  finer_force,        // small drops could not be seen
+  measure_stiffness,  // the bending stiffness of the fit is not that stated
 };
 
 std::string_view name_of(NextStep step);

@@ -13,7 +13,6 @@
 
 namespace flexslip {
 namespace {
-constexpr double judged_from = 0.1;  // [L] deflection past which μ is measurable to a few hundredths
 
 // Friction at length S that puts the point on the load line of a stage position, w + F/k = stage; clamped to [0, 20].
 double friction_on_load_line(double S, double stage, const Rig& rig, double start) {

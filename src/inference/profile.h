@@ -26,6 +26,9 @@ struct MeasurementErrors {
 // Deflections [L] below it are left out unless the caller says otherwise: friction is hardly measurable there.
 inline constexpr double hardly_bent = 0.02;
 
+// Past it [L] friction is measurable to a few hundredths.
+inline constexpr double judged_from = 0.1;
+
 // Deflections below it [L] say hardly anything of friction.
 inline constexpr double friction_shows_from = 0.05;
 

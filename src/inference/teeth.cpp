@@ -210,8 +210,7 @@ SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig, st
 
   double information = 0;
   for (const Middle& m : middles) information += std::pow(compliance_slope(m, C) / m.slope_error, 2);
-  result.value = C;
-  result.error = 1 / std::sqrt(information);
+  result.estimate = normal_estimate(C, 1 / std::sqrt(information));
   // What moves EI by a factor moves the unit of C by it as well.
   result.systematic = systematic_error(shifts, C, [&](const Shift& shift) {
     return common_compliance(middles_at(shift)) * elementary::exp(-shift.log_stiffness);
@@ -300,7 +299,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
     if (share + bound < options.least_share) tooth.verdict = ToothVerdict::as_if_stuck;
 
     if (result.compliance.status == ComplianceStatus::ok) {
-      tooth.compliant_position = middle.compliant_position(result.compliance.value);
+      tooth.compliant_position = middle.compliant_position(result.compliance.estimate.value);
       const double off = tooth.position.value - tooth.compliant_position;
       tooth.compliant_deviation = off / elementary::length(tooth.position.standard_error, tooth.position_systematic);
       tooth.compliant_rejected =

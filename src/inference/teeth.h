@@ -64,8 +64,7 @@ enum class ComplianceStatus {
 
 struct SupportCompliance {
   ComplianceStatus status = ComplianceStatus::too_few_teeth;  // nothing else is valid unless ok
-  double value = NAN;        // [L^3/EI] C, both supports together; in um/mN: times L^3/EI in [m/N], times 1000
-  double error = NAN;        // [L^3/EI] standard error from scatter
+  Estimate estimate;  // [L^3/EI] C, both supports together, from scatter; in um/mN: times L^3/EI in [m/N], times 1000
   double systematic = NAN;   // [L^3/EI] from EI, contact and load train
   double chi_squared = NAN;  // [1] of the slopes about it, from scatter alone
   std::size_t freedom = 0;   // teeth - 1

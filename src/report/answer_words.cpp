@@ -41,8 +41,7 @@ std::string likely_slip_of_units(double times) {
 // What the rises between the drops, and a reload, say of slips and cracks; a clause that follows the drops.
 std::string cause_in_words(const FittedTest& test) {
   const SlipOrCrack& rises = test.analysis.slip_or_crack;
-  const std::string margin =
-      fmt::format("D* = {:.1f}; {} of {} rises grow stiffer", rises.margin, rises.stiffer_rises, rises.rises);
+  const std::string margin = rises_in_words(rises);
   switch (test.judgement->drops) {
     case CrackVerdict::not_by_cracks_alone:
       return rises.verdict == CrackVerdict::not_by_cracks_alone
@@ -135,6 +134,26 @@ std::string_view sawtooth_in_words(const TestAnalysis& analysis) {
   return analysis.drops.drops.empty() ? "No sawtooth" : "Hardly a sawtooth";
 }
 
+// How a record misses what sliding gives; a clause.
+std::string by_how_much(const TestAnalysis& analysis) {
+  const double below = 1 - analysis.force_over_frictionless;
+  constexpr double noticeable = 0.01;
+  return below > noticeable
+             ? fmt::format(": past a tenth of the span its force lies {} below that without friction", percent(below))
+             : "";
+}
+
+// Where the curve seems to begin later than the contact is taken to be; else empty.
+std::string late_beginning_in_words(const FittedTest& test) {
+  const Contact& contact = test.analysis.contact;
+  const Estimate& toe = contact.offset;
+  if (contact.status != ContactStatus::found || !(toe.value > 2 * toe.standard_error)) return "";
+  return fmt::format(
+      " A line through the first part of the curve meets zero force {} behind the contact: see what contact = "
+      "\"find\" under [record] makes of it.",
+      readable(toe.value, toe.standard_error, Print(test).as(kind::length)));
+}
+
 // A sentence of the answer; empty for a doubt that the words on the drops tell.
 std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
   const auto& analysis = test.analysis;
@@ -146,15 +165,15 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
                          likely_slip_of_units(analysis.stiffness_over_slope));
     case Doubt::no_sliding:
       return test.judgement->doubts.front() == Doubt::no_sliding
-                 ? "no sliding with a friction of 0 to 2 gives this record."
+                 ? "no sliding with a friction of 0 to 2 gives this record" + by_how_much(analysis) + "."
                  : "No sliding with a friction of 0 to 2 gives this record, either.";
     case Doubt::softer_reload:
       return fmt::format("The specimen lost stiffness: loaded again it is {:.0f} ± {:.0f} % softer.",
                          100 * test.judgement->loss, 100 * test.judgement->loss_error);
     case Doubt::cracks:
-      return test.judgement->standing == Standing::untrusted
-                 ? "The drops are those of a specimen that cracks."
-                 : "The drops are those of a specimen that cracks; the friction given takes them for slips.";
+      return is_trusted(test.judgement->standing)
+                 ? "The drops are those of a specimen that cracks; the friction given takes them for slips."
+                 : "The drops are those of a specimen that cracks.";
     case Doubt::impossible_drops: {
       const auto impossible = std::count_if(analysis.slips.begin(), analysis.slips.end(),
                                             [](const Slip& slip) { return is_no_slip(slip.verdict); });
@@ -212,16 +231,11 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
     case Doubt::unexpected_stiffness:
       break;
   }
-  const Estimate& toe = analysis.contact.offset;
-  const bool begins_late = analysis.contact.status == ContactStatus::found && toe.value > 2 * toe.standard_error;
   return fmt::format("The fitted bending stiffness is {} from that {}, {:.1f} times its error.{}",
                      signed_percent(fit.bending_stiffness.value - 1),
                      analysis.stiffness_from_slope ? "of the initial slope" : "stated",
                      std::abs(std::log(fit.bending_stiffness.value)) / analysis.bending_stiffness_error,
-                     begins_late ? fmt::format(" A line through the first part of the curve meets zero force {} behind "
-                                               "the contact: see what contact = \"find\" under [record] makes of it.",
-                                               readable(toe.value, toe.standard_error, Print(test).as(kind::length)))
-                                 : "");
+                     late_beginning_in_words(test));
 }
 
 double greatest_deflection(const TestAnalysis& analysis) {
@@ -234,10 +248,11 @@ std::string imaged_in_words(const FittedTest& test) {
   if (!test.imaged || test.imaged->points.empty()) return "";
   const ImagedLength& imaged = *test.imaged;
   const double unit = test.analysis.scales.span();
-  return fmt::format("The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
-                     readable(std::abs(unit * imaged.offset), unit * imaged.error, Print(test).as(kind::length)),
-                     imaged.offset > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
-                     roughly(unit * imaged.scatter, Print(test).as(kind::length)));
+  return fmt::format(
+      "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
+      readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, Print(test).as(kind::length)),
+      imaged.offset.value > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
+      roughly(unit * imaged.scatter, Print(test).as(kind::length)));
 }
 
 std::string_view standing_in_words(Standing standing, std::span<const Doubt> doubts, bool tells_friction) {
@@ -265,6 +280,9 @@ std::string next_step_in_words(const FittedTest& test) {
       return test.analysis.stiffness_implausible
                  ? "Next: check the modulus, the section, the span, the columns and their units, and whether the "
                    "specimen cracks."
+             : test.analysis.drops.drops.empty()
+                 ? "Next: check the modulus, the section, the span, the contact, the columns and their units. If all "
+                   "are right, the specimen gives way: unload and load once more."
                  : "Next: find out whether the specimen cracks: unload and load once more. If it does not, check the "
                    "modulus, the section, the span, the columns and their units.";
     case NextStep::reload:
@@ -280,6 +298,14 @@ std::string next_step_in_words(const FittedTest& test) {
           "Next: a stiffer rig; more than half of the fibre seen passes in jumps. At {} or more, mean friction like "
           "this does not snap.",
           Print(test).own(test.analysis.scales.physical_stiffness(judgement.stiffness_for_all), kind::stiffness));
+    case NextStep::state_radius:
+      return "Next: state [rig] roller_radius, if the supports are not edges.";
+    case NextStep::find_contact:
+      return "Next: see whether the answer stays with contact = \"find\" under [record].";
+    case NextStep::finer_force:
+      return "Next: record the force more finely; falls smaller than that cannot be seen.";
+    case NextStep::measure_stiffness:
+      return "Next: check the modulus, the section, the span and the contact.";
     case NextStep::image_length:
       break;
   }
@@ -316,9 +342,8 @@ std::string answer_of(const FittedTest& test) {
                      Print(test).length(greatest_deflection(analysis)), 100 * greatest_deflection(analysis),
                      Print(test).length(1));
   if (analysis.status == AnalysisStatus::not_explained) {
-    std::string answer =
-        "No answer: no sliding with a friction of 0 to 2 gives this record. Check the columns, their units, the span "
-        "and the section.";
+    std::string answer = "No answer: no sliding with a friction of 0 to 2 gives this record" + by_how_much(analysis) +
+                         ". Check the columns, their units, the span and the section.";
     if (analysis.stiffness_implausible)
       answer += fmt::format(" The bending stiffness stated is {} times that of the record's initial slope{}.",
                             roughly(analysis.stiffness_over_slope, kind::number),
@@ -327,7 +352,7 @@ std::string answer_of(const FittedTest& test) {
            " Next: see what flexslip read makes of the file; docs/reading-your-report.md has symptoms and remedies.";
   }
   const Judgement& judgement = test.judgement.value();
-  const bool trusted = judgement.standing != Standing::untrusted;
+  const bool trusted = is_trusted(judgement.standing);
   std::string answer = trusted ? "" : "No answer to trust: ";
   for (const Doubt doubt : judgement.doubts) {
     // What follows from a wrong stiffness, or from no sliding, is no doubt of its own.
@@ -336,8 +361,8 @@ std::string answer_of(const FittedTest& test) {
     if (!words.empty()) answer += words + " ";
   }
   if (!trusted)
-    return fmt::format("{}{}: {}. {}", answer, sawtooth_in_words(analysis), drops_in_words(test),
-                       next_step_in_words(test));
+    return fmt::format("{}{}: {}.{} {}", answer, sawtooth_in_words(analysis), drops_in_words(test),
+                       late_beginning_in_words(test), next_step_in_words(test));
   answer += fmt::format("{}: {}. {}", sawtooth_in_words(analysis), drops_in_words(test), friction_in_short(test));
   const double share = analysis.energy.friction_share;
   const bool is_told = !analysis.fit.mu0_is_bound && !lost_stiffness(test);
@@ -358,8 +383,8 @@ std::string answer_of(const FittedTest& test) {
 }
 
 std::string caution_of(const FittedTest& test) {
-  if (test.judgement.value().standing == Standing::untrusted)
-    return "The numbers below are those of a fit that is not to be used: they tell no friction.";
+  if (!is_trusted(test.judgement.value().standing))
+    return "The fit is not to be used: it tells no friction. What is drawn of it shows where it fails.";
   return lost_stiffness(test)
              ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";

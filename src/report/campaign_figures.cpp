@@ -264,9 +264,8 @@ class AtlasPage {
     const double stiffness = summary.bending_stiffness.value;
     const double per_force = y * stiffness / (curves.span * curves.span);
     constexpr int points = 60;
-    const double S_max = 1 + 2.6 * reduced_deepest * reduced_deepest;
-    if (S_max > 1)
-      for (const auto& point : equilibrium_curve(Friction::constant(0), Sliding::in, S_max, points).points)
+    if (reduced_deepest > 0)
+      for (const auto& point : sliding_up_to(reduced_deepest, 0, points))
         references_.rows.push_back({panel, x * curves.span * point.w, per_force * 48 * point.w, per_force * point.F});
     references_.rows.emplace_back();
 

@@ -37,6 +37,19 @@ std::string of_spread(const Spread& spread, double factor, int decimals) {
                      factor * spread.max, decimals);
 }
 
+// Brackets where some of the waves are only indicative.
+std::string of_waves(const CategorySpread& category, Spread CategorySpread::*spread, double factor, int decimals) {
+  const std::string words = of_spread(category.*spread, factor, decimals);
+  return words.empty() || category.waves_claimed == (category.*spread).count ? words : fmt::format("[{}]", words);
+}
+
+std::string of_friction(const CategorySpread& category) {
+  const std::string told = of_spread(category.mu0, 1, 3);
+  if (category.mu0_limits == 0) return told;
+  const std::string limits = fmt::format("{} at most {}", category.mu0_limits, significant(category.greatest_limit, 2));
+  return told.empty() ? limits : fmt::format("{}; {}", told, limits);
+}
+
 std::string enumerated(const std::vector<std::string>& names) {
   std::string out;
   const std::size_t shown = names.size() > most_names ? most_names : names.size();
@@ -52,7 +65,7 @@ std::vector<std::string> names_of(const Campaign& campaign, Predicate belongs) {
   return names;
 }
 
-bool is_untrusted(const CampaignTest& test) { return test.summary && test.summary->standing == Standing::untrusted; }
+bool is_untrusted(const CampaignTest& test) { return test.summary && !is_trusted(test.summary->standing); }
 bool is_suspect(const CampaignTest& test) { return test.summary && test.summary->suspect && !is_untrusted(test); }
 bool is_failure(const CampaignTest& test) { return !test.summary; }
 
@@ -79,19 +92,27 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
   const CategorySpread& over = leaves_out ? all.without_suspects : all.with_suspects;
   const std::size_t suspects = all.with_suspects.tests - all.without_suspects.tests;
   const Spread& mu0 = over.mu0;
-  const std::string value = mu0.count == 1
-                                ? fmt::format("Friction at the supports is {:.2f}", mu0.mean)
-                                : fmt::format("Friction at the supports is {:.2f} on average, from {:.2f} to {:.2f}",
-                                              mu0.mean, mu0.min, mu0.max);
+  const std::string limits = over.mu0_limits == 0 ? ""
+                                                  : fmt::format("{} only that it is at most {}",
+                                                                counted(over.mu0_limits, "test tells", "tests tell"),
+                                                                significant(over.greatest_limit, 2));
   const std::string left_out = leaves_out && suspects > 0
                                    ? fmt::format(", without the {}", suspects == 1 ? "suspect test" : "suspect tests")
                                    : "";
+  if (mu0.count == 0)
+    return limits.empty() ? "No test tells friction."
+                          : fmt::format("No test tells friction at the supports from zero; {}{}.", limits, left_out);
+  const std::string value =
+      (mu0.count == 1 ? fmt::format("Friction at the supports is {:.2f}", mu0.mean)
+                      : fmt::format("Friction at the supports is {:.2f} on average, from {:.2f} to {:.2f}", mu0.mean,
+                                    mu0.min, mu0.max)) +
+      (limits.empty() ? "" : "; " + limits);
   const auto literature = literature_of(campaign);
   if (!literature) return fmt::format("{}{}.", value, left_out);
   const double low = literature->low, high = literature->high;
   const auto within = std::count_if(campaign.tests.begin(), campaign.tests.end(), [&](const CampaignTest& test) {
-    return test.summary && !(leaves_out && test.summary->suspect) && test.summary->mu0.value >= low &&
-           test.summary->mu0.value <= high;
+    return test.summary && !(leaves_out && test.summary->suspect) && is_trusted(test.summary->standing) &&
+           !test.summary->mu0_is_bound && test.summary->mu0.value >= low && test.summary->mu0.value <= high;
   });
   return fmt::format(
       "{}{}. {} {} the range {:g} to {:g} that the literature gives for {} on {}{}.", value, left_out,
@@ -159,11 +180,13 @@ PrintedTable category_rows(const Campaign& campaign) {
       {"Sawtooth", "Suspects", "Tests", "μ₀", "A", titled("λ", length), titled("Height", length), "Slope"}, {}};
   for (const auto& category : campaign.categories)
     for (const auto* spreads : {&category.without_suspects, &category.with_suspects})
-      table.rows.push_back(
-          {std::string(key_of(category)), spreads == &category.without_suspects ? "left out" : "counted in",
-           fmt::format("{}", spreads->tests), of_spread(spreads->mu0, 1, 3), of_spread(spreads->amplitude, 1, 3),
-           of_spread(spreads->wavelength, length.factor, 1), of_spread(spreads->surface_height, length.factor, 3),
-           of_spread(spreads->surface_slope, 1, 3)});
+      table.rows.push_back({std::string(key_of(category)),
+                            spreads == &category.without_suspects ? "left out" : "counted in",
+                            fmt::format("{}", spreads->tests), of_friction(*spreads),
+                            of_waves(*spreads, &CategorySpread::amplitude, 1, 3),
+                            of_waves(*spreads, &CategorySpread::wavelength, length.factor, 1),
+                            of_waves(*spreads, &CategorySpread::surface_height, length.factor, 3),
+                            of_spread(spreads->surface_slope, 1, 3)});
   return table;
 }
 

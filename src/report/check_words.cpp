@@ -16,8 +16,28 @@ namespace flexslip {
 
 namespace {
 
-bool is_without_sliding(const FittedTest& test, const Check& check) {
-  return check.kind == CheckKind::friction && test.judgement && test.judgement->standing == Standing::untrusted;
+// What a check of a fit is about, if it says nothing of one that is not to be used; empty if it says why that is so.
+std::string_view presuming_sliding(CheckKind kind) {
+  switch (kind) {
+    case CheckKind::drops:
+      return "drops of the fit";
+    case CheckKind::whiteness:
+      return "noise of the readings";
+    case CheckKind::nesting:
+      return "simpler explanations";
+    case CheckKind::friction:
+      return "friction told from zero";
+    case CheckKind::stability:
+      return "the ninth digit of the force";
+    case CheckKind::residuals:
+    case CheckKind::stiffness:
+      break;
+  }
+  return "";
+}
+
+bool presumes_too_much(const FittedTest& test, const Check& check) {
+  return !is_trusted(test.judgement.value().standing) && !presuming_sliding(check.kind).empty();
 }
 
 struct Finding {
@@ -26,7 +46,8 @@ struct Finding {
 };
 
 Finding finding_of(const FittedTest& test, const Check& check) {
-  if (is_without_sliding(test, check)) return {"friction told from zero: no sliding explains this record", ""};
+  if (presumes_too_much(test, check))
+    return {fmt::format("{}: the fit is not to be used", presuming_sliding(check.kind)), ""};
   const Print print(test);
   const auto number = [&](std::string_view name) { return number_of(check, name); };
   const bool passed = check.outcome == CheckOutcome::passed, possible = check.outcome != CheckOutcome::not_possible;
@@ -85,17 +106,52 @@ Finding finding_of(const FittedTest& test, const Check& check) {
           fmt::format("The likeliest explanation {}.", number("same_explanation") > 0 ? "stays" : "changes")};
 }
 
+std::string_view in_words(CheckOutcome outcome) {
+  return outcome == CheckOutcome::passed ? "ok" : outcome == CheckOutcome::failed ? "warning" : "not possible";
+}
+
+// Domain: the record has drops.
+CheckInWords slip_or_crack_in_words(const FittedTest& test) {
+  const SlipOrCrack& rises = test.analysis.slip_or_crack;
+  const CrackVerdict verdict = test.judgement->drops;
+  const std::string by =
+      rises.judged && rises.verdict == verdict ? fmt::format(" (D* = {:.1f})", rises.margin) : " (by the reload)";
+  const std::string_view reload = test.cycles ? "" : "unload and load once more";
+  const auto said = [](CheckOutcome outcome, std::string words, std::string_view remedy) {
+    return CheckInWords{std::string(in_words(outcome)), "slip or crack: " + std::move(words), "", std::string(remedy)};
+  };
+  switch (verdict) {
+    case CrackVerdict::not_by_cracks_alone:
+      return said(CheckOutcome::passed, "cracks alone cannot give the drops" + by, "");
+    case CrackVerdict::cracks:
+      return said(CheckOutcome::failed, "the drops are those of a specimen that cracks" + by, reload);
+    case CrackVerdict::cannot_be_told:
+      break;
+  }
+  return rises.judged ? said(CheckOutcome::failed, "this record cannot tell" + by, reload)
+                      : said(CheckOutcome::not_possible, "too few drops, or rises between them", reload);
+}
+
 }  // namespace
+
+std::string rises_in_words(const SlipOrCrack& rises) {
+  return fmt::format("D* = {:.1f}; {} of {} rises grow stiffer", rises.margin, rises.stiffer_rises, rises.rises);
+}
 
 CheckInWords check_in_words(const FittedTest& test, const Check& check) {
   auto [words, detail] = finding_of(test, check);
-  const CheckOutcome outcome = is_without_sliding(test, check) ? CheckOutcome::not_possible : check.outcome;
-  return {.outcome = outcome == CheckOutcome::passed   ? "ok"
-                     : outcome == CheckOutcome::failed ? "warning"
-                                                       : "not possible",
+  const CheckOutcome outcome = presumes_too_much(test, check) ? CheckOutcome::not_possible : check.outcome;
+  return {.outcome = std::string(in_words(outcome)),
           .words = std::move(words),
           .detail = std::move(detail),
           .remedy = outcome == CheckOutcome::failed ? std::string(remedy_of(check)) : ""};
+}
+
+std::vector<CheckInWords> checks_in_words(const FittedTest& test) {
+  std::vector<CheckInWords> all;
+  if (!test.analysis.drops.drops.empty()) all.push_back(slip_or_crack_in_words(test));
+  for (const Check& check : test.analysis.checks) all.push_back(check_in_words(test, check));
+  return all;
 }
 
 }  // namespace flexslip

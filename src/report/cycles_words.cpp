@@ -139,9 +139,10 @@ std::string build_up_in_words(const FittedTest& test) {
       "After {}, friction builds up over {} of sliding (Dahl's length, both supports together; build_up_length under "
       "[friction] takes it into account). The fit assumes full friction from the first sliding on.",
       from,
-      std::isfinite(build_up->standard_error)
-          ? readable(unit * build_up->value, unit * build_up->standard_error, Print(test).as(kind::length))
-          : roughly(unit * build_up->value, Print(test).as(kind::length)));
+      std::isfinite(build_up->length.standard_error)
+          ? readable(unit * build_up->length.value, unit * build_up->length.standard_error,
+                     Print(test).as(kind::length))
+          : roughly(unit * build_up->length.value, Print(test).as(kind::length)));
 }
 
 std::string loops_replayed_in_words(const FittedTest& test) {
@@ -228,7 +229,7 @@ std::vector<std::string> cycles_in_words(const FittedTest& test) {
 
 std::string smoothing_in_words(const FittedTest& test) {
   if (!test.cycles || !test.cycles->build_up || !test.cycles->build_up->is_told()) return "";
-  const double length = test.cycles->build_up->value;
+  const double length = test.cycles->build_up->length.value;
   const auto& fit = test.analysis.fit;
   const auto shown = [&](double reduced) {
     return roughly(test.analysis.scales.physical_length(reduced), Print(test).as(kind::length));

@@ -221,13 +221,18 @@ std::string change_in_words(const DesignChange& change, const InUnits& shown) {
   throw std::invalid_argument("no change of this parameter is looked for");
 }
 
+bool falls_no_less(const DesignOutcome& then, const DesignOutcome& now) {
+  return then.largest_drop * now.greatest_force >= now.largest_drop * then.greatest_force;
+}
+
 // The force may fall without a snap: friction that varies along the specimen makes it wavy on any rig.
 std::string what_remains(const DesignAnswer& answer, const DesignChange& change) {
   const DesignOutcome& then = change.outcome;
   if (answer.outcome.snaps == 0 || then.drops == 0) return "";
   const double part = then.largest_drop / then.greatest_force;
-  return fmt::format(" (smooth falls of {}{} remain)", part < 0.001 ? "" : "up to ",
-                     share(then.largest_drop, then.greatest_force));
+  return fmt::format(" (smooth falls of {}{} remain{})", part < 0.001 ? "" : "up to ",
+                     share(then.largest_drop, then.greatest_force),
+                     falls_no_less(then, answer.outcome) ? ", no less than now" : "");
 }
 
 std::string answer_in_short(const DesignAnswer& answer) {

@@ -6,6 +6,7 @@
 
 #include "io/text_table.h"
 #include "report/answer_words.h"
+#include "report/check_words.h"
 #include "report/cycles_figures.h"
 #include "report/cycles_words.h"
 #include "report/fit_figures.h"
@@ -26,91 +27,77 @@ std::string joined(const std::string& first, const std::string& second) {
   return first + (first.empty() || second.empty() ? "" : " ") + second;
 }
 
+Picture picture(Figure (*drawn)(const FittedTest&), const FittedTest& test, std::string caption) {
+  return {[drawn, &test, caption = std::move(caption)] { return Plate{drawn(test), caption}; }};
+}
+
 Picture record_picture(const FittedTest& test) {
-  return {[&] {
-    return Plate{
-        record_figure(test),
-        "Measured force (blue). Orange: Euler–Bernoulli (dashed) and the model without friction, both with the "
-        "bending stiffness stated, or that of the initial slope."};
-  }};
+  return picture(record_figure, test,
+                 "Measured force (blue). Orange: Euler–Bernoulli (dashed) and the model without friction, both with "
+                 "the bending stiffness stated, or that of the initial slope.");
 }
 
 Picture force_picture(const FittedTest& test) {
-  return {[&] {
-    return Plate{
-        force_figure(test),
-        fmt::format(
-            "Measured force (blue) and the mean of the fit run forward (black; dashed where it snaps). Orange: "
-            "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. "
-            "Grey: "
-            "load lines (slope: the stiffness of the load train) through the {} drops found. Below: measured minus "
-            "model, grey where the force tells too little of friction and the mean is continued as it begins.",
-            test.analysis.drops.drops.size())};
-  }};
+  return picture(
+      force_figure, test,
+      fmt::format("Measured force (blue) and the mean of the fit run forward (black; dashed where it snaps). Orange: "
+                  "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the "
+                  "fit. Grey: load lines (slope: the stiffness of the load train) through the {} drops found. Below: "
+                  "measured minus model, grey where the force tells too little of friction and the mean is continued "
+                  "as it begins.",
+                  test.analysis.drops.drops.size()));
 }
 
 Picture profile_picture(const FittedTest& test) {
-  return {[&] {
-    const auto literature = literature_of(test);
-    return Plate{
-        profile_figure(test),
-        fmt::format(
-            "Friction read off the curve point by point, at the bending stiffness of the fit. Bars: 95 % "
-            "intervals from the noise of each point. Red-orange: the slips. Black: the mean of the fit; grey band: two "
-            "standard deviations about the mean, with the errors of stiffness and contact.{}{}",
-            test.analysis.fit.wave_claimed ? " Orange: the wave claimed." : "",
-            literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
-                                     literature->support)
-                       : "")};
-  }};
+  const auto literature = literature_of(test);
+  return picture(
+      profile_figure, test,
+      fmt::format("Friction read off the curve point by point, at the bending stiffness of the fit. Bars: 95 % "
+                  "intervals from the noise of each point. Red-orange: the slips. Black: the mean of the fit; grey "
+                  "band: two standard deviations about the mean, with the errors of stiffness and contact.{}{}",
+                  test.analysis.fit.wave_claimed ? " Orange: the wave claimed." : "",
+                  literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
+                                           literature->support)
+                             : ""));
 }
 
 Picture wavelength_picture(const FittedTest& test) {
-  return {[&] {
-    return Plate{wavelength_figure(test),
+  return picture(wavelength_figure, test,
                  "How much a wave of friction adds to the logarithm of the evidence, against its wavelength. The "
                  "roughness is kept as fitted without a wave; for ln B, wave and roughness are fitted anew. "
-                 "Dotted: 3, beyond which a wave is claimed."};
-  }};
+                 "Dotted: 3, beyond which a wave is claimed.");
 }
 
 Picture teeth_picture(const FittedTest& test) {
-  return {[&] {
-    return Plate{
-        teeth_figure(test),
-        "Every rise between two drops, on a scale from sliding at constant friction (0) to sticking (1). Below "
-        "1 the specimen is drawn in; below 0 friction falls at the same time. Thin bars: noise, 95 %. Wide "
-        "grey bars: stiffness and contact, 95 %, common to all rises. Orange: cannot be told from sticking; "
-        "sliding against steeply rising friction looks the same. Crosses: a stuck specimen on supports that "
-        "give way by the one compliance that fits best."};
-  }};
+  return picture(teeth_figure, test,
+                 "Every rise between two drops, on a scale from sliding at constant friction (0) to sticking (1). "
+                 "Below 1 the specimen is drawn in; below 0 friction falls at the same time. Thin bars: noise, 95 %. "
+                 "Wide grey bars: stiffness and contact, 95 %, common to all rises. Orange: cannot be told from "
+                 "sticking; sliding against steeply rising friction looks the same. Crosses: a stuck specimen on "
+                 "supports that give way by the one compliance that fits best.");
 }
 
 Picture loops_picture(const FittedTest& test) {
-  return {[&] {
-    return Plate{loops_figure(test),
+  return picture(loops_figure, test,
                  "Force against deflection, loading (blue) and unloading (red); arrows show the direction. Black: "
-                 "one friction profile for all loops and both directions, run forward over the stage positions."};
-  }};
+                 "one friction profile for all loops and both directions, run forward over the stage positions.");
 }
 
 Picture boxes_picture(const FittedTest& test) {
-  return {[&] {
-    return Plate{
-        boxes_figure(test),
-        fmt::format(
-            "Top: each loop is a box. The specimen slides in along its upper side, sticks while the stage turns back, "
-            "and slides out along its lower side. Below{}: friction of both directions at the same points of the "
-            "specimen. Bands: 95 % intervals from noise, bending stiffness and contact; the last two move a whole "
-            "band. Points that noise throws beyond the axis are not shown.",
-            test.cycles->friction.loops.size() > most_drawn_loops
-                ? fmt::format(", the first {} loops", most_drawn_loops)
-                : "")};
-  }};
+  return picture(
+      boxes_figure, test,
+      fmt::format("Top: each loop is a box. The specimen slides in along its upper side, sticks while the stage turns "
+                  "back, and slides out along its lower side. Below{}: friction of both directions at the same points "
+                  "of the specimen. Bands: 95 % intervals from noise, bending stiffness and contact; the last two "
+                  "move a whole band. Points that noise throws beyond the axis are not shown.",
+                  test.cycles->friction.loops.size() > most_drawn_loops
+                      ? fmt::format(", the first {} loops", most_drawn_loops)
+                      : ""));
 }
 
 Chapter friction_chapter(const FittedTest& test) {
   Chapter chapter{"Friction"};
+  if (!is_trusted(test.judgement.value().standing)) return chapter.say(caution_of(test));
   chapter.say(joined(caution_of(test), friction_in_words(test)))
       .say(fmt::format("The parameters of the model, {}:", model_in_words(test.analysis.fit.model)))
       .show(parameter_rows(test))
@@ -128,8 +115,18 @@ Chapter wave_chapter(const FittedTest& test) {
   return chapter;
 }
 
+Chapter checks_chapter(const FittedTest& test) {
+  Bullets bullets;
+  for (const CheckInWords& said : checks_in_words(test))
+    bullets.items.push_back(fmt::format("{}: {}.{}{}", said.outcome, said.words,
+                                        said.detail.empty() ? "" : " " + said.detail,
+                                        said.remedy.empty() ? "" : fmt::format(" What to do: {}.", said.remedy)));
+  return Chapter{"Checks"}.show(std::move(bullets));
+}
+
 std::vector<Chapter> slip_chapters(const FittedTest& test) {
   const auto& analysis = test.analysis;
+  if (!is_trusted(test.judgement.value().standing)) return {Chapter{"Drops"}.show(drop_table(test))};
   std::vector<Chapter> chapters{Chapter{"Drops and slips"}.say(slips_in_words(test)).show(drop_table(test))};
   if (!analysis.drops.drops.empty() || !analysis.model.snaps.empty())
     chapters.push_back(Chapter{"Snaps of the fit's mean"}.say(snaps_in_words(test)).show(snap_table(test)));
@@ -181,13 +178,14 @@ std::vector<Chapter> document_of(const FittedTest& test) {
     chapters.push_back(provenance_chapter(test));
     return chapters;
   }
+  const bool trusted = is_trusted(test.judgement.value().standing);
   std::vector<Chapter> chapters{Chapter{""}.show(force_picture(test)).show(profile_picture(test)),
                                 friction_chapter(test)};
-  if (test.judgement.value().standing != Standing::untrusted) chapters.push_back(wave_chapter(test));
-  chapters.push_back(Chapter{"Checks"}.show(Bullets{checks_in_words(test)}));
+  if (trusted) chapters.push_back(wave_chapter(test));
+  chapters.push_back(checks_chapter(test));
   for (Chapter& chapter : slip_chapters(test)) chapters.push_back(std::move(chapter));
   if (test.cycles) chapters.push_back(cycles_chapter(test));
-  chapters.push_back(energy_chapter(test));
+  if (trusted) chapters.push_back(energy_chapter(test));
   chapters.push_back(Chapter{"Can it be trusted?"}.say(suspicion_in_words(test)).say(replay_in_words(test)));
   const StandardTest standard = standard_test(test);
   chapters.push_back(Chapter{"Small deflection, as the standards have it"}

@@ -93,7 +93,7 @@ Figure force_figure(const FittedTest& test) {
   if (snaps.rows.empty()) snaps.rows.push_back({NAN, NAN});
 
   FigureData references{"references", {length, "Euler-Bernoulli " + force, "frictionless " + force}, {}};
-  for (const auto& point : equilibrium_curve(Friction::constant(0), Sliding::in, 1 + 2.6 * w_max * w_max, 200).points)
+  for (const auto& point : sliding_up_to(w_max, 0, 200, analysis.rig.fibre))
     references.rows.push_back({x * point.w, y * stiffening * 48 * point.w, y * stiffening * point.F});
 
   // Load lines reach a little beyond the drops on both sides.

@@ -30,14 +30,13 @@ std::string line_of_screen(std::string_view label, const std::string& words) {
 
 // Does the answer claim a friction?
 bool claims_friction(const FittedTest& test) {
-  return test.judgement.value().standing != Standing::untrusted && !test.analysis.fit.mu0_is_bound &&
-         caution_of(test).empty();
+  return is_trusted(test.judgement.value().standing) && !test.analysis.fit.mu0_is_bound && caution_of(test).empty();
 }
 
 std::string friction_on_screen(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   const auto& read = test.analysis.friction_read;
-  if (test.judgement.value().standing == Standing::untrusted || !caution_of(test).empty())
+  if (!is_trusted(test.judgement.value().standing) || !caution_of(test).empty())
     return "cannot be read off this record";
   if (fit.mu0_is_bound) return mean_friction(fit) + ": the record does not tell it from zero";
   const std::string model = mean_friction(fit) + " on average, by the fit";
@@ -52,7 +51,7 @@ std::string stiffness_on_screen(const FittedTest& test) {
     if (row.name == "bending_stiffness") words = fmt::format("EI = {}, {}", row.value, row.remark);
     if (row.name == "modulus") words += fmt::format("; E = {}, of the fit", row.value);
   }
-  if (test.judgement.value().standing == Standing::untrusted) words += "; not to be used";
+  if (!is_trusted(test.judgement.value().standing)) words += "; not to be used";
   return words;
 }
 
@@ -113,10 +112,8 @@ std::string energy_in_short(const FittedTest& test) {
 
 std::string checks_in_short(const FittedTest& test) {
   std::string text;
-  for (const Check& check : test.analysis.checks) {
-    const CheckInWords said = check_in_words(test, check);
+  for (const CheckInWords& said : checks_in_words(test))
     text += line_of_screen(said.outcome, said.words + (said.remedy.empty() ? "" : "; " + said.remedy));
-  }
   return text;
 }
 
@@ -158,7 +155,7 @@ std::string fit_screen(const FittedTest& test) {
   }
   text += line_of_screen("stiffness", stiffness_on_screen(test));
   if (const std::string strain = strain_in_short(test); !strain.empty()) text += line_of_screen("strain", strain);
-  text += "Checks of the fit\n" + checks_in_short(test);
+  text += "Checks\n" + checks_in_short(test);
   text += line_of_screen("assumed", assumed_in_short(test));
   text += line_of_screen("more",
                          "--full: every table; --report FOLDER: figures; docs/reading-your-report.md: what they mean");

@@ -12,7 +12,6 @@
 #include "inference/process_search.h"
 #include "io/quantity.h"
 #include "report/answer_words.h"
-#include "report/check_words.h"
 #include "report/cycles_words.h"
 #include "report/digits.h"
 #include "report/printed.h"
@@ -37,7 +36,6 @@ std::string model_in_words(ProfileModel model) {
 }
 
 std::string friction_in_words(const FittedTest& test) {
-  if (test.judgement.value().standing == Standing::untrusted) return "";
   const auto& analysis = test.analysis;
   const auto& fit = analysis.fit;
   std::string words =
@@ -106,16 +104,6 @@ std::string sides_in_words(const FittedTest& test) {
       "that of the weaker side, which slides. Force and stage do not tell which is the case; images of both supports "
       "do, and the same specimen tested again, turned end for end.",
       twice);
-}
-
-std::vector<std::string> checks_in_words(const FittedTest& test) {
-  std::vector<std::string> all;
-  for (const auto& check : test.analysis.checks) {
-    const CheckInWords said = check_in_words(test, check);
-    all.push_back(fmt::format("{}: {}.{}{}", said.outcome, said.words, said.detail.empty() ? "" : " " + said.detail,
-                              said.remedy.empty() ? "" : fmt::format(" What to do: {}.", said.remedy)));
-  }
-  return all;
 }
 
 std::optional<LiteratureFriction> literature_of(const FittedTest& test) {

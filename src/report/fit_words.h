@@ -27,7 +27,6 @@ std::string friction_in_words(const FittedTest& test);  // of the specimen as te
 std::string wave_in_words(const FittedTest& test);      // whether friction repeats along the specimen
 std::string sides_in_words(
     const FittedTest& test);  // what its lengths are if one side slides at a time; "" without any
-std::vector<std::string> checks_in_words(const FittedTest& test);
 std::string friction_in_literature(const FittedTest& test);
 
 // How far the specimen was strained; nothing without a section.

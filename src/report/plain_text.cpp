@@ -10,6 +10,13 @@ namespace {
 
 constexpr std::size_t line_length = 100;
 
+// Where the first word ends; a percent sign belongs to its number.
+std::size_t end_of_word(std::string_view text) {
+  std::size_t end = text.find(' ');
+  while (end < text.size() - 1 && text[end + 1] == '%') end = text.find(' ', end + 1);
+  return std::min(end, text.size());
+}
+
 }  // namespace
 
 std::size_t width_of(std::string_view text) {
@@ -29,7 +36,7 @@ std::string wrapped(std::string_view text, std::string_view indent, std::string_
   std::size_t length = width_of(begin);
   bool first = true;
   while (!text.empty()) {
-    const std::size_t space = std::min(text.find(' '), text.size());
+    const std::size_t space = end_of_word(text);
     const std::string_view word = text.substr(0, space);
     text.remove_prefix(std::min(space + 1, text.size()));
     if (!first && length + 1 + width_of(word) > line_length) {

@@ -28,7 +28,7 @@ Figure record_figure(const FittedTest& test) {
     measured.rows.push_back({length.factor * record.deflection[i], force.factor * record.force[i]});
   FigureData references{"references", {abscissa, "Euler-Bernoulli " + ordinate, "frictionless " + ordinate}, {}};
   const double w_max = deepest / scales.span();
-  for (const auto& point : equilibrium_curve(Friction::constant(0), Sliding::in, 1 + 2.6 * w_max * w_max, 200).points)
+  for (const auto& point : sliding_up_to(w_max, 0, 200, test.analysis.rig.fibre))
     references.rows.push_back({x * point.w, y * 48 * point.w, y * point.F});
 
   const double from = std::min(0.0, 1.1 * force.factor * *least), to = 1.1 * force.factor * *greatest;

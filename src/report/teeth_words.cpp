@@ -13,10 +13,10 @@ namespace flexslip {
 namespace {
 
 std::string compliance_in_words(const SupportCompliance& compliance, const FittedTest& test) {
-  const double error = std::hypot(compliance.error, compliance.systematic);
-  if (test.reduced) return readable(compliance.value, error, kind::number);
+  const double error = std::hypot(compliance.estimate.standard_error, compliance.systematic);
+  if (test.reduced) return readable(compliance.estimate.value, error, kind::number);
   const double unit = 1 / test.analysis.scales.stiffness_unit();
-  return readable(compliance.value * unit, error * unit, Print(test).as(kind::compliance));
+  return readable(compliance.estimate.value * unit, error * unit, Print(test).as(kind::compliance));
 }
 
 // Friction that builds up looks like sliding of one that is there at once.
@@ -29,7 +29,7 @@ std::string build_up_in_words(const FittedTest& test, std::size_t sliding) {
            "three such lengths. A reversal shows whether friction builds up: unload once.";
   if (!build_up->is_told()) return "";
   const auto& teeth = test.analysis.teeth->teeth;
-  const double least = recovered * build_up->value;
+  const double least = recovered * build_up->length.value;
   const auto near = std::count_if(teeth.begin(), teeth.end(), [&](const Tooth& tooth) {
     return tooth.verdict == ToothVerdict::sliding && tooth.advance.value < least;
   });

@@ -115,6 +115,26 @@ TEST_CASE("limit: a record more than twice as stiff as stated is explained by no
   CHECK(analysis.stiffness_implausible);
 }
 
+TEST_CASE(
+    "limit: a force below that without friction is no sliding, and told by how much; within the error of the stiffness "
+    "it "
+    "is sliding") {
+  const SimulatedTruth truth{.friction = Friction::constant(0.02), .noise = 0.01};
+  const auto record = to_physical(simulated_record(truth), scales);
+  const auto with = [&](double stiffening) {
+    auto description = description_of(truth);
+    description.bending_stiffness = stiffening * scales.bending_stiffness();
+    return analyse(record, description);
+  };
+  const auto within = with(1.05), beyond = with(1.25);
+  CHECK(within.status == AnalysisStatus::ok);
+  CHECK(!within.model_implausible);
+  CHECK(within.fit.mu0.value < 0.1);
+  CHECK(within.force_over_frictionless == doctest::Approx(1 / 1.05).epsilon(0.02));  // with that little friction
+  CHECK((beyond.status == AnalysisStatus::not_explained || beyond.model_implausible));
+  CHECK(beyond.force_over_frictionless == doctest::Approx(1 / 1.25).epsilon(0.02));
+}
+
 TEST_CASE("identity: stability is checked where it is asked for") {
   const auto record = to_physical(simulated_record(toothed()), scales);
   AnalysisOptions options;

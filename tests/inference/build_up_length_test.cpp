@@ -53,15 +53,15 @@ TEST_CASE("build-up length, oracle: that which was simulated is found, in noise 
     const auto found = measure_build_up(exact.legs, exact.points);
     REQUIRE(found);
     CHECK(found->reversals == 3);
-    CHECK(found->value == doctest::Approx(sigma).epsilon(0.15));  // friction varies along the specimen meanwhile
-    if (sigma == 0.004) CHECK(found->is_told());                  // the others are slid from row to row
+    CHECK(found->length.value == doctest::Approx(sigma).epsilon(0.15));  // friction varies along the specimen meanwhile
+    if (sigma == 0.004) CHECK(found->is_told());                         // the others are slid from row to row
   }
   int within = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const auto noisy = measured(building_up(0.002), 0.01, seed);
     const auto found = measure_build_up(noisy.legs, noisy.points);
     REQUIRE(found);
-    within += std::abs(found->value - 0.002) < 3 * found->standard_error + 0.15 * 0.002;
+    within += std::abs(found->length.value - 0.002) < 3 * found->length.standard_error + 0.15 * 0.002;
   }
   CHECK(within >= 9);
 }

@@ -46,6 +46,24 @@ TEST_CASE("table: mean, least and greatest of each category, with and without su
   CHECK(summaries[3].without_suspects.wavelength.count == 2);
 }
 
+TEST_CASE("identity: a test that tells only a limit, or nothing, moves no mean") {
+  using enum SawtoothCategory;
+  std::vector<TestSummary> tests{some_test(clear, 0.5, 10e-6, false), some_test(clear, 0.02, {}, false),
+                                 some_test(clear, 1.75, 30e-6, true)};
+  tests[0].wave_claimed = true;
+  tests[1].mu0_is_bound = true;
+  tests[1].mu0.high = 0.05;
+  tests[2].standing = Standing::untrusted;
+  const CategorySpread all = summarise(tests)[0].with_suspects;
+  CHECK(all.tests == 3);
+  CHECK(all.mu0.count == 1);
+  CHECK(all.mu0.mean == 0.5);
+  CHECK(all.mu0_limits == 1);
+  CHECK(all.greatest_limit == 0.05);
+  CHECK(all.wavelength.count == 1);
+  CHECK(all.waves_claimed == 1);
+}
+
 TEST_CASE(
     "identity: what specimens have in common is the population of their category, suspects and records that tell "
     "nothing left out") {

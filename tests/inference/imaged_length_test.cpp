@@ -24,9 +24,9 @@ TEST_CASE("identity: offset and scatter of what was imaged are those it was made
   CHECK(compared.points.size() == 196);
   CHECK(compared.points[0].index == 1);
   CHECK(compared.points[0].inferred == doctest::Approx(1e-3));
-  CHECK(compared.offset == doctest::Approx(0.02).scale(0).epsilon(0.01));
+  CHECK(compared.offset.value == doctest::Approx(0.02).scale(0).epsilon(0.01));
   CHECK(compared.scatter == doctest::Approx(1.4826 * 0.005).scale(0).epsilon(0.03));
-  CHECK(compared.error == doctest::Approx(1.2533 * compared.scatter / 14).scale(0).epsilon(1e-9));
+  CHECK(compared.offset.standard_error == doctest::Approx(1.2533 * compared.scatter / 14).scale(0).epsilon(1e-9));
 }
 
 TEST_CASE("limit: without images there is nothing to compare") {
@@ -36,7 +36,7 @@ TEST_CASE("limit: without images there is nothing to compare") {
        {std::vector<double>{}, std::vector<double>{std::numeric_limits<double>::quiet_NaN()}}) {
     const auto compared = compare_with_images({{point}, {}}, pulled_in);
     CHECK(compared.points.empty());
-    CHECK(std::isnan(compared.offset));
+    CHECK(std::isnan(compared.offset.value));
   }
 }
 

@@ -85,6 +85,41 @@ TEST_CASE("identity: a softer reload comes first, whatever the rises say; a stif
   CHECK(judge(analysis, &as_stiff).drops == CrackVerdict::cannot_be_told);
 }
 
+TEST_CASE(
+    "identity: two drops that cracks would have to pay for with a tenth are no cracks where a reload lost a fiftieth") {
+  auto analysis = slipping();
+  analysis.drops.drops.resize(2);
+  analysis.slip_or_crack = {};
+  analysis.slip_or_crack.verdict = CrackVerdict::cannot_be_told;
+  double left = 1;  // if friction did not matter, and the deflection hardly changed
+  for (const Drop& drop : analysis.drops.drops)
+    left *= analysis.record.force[drop.after] / analysis.record.force[drop.before];
+  REQUIRE(left < 0.95);
+  CHECK(judge(analysis, nullptr).drops == CrackVerdict::cannot_be_told);
+  const auto as_stiff = reloaded(0.99, 0.01), as_soft = reloaded(left, 0.05);
+  CHECK(judge(analysis, &as_stiff).drops == CrackVerdict::not_by_cracks_alone);
+  CHECK(judge(analysis, &as_soft).drops == CrackVerdict::cannot_be_told);
+}
+
+TEST_CASE("identity: a doubt has a step that would settle it") {
+  const auto step_with = [sound = slipping()](auto change) {
+    TestAnalysis analysis = sound;
+    change(analysis);
+    return judge(analysis, nullptr).next;
+  };
+  CHECK(step_with([](auto& analysis) { analysis.fit.mu0.low = 1.01; }) == NextStep::state_radius);
+  CHECK(step_with([](auto& analysis) {
+          analysis.fit.mu0.low = 1.01;
+          analysis.rig.fibre = Fibre({.radius = 0.05, .half_depth = 0});
+        }) == NextStep::image_length);
+  CHECK(step_with([](auto& analysis) { analysis.drops.smallest_fall = 0.1 * analysis.record.force.back(); }) ==
+        NextStep::finer_force);
+  CHECK(step_with([](auto& analysis) {
+          for (Check& check : analysis.checks)
+            if (check.kind == CheckKind::stiffness) check.outcome = CheckOutcome::failed;
+        }) == NextStep::measure_stiffness);
+}
+
 TEST_CASE("identity: what is sound has no doubt, and what has one is not sound") {
   const auto sound = slipping();
   const auto standing_with = [&](auto change) {

@@ -175,7 +175,7 @@ TEST_CASE(
   for (unsigned seed = 0; seed < tests; ++seed) {
     const auto teeth = judged(with_noise(compliant, {.seed = seed}));
     REQUIRE(teeth.compliance.status == ComplianceStatus::ok);
-    covered += std::abs(teeth.compliance.value - C) <= 1.96 * teeth.compliance.error;
+    covered += std::abs(teeth.compliance.estimate.value - C) <= 1.96 * teeth.compliance.estimate.standard_error;
     rejected += teeth.compliance.p_value < 0.05;
     for (const Tooth& tooth : teeth.teeth) teeth_rejected += tooth.compliant_rejected;
     teeth_all += teeth.teeth.size();

@@ -60,10 +60,35 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("check words: without sliding no check tells friction from zero, and nothing is to be done about that") {
-  const CheckInWords said =
-      check_in_words(judged(Standing::untrusted), check_of(CheckKind::friction, CheckOutcome::failed));
-  CHECK(said.outcome == "not possible");
-  CHECK(said.remedy.empty());
-  CHECK(has(said.words, "no sliding explains this record"));
+TEST_CASE("check words: of a fit that is not to be used, only what says so is told") {
+  const FittedTest test = judged(Standing::untrusted);
+  for (const CheckKind kind :
+       {CheckKind::drops, CheckKind::whiteness, CheckKind::nesting, CheckKind::friction, CheckKind::stability})
+    for (const CheckOutcome outcome : {CheckOutcome::passed, CheckOutcome::failed}) {
+      const CheckInWords said = check_in_words(test, check_of(kind, outcome));
+      CHECK(said.outcome == "not possible");
+      CHECK(said.remedy.empty());
+      CHECK(has(said.words, "the fit is not to be used"));
+    }
+  for (const CheckKind kind : {CheckKind::residuals, CheckKind::stiffness})
+    CHECK(check_in_words(test, check_of(kind, CheckOutcome::failed)).outcome == "warning");
+}
+
+TEST_CASE("check words: slip or crack comes first, with its remedy; nothing of it without drops") {
+  FittedTest test = judged(Standing::suspect);
+  const auto first = [&](CrackVerdict verdict) {
+    test.judgement->drops = test.analysis.slip_or_crack.verdict = verdict;
+    return checks_in_words(test).front();
+  };
+  const CheckInWords cracks = first(CrackVerdict::cracks), slips = first(CrackVerdict::not_by_cracks_alone);
+  CHECK(cracks.outcome == "warning");
+  CHECK(has(cracks.words, "slip or crack: the drops are those of a specimen that cracks (D* = -15.2)"));
+  CHECK(has(cracks.remedy, "unload and load once more"));
+  CHECK(slips.outcome == "ok");
+  CHECK(slips.remedy.empty());
+  CHECK(has(first(CrackVerdict::cannot_be_told).words, "this record cannot tell"));
+  test.analysis.slip_or_crack.judged = false;
+  CHECK(first(CrackVerdict::cannot_be_told).outcome == "not possible");
+  test.analysis.drops.drops.clear();
+  CHECK(!has(checks_in_words(test).front().words, "slip or crack"));
 }

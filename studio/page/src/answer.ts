@@ -73,6 +73,8 @@ function nextStep(fit: FitAnswer): string {
   const steps: Record<string, string> = {
     check_case: " Check modulus, section, span, columns and units.", reload: " Unload and reload once: cracks leave the fibre softer, slips do not.",
     finer_steps: " Record more rows: most rises between drops have fewer than five.", image_length: " Image the supports: the length drawn in shows whether the fibre slides.",
+    state_radius: " State the radius of the supports, if they are not edges.", find_contact: " Look at the contact: find it on the curve.",
+    finer_force: " Record the force more finely.", measure_stiffness: " Check modulus, section, span and contact.",
     stiffer_rig: rig ? ` A load train of ${written(rig, "stiffness")} or more would show no drops by slipping.` : "",
   };
   return steps[fit.judgement?.next_step ?? "none"] ?? "";
@@ -80,9 +82,10 @@ function nextStep(fit: FitAnswer): string {
 
 function doubtInWords(doubt: string, fit: FitAnswer): string {
   const impossible = fit.drops.filter((d) => slipOf(d) === "no").length, { suspect_criteria: points } = fit;
+  const below = 1 - (fit.force_over_frictionless ?? 1);
   const words: Record<string, string> = {
     wrong_stiffness: "The bending stiffness stated is not that of the initial slope: check modulus, section, span and units.",
-    no_sliding: "No sliding with a friction of 0 to 2 gives this record.",
+    no_sliding: `No sliding with a friction of 0 to 2 gives this record${below > 0.01 ? `: its force lies ${fixed(100 * below, 0)} % below that without friction` : ""}.`,
     softer_reload: `Loaded again, the fibre is softer by ${fixed(100 * (fit.judgement?.stiffness_lost ?? 0), 0)} %.`,
     cracks: "The drops are those of a specimen that cracks.",
     impossible_drops: `${impossible} of the ${fit.drops.length} drops cannot be slips.`,
