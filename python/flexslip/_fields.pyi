@@ -23,6 +23,16 @@ class FitUnits(Answer):
     def energy(self) -> str:
         """of energies"""
 
+class FitForceOverFrictionless(Answer):
+    """the force over that without friction, past a tenth of the span; below 1, no friction explains it"""
+
+    @property
+    def median(self) -> float:
+        """over the points [1]"""
+    @property
+    def least(self) -> float:
+        """of them [1]"""
+
 class FitParametersMu0(Estimate):
     """mean friction over the fibre seen"""
 
@@ -293,18 +303,21 @@ class FitJudgement(Answer):
     @property
     def doubts(self) -> tuple[str, ...]:
         """what stands against the answer, the weightiest first: wrong_stiffness, no_sliding, softer_reload, cracks, impossible_drops,
-        implausible_friction, failed_check, falling_friction, changed_reload, coarse_force, undecided_drops, few_rows, settling_contact,
-        unexpected_stiffness"""
+        implausible_friction, failed_check, falling_friction, changed_reload, coarse_force, undecided_drops, few_rows, below_frictionless,
+        settling_contact, unexpected_stiffness"""
     @property
     def next_step(self) -> str:
-        """what would tell most: none, check_case, reload, finer_steps, stiffer_rig, image_length, state_radius, find_contact, finer_force or
-        measure_stiffness"""
+        """what would tell most: none, check_case, reload, finer_steps, stiffer_rig, image_length, state_radius, find_contact, finer_force,
+        measure_stiffness or see_checks"""
     @property
     def stiffness_lost(self) -> float:
         """share lost, that the last comparable reload shows [1]"""
     @property
     def stiffness_lost_error(self) -> float:
         """its standard error [1]"""
+    @property
+    def stiffness_loss_needed(self) -> float:
+        """share that cracks alone would need to make the drops; null without a reload [1]"""
     @property
     def stiffness_for_no_snap(self) -> float:
         """of a rig on which the mean of the fit does not snap [N/m]"""
@@ -1650,8 +1663,8 @@ class FitFields(Answer):
     def stiffness_over_initial_slope(self) -> float:
         """bending stiffness used over that of the initial slope [1]"""
     @property
-    def force_over_frictionless(self) -> float:
-        """of the force without friction, median past a tenth of the span; below 1, no friction explains it [1]"""
+    def force_over_frictionless(self) -> FitForceOverFrictionless:
+        """the force over that without friction, past a tenth of the span; below 1, no friction explains it"""
     @property
     def model_implausible(self) -> bool:
         """no sliding with friction gives such a record"""
@@ -2443,7 +2456,7 @@ class CampaignTests(Answer):
         """work on the specimen [J]"""
     @property
     def friction_share(self) -> float:
-        """of it that went into friction and snaps; null of a test that is not trusted [1]"""
+        """of it that went into friction and snaps; null of a test that is not trusted, or tells only a limit [1]"""
     @property
     def reason(self) -> str | None:
         """why the status is not ok"""
@@ -2476,6 +2489,22 @@ class CampaignTestsTable(Table[CampaignTests]):
 
 class CampaignCategoriesMu0(Answer):
     """mean friction, without tests that tell only a limit"""
+
+    @property
+    def mean(self) -> float:
+        """over the tests [1]"""
+    @property
+    def min(self) -> float:
+        """smallest [1]"""
+    @property
+    def max(self) -> float:
+        """largest [1]"""
+    @property
+    def n(self) -> int:
+        """tests that it is taken over"""
+
+class CampaignCategoriesMu0Limit(Answer):
+    """upper limits of the tests that tell only such"""
 
     @property
     def mean(self) -> float:
@@ -2570,6 +2599,22 @@ class CampaignCategoriesWithSuspectsMu0(Answer):
     def n(self) -> int:
         """tests that it is taken over"""
 
+class CampaignCategoriesWithSuspectsMu0Limit(Answer):
+    """upper limits of the tests that tell only such"""
+
+    @property
+    def mean(self) -> float:
+        """over the tests [1]"""
+    @property
+    def min(self) -> float:
+        """smallest [1]"""
+    @property
+    def max(self) -> float:
+        """largest [1]"""
+    @property
+    def n(self) -> int:
+        """tests that it is taken over"""
+
 class CampaignCategoriesWithSuspectsAmplitude(Answer):
     """of one wave of friction, relative to mu0"""
 
@@ -2644,11 +2689,8 @@ class CampaignCategoriesWithSuspects(Answer):
     def mu0(self) -> CampaignCategoriesWithSuspectsMu0:
         """mean friction, without tests that tell only a limit"""
     @property
-    def mu0_limits(self) -> int:
-        """tests that tell only a limit of it"""
-    @property
-    def mu0_greatest_limit(self) -> float:
-        """of these limits [1]"""
+    def mu0_limit(self) -> CampaignCategoriesWithSuspectsMu0Limit:
+        """upper limits of the tests that tell only such"""
     @property
     def amplitude(self) -> CampaignCategoriesWithSuspectsAmplitude:
         """of one wave of friction, relative to mu0"""
@@ -2719,11 +2761,8 @@ class CampaignCategories(Answer):
     def mu0(self) -> CampaignCategoriesMu0:
         """mean friction, without tests that tell only a limit"""
     @property
-    def mu0_limits(self) -> int:
-        """tests that tell only a limit of it"""
-    @property
-    def mu0_greatest_limit(self) -> float:
-        """of these limits [1]"""
+    def mu0_limit(self) -> CampaignCategoriesMu0Limit:
+        """upper limits of the tests that tell only such"""
     @property
     def amplitude(self) -> CampaignCategoriesAmplitude:
         """of one wave of friction, relative to mu0"""

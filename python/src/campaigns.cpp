@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +18,6 @@
 #include "report/campaign_figures.h"
 #include "report/campaign_report.h"
 #include "report/campaign_text.h"
-#include "report/page.h"
 
 namespace flexslip::python {
 namespace {
@@ -49,19 +47,11 @@ std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::
     options.analysis = [&](const Case& input) { return options_for(input, choice); };
     options.threads = asked.jobs;
     options.stop = &stop;
-    if (asked.report) {
-      make_folder(*asked.report);
-      options.folder = (std::filesystem::path(*asked.report) / "tests").string();
-      options.present = [&](const FittedTest& test, const std::string& folder) {
-        write_campaign_test(folder, test, asked.test_reports);
-      };
-      options.presented = asked.test_reports ? "report" : "";
-    }
+    if (asked.report) keep_tests_in(*asked.report, asked.test_reports, options);
     CampaignRun computed = run_campaign(plan, options);
     if (computed.status == CampaignStatus::stopped) return nullptr;  // the signal says the rest
     computed.campaign.shared = share_parameters(computed.campaign.tests, shareables_named(asked.shared));
-    if (asked.report && asked.figures) write_campaign_report(*asked.report, computed.campaign);
-    if (asked.report && !asked.figures) write_campaign_tables(*asked.report, computed.campaign);
+    if (asked.report) write_campaign_report(*asked.report, computed.campaign, asked.figures);
     return std::make_shared<Campaign>(std::move(computed.campaign));
   });
 }

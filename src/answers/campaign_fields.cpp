@@ -59,7 +59,8 @@ Fields<TestSummary> number_fields() {
            &TestSummary::residual_rms)
       .count("drops", "of the force, beyond its noise", &TestSummary::drops)
       .own("work_of_fracture", kind::energy, "work on the specimen", &TestSummary::work_of_fracture)
-      .number("friction_share", "of it that went into friction and snaps; null of a test that is not trusted",
+      .number("friction_share",
+              "of it that went into friction and snaps; null of a test that is not trusted, or tells only a limit",
               &TestSummary::friction_share);
 }
 
@@ -120,8 +121,8 @@ Fields<CategorySpread> category_fields() {
       .count("tests", "in the category", &CategorySpread::tests)
       .group("mu0", "mean friction, without tests that tell only a limit", spread_fields(kind::number),
              &CategorySpread::mu0)
-      .count("mu0_limits", "tests that tell only a limit of it", &CategorySpread::mu0_limits)
-      .number("mu0_greatest_limit", "of these limits", &CategorySpread::greatest_limit)
+      .group("mu0_limit", "upper limits of the tests that tell only such", spread_fields(kind::number),
+             &CategorySpread::mu0_limit)
       .group("amplitude", "of one wave of friction, relative to mu0", spread_fields(kind::number),
              &CategorySpread::amplitude)
       .group("wavelength", "of that wave, along the specimen", spread_fields(kind::length), &CategorySpread::wavelength)

@@ -55,7 +55,7 @@ Fields<FittedTest> judgement_fields() {
           "doubts",
           "what stands against the answer, the weightiest first: wrong_stiffness, no_sliding, softer_reload, cracks, "
           "impossible_drops, implausible_friction, failed_check, falling_friction, changed_reload, coarse_force, "
-          "undecided_drops, few_rows, settling_contact, unexpected_stiffness",
+          "undecided_drops, few_rows, below_frictionless, settling_contact, unexpected_stiffness",
           [](T test) {
             std::vector<std::string_view> names;
             for (const Doubt doubt : test.judgement->doubts) names.push_back(name_of(doubt));
@@ -63,11 +63,13 @@ Fields<FittedTest> judgement_fields() {
           })
       .words("next_step",
              "what would tell most: none, check_case, reload, finer_steps, stiffer_rig, image_length, state_radius, "
-             "find_contact, finer_force or measure_stiffness",
+             "find_contact, finer_force, measure_stiffness or see_checks",
              [](T test) { return name_of(test.judgement->next); })
       .number("stiffness_lost", "share lost, that the last comparable reload shows",
               [](T test) { return test.judgement->loss; })
       .number("stiffness_lost_error", "its standard error", [](T test) { return test.judgement->loss_error; })
+      .number("stiffness_loss_needed", "share that cracks alone would need to make the drops; null without a reload",
+              [](T test) { return test.judgement->loss_needed; })
       .number("stiffness_for_no_snap", kind::stiffness, "of a rig on which the mean of the fit does not snap",
               [](T test) { return test.judgement->stiffness_for_all; });
 }
@@ -192,9 +194,13 @@ Fields<FittedTest> every_fit_field() {
               })
       .number("stiffness_over_initial_slope", "bending stiffness used over that of the initial slope",
               analysis(&TestAnalysis::stiffness_over_slope))
-      .number("force_over_frictionless",
-              "of the force without friction, median past a tenth of the span; below 1, no friction explains it",
-              analysis(&TestAnalysis::force_over_frictionless))
+      .group(
+          "force_over_frictionless",
+          "the force over that without friction, past a tenth of the span; below 1, no friction explains it",
+          Fields<OverFrictionless>()
+              .number("median", "over the points", &OverFrictionless::median)
+              .number("least", "of them", &OverFrictionless::least),
+          [](T test) -> const auto& { return test.analysis.over_frictionless; })
       .yes_no("model_implausible", "no sliding with friction gives such a record",
               [](T test) { return is_not_explained(test) || test.analysis.model_implausible; })
       .yes_no("stiffness_implausible", "the bending stiffness is not that of the initial slope, by more than 40 %",

@@ -87,6 +87,8 @@ std::string remark_on(Doubt doubt, const FittedTest& test) {
       return "slips or cracks: cannot be told";
     case Doubt::few_rows:
       return "fewer than five rows on most rises";
+    case Doubt::below_frictionless:
+      return "the force lies below that without friction";
     case Doubt::settling_contact:
       return "the contact settles";
     case Doubt::unexpected_stiffness:

@@ -91,8 +91,8 @@ std::string reason_of(AnalysisStatus status) {
              "twice "
              "the specimen's thickness on: check the units, bend farther, or record more rows";
     case AnalysisStatus::not_explained:
-      return "no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span and the "
-             "section";
+      return "no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span, the "
+             "section, the modulus and the stiffness of the load train";
     case AnalysisStatus::no_initial_slope:
       break;
   }

@@ -22,7 +22,6 @@
 #include "io/text_file.h"
 #include "report/campaign_report.h"
 #include "report/campaign_text.h"
-#include "report/page.h"
 
 namespace flexslip {
 namespace {
@@ -45,26 +44,13 @@ CampaignOptions options_of(const CampaignRequest& request) {
   options.analysis = [&request](const Case& input) { return options_for(input, request.flags); };
   options.threads = request.jobs;
   options.stop = &interrupted();
-  if (!request.report.empty()) {
-    options.folder = (std::filesystem::path(request.report) / "tests").string();
-    options.present = [&request](const FittedTest& test, const std::string& folder) {
-      write_campaign_test(folder, test, request.test_reports);
-    };
-    options.presented = request.test_reports ? "report" : "";
-  }
+  if (!request.report.empty()) keep_tests_in(request.report, request.test_reports, options);
   options.progress = progress_of("tests", request.output);
   return options;
 }
 
-DrawStatus present(const CampaignRequest& request, const Campaign& campaign) {
-  if (request.figures) return write_campaign_report(request.report, campaign);
-  write_campaign_tables(request.report, campaign);
-  return DrawStatus::drawn;
-}
-
 void run_campaign_command(const CampaignRequest& request) {
   const auto plan = plan_campaign(request.path, request.common, request.changes);
-  if (!request.report.empty()) make_folder(request.report);
   const CampaignOptions options = options_of(request);
   const auto run = [&] {
     const WhileInterruptible guard;
@@ -79,7 +65,8 @@ void run_campaign_command(const CampaignRequest& request) {
                                                          : "; the same command goes on from there"));
   if (run.found > 0)
     note(request.output, fmt::format("{} of {} tests were kept by an earlier run", run.found, plan.size()));
-  if (!request.report.empty() && present(request, run.campaign) == DrawStatus::no_gnuplot)
+  if (!request.report.empty() &&
+      write_campaign_report(request.report, run.campaign, request.figures) == DrawStatus::no_gnuplot)
     note(request.output,
          "gnuplot is not installed: the report has the scripts and data of the pictures, but no pictures");
   if (request.output.json)

@@ -51,6 +51,7 @@ class DesignCase {
   explicit DesignCase(const Case& input);
 
   bool reduced() const { return input_->reduced; }
+  const Case& given() const { return *input_; }
   Kind shown_as(const Kind& kind) const { return kind_in(*input_, kind); }  // as in case_file.h
 
   // Does the case have this parameter? A table of friction has no wavelength, a rectangular section height and width and no

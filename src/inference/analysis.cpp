@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "bending_test/equilibrium.h"
 #include "data/order.h"
 #include "fibre/elastica.h"
 #include "fibre/elementary.h"
@@ -118,38 +117,6 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
   return energy;
 }
 
-constexpr double least_friction = -0.1;  // [1] that errors may feign
-
-// Do four fifths of the points past the deflection judged_from have a friction above -0.1, at a bending stiffness within twice its error?
-bool may_slide(const TestAnalysis& analysis) {
-  const auto many_impossible = [&](double stiffening) {
-    const ReducedRecord record =
-        to_reduced(analysis.record, {analysis.scales.span(), stiffening * analysis.scales.bending_stiffness()});
-    const FrictionProfile profile =
-        measure_friction(record, {analysis.rig.stiffness / stiffening, analysis.rig.fibre}, {}, judged_from);
-    const auto negative = static_cast<std::size_t>(std::count_if(
-        profile.points.begin(), profile.points.end(), [](const auto& point) { return point.mu < least_friction; }));
-    const std::size_t impossible = negative + profile.unexplained.size();
-    return 5 * impossible > profile.points.size() + profile.unexplained.size();
-  };
-  const double within = elementary::exp(2 * analysis.bending_stiffness_error);
-  return !(many_impossible(1) && many_impossible(within) && many_impossible(1 / within));
-}
-
-double force_over_frictionless(const ReducedRecord& record, const Fibre& fibre) {
-  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  if (!(deepest > judged_from)) return not_a_number;
-  constexpr int enough = 200;  // for the ratio to 1e-4
-  const auto frictionless = sliding_up_to(deepest, 0, enough, fibre);
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < record.force.size(); ++i) {
-    if (!(record.deflection[i] > judged_from)) continue;
-    const double ratio = record.force[i] / force_at(frictionless, record.deflection[i]);
-    if (std::isfinite(ratio)) ratios.push_back(ratio);
-  }
-  return ratios.empty() ? not_a_number : median_of(ratios);
-}
-
 // All drops together, as a fraction of the greatest force. The two bounds are empirical: they say what one would call a sawtooth.
 SawtoothCategory category_of(const TestAnalysis& analysis) {
   const double greatest = *std::max_element(analysis.record.force.begin(), analysis.record.force.end());
@@ -256,7 +223,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   if (analysis.drops.drops.size() >= 2 && std::isfinite(analysis.rig.stiffness))
     analysis.teeth = judge_teeth(analysis.reduced, analysis.rig, errors, analysis.drops.drops, options.teeth);
   analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);
-  analysis.force_over_frictionless = force_over_frictionless(analysis.reduced, analysis.rig.fibre);
+  analysis.over_frictionless = over_frictionless(analysis.reduced, analysis.rig.fibre);
   analysis.category = category_of(analysis);
   analysis.errors = errors;
   analysis.most_friction = options.most_friction;
@@ -272,7 +239,8 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   analysis.slips = told_by(analysis.profile_at_fit, analysis.slips, at_fit(analysis).errors);
   analysis.slip_summary = summarise(analysis.slips);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
-  analysis.model_implausible = analysis.fit.residual_rms > 0.1 * greatest || !may_slide(analysis);
+  analysis.model_implausible = analysis.fit.residual_rms > 0.1 * greatest ||
+                               !may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   analysis.replay = replay_of(analysis);
   analysis.energy = measured_energy(analysis);
   analysis.checks = checks_of(problem, analysis.fit, options);

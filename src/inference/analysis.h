@@ -15,6 +15,7 @@
 #include "fibre/limits.h"
 #include "inference/checks.h"
 #include "inference/fit.h"
+#include "inference/plausible_sliding.h"
 #include "inference/profile.h"
 #include "inference/slip_or_crack.h"
 #include "inference/slips.h"
@@ -27,9 +28,8 @@ namespace flexslip {
 struct TestDescription {
   double span;                  // [m]
   double load_train_stiffness;  // [N/m] with that of the supports, if they give way; infinite for displacement control
-  std::optional<double> bending_stiffness{};  // [N m^2] EI; not given: from the initial slope of the record
-  std::optional<double>
-      bending_stiffness_error{};  // [1] relative standard deviation of EI; not given: 3 %, or what the slope says
+  std::optional<double> bending_stiffness{};           // [N m^2] EI; not given: from the initial slope of the record
+  std::optional<double> bending_stiffness_error{};     // [1] standard deviation; not given: 3 %, or what the slope says
   std::optional<std::size_t> points_before_failure{};  // not given: found
   std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: as found
   Fibre fibre{};                          // on its supports
@@ -84,9 +84,9 @@ struct TestAnalysis {
   double bending_stiffness_error;  // [1] as used
   bool stiffness_from_slope;
   double stiffness_over_slope;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
-  // The fit misses the record by a tenth of its greatest force, or a fifth of the points judged, at any stiffness within twice its error, need
-  bool model_implausible = false;        // friction below -0.1, or beyond what is read off
-  double force_over_frictionless = NAN;  // [1] past the deflection 0.1, median, at the bending stiffness beforehand
+  // The fit misses the record by more than a tenth of its greatest force, or it may not slide (plausible_sliding.h).
+  bool model_implausible = false;
+  OverFrictionless over_frictionless{};  // beforehand
   bool stiffness_implausible;            // they differ by more than 40 %: a wrong modulus, section, span or unit
   Failure failure;
   Contact contact;  // found; applied only if the description says so

@@ -29,14 +29,13 @@ class Gathered {
 template <class Predicate>
 CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs) {
   CategorySpread over{};
-  Gathered mu0, amplitude, wavelength, height, slope;
+  Gathered mu0, mu0_limit, amplitude, wavelength, height, slope;
   for (const auto& test : tests) {
     if (!belongs(test)) continue;
     ++over.tests;
     if (!is_trusted(test.standing)) continue;
     if (test.mu0_is_bound) {
-      ++over.mu0_limits;
-      over.greatest_limit = std::fmax(over.greatest_limit, test.mu0.high);
+      mu0_limit.add(test.mu0.high);
     } else {
       mu0.add(test.mu0.value);
     }
@@ -48,6 +47,7 @@ CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs
     if (test.surface_height) height.add(test.surface_height->value);
   }
   over.mu0 = mu0.spread();
+  over.mu0_limit = mu0_limit.spread();
   over.amplitude = amplitude.spread();
   over.wavelength = wavelength.spread();
   over.surface_height = height.spread();
@@ -73,6 +73,17 @@ TestMarginals marginals_of(const FrictionFit& fit, const Scales& scales) {
   if (smooth > 0.5) known.log_length = {};  // what is likely not there has no length
   if (fit.wave_claimed) known.log_wavelength = shifted(of_logarithm(fit.waves.front().wavelength), log_span);
   return known;
+}
+
+// Of a fit that is not to be used.
+TestSummary without_friction(TestSummary summary) {
+  const Estimate unknown = normal_estimate(not_a_number, not_a_number);
+  summary.mu0 = summary.roughness = summary.correlation_length = unknown;
+  summary.mu0_is_bound = summary.wave_claimed = false;
+  summary.friction_read = {};
+  summary.friction_share = summary.log_evidence_of_wave = not_a_number;
+  summary.known = {};
+  return summary;
 }
 
 std::optional<BetweenSpecimens> between_specimens(const std::vector<const TestSummary*>& tests,
@@ -112,19 +123,21 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
                       .residual_rms = scales.physical_force(fit.residual_rms),
                       .drops = analysis.drops.drops.size(),
-                      .friction_share = is_trusted(judgement.standing) ? analysis.energy.friction_share : not_a_number,
+                      .friction_share = fit.mu0_is_bound ? not_a_number : analysis.energy.friction_share,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
                       .known = marginals_of(fit, scales)};
-  if (!fit.waves.empty()) {
+  for (const auto& check : analysis.checks)
+    if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);
+  if (!is_trusted(judgement.standing)) return without_friction(std::move(summary));
+  const bool tells_variation = !fit.mu0_is_bound || fit.wave_claimed;
+  if (!fit.waves.empty() && tells_variation) {
     const WaveEstimate& wave = fit.waves.front();
     summary.amplitude = wave.amplitude;
     summary.wavelength = scaled(wave.wavelength, scales.span());
     summary.phase = wave.phase;
     summary.surface_height = scaled(wave.height, scales.span());
   }
-  if (const auto implied = implied_surface(fit)) summary.surface_slope = implied->rms_slope;
-  for (const auto& check : analysis.checks)
-    if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);
+  if (const auto implied = implied_surface(fit); implied && tells_variation) summary.surface_slope = implied->rms_slope;
   return summary;
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "fibre/limits.h"
 #include "inference/analysis.h"
 #include "inference/judgement.h"
 #include "inference/population.h"
@@ -20,7 +19,7 @@ struct TestMarginals {
   Marginal mu0, log_roughness, log_length, log_stiffness, log_wavelength;
 };
 
-// A test in a line. Units: SI.
+// A test in a line. Units: SI. Of a test that is not to be trusted no friction: NaN, or none.
 struct TestSummary {
   std::string name;
   SawtoothCategory category;
@@ -42,7 +41,8 @@ struct TestSummary {
   Estimate bending_stiffness;   // [N m^2] EI
   double residual_rms;          // [N] of the fit's mean run forward
   std::size_t drops;
-  double friction_share;  // [1] of the measured work of fracture: friction and snaps; NaN of a test that is not trusted
+  double
+      friction_share;  // [1] of the measured work of fracture: friction and snaps; NaN of a limit, and of a test not trusted
   double work_of_fracture;  // [J]
   std::vector<CheckKind> failed_checks{};
   TestMarginals known;
@@ -62,10 +62,9 @@ struct Spread {
 
 struct CategorySpread {
   std::size_t tests;
-  Spread mu0;                            // [1] without tests that tell only a limit
-  std::size_t mu0_limits = 0;            // tests that tell only a limit
-  double greatest_limit = not_a_number;  // [1] of theirs
-  std::size_t waves_claimed = 0;         // of those that amplitude and wavelength are taken over
+  Spread mu0;                     // [1] without tests that tell only a limit
+  Spread mu0_limit{};             // [1] over those that tell only a limit: the limits
+  std::size_t waves_claimed = 0;  // of those that amplitude and wavelength are taken over
   Spread amplitude;         // [1] over the tests of categories with a sawtooth that have a wave, claimed or indicative
   Spread wavelength;        // [m] likewise
   Spread surface_height{};  // [m] likewise, of the wave of the surface that would show it

@@ -77,14 +77,14 @@ double left_by_cracks(const TestAnalysis& analysis) {
                       : left_by_drops(analysis);
 }
 
-CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* reload) {
+CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* reload, double loss_needed) {
   const CrackVerdict by_rises = analysis.slip_or_crack.verdict;
   if (!reload) return by_rises;
   if (reload->verdict == DamageVerdict::damaged) return CrackVerdict::cracks;
   constexpr double one_sided = 1.645;
   const double at_most =
       1 - reload->ratio.value + one_sided * elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
-  return 1 - left_by_cracks(analysis) > at_most ? CrackVerdict::not_by_cracks_alone : by_rises;
+  return loss_needed > at_most ? CrackVerdict::not_by_cracks_alone : by_rises;
 }
 
 Standing standing_of(const std::vector<Doubt>& doubts, bool half_impossible) {
@@ -105,11 +105,13 @@ NextStep step_for(const Judgement& judgement, bool on_edges) {
         return on_edges ? NextStep::state_radius : NextStep::image_length;
       case Doubt::impossible_drops:
         return NextStep::image_length;
+      case Doubt::failed_check:
+        return NextStep::see_checks;
       case Doubt::coarse_force:
         return NextStep::finer_force;
       case Doubt::settling_contact:
         return NextStep::find_contact;
-      case Doubt::unexpected_stiffness:
+      case Doubt::below_frictionless:
         return NextStep::measure_stiffness;
       default:
         break;
@@ -123,7 +125,7 @@ std::string_view name_of(Doubt doubt) {
   return name_in_order<Doubt::unexpected_stiffness>(
       doubt, {"wrong_stiffness", "no_sliding", "softer_reload", "cracks", "impossible_drops", "implausible_friction",
               "failed_check", "falling_friction", "changed_reload", "coarse_force", "undecided_drops", "few_rows",
-              "settling_contact", "unexpected_stiffness"});
+              "below_frictionless", "settling_contact", "unexpected_stiffness"});
 }
 
 std::string_view name_of(Standing standing) {
@@ -131,9 +133,9 @@ std::string_view name_of(Standing standing) {
 }
 
 std::string_view name_of(NextStep step) {
-  return name_in_order<NextStep::measure_stiffness>(
+  return name_in_order<NextStep::see_checks>(
       step, {"none", "check_case", "reload", "finer_steps", "stiffer_rig", "image_length", "state_radius",
-             "find_contact", "finer_force", "measure_stiffness"});
+             "find_contact", "finer_force", "measure_stiffness", "see_checks"});
 }
 
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
@@ -141,11 +143,13 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   const LoadingStiffness* const reload = last_reload(cycles);
   const std::size_t drops = analysis.drops.drops.size(), impossible = impossible_drops(analysis);
   const FrictionFit& fit = analysis.fit;
-  Judgement judgement{.drops = verdict_on(analysis, reload)};
+  Judgement judgement{};
   if (reload) {
+    judgement.loss_needed = 1 - left_by_cracks(analysis);
     judgement.loss = 1 - reload->ratio.value;
     judgement.loss_error = elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
   }
+  judgement.drops = verdict_on(analysis, reload, judgement.loss_needed);
   const auto doubt_if = [&](bool doubtful, Doubt doubt) {
     if (doubtful) judgement.doubts.push_back(doubt);
   };
@@ -172,6 +176,7 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
            Doubt::coarse_force);
   doubt_if(drops > 0 && judgement.drops == CrackVerdict::cannot_be_told, Doubt::undecided_drops);
   doubt_if(has_few_rows(analysis), Doubt::few_rows);
+  doubt_if(analysis.friction_read.median < least_friction, Doubt::below_frictionless);
   doubt_if(analysis.contact.status == ContactStatus::found && analysis.contact.settles &&
                analysis.contact.offset.value > two_sided * analysis.contact.offset.standard_error,
            Doubt::settling_contact);
@@ -190,6 +195,8 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
     judgement.next = NextStep::check_case;
   else if (in_question && !reload)
     judgement.next = NextStep::reload;
+  else if (judgement.standing == Standing::doubtful && judgement.doubts.back() == Doubt::unexpected_stiffness)
+    judgement.next = NextStep::measure_stiffness;
   else if (has_few_rows(analysis))
     judgement.next = NextStep::finer_steps;
   else if (const NextStep step = step_for(judgement, on_edges); step != NextStep::none)

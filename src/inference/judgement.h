@@ -20,11 +20,12 @@ enum class Doubt {
   implausible_friction,  // more friction than is plausible
   failed_check,          // the fit fails a check, other than those of friction and stiffness
   falling_friction,      // friction falls away along the record, as the force of a specimen that cracks would
-  changed_reload,    // a reload is softer or stiffer than the first loading by more than its error, and by a twentieth
-  coarse_force,      // a drop of less than a twentieth of the greatest force could not be seen
-  undecided_drops,   // whether drops are slips or cracks cannot be told
-  few_rows,          // most rises between drops have fewer than five rows
-  settling_contact,  // the curve bends where it begins, and the contact may lie elsewhere than it is taken to
+  changed_reload,   // a reload is softer or stiffer than the first loading by more than its error, and by a twentieth
+  coarse_force,     // a drop of less than a twentieth of the greatest force could not be seen
+  undecided_drops,  // whether drops are slips or cracks cannot be told
+  few_rows,         // most rises between drops have fewer than five rows
+  below_frictionless,    // the force lies below that without friction, beyond what errors feign
+  settling_contact,      // the curve bends where it begins, and the contact may lie elsewhere than it is taken to
   unexpected_stiffness,  // the bending stiffness of the fit is not that stated, by twice its error
 };
 
@@ -53,7 +54,8 @@ enum class NextStep {
   state_radius,       // of the supports, which are taken for edges
   find_contact,       // the curve bends where it begins
   finer_force,        // small drops could not be seen
-  measure_stiffness,  // the bending stiffness of the fit is not that stated
+  measure_stiffness,  // the bending stiffness of the fit is not that stated, or the force lies below that without friction
+  see_checks,         // a check that failed says what to do
 };
 
 std::string_view name_of(NextStep step);
@@ -64,6 +66,7 @@ struct Judgement {
   std::vector<Doubt> doubts{};
   NextStep next = NextStep::none;
   double loss = NAN, loss_error = NAN;  // [1] of stiffness, that the last comparable reload shows; NaN without
+  double loss_needed = NAN;             // [1] of stiffness, by cracks alone to make the drops; NaN without a reload
   // [EI/L^3] of a rig on which the mean of the fit does not snap; NaN unless next is stiffer_rig
   double stiffness_for_all = NAN;
 };

@@ -29,6 +29,8 @@ inline constexpr double hardly_bent = 0.02;
 // Past it [L] friction is measurable to a few hundredths.
 inline constexpr double judged_from = 0.1;
 
+inline constexpr double least_friction = -0.1;  // [1] that errors may feign
+
 // Deflections below it [L] say hardly anything of friction.
 inline constexpr double friction_shows_from = 0.05;
 

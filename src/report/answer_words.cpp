@@ -38,6 +38,11 @@ std::string likely_slip_of_units(double times) {
   return "";
 }
 
+// "0.5 ± 0.7 %"
+std::string loss_in_words(const Judgement& judgement) {
+  return fmt::format("{:.1f} ± {:.1f} %", 100 * judgement.loss, 100 * judgement.loss_error);
+}
+
 // What the rises between the drops, and a reload, say of slips and cracks; a clause that follows the drops.
 std::string cause_in_words(const FittedTest& test) {
   const SlipOrCrack& rises = test.analysis.slip_or_crack;
@@ -46,7 +51,9 @@ std::string cause_in_words(const FittedTest& test) {
     case CrackVerdict::not_by_cracks_alone:
       return rises.verdict == CrackVerdict::not_by_cracks_alone
                  ? fmt::format("and cracks alone cannot ({})", margin)
-                 : "and cracks alone cannot: the reload lost less stiffness than they would need";
+                 : fmt::format(
+                       "and cracks alone cannot: they would need to take {} of the stiffness, and the reload lost {}",
+                       percent(test.judgement->loss_needed), loss_in_words(*test.judgement));
     case CrackVerdict::cracks:
       return rises.judged && rises.verdict == CrackVerdict::cracks
                  ? fmt::format("but the rises between them are those of a specimen that cracks (D* = {:.1f})",
@@ -74,8 +81,7 @@ std::string drops_in_words(const FittedTest& test) {
   if (drops == 0) return "the force never drops by more than its noise";
   const std::string times = drops == 1 ? "once" : drops == 2 ? "twice" : fmt::format("{} times", drops);
   const Judgement& judgement = test.judgement.value();
-  if (test.analysis.model_implausible && judgement.drops != CrackVerdict::cracks)
-    return fmt::format("the force drops {}", times);
+  if (!is_trusted(judgement.standing)) return fmt::format("the force drops {}", times);
   if (slips == 0)
     return fmt::format("the force drops {}, and no plausible slip over the supports explains {}", times,
                        drops == 1 ? "it" : "any");
@@ -102,12 +108,10 @@ bool may_have_cracked(const FittedTest& test) {
 std::string friction_in_short(const FittedTest& test) {
   if (lost_stiffness(test)) return "No friction can be read off the record of a specimen that loses stiffness.";
   const auto& fit = test.analysis.fit;
-  std::string words =
-      fit.mu0_is_bound
-          ? fmt::format("Friction at the supports is {} (95 %): the record does not tell it from zero.",
-                        mean_friction(fit))
-          : fmt::format("{} at the supports is {} on average over the fibre seen.",
-                        may_have_cracked(test) ? "If nothing cracked, friction" : "Friction", mean_friction(fit));
+  std::string words = fmt::format(
+      "{} at the supports is {}{}", may_have_cracked(test) ? "If nothing cracked, friction" : "Friction",
+      mean_friction(fit),
+      fit.mu0_is_bound ? " (95 %): the record does not tell it from zero." : " on average over the fibre seen.");
   if (fit.mu0_is_bound) return words;
   if (fit.wave_claimed && fit.model == ProfileModel::roughness)
     words += fmt::format(" It repeats every {} along the fibre.",
@@ -136,10 +140,15 @@ std::string_view sawtooth_in_words(const TestAnalysis& analysis) {
 
 // How a record misses what sliding gives; a clause.
 std::string by_how_much(const TestAnalysis& analysis) {
-  const double below = 1 - analysis.force_over_frictionless;
+  const double below = 1 - analysis.over_frictionless.median, deepest = 1 - analysis.over_frictionless.least;
   constexpr double noticeable = 0.01;
-  return below > noticeable
-             ? fmt::format(": past a tenth of the span its force lies {} below that without friction", percent(below))
+  if (below > noticeable)
+    return fmt::format(": past a tenth of the span its force lies {} below that without friction", percent(below));
+  if (deepest > noticeable) return fmt::format(": its force falls to {} below that without friction", percent(deepest));
+  return analysis.status == AnalysisStatus::ok
+             ? fmt::format(": the best fit misses the force by {} of its greatest",
+                           percent_of(analysis.fit.residual_rms,
+                                      *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end())))
              : "";
 }
 
@@ -223,6 +232,10 @@ std::string doubt_in_words(Doubt doubt, const FittedTest& test) {
       return "";  // what the drops may be is told with them
     case Doubt::few_rows:
       return "Most rises between drops have fewer than five rows: drops and waves of friction may be missed.";
+    case Doubt::below_frictionless:
+      return "The force lies below that without friction: the bending stiffness stated is too large, or the contact "
+             "lies farther." +
+             late_beginning_in_words(test);
     case Doubt::settling_contact:
       return fmt::format(
           "The curve bends where it begins: the contact may lie {} farther; contact = \"find\" takes that off.",
@@ -281,11 +294,15 @@ std::string next_step_in_words(const FittedTest& test) {
                  ? "Next: check the modulus, the section, the span, the columns and their units, and whether the "
                    "specimen cracks."
              : test.analysis.drops.drops.empty()
-                 ? "Next: check the modulus, the section, the span, the contact, the columns and their units. If all "
+                 ? "Next: check the modulus, the section, the span, the contact, the load train, the columns and their "
+                   "units. If all "
                    "are right, the specimen gives way: unload and load once more."
                  : "Next: find out whether the specimen cracks: unload and load once more. If it does not, check the "
-                   "modulus, the section, the span, the columns and their units.";
+                   "modulus, the section, the span, the load train, the columns and their units.";
     case NextStep::reload:
+      if (test.measurement.end == MeasurementEnd::failure || test.measurement.end == MeasurementEnd::until)
+        return "Next: in the next test unload before the specimen breaks, and load once more; a reload bounds any "
+               "stiffness lost to cracks.";
       if (test.cycles && test.cycles->stiffness.size() > 1)
         return "Next: unload to almost no force and load once more, as far as at first; the loadings of this record "
                "cannot be compared.";
@@ -295,17 +312,21 @@ std::string next_step_in_words(const FittedTest& test) {
       return "Next: record more rows; most rises between drops have fewer than five.";
     case NextStep::stiffer_rig:
       return fmt::format(
-          "Next: a stiffer rig; more than half of the fibre seen passes in jumps. At {} or more, mean friction like "
-          "this does not snap.",
+          "Next: a stiffer rig; more than half of the fibre seen passes in jumps. At {} or more, the force falls only "
+          "smoothly with mean friction like this.",
           Print(test).own(test.analysis.scales.physical_stiffness(judgement.stiffness_for_all), kind::stiffness));
     case NextStep::state_radius:
-      return "Next: state [rig] roller_radius, if the supports are not edges.";
+      return "Next: state [rig] roller_radius, if the supports are not edges; if they are, image them: the length "
+             "drawn "
+             "in shows whether the fibre slides.";
     case NextStep::find_contact:
       return "Next: see whether the answer stays with contact = \"find\" under [record].";
     case NextStep::finer_force:
       return "Next: record the force more finely; falls smaller than that cannot be seen.";
     case NextStep::measure_stiffness:
       return "Next: check the modulus, the section, the span and the contact.";
+    case NextStep::see_checks:
+      return "Next: see what the checks advise.";
     case NextStep::image_length:
       break;
   }
@@ -342,12 +363,15 @@ std::string answer_of(const FittedTest& test) {
                      Print(test).length(greatest_deflection(analysis)), 100 * greatest_deflection(analysis),
                      Print(test).length(1));
   if (analysis.status == AnalysisStatus::not_explained) {
-    std::string answer = "No answer: no sliding with a friction of 0 to 2 gives this record" + by_how_much(analysis) +
-                         ". Check the columns, their units, the span and the section.";
+    std::string answer =
+        "No answer: no sliding with a friction of 0 to 2 gives this record" + by_how_much(analysis) +
+        ". Check the columns, their units, the span, the section, the modulus and the stiffness of the load train.";
     if (analysis.stiffness_implausible)
-      answer += fmt::format(" The bending stiffness stated is {} times that of the record's initial slope{}.",
-                            roughly(analysis.stiffness_over_slope, kind::number),
-                            likely_slip_of_units(analysis.stiffness_over_slope));
+      return answer + fmt::format(
+                          " The bending stiffness stated is {} times that of the record's initial slope{}. Next: "
+                          "see what modulus = \"fit\", which takes it from the record, makes of it.",
+                          roughly(analysis.stiffness_over_slope, kind::number),
+                          likely_slip_of_units(analysis.stiffness_over_slope));
     return answer +
            " Next: see what flexslip read makes of the file; docs/reading-your-report.md has symptoms and remedies.";
   }

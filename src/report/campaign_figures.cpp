@@ -158,6 +158,7 @@ double largest(const std::vector<double>& values) {
 
 // Its friction, in lines of gnuplot's markup.
 std::vector<std::string> parameter_lines(const TestSummary& test, const PlotUnit& wavelength) {
+  if (!is_trusted(test.standing)) return {};
   std::vector<std::string> lines{fmt::format("{{/*0.92 {{/:Italic μ}}_0 {} {:.3f}}}", test.mu0_is_bound ? "≤" : "=",
                                              test.mu0_is_bound ? test.mu0.high : test.mu0.value)};
   if (test.wave_claimed && test.wavelength && test.amplitude) {
@@ -341,7 +342,7 @@ Figure distribution_figure(const Campaign& campaign) {
     if (!campaign.tests[i].summary) continue;
     const TestSummary& test = *campaign.tests[i].summary;
     const bool has_wave = test.category != SawtoothCategory::none && test.wavelength && test.amplitude;
-    const double mu0 = test.mu0.value;
+    const double mu0 = test.mu0_is_bound ? not_a_number : test.mu0.value;  // a limit is a line without a mark
     const double wavelength = has_wave ? unit.factor * test.wavelength->value : not_a_number;
     const double low = has_wave ? unit.factor * test.wavelength->low : not_a_number;
     const double high = has_wave ? unit.factor * test.wavelength->high : not_a_number;
@@ -349,7 +350,7 @@ Figure distribution_figure(const Campaign& campaign) {
                           test.mu0.low, test.mu0.high, wavelength, low, high, test.wave_claimed ? 1.0 : 0.0});
     along = {std::fmin(along.low, numbers.of_test[i]), std::fmax(along.high, numbers.of_test[i])};
     waves = {std::fmin(waves.low, wavelength), std::fmax(waves.high, wavelength)};
-    highest = std::max(highest, test.mu0.high);
+    highest = std::fmax(highest, test.mu0.high);
   }
   const double space = std::max(1.0, 0.07 * (along.high - along.low));
   along = {along.low - space, along.high + space};
@@ -389,7 +390,7 @@ Figure distribution_figure(const Campaign& campaign) {
       {column2, row1, "dt solid lw 1.4 lc rgb 'black'", false, "Mean, suspects left out"},
       {column2, row2, "dt solid lw 1 lc rgb grey", false,
        fmt::format("Mean of all, likewise{}", std::isfinite(all) ? fmt::format(": {:.3f}", all) : "")},
-      {column3, row2, "dt solid lw 0.7 lc rgb 'black'", false, "95 % intervals"}};
+      {column3, row2, "dt solid lw 0.7 lc rgb 'black'", false, "95 % intervals; without a mark: limits"}};
   if (literature)
     entries.push_back({column3, row1, "dt solid lw 8 lc rgb '#D6EFE7'", false,
                        fmt::format("Literature: {} on {}, {:g}–{:g}", literature->specimen, literature->support,

@@ -124,23 +124,24 @@ void remove_from(const fs::path& folder, bool (*is_old)(const fs::path&)) {
 
 }  // namespace
 
-void write_campaign_test(const std::string& folder, const FittedTest& test, bool with_report) {
-  const fs::path base(folder);
-  write_json((base / "fit.json").string(), fit_json(test));
-  write_curves((base / "curves.csv").string(), test);
-  write_profile((base / "profile.csv").string(), test);
-  if (with_report) write_report(folder, test);
-}
-
-void write_campaign_tables(const std::string& folder, const Campaign& campaign) {
+void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions& options) {
   make_folder(folder);
-  const fs::path base(folder);
-  remove_from(base, is_unfinished);
-  for (const TableFile& file : table_files) file.write((base / file.name).string(), campaign);
+  options.folder = (fs::path(folder) / "tests").string();
+  options.present = [with_reports](const FittedTest& test, const std::string& folder_of_test) {
+    const fs::path base(folder_of_test);
+    write_json((base / "fit.json").string(), fit_json(test));
+    write_curves((base / "curves.csv").string(), test);
+    write_profile((base / "profile.csv").string(), test);
+    if (with_reports) write_report(folder_of_test, test);
+  };
+  options.presented = with_reports ? "report" : "";
 }
 
-DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign) {
-  write_campaign_tables(folder, campaign);
+DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign, bool with_figures) {
+  make_folder(folder);
+  remove_from(folder, is_unfinished);
+  for (const TableFile& file : table_files) file.write((fs::path(folder) / file.name).string(), campaign);
+  if (!with_figures) return DrawStatus::drawn;
   const std::string figures = (fs::path(folder) / "figures").string();
   make_folder(figures);
   remove_from(figures, is_old_figure);

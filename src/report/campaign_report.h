@@ -4,6 +4,7 @@
 #include <string>
 
 #include "campaign/campaign.h"
+#include "campaign/campaign_run.h"
 #include "io/call_files.h"
 #include "report/figure.h"
 
@@ -14,18 +15,17 @@ namespace flexslip {
 // Fails:      as CallFiles::writes.
 void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option);
 
-// Writes into <folder>, which is made if it is not there; files of the same names are replaced:
+// Has each test of a run kept in the folder as soon as it is done, with its answer as JSON, its curves and its profile and, if that is wanted, its
+// report. Makes the folder.
+// Fails:      InputError if it cannot be made; in the run as draw(), and InputError if a file cannot be written.
+void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions& options);
+
+// Writes into the folder; files of the same names are replaced:
 //   report.html                   needs no other file; links to tests/<name>/report.html where that exists
 //   tests.csv, categories.csv, campaign.json, campaign.xlsx, tables.tex
 //   figures/                      distributions and atlas pages as SVG, PDF and PNG, with their scripts and data
+// Without figures the tables alone.
 // Fails:      as draw(); InputError if a file cannot be written. Without gnuplot the report has no pictures and says so.
-DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign);
-
-// The files of one test into a folder that is there: its answer as JSON, curves and profile, and its report if that is wanted.
-// Fails:      as draw(); InputError if a file cannot be written.
-void write_campaign_test(const std::string& folder, const FittedTest& test, bool with_report);
-
-// The tables alone, without report and figures.
-void write_campaign_tables(const std::string& folder, const Campaign& campaign);
+DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign, bool with_figures = true);
 
 }  // namespace flexslip

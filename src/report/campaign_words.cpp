@@ -43,11 +43,17 @@ std::string of_waves(const CategorySpread& category, Spread CategorySpread::*spr
   return words.empty() || category.waves_claimed == (category.*spread).count ? words : fmt::format("[{}]", words);
 }
 
+// "at most 0.09", "at most 0.03 to 0.09".
+std::string at_most(const Spread& limits) {
+  return limits.count == 1 ? fmt::format("at most {}", significant(limits.max, 2))
+                           : fmt::format("at most {} to {}", significant(limits.min, 2), significant(limits.max, 2));
+}
+
 std::string of_friction(const CategorySpread& category) {
   const std::string told = of_spread(category.mu0, 1, 3);
-  if (category.mu0_limits == 0) return told;
-  const std::string limits = fmt::format("{} at most {}", category.mu0_limits, significant(category.greatest_limit, 2));
-  return told.empty() ? limits : fmt::format("{}; {}", told, limits);
+  if (category.mu0_limit.count == 0) return told;
+  const std::string limits = fmt::format("{} {}", category.mu0_limit.count, at_most(category.mu0_limit));
+  return told.empty() ? limits : fmt::format("{} of {}; {}", told, category.mu0.count, limits);
 }
 
 std::string enumerated(const std::vector<std::string>& names) {
@@ -92,10 +98,11 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
   const CategorySpread& over = leaves_out ? all.without_suspects : all.with_suspects;
   const std::size_t suspects = all.with_suspects.tests - all.without_suspects.tests;
   const Spread& mu0 = over.mu0;
-  const std::string limits = over.mu0_limits == 0 ? ""
-                                                  : fmt::format("{} only that it is at most {}",
-                                                                counted(over.mu0_limits, "test tells", "tests tell"),
-                                                                significant(over.greatest_limit, 2));
+  const std::string limits =
+      over.mu0_limit.count == 0
+          ? ""
+          : fmt::format("{} only that it is {}", counted(over.mu0_limit.count, "test tells", "tests tell"),
+                        at_most(over.mu0_limit));
   const std::string left_out = leaves_out && suspects > 0
                                    ? fmt::format(", without the {}", suspects == 1 ? "suspect test" : "suspect tests")
                                    : "";
@@ -104,8 +111,8 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
                           : fmt::format("No test tells friction at the supports from zero; {}{}.", limits, left_out);
   const std::string value =
       (mu0.count == 1 ? fmt::format("Friction at the supports is {:.2f}", mu0.mean)
-                      : fmt::format("Friction at the supports is {:.2f} on average, from {:.2f} to {:.2f}", mu0.mean,
-                                    mu0.min, mu0.max)) +
+                      : fmt::format("Friction at the supports is {:.2f} on average of {} tests, from {:.2f} to {:.2f}",
+                                    mu0.mean, mu0.count, mu0.min, mu0.max)) +
       (limits.empty() ? "" : "; " + limits);
   const auto literature = literature_of(campaign);
   if (!literature) return fmt::format("{}{}.", value, left_out);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "answers/friction_fields.h"
+#include "report/answer_words.h"
 #include "report/digits.h"
 #include "report/fit_print.h"
 #include "report/printed.h"
@@ -36,8 +37,11 @@ std::string_view presuming_sliding(CheckKind kind) {
   return "";
 }
 
-bool presumes_too_much(const FittedTest& test, const Check& check) {
-  return !is_trusted(test.judgement.value().standing) && !presuming_sliding(check.kind).empty();
+// Why a check says nothing of this fit; empty if it does.
+std::string_view why_not(const FittedTest& test, CheckKind kind) {
+  if (!is_trusted(test.judgement.value().standing) && !presuming_sliding(kind).empty())
+    return "the fit is not to be used";
+  return kind == CheckKind::friction && !caution_of(test).empty() ? "the specimen lost stiffness" : "";
 }
 
 struct Finding {
@@ -46,8 +50,8 @@ struct Finding {
 };
 
 Finding finding_of(const FittedTest& test, const Check& check) {
-  if (presumes_too_much(test, check))
-    return {fmt::format("{}: the fit is not to be used", presuming_sliding(check.kind)), ""};
+  if (const std::string_view why = why_not(test, check.kind); !why.empty())
+    return {fmt::format("{}: {}", presuming_sliding(check.kind), why), ""};
   const Print print(test);
   const auto number = [&](std::string_view name) { return number_of(check, name); };
   const bool passed = check.outcome == CheckOutcome::passed, possible = check.outcome != CheckOutcome::not_possible;
@@ -114,6 +118,9 @@ std::string_view in_words(CheckOutcome outcome) {
 CheckInWords slip_or_crack_in_words(const FittedTest& test) {
   const SlipOrCrack& rises = test.analysis.slip_or_crack;
   const CrackVerdict verdict = test.judgement->drops;
+  if (test.analysis.stiffness_implausible)
+    return {std::string(in_words(CheckOutcome::not_possible)),
+            "slip or crack: not at a bending stiffness that is wrong", "", ""};
   const std::string by =
       rises.judged && rises.verdict == verdict ? fmt::format(" (D* = {:.1f})", rises.margin) : " (by the reload)";
   const std::string_view reload = test.cycles ? "" : "unload and load once more";
@@ -140,7 +147,7 @@ std::string rises_in_words(const SlipOrCrack& rises) {
 
 CheckInWords check_in_words(const FittedTest& test, const Check& check) {
   auto [words, detail] = finding_of(test, check);
-  const CheckOutcome outcome = presumes_too_much(test, check) ? CheckOutcome::not_possible : check.outcome;
+  const CheckOutcome outcome = !why_not(test, check.kind).empty() ? CheckOutcome::not_possible : check.outcome;
   return {.outcome = std::string(in_words(outcome)),
           .words = std::move(words),
           .detail = std::move(detail),

@@ -13,31 +13,22 @@
 namespace flexslip {
 namespace {
 
-// Numbers in the units of the case.
-class InUnits {
+class InUnits : public Print {
  public:
-  explicit InUnits(const DesignAnswer& answer) : scales_(answer.scales), input_(answer.input) {}
+  explicit InUnits(const DesignAnswer& answer) : Print(answer.input.given(), answer.scales) {}
 
-  std::string length(double reduced) const { return own(scales_.physical_length(reduced), kind::length); }
-  std::string force(double reduced) const { return own(scales_.physical_force(reduced), kind::force); }
-  std::string energy(double reduced) const { return own(scales_.physical_energy(reduced), kind::energy); }
   // [units of the case]
   std::string stiffness(double value) const {
     return std::isfinite(value) ? own(value, kind::stiffness) : "no give at all";
   }
   // A number of few digits, all of them; of inches and pounds, which turn few into many, six.
   std::string exactly(double value, const Kind& kind) const {
-    const Kind as = kind_of(kind);
-    const std::string_view unit = best_unit(value, as);
+    const Kind shown = as(kind);
+    const std::string_view unit = best_unit(value, shown);
     const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
-    return typeset(scale.factor == 1 ? exact_text(value, as) : fmt::format("{:.6g} {}", from_si(value, scale), unit));
+    return typeset(scale.factor == 1 ? exact_text(value, shown)
+                                     : fmt::format("{:.6g} {}", from_si(value, scale), unit));
   }
-  std::string own(double value, const Kind& kind) const { return readable(value, kind_of(kind)); }
-  Kind kind_of(const Kind& kind) const { return input_.shown_as(kind); }
-
- private:
-  const Scales& scales_;
-  const DesignCase& input_;
 };
 
 // To three digits, no less than it is.
@@ -83,11 +74,10 @@ std::string strain_in_words(const DesignAnswer& answer) {
                                               : "";
   if (!answer.surface) return wraps;
   const double curvature = answer.outcome.greatest_curvature;
-  return fmt::format(" Bending strains its surface by up to {}{}.{}", strain_text(answer.surface->strain(curvature)),
-                     answer.input.reduced()
-                         ? ""
-                         : ", " + readable(answer.surface->stress(curvature), answer.input.shown_as(kind::pressure)),
-                     wraps);
+  return fmt::format(
+      " Bending strains its surface by up to {}{}.{}", strain_text(answer.surface->strain(curvature)),
+      answer.input.reduced() ? "" : ", " + InUnits(answer).own(answer.surface->stress(curvature), kind::pressure),
+      wraps);
 }
 
 std::string snaps_in_words(const DesignAnswer& answer, const InUnits& shown) {
@@ -230,9 +220,11 @@ std::string what_remains(const DesignAnswer& answer, const DesignChange& change)
   const DesignOutcome& then = change.outcome;
   if (answer.outcome.snaps == 0 || then.drops == 0) return "";
   const double part = then.largest_drop / then.greatest_force;
-  return fmt::format(" (smooth falls of {}{} remain{})", part < 0.001 ? "" : "up to ",
-                     share(then.largest_drop, then.greatest_force),
-                     falls_no_less(then, answer.outcome) ? ", no less than now" : "");
+  return fmt::format(
+      " (smooth falls of {}{} remain{})", part < 0.001 ? "" : "up to ", share(then.largest_drop, then.greatest_force),
+      falls_no_less(then, answer.outcome)
+          ? fmt::format(", where it drops by {} now", share(answer.outcome.largest_drop, answer.outcome.greatest_force))
+          : "");
 }
 
 std::string answer_in_short(const DesignAnswer& answer) {

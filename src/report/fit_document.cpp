@@ -186,12 +186,13 @@ std::vector<Chapter> document_of(const FittedTest& test) {
   for (Chapter& chapter : slip_chapters(test)) chapters.push_back(std::move(chapter));
   if (test.cycles) chapters.push_back(cycles_chapter(test));
   if (trusted) chapters.push_back(energy_chapter(test));
-  chapters.push_back(Chapter{"Can it be trusted?"}.say(suspicion_in_words(test)).say(replay_in_words(test)));
+  chapters.push_back(
+      Chapter{"Can it be trusted?"}.say(suspicion_in_words(test)).say(trusted ? replay_in_words(test) : ""));
   const StandardTest standard = standard_test(test);
   chapters.push_back(Chapter{"Small deflection, as the standards have it"}
                          .show(small_deflection_table(standard))
                          .say(small_deflection_in_words(standard))
-                         .say(small_deflection_and_fit(test)));
+                         .say(trusted ? small_deflection_and_fit(test) : ""));
   chapters.push_back(preparation_chapter(test));
   chapters.push_back(Chapter{"What was assumed"}.show(Bullets{assumptions_of(test)}));
   chapters.push_back(provenance_chapter(test));

@@ -154,7 +154,8 @@ std::string fit_screen(const FittedTest& test) {
     text += line_of_screen("energy", energy_in_short(test));
   }
   text += line_of_screen("stiffness", stiffness_on_screen(test));
-  if (const std::string strain = strain_in_short(test); !strain.empty()) text += line_of_screen("strain", strain);
+  if (const std::string strain = strain_in_short(test); !strain.empty() && is_trusted(test.judgement->standing))
+    text += line_of_screen("strain", strain);
   text += "Checks\n" + checks_in_short(test);
   text += line_of_screen("assumed", assumed_in_short(test));
   text += line_of_screen("more",

@@ -1,4 +1,4 @@
-// Numbers of one test in print, alone and in tables: each in the unit that reads best, or reduced without units.
+// Numbers of one test, or of a design, in print, alone and in tables: each in the unit that reads best, or reduced without units.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ struct PrintedTable {
 
 class Print {
  public:
-  explicit Print(const FittedTest& test) : test_(test.measurement.test), scales_(test.analysis.scales) {}
+  Print(const Case& test, const Scales& scales) : test_(test), scales_(scales) {}
+  explicit Print(const FittedTest& test) : Print(test.measurement.test, test.analysis.scales) {}
 
   Kind as(const Kind& kind) const { return kind_in(test_, kind); }
   // From reduced variables; "not known" for NaN.

@@ -130,9 +130,9 @@ TEST_CASE(
   CHECK(within.status == AnalysisStatus::ok);
   CHECK(!within.model_implausible);
   CHECK(within.fit.mu0.value < 0.1);
-  CHECK(within.force_over_frictionless == doctest::Approx(1 / 1.05).epsilon(0.02));  // with that little friction
+  CHECK(within.over_frictionless.median == doctest::Approx(1 / 1.05).epsilon(0.02));  // with that little friction
   CHECK((beyond.status == AnalysisStatus::not_explained || beyond.model_implausible));
-  CHECK(beyond.force_over_frictionless == doctest::Approx(1 / 1.25).epsilon(0.02));
+  CHECK(beyond.over_frictionless.median == doctest::Approx(1 / 1.25).epsilon(0.02));
 }
 
 TEST_CASE("identity: stability is checked where it is asked for") {

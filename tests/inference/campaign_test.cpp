@@ -58,8 +58,8 @@ TEST_CASE("identity: a test that tells only a limit, or nothing, moves no mean")
   CHECK(all.tests == 3);
   CHECK(all.mu0.count == 1);
   CHECK(all.mu0.mean == 0.5);
-  CHECK(all.mu0_limits == 1);
-  CHECK(all.greatest_limit == 0.05);
+  CHECK(all.mu0_limit.count == 1);
+  CHECK(all.mu0_limit.max == 0.05);
   CHECK(all.wavelength.count == 1);
   CHECK(all.waves_claimed == 1);
 }

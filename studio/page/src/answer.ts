@@ -74,7 +74,7 @@ function nextStep(fit: FitAnswer): string {
     check_case: " Check modulus, section, span, columns and units.", reload: " Unload and reload once: cracks leave the fibre softer, slips do not.",
     finer_steps: " Record more rows: most rises between drops have fewer than five.", image_length: " Image the supports: the length drawn in shows whether the fibre slides.",
     state_radius: " State the radius of the supports, if they are not edges.", find_contact: " Look at the contact: find it on the curve.",
-    finer_force: " Record the force more finely.", measure_stiffness: " Check modulus, section, span and contact.",
+    finer_force: " Record the force more finely.", see_checks: " See what the checks advise.", measure_stiffness: " Check modulus, section, span and contact.",
     stiffer_rig: rig ? ` A load train of ${written(rig, "stiffness")} or more would show no drops by slipping.` : "",
   };
   return steps[fit.judgement?.next_step ?? "none"] ?? "";
@@ -82,7 +82,7 @@ function nextStep(fit: FitAnswer): string {
 
 function doubtInWords(doubt: string, fit: FitAnswer): string {
   const impossible = fit.drops.filter((d) => slipOf(d) === "no").length, { suspect_criteria: points } = fit;
-  const below = 1 - (fit.force_over_frictionless ?? 1);
+  const below = 1 - (fit.force_over_frictionless?.median ?? 1);
   const words: Record<string, string> = {
     wrong_stiffness: "The bending stiffness stated is not that of the initial slope: check modulus, section, span and units.",
     no_sliding: `No sliding with a friction of 0 to 2 gives this record${below > 0.01 ? `: its force lies ${fixed(100 * below, 0)} % below that without friction` : ""}.`,
@@ -92,6 +92,7 @@ function doubtInWords(doubt: string, fit: FitAnswer): string {
     implausible_friction: `It needs implausible friction, above ${points.limit} in ${fit.suspects.length} of ${points.points_judged} points.`,
     failed_check: "A check of the fit failed.", falling_friction: "Friction falls away along the record; lost stiffness would look the same.",
     changed_reload: "Loaded again, the fibre is not as stiff as at first.", coarse_force: "The force is coarse: small drops cannot be seen.",
+    below_frictionless: "The force lies below that without friction: the bending stiffness stated is too large, or the contact lies farther.",
     few_rows: "Most rises between drops have fewer than five rows.", settling_contact: "The curve bends where it begins: look at the contact.",
     unexpected_stiffness: "The fitted bending stiffness is not that stated.",
   };

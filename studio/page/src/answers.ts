@@ -20,7 +20,7 @@ export interface FitAnswer {
   slip_or_crack: { verdict: string; margin: number; rises: number; stiffer_rises: number } | null;
   drops: Drop[]; slips: { count: number; median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
   teeth: { sliding: number; as_if_stuck: number; undecided: number; too_short: number; compliance: { status: string; p_value: number | null } | null } | null;
-  force_over_frictionless: number | null; suspects: { row: number }[]; suspect_criteria: { limit: number; points_judged: number; points_above_limit: number };
+  force_over_frictionless: { median: number | null; least: number | null } | null; suspects: { row: number }[]; suspect_criteria: { limit: number; points_judged: number; points_above_limit: number };
   energy: { work_of_fracture: number; friction_share: number } | null;
   cycles: { status: string; loading_stiffness: { ratio: Estimate | null; verdict: string | null; status: string }[] } | null;
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
