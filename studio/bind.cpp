@@ -123,6 +123,10 @@ val simulated(const val& rig, const val& programme, double step, int points) {
   });
 }
 
+val sketched(const val& rig, double farthest, int steps) {
+  return answer([&] { return object_of(sketch(rig_from(rig), farthest, steps)); });
+}
+
 val in_equilibrium(const val& rig, double longest, int points) {
   return answer([&] { return object_of(equilibrium(rig_from(rig), longest, points)); });
 }
@@ -155,6 +159,7 @@ val linear(const val& rig, double deflection) {
 
 EMSCRIPTEN_BINDINGS(mechanics) {
   emscripten::function("simulate", &simulated);
+  emscripten::function("sketch", &sketched);
   emscripten::function("equilibrium", &in_equilibrium);
   emscripten::function("shape", &shaped);
   emscripten::function("friction", &friction_along);

@@ -10,6 +10,7 @@
 
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
+#include "bending_test/sliding_ladder.h"
 #include "bending_test/stage_steps.h"
 #include "data/names.h"
 #include "data/scales.h"
@@ -161,6 +162,40 @@ Loading simulate(const RigInput& input, std::span<const double> programme, std::
   }
   for (const Snap& snap : history.snaps)
     loading.snaps.push_back({scales.physical_length(snap.stage), told(snap.before, scales), told(snap.after, scales)});
+  return loading;
+}
+
+Loading sketch(const RigInput& input, double farthest, int steps) {
+  constexpr double lengths = 1500;  // some 40 over each period of a specimen's friction
+  if (!(farthest > 0) || steps < 2) throw std::invalid_argument("a sketch of no stage positions");
+  const Scales scales = scales_of(input);
+  const double end = scales.reduced_length(farthest);
+  const double S_max = std::min(longest_at_stage(end), longest_ladder);
+  const Fibre fibre = fibre_on(input, scales);
+  const Friction friction = friction_of(input, scales, S_max);
+  require_covered(friction, fibre, S_max);
+  if (!friction.is_met() && fibre.supports().radius > 0)
+    throw std::invalid_argument("a sketch on rollers takes friction as it is met");
+  const SlidingLadder ladder(S_max, 2 * (S_max - 1) / lengths, fibre);
+  const auto S = ladder.lengths();
+  const std::vector<double> mu = friction.at(S).mu;
+  const StateArrays curve = ladder.curve(mu);
+  const double compliance = 1 / scales.reduced_stiffness(input.stiffness);
+  if (!(curve.w.back() + compliance * curve.F.back() >= end))
+    throw std::invalid_argument("the fibre does not get so far");
+
+  std::vector<double> stages;
+  for (int i = 0; i <= steps; ++i) stages.push_back(end * i / steps);
+  const std::vector<double> forces = measured_curve(curve.w, curve.F, compliance, stages);
+  Loading loading;
+  loading.status = "ok";
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const double w = stages[i] - compliance * forces[i];
+    while (place + 1 < S.size() && curve.w[place] < w) ++place;
+    loading.stage.push_back(scales.physical_length(stages[i]));
+    add(loading, scales, w, forces[i], S[place], mu[place]);
+  }
   return loading;
 }
 

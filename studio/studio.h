@@ -72,6 +72,13 @@ struct Loading {
 // Domain:     a programme as [stage] program of docs/case-files.md; std::invalid_argument, also for all that the mechanics cannot compute.
 Loading simulate(const RigInput& rig, std::span<const double> programme, std::optional<double> step, int points);
 
+// One loading from the straight fibre on up to a stage position [m], at so many even steps of the stage: as simulate, but quickly, for what is drawn
+// while a slider moves. `motion` and `snaps` are empty.
+// Domain:     farthest > 0, steps >= 2; friction as it is met (TabulatedFriction), or edges. std::invalid_argument otherwise, and where the fibre
+//             does not get so far on the lengths that are computed.
+// Max error:  1e-3 of the greatest force; beside a snap, that a step earlier or later.
+Loading sketch(const RigInput& rig, double farthest, int steps);
+
 // The equilibrium curve of loading, whatever the rig, up to a length between the supports [m]: what `flexslip equilibrium` answers.
 // Domain:     longest > span, points >= 2; else as above.
 Loading equilibrium(const RigInput& rig, double longest, int points);

@@ -1670,7 +1670,7 @@ class FitFields(Answer):
         """no sliding with friction gives such a record"""
     @property
     def stiffness_implausible(self) -> bool:
-        """the bending stiffness is not that of the initial slope, by more than 40 %"""
+        """the bending stiffness is not that of the initial slope, by more than 40 % and twice its error"""
     @property
     def parameters(self) -> FitParameters:
         """what was fitted; those of the model that the fit is of"""

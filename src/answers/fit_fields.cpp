@@ -203,7 +203,8 @@ Fields<FittedTest> every_fit_field() {
           [](T test) -> const auto& { return test.analysis.over_frictionless; })
       .yes_no("model_implausible", "no sliding with friction gives such a record",
               [](T test) { return is_not_explained(test) || test.analysis.model_implausible; })
-      .yes_no("stiffness_implausible", "the bending stiffness is not that of the initial slope, by more than 40 %",
+      .yes_no("stiffness_implausible",
+              "the bending stiffness is not that of the initial slope, by more than 40 % and twice its error",
               analysis(&TestAnalysis::stiffness_implausible))
       .group("parameters", "what was fitted; those of the model that the fit is of", parameter_fields())
       .group(

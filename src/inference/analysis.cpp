@@ -180,21 +180,23 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   const auto slope = stiffness_from_slope(record, L);
   const double EI = description.bending_stiffness.value_or(slope.found ? slope.value : 1.0);
   const double usual_error = from_slope && slope.found ? slope.relative_error : usual_stiffness_error;
-  constexpr double most_ratio =
-      1.4;  // contact, friction and large deflection bend the slopes of sound tests by up to 25 %
   // A contact that settles lowers the slope through it, and raises that of the line beside it: the nearer one is the fair one.
   const double through_contact = EI / slope.value;
   const double beside = EI / (contact.slope.value * L * L * L / 48);
   const bool contact_is_nearer = std::abs(elementary::log(through_contact)) < std::abs(elementary::log(beside));
   const double ratio = !slope.found ? not_a_number : contact_is_nearer ? through_contact : beside;
+  constexpr double most_ratio =
+      1.4;  // contact, friction and large deflection bend the slopes of sound tests by up to 25 %
+  const double EI_error = description.bending_stiffness_error.value_or(usual_error);
+  const double most_apart = std::max(elementary::log(most_ratio), 2 * EI_error);
   const Scales scales(L, EI);
   TestAnalysis analysis{.status = AnalysisStatus::ok,
                         .scales = scales,
                         .rig = {scales.reduced_stiffness(description.load_train_stiffness), description.fibre},
-                        .bending_stiffness_error = description.bending_stiffness_error.value_or(usual_error),
+                        .bending_stiffness_error = EI_error,
                         .stiffness_from_slope = from_slope,
                         .stiffness_over_slope = ratio,
-                        .stiffness_implausible = ratio > most_ratio || ratio < 1 / most_ratio,
+                        .stiffness_implausible = std::abs(elementary::log(ratio)) > most_apart,
                         .failure = failure,
                         .contact = contact,
                         .record = record,
@@ -236,7 +238,9 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   }
   analysis.profile_at_fit = profile_at_fit(analysis);
   analysis.friction_read = friction_read_of(analysis.profile_at_fit);
-  analysis.slips = told_by(analysis.profile_at_fit, analysis.slips, at_fit(analysis).errors);
+  const AtFit fitted = at_fit(analysis);
+  analysis.suspects.suspect &= find_suspects(fitted.record, analysis.profile_at_fit, options.suspect_limit).suspect;
+  analysis.slips = told_by(analysis.profile_at_fit, analysis.slips, fitted.errors);
   analysis.slip_summary = summarise(analysis.slips);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
   analysis.model_implausible = analysis.fit.residual_rms > 0.1 * greatest ||

@@ -87,7 +87,7 @@ struct TestAnalysis {
   // The fit misses the record by more than a tenth of its greatest force, or it may not slide (plausible_sliding.h).
   bool model_implausible = false;
   OverFrictionless over_frictionless{};  // beforehand
-  bool stiffness_implausible;            // they differ by more than 40 %: a wrong modulus, section, span or unit
+  bool stiffness_implausible;            // they differ by more than 40 % and twice its error
   Failure failure;
   Contact contact;  // found; applied only if the description says so
   Record record;    // up to failure, contact taken off

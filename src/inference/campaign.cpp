@@ -33,7 +33,7 @@ CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs
   for (const auto& test : tests) {
     if (!belongs(test)) continue;
     ++over.tests;
-    if (!is_trusted(test.standing)) continue;
+    if (std::isnan(test.mu0.value)) continue;
     if (test.mu0_is_bound) {
       mu0_limit.add(test.mu0.high);
     } else {
@@ -75,7 +75,7 @@ TestMarginals marginals_of(const FrictionFit& fit, const Scales& scales) {
   return known;
 }
 
-// Of a fit that is not to be used.
+// Of a fit that is not to be used, or a specimen that lost stiffness.
 TestSummary without_friction(TestSummary summary) {
   const Estimate unknown = normal_estimate(not_a_number, not_a_number);
   summary.mu0 = summary.roughness = summary.correlation_length = unknown;
@@ -128,7 +128,7 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .known = marginals_of(fit, scales)};
   for (const auto& check : analysis.checks)
     if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);
-  if (!is_trusted(judgement.standing)) return without_friction(std::move(summary));
+  if (!is_trusted(judgement.standing) || lost_stiffness(judgement)) return without_friction(std::move(summary));
   const bool tells_variation = !fit.mu0_is_bound || fit.wave_claimed;
   if (!fit.waves.empty() && tells_variation) {
     const WaveEstimate& wave = fit.waves.front();

@@ -19,7 +19,7 @@ struct TestMarginals {
   Marginal mu0, log_roughness, log_length, log_stiffness, log_wavelength;
 };
 
-// A test in a line. Units: SI. Of a test that is not to be trusted no friction: NaN, or none.
+// A test in a line. Units: SI. Of a test that is not to be trusted, or lost stiffness, no friction: NaN, or none.
 struct TestSummary {
   std::string name;
   SawtoothCategory category;

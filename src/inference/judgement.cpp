@@ -6,6 +6,7 @@
 
 #include "bending_test/critical_stiffness.h"
 #include "bending_test/equilibrium.h"
+#include "data/loading_stiffness.h"
 #include "data/names.h"
 #include "data/order.h"
 #include "fibre/elementary.h"
@@ -13,7 +14,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double two_sided = 1.96;
+constexpr double two_sided = 1.96, one_sided = 1.645;  // of 95 %
 
 const LoadingStiffness* last_reload(const CyclicAnswer* cycles) {
   if (!cycles) return nullptr;
@@ -54,37 +55,52 @@ bool has_few_rows(const TestAnalysis& analysis) {
   return median_of(rows) < least_rows;
 }
 
-// [1] Of the bending stiffness, that would be left if every drop were a crack at the mean friction of the fit.
+// Has the force at a drop left the window in which loadings are compared? A crack before that is in the reference, too.
+bool is_compared(const TestAnalysis& analysis, const Drop& drop) {
+  const auto& force = analysis.record.force;
+  return force[drop.before] > loading_window_up_to * *std::max_element(force.begin(), force.end());
+}
+
+// [1] Of the bending stiffness, that would be left if every drop were a crack at the mean friction of the fit; at most, for the noise of the force.
 double left_by_drops(const TestAnalysis& analysis) {
   const ReducedRecord& record = analysis.reduced;
   constexpr int enough = 200;  // of the force, to 1e-4
   const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
   const auto uncracked = sliding_up_to(deepest, std::max(analysis.fit.mu0.value, 0.0), enough, analysis.rig.fibre);
-  double left = 1;
+  double log_left = 0, variance = 0;
   for (const Drop& drop : analysis.drops.drops) {
+    if (!is_compared(analysis, drop)) continue;
     const auto apparent = [&](std::size_t row) {
       return record.force[row] / force_at(uncracked, record.deflection[row]);
     };
-    if (const double ratio = apparent(drop.after) / apparent(drop.before); ratio < 1) left *= ratio;
+    const double log_ratio = elementary::log(apparent(drop.after) / apparent(drop.before));
+    if (!(log_ratio < 0)) continue;
+    log_left += log_ratio;
+    variance += 2 * std::pow(analysis.force_noise / record.force[drop.before], 2);
   }
-  return left;
+  return std::min(elementary::exp(log_left + one_sided * std::sqrt(variance)), 1.0);
 }
 
-// What all cracks together would leave, by the rises between the drops or, where these are too few, by the drops themselves.
+// What all cracks together would leave that the reload can have seen: by the rises between the drops or, where these are too few or some drop
+// comes before the loadings are compared, by the drops themselves.
 double left_by_cracks(const TestAnalysis& analysis) {
   const SlipOrCrack& rises = analysis.slip_or_crack;
-  return rises.judged ? std::max({rises.cracks.left, rises.cracks_constant.left, rises.cracks_running.left})
-                      : left_by_drops(analysis);
+  const auto& drops = analysis.drops.drops;
+  const bool all_compared =
+      std::all_of(drops.begin(), drops.end(), [&](const Drop& drop) { return is_compared(analysis, drop); });
+  return rises.judged && all_compared
+             ? std::max({rises.cracks.left, rises.cracks_constant.left, rises.cracks_running.left})
+             : left_by_drops(analysis);
 }
 
 CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* reload, double loss_needed) {
   const CrackVerdict by_rises = analysis.slip_or_crack.verdict;
   if (!reload) return by_rises;
   if (reload->verdict == DamageVerdict::damaged) return CrackVerdict::cracks;
-  constexpr double one_sided = 1.645;
   const double at_most =
       1 - reload->ratio.value + one_sided * elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
-  return loss_needed > at_most ? CrackVerdict::not_by_cracks_alone : by_rises;
+  const bool slips = analysis.slip_or_crack.judged || impossible_drops(analysis) == 0;
+  return slips && loss_needed > at_most ? CrackVerdict::not_by_cracks_alone : by_rises;
 }
 
 Standing standing_of(const std::vector<Doubt>& doubts, bool half_impossible) {
@@ -136,6 +152,13 @@ std::string_view name_of(NextStep step) {
   return name_in_order<NextStep::see_checks>(
       step, {"none", "check_case", "reload", "finer_steps", "stiffer_rig", "image_length", "state_radius",
              "find_contact", "finer_force", "measure_stiffness", "see_checks"});
+}
+
+bool lost_stiffness(const Judgement& judgement) {
+  return std::any_of(judgement.doubts.begin(), judgement.doubts.end(), [&](Doubt doubt) {
+    return doubt == Doubt::softer_reload || doubt == Doubt::cracks ||
+           (doubt == Doubt::changed_reload && judgement.loss > 0);
+  });
 }
 
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {

@@ -71,6 +71,9 @@ struct Judgement {
   double stiffness_for_all = NAN;
 };
 
+// Does a reload, or do the rises between the drops, show that the specimen lost stiffness on the way? No friction can then be read off.
+bool lost_stiffness(const Judgement& judgement);
+
 // A reload that is softer says cracks; one that lost less, at 95 %, than cracks would need to make the drops says that these were not cracks
 // alone. Drops are not asked about where there are none.
 // Domain:     analysis.status is ok; std::invalid_argument otherwise. cycles null: it was loaded once.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -142,6 +143,8 @@ class Posterior {
     list_explanations();
     list_innovations();
     for (const auto& component : components_) add(component);
+    std::copy_if(waves_.begin(), waves_.end(), std::back_inserter(result_.waves),
+                 [](const WavePosterior& wave) { return !wave.draws.empty(); });
     result_.noise_correlation = hyperparameters_of(components_.front().mode.theta).correlation;
     add_profiles();
     return std::move(result_);
@@ -263,14 +266,11 @@ class Posterior {
   }
 
   // Other waves are other explanations, and no error of this one.
-  bool is_likeliest_wave(const Mode& mode) const {
-    const Component* const best = best_of(has_waves);
-    if (mode.theta.waves != best->mode.theta.waves) return false;
-    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
-      const double log_wavelength = best->mode.theta.log_wavelength(wave);
-      if (std::abs(mode.theta.log_wavelength(wave) - log_wavelength) > same_wave(log_wavelength)) return false;
-    }
-    return true;
+  bool is_likeliest(const Mode& mode, std::size_t wave) const {
+    const Mode& best = best_of(has_waves)->mode;
+    if (mode.theta.waves != best.theta.waves) return false;
+    const double log_wavelength = best.theta.log_wavelength(wave);
+    return std::abs(mode.theta.log_wavelength(wave) - log_wavelength) <= same_wave(log_wavelength);
   }
 
   // Half the distance at which the fibre seen tells two wavelengths apart.
@@ -310,21 +310,21 @@ class Posterior {
       covariance(0, 1 + j) = covariance(1 + j, 0) = mean.with_beta[first + j];
     }
     covariance.bottomRightCorner(2 * waves, 2 * waves) = chain.covariance().block(first, first, 2 * waves, 2 * waves);
-    const Eigen::LLT<MatrixXd> factor(covariance);
-    if (factor.info() != Eigen::Success) return;
-    if (!is_likeliest_wave(mode)) return;
+    Eigen::LLT<MatrixXd> factor(covariance);
+    // What is left of covariances after rounding need be none, where there is hardly any noise.
+    if (factor.info() != Eigen::Success) factor.compute(MatrixXd(covariance.diagonal().cwiseMax(1e-16).asDiagonal()));
     std::array<double, most_waves> deviation{};
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const auto at = static_cast<Index>(4 + wave);
       deviation[wave] = elementary::length(std::sqrt(component.spread(at, at)), scatter_of(component, wave));
     }
-    result_.waves.resize(std::max<std::size_t>(result_.waves.size(), mode.theta.waves));
     for (int i = 0; i < draws; ++i) {
       VectorXd z(1 + 2 * waves);
       for (auto& value : z) value = normal_();
       const VectorXd drawn = middle + factor.matrixL() * z;
       for (Index wave = 0; wave < waves; ++wave) {
-        auto& posterior = result_.waves[static_cast<std::size_t>(wave)];
+        if (!is_likeliest(mode, static_cast<std::size_t>(wave))) continue;
+        auto& posterior = waves_[static_cast<std::size_t>(wave)];
         if (posterior.draws.empty())
           posterior.log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave));
         const double log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave)) +
@@ -416,6 +416,7 @@ class Posterior {
   const FrictionProcess& process_;
   std::span<const Component> components_;
   double from_, to_;
+  std::array<WavePosterior, most_waves> waves_{};  // of the likeliest explanation with waves
   ProcessPosterior result_{};
   NormalSource normal_{20210829};
 };

@@ -90,15 +90,6 @@ std::string drops_in_words(const FittedTest& test) {
                      cause_in_words(test));
 }
 
-// Does a reload, or the rises between the drops, show that the specimen lost stiffness on the way?
-bool lost_stiffness(const FittedTest& test) {
-  const Judgement& judgement = test.judgement.value();
-  return std::any_of(judgement.doubts.begin(), judgement.doubts.end(), [&](Doubt doubt) {
-    return doubt == Doubt::softer_reload || doubt == Doubt::cracks ||
-           (doubt == Doubt::changed_reload && judgement.loss > 0);
-  });
-}
-
 // Drops that nothing says to be slips.
 bool may_have_cracked(const FittedTest& test) {
   return !test.analysis.drops.drops.empty() && test.judgement.value().drops != CrackVerdict::not_by_cracks_alone;
@@ -106,7 +97,8 @@ bool may_have_cracked(const FittedTest& test) {
 
 // The friction of the specimen as tested, and whether it repeats.
 std::string friction_in_short(const FittedTest& test) {
-  if (lost_stiffness(test)) return "No friction can be read off the record of a specimen that loses stiffness.";
+  if (lost_stiffness(test.judgement.value()))
+    return "No friction can be read off the record of a specimen that loses stiffness.";
   const auto& fit = test.analysis.fit;
   std::string words = fmt::format(
       "{} at the supports is {}{}", may_have_cracked(test) ? "If nothing cracked, friction" : "Friction",
@@ -291,8 +283,8 @@ std::string next_step_in_words(const FittedTest& test) {
       return "";
     case NextStep::check_case:
       return test.analysis.stiffness_implausible
-                 ? "Next: check the modulus, the section, the span, the columns and their units, and whether the "
-                   "specimen cracks."
+                 ? "Next: check the modulus, the section, the span, the load train, the columns and their units, and "
+                   "whether the specimen cracks."
              : test.analysis.drops.drops.empty()
                  ? "Next: check the modulus, the section, the span, the contact, the load train, the columns and their "
                    "units. If all "
@@ -389,7 +381,7 @@ std::string answer_of(const FittedTest& test) {
                        late_beginning_in_words(test), next_step_in_words(test));
   answer += fmt::format("{}: {}. {}", sawtooth_in_words(analysis), drops_in_words(test), friction_in_short(test));
   const double share = analysis.energy.friction_share;
-  const bool is_told = !analysis.fit.mu0_is_bound && !lost_stiffness(test);
+  const bool is_told = !analysis.fit.mu0_is_bound && !lost_stiffness(test.judgement.value());
   if (share > 0.005 && judgement.standing < Standing::suspect && is_told)
     answer +=
         !may_have_cracked(test)
@@ -400,7 +392,7 @@ std::string answer_of(const FittedTest& test) {
                   "counted as toughness.",
                   percent(share));
   if (const std::string imaged = imaged_in_words(test); !imaged.empty()) answer += " " + imaged;
-  if (test.cycles) answer += " " + cycles_in_short(test);
+  if (test.cycles && !lost_stiffness(judgement)) answer += " " + cycles_in_short(test);
   answer += fmt::format(" {}", standing_in_words(judgement.standing, judgement.doubts, !analysis.fit.mu0_is_bound));
   if (const std::string next = next_step_in_words(test); !next.empty()) answer += " " + next;
   return answer;
@@ -409,7 +401,7 @@ std::string answer_of(const FittedTest& test) {
 std::string caution_of(const FittedTest& test) {
   if (!is_trusted(test.judgement.value().standing))
     return "The fit is not to be used: it tells no friction. What is drawn of it shows where it fails.";
-  return lost_stiffness(test)
+  return lost_stiffness(test.judgement.value())
              ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";
 }

@@ -118,18 +118,20 @@ std::string friction_in_words(const Campaign& campaign, const CategorySummary& a
   if (!literature) return fmt::format("{}{}.", value, left_out);
   const double low = literature->low, high = literature->high;
   const auto within = std::count_if(campaign.tests.begin(), campaign.tests.end(), [&](const CampaignTest& test) {
-    return test.summary && !(leaves_out && test.summary->suspect) && is_trusted(test.summary->standing) &&
-           !test.summary->mu0_is_bound && test.summary->mu0.value >= low && test.summary->mu0.value <= high;
+    return test.summary && !(leaves_out && test.summary->suspect) && !test.summary->mu0_is_bound &&
+           test.summary->mu0.low <= high && test.summary->mu0.high >= low;
   });
-  return fmt::format(
-      "{}{}. {} {} the range {:g} to {:g} that the literature gives for {} on {}{}.", value, left_out,
-      mu0.count == 1 ? "It lies" : "The mean lies",
-      mu0.mean < low    ? "below"
-      : mu0.mean > high ? "above"
-                        : "within",
-      low, high, literature->specimen, literature->support,
-      mu0.count == 1 ? ""
-                     : fmt::format(", and {} of the {} tests {} in it", within, mu0.count, within == 1 ? "is" : "are"));
+  const bool agrees = mu0.count == 1 && within == 1;
+  return fmt::format("{}{}. {} {} the range {:g} to {:g} that the literature gives for {} on {}{}.", value, left_out,
+                     mu0.count == 1 ? "It lies" : "The mean lies",
+                     agrees            ? "within, or no farther than its error from,"
+                     : mu0.mean < low  ? "below"
+                     : mu0.mean > high ? "above"
+                                       : "within",
+                     low, high, literature->specimen, literature->support,
+                     mu0.count == 1 ? ""
+                                    : fmt::format(", and {} of the {} tests {} with it", within, mu0.count,
+                                                  within == 1 ? "agrees" : "agree"));
 }
 
 }  // namespace
@@ -217,23 +219,24 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
+    const bool tells = std::isfinite(summary.mu0.value);
     const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
-      if (!estimate || is_untrusted(test)) return std::string();
+      if (!estimate) return std::string();
       const std::string wave = written(*estimate, factor);
       return summary.wave_claimed ? wave : fmt::format("[{}]", wave);
     };
-    const bool is_rough = summary.model == ProfileModel::roughness && !is_untrusted(test);
+    const bool is_rough = summary.model == ProfileModel::roughness && tells;
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     table.rows.push_back(
         {printable(test.name), std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
-         is_untrusted(test)     ? ""
+         !tells                 ? ""
          : summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
                                 : written(summary.mu0, 1),
          is_rough ? written(summary.roughness, 1) : "",
          is_rough ? written(summary.correlation_length, units.wavelength.factor) : "", of_wave(summary.amplitude, 1),
          of_wave(summary.wavelength, units.wavelength.factor), of_wave(summary.surface_height, units.wavelength.factor),
-         summary.surface_slope && !is_untrusted(test) ? written(*summary.surface_slope, 1) : "",
+         summary.surface_slope ? written(*summary.surface_slope, 1) : "",
          written(summary.bending_stiffness, units.bending_stiffness.factor),
          significant(units.residual.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
          significant(units.work.factor * summary.work_of_fracture, 3), share_in_words(summary.friction_share),

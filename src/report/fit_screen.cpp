@@ -158,8 +158,7 @@ std::string fit_screen(const FittedTest& test) {
     text += line_of_screen("strain", strain);
   text += "Checks\n" + checks_in_short(test);
   text += line_of_screen("assumed", assumed_in_short(test));
-  text += line_of_screen("more",
-                         "--full: every table; --report FOLDER: figures; docs/reading-your-report.md: what they mean");
+  text += line_of_screen("more", "--full: every table; --report FOLDER: figures; docs/reading-your-report.md");
   return text;
 }
 

@@ -204,9 +204,9 @@ std::string suspicion_in_words(const FittedTest& test) {
                 "Of the {}, {} friction above {:g} at the bending stiffness beforehand, {} of them by more than twice "
                 "the standard error.",
                 judged, above == 1 ? "1 needs" : fmt::format("{} need", above), report.limit, report.beyond_error);
-  words += report.suspect ? " That is more than 5 %: the test is suspect."
+  words += report.suspect ? " That is more than 5 %, and so it is at that of the fit: the test is suspect."
            : above == 0   ? ""
-                          : " That is at most 5 %: the test is not suspect.";
+                          : " That, or what is left of it at that of the fit, is at most 5 %: the test is not suspect.";
   return words + fmt::format(
                      " By the paper's criterion (a force above the Euler–Bernoulli line), {} suspect; but friction "
                      "alone lifts a sound curve above that line, by 5 % at μ = 0.6.",

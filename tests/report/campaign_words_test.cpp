@@ -13,8 +13,9 @@ TEST_CASE("table: the answer of a campaign counted by hand") {
   CHECK(answer_of(some_campaign()) ==
         "5 tests: 3 with a clear sawtooth, 1 with a nominal (faint) one, 1 with none or hardly any. Friction at the "
         "supports is "
-        "0.51 on average, from 0.30 to 0.75, without the suspect test. The mean lies within the range 0.5 to 0.721 "
-        "that the literature gives for glass on steel, and 1 of the 4 tests is in it. SS8 is suspect; the "
+        "0.51 on average of 4 tests, from 0.30 to 0.75, without the suspect test. The mean lies within the range 0.5 "
+        "to 0.721 "
+        "that the literature gives for glass on steel, and 1 of the 4 tests agrees with it. SS8 is suspect; the "
         "remarks say "
         "why. "
         "SS99 could not be evaluated.");

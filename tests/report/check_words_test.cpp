@@ -14,6 +14,7 @@ FittedTest judged(Standing standing) {
   static const FittedTest example = fit_test(read_case(FLEXSLIP_SOURCE_DIR "/examples/cracked/case.toml"), {});
   FittedTest test = example;
   test.judgement->standing = standing;
+  test.judgement->doubts.clear();
   return test;
 }
 

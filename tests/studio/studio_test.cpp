@@ -1,5 +1,6 @@
 #include "studio/studio.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -101,6 +102,38 @@ TEST_CASE("studio: a loading has the bits of the case that says the same (oracle
     check_same(continuous, simulated_by_case(case_of(asked.rig, asked.friction, turns + "step = \"continuous\"\n")),
                false);
   }
+}
+
+TEST_CASE(
+    "studio: a sketch is the loading to a thousandth of its greatest force, but for a step beside each snap (oracle: "
+    "simulate)") {
+  const studio::TabulatedFriction met{
+      {1278e-6, 1290e-6, 1320e-6, 1400e-6, 1700e-6, 2600e-6}, {0.4, 0.5, 0.3, 0.45, 0.4, 0.5}, true};
+  constexpr double farthest = 560e-6;
+  constexpr int steps = 800;
+  for (const auto& rig :
+       {rig_with(sinusoid(0.15)), rig_with(sinusoid(0.3), 90.65, 0, 34.8e-6), rig_with(sinusoid(0.3), infinity),
+        rig_with(rough), rig_with(met, 90.65, 50e-6, 34.8e-6), rig_with(met, 30)}) {
+    const studio::Loading exact = studio::simulate(rig, std::vector{0.0, farthest}, farthest / steps, 0);
+    const studio::Loading sketch = studio::sketch(rig, farthest, steps);
+    REQUIRE(sketch.stage.size() == steps + 1);
+    const std::size_t before = exact.stage.front() == 0 ? 0 : 1;  // whether the straight fibre is among the steps
+    REQUIRE(exact.stage.size() + before == sketch.stage.size());
+    const double most = *std::max_element(exact.force.begin(), exact.force.end());
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < exact.stage.size(); ++i) {
+      const std::size_t j = i + before;
+      CHECK(sketch.stage[j] == doctest::Approx(exact.stage[i]));
+      off += std::abs(sketch.force[j] - exact.force[i]) > 1e-3 * most;
+      off += std::abs(sketch.deflection[j] - exact.deflection[i]) >
+             1e-3 * most / std::min(rig.stiffness, 1e3) + 1e-7 * 1278e-6;
+    }
+    CAPTURE(exact.snaps.size());
+    CHECK(off <= 4 * exact.snaps.size());
+    CHECK(sketch.drawn.back() == doctest::Approx(exact.drawn.back()).epsilon(0.01));
+  }
+  CHECK_THROWS_AS(studio::sketch(rig_with(sinusoid(0.15), 90.65, 50e-6), farthest, steps), std::invalid_argument);
+  CHECK_THROWS_AS(studio::sketch(rig_with(sinusoid(0.15)), 5e-3, steps), std::invalid_argument);
 }
 
 TEST_CASE("studio: the rough and wavy friction of the sliders is the table that it says it is") {

@@ -88,6 +88,7 @@ export async function openMechanics(): Promise<Mechanics> {
   const pointsOfStretch = 200;  // as the program's, where nothing else is asked
   return {
     simulate: (rig, programme, step) => result(bound.simulate(rig, programme, step, pointsOfStretch)),
+    sketch: (rig, farthest, steps) => result(bound.sketch(rig, farthest, steps)),
     equilibrium: (rig, points, longest = 1.5 * rig.span) => result(bound.equilibrium(rig, longest, points)),
     shape: (rig, drawn, friction, points, beyond = 0.15 * rig.span) => result(bound.shape(rig, drawn, friction, points, beyond)),
     friction: (rig, positions) => result(bound.friction(rig, positions)),

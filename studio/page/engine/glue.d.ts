@@ -23,6 +23,7 @@ declare module "mechanics-glue" {
   export type Answered<T> = { result: T; error?: undefined } | { result?: undefined; error: string };
   interface Bound {
     simulate(rig: unknown, programme: number[], step: number, points: number): Answered<import("../src/engine").Loading>;
+    sketch(rig: unknown, farthest: number, steps: number): Answered<import("../src/engine").Loading>;
     equilibrium(rig: unknown, longest: number, points: number): Answered<import("../src/engine").Loading>;
     shape(rig: unknown, drawn: number, friction: number, points: number, beyond: number): Answered<import("../src/engine").Shape>;
     friction(rig: unknown, positions: Float64Array): Answered<Float64Array>;

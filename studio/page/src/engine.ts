@@ -21,6 +21,8 @@ export class Cancelled extends Error {
 export interface Mechanics {
   /** A loading of the rig: what `flexslip simulate` answers, as columns; the same bits. A step of 0: continuously, 200 points on each stretch. */
   simulate(rig: Rig, programme: number[], step: number): Loading;
+  /** One loading up to a stage position, at so many even steps: as simulate to a thousandth of the greatest force, and quickly; without motion and snaps. Friction as it is met, or edges. */
+  sketch(rig: Rig, farthest: number, steps: number): Loading;
   /** The equilibrium curve of loading, whatever the rig: what `flexslip equilibrium --points` answers; up to a length between the supports, without one 1.5 spans. */
   equilibrium(rig: Rig, points: number, longest?: number): Loading;
   /** The fibre's axis at a state, `points` between the supports and one beyond each, where `beyond` [m] lie as it is straight (without it, 0.15 spans). */

@@ -48,8 +48,12 @@ export class Model {
   loading(rig: Rig, programme: number[], live = false): Loading {
     return live ? this.mechanics.simulate({ ...rig, friction: thinned(rig.friction) }, programme, 2 * this.stepOf(programme)) : this.mechanics.simulate(rig, programme, this.stepOf(programme));
   }
-  /** The record's own loading, at the values given. */
+  /** The record's own loading, at the values given. While a slider moves it is a sketch, where one can be made. */
   monotone(fit: Fit, rig: Rig, live = false): Loading {
+    if (live)
+      try {
+        return this.mechanics.sketch(rig, fit.greatestStage, STEPS);
+      } catch { /* it slips through, or is bent too far for a sketch */ }
     return this.loading(rig, [0, fit.greatestStage], live);
   }
   /** Makes the tables of states on these supports, and lets the browser compile what runs through them, while there is nothing else to do: of any specimen on them. */
