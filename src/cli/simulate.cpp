@@ -13,6 +13,7 @@
 #include "case/simulated_test.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
+#include "cli/numbers.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "io/input_error.h"
@@ -115,6 +116,7 @@ void add_simulate_command(CLI::App& app) {
       ->type_name("FORCE");
   command->add_option("--seed", request->seed, "Seed of the noise: the same seed gives the same readings")
       ->type_name("N")
+      ->check(whole_number())
       ->capture_default_str();
   command->add_flag("--energies", request->energies, "Add the energies up to each point of the path");
   add_figure_option(*command, request->figure);

@@ -215,6 +215,8 @@ step = "2 um"
         self.refused("fit", CASE, "--model", "parabola", says=["parabola"])
         self.refused("fit", CASE, "--model", "drift", "--model", "constant", says=["--model"])
         self.refused("fit", CASE, "--false-alarms", "-1", says=["--false-alarms"])
+        self.refused("fit", CASE, "--suspect-limit", "nan", says=["--suspect-limit", "0.01 to 100"])
+        self.refused("simulate", CASE, "--noise", "1 uN", "--seed", "-1", says=["--seed", "whole number"])
 
     def test_too_shallow_a_test_is_no_answer(self):
         lines = DATA.read_text(encoding="utf-8").splitlines(keepends=True)
