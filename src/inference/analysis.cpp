@@ -188,7 +188,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   constexpr double most_ratio =
       1.4;  // contact, friction and large deflection bend the slopes of sound tests by up to 25 %
   const double EI_error = description.bending_stiffness_error.value_or(usual_error);
-  const double most_apart = std::max(elementary::log(most_ratio), 2 * EI_error);
+  const double farthest_ratio = std::max(most_ratio, elementary::exp(2 * EI_error));
   const Scales scales(L, EI);
   TestAnalysis analysis{.status = AnalysisStatus::ok,
                         .scales = scales,
@@ -196,7 +196,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .bending_stiffness_error = EI_error,
                         .stiffness_from_slope = from_slope,
                         .stiffness_over_slope = ratio,
-                        .stiffness_implausible = std::abs(elementary::log(ratio)) > most_apart,
+                        .stiffness_implausible = ratio > farthest_ratio || ratio < 1 / farthest_ratio,
                         .failure = failure,
                         .contact = contact,
                         .record = record,

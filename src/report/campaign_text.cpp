@@ -38,7 +38,7 @@ std::string campaign_text(const Campaign& campaign) {
   std::string text = wrapped(answer_of(campaign), "");
   text += tests(campaign);
   text += titled("Categories: mean (min to max)",
-                 picked(category_rows(campaign), {"Sawtooth", "Suspects", "Tests", "μ₀", "A", "λ"}));
+                 picked(category_rows(campaign), {"Sawtooth", "Suspects", "Tests", "μ₀", "λ"}));
   text += titled("Between specimens", specimen_rows(campaign));
   text += titled("Shared by the tests", shared_rows(campaign));
   if (!campaign.shared.empty()) text += "\n" + wrapped(sharing_rule(), "");

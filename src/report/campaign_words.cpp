@@ -33,6 +33,7 @@ std::string share_in_words(double share) {
 
 std::string of_spread(const Spread& spread, double factor, int decimals) {
   if (spread.count == 0) return "";
+  if (spread.count == 1) return fmt::format("{:.{}f}", factor * spread.mean, decimals);
   return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", factor * spread.mean, decimals, factor * spread.min, decimals,
                      factor * spread.max, decimals);
 }
