@@ -73,9 +73,10 @@ double left_by_drops(const TestAnalysis& analysis) {
     const auto apparent = [&](std::size_t row) {
       return record.force[row] / force_at(uncracked, record.deflection[row]);
     };
-    const double log_ratio = elementary::log(apparent(drop.after) / apparent(drop.before));
-    if (!(log_ratio < 0)) continue;
-    log_left += log_ratio;
+    const double ratio = apparent(drop.after) / apparent(drop.before);
+    if (!(ratio < 1)) continue;
+    constexpr double nothing = 1e-6;  // of a specimen that broke
+    log_left += elementary::log(std::max(ratio, nothing));
     variance += 2 * std::pow(analysis.force_noise / record.force[drop.before], 2);
   }
   return std::min(elementary::exp(log_left + one_sided * std::sqrt(variance)), 1.0);
