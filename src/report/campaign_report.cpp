@@ -169,7 +169,7 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
       body += section("Between specimens") + html_table(specimens) + paragraph(specimen_rule());
     body += section("Test by test") +
             html_word_table(test_rows(campaign, with_interval), links_to_tests(folder, campaign)) +
-            paragraph("In parentheses: 95 % intervals. An untrusted test has no share of friction.");
+            paragraph("In parentheses: 95 % intervals. A test that tells no friction, or only a limit, has no share.");
   }
   if (const auto failures = failure_rows(campaign); !failures.rows.empty())
     body += section("Not evaluated") + html_word_table(failures);

@@ -43,7 +43,9 @@ std::string campaign_text(const Campaign& campaign) {
   text += titled("Shared by the tests", shared_rows(campaign));
   if (!campaign.shared.empty()) text += "\n" + wrapped(sharing_rule(), "");
   text += failures(campaign);
-  text += "\n" + wrapped(category_rule() + " ± are standard errors. An untrusted test has no share of friction.", "");
+  text += "\n" + wrapped(category_rule() +
+                             " ± are standard errors. A test that tells no friction, or only a limit, has no share.",
+                         "");
   if (const std::string surfaces = surfaces_in_words(campaign); !surfaces.empty()) text += "\n" + wrapped(surfaces, "");
   if (!specimen_rows(campaign).rows.empty()) text += "\n" + wrapped(specimen_rule(), "");
   if (const std::string suspects = suspects_in_words(campaign); !suspects.empty()) text += "\n" + wrapped(suspects, "");

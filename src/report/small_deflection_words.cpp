@@ -92,7 +92,7 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
   if (numbers.chord && numbers.modulus) {
     constexpr double clearly = 3;  // errors
     const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
-    if (const double apart = *numbers.modulus / numbers.chord->modulus - 1; std::abs(apart) > clearly * error)
+    if (const double apart = *numbers.modulus / numbers.chord->modulus - 1; apart > clearly * error)
       list.push_back(fmt::format(
           "The modulus of the straight part is {} from that of the chord, beyond their errors: friction and "
           "large deflection steepen it, and the chord less. Take the chord, or the modulus that fit finds.",

@@ -118,6 +118,13 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
     work += 0.5 * (record.force[i] + record.force[i - 1]) * (record.deflection[i] - record.deflection[i - 1]);
   CHECK(summary.work_of_fracture == doctest::Approx(work).scale(0).epsilon(1e-12));  // rounding of a sum of 300
 
+  auto cracked = judge(analysis, nullptr);
+  cracked.doubts = {Doubt::cracks};
+  const auto of_cracked = summary_of("cracked", analysis, cracked);
+  CHECK(std::isnan(of_cracked.mu0.value));
+  CHECK(!of_cracked.wavelength);
+  CHECK(of_cracked.work_of_fracture == summary.work_of_fracture);
+
   auto without = analysis;
   without.status = AnalysisStatus::too_few_points;
   CHECK(message_of([&] { summary_of("simulated", without, {}); }) == "a test without a fit has no summary");

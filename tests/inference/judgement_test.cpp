@@ -101,6 +101,23 @@ TEST_CASE(
   CHECK(judge(analysis, &as_soft).drops == CrackVerdict::cannot_be_told);
 }
 
+TEST_CASE("limit: a reload clears no drop below the forces that it compares, and none that cannot be a slip") {
+  auto analysis = slipping();
+  analysis.drops.drops.resize(2);
+  analysis.slips.resize(2);
+  analysis.slip_or_crack = {};
+  analysis.slip_or_crack.verdict = CrackVerdict::cannot_be_told;
+  const auto as_stiff = reloaded(0.99, 0.01);
+  REQUIRE(judge(analysis, &as_stiff).drops == CrackVerdict::not_by_cracks_alone);
+  auto impossible = analysis;
+  impossible.slips.front().verdict = SlipVerdict::unexplained;
+  CHECK(judge(impossible, &as_stiff).drops == CrackVerdict::cannot_be_told);
+  auto early = analysis;
+  early.record.force.push_back(100 * *std::max_element(early.record.force.begin(), early.record.force.end()));
+  CHECK(judge(early, &as_stiff).loss_needed == 0);
+  CHECK(judge(early, &as_stiff).drops == CrackVerdict::cannot_be_told);
+}
+
 TEST_CASE("identity: a doubt has a step that would settle it") {
   const auto step_with = [sound = slipping()](auto change) {
     TestAnalysis analysis = sound;

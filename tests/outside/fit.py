@@ -122,6 +122,15 @@ class Options(InFolder):
         self.assertEqual((check["name"], check["passed"]), ("stability", True))
         self.assertLess(check["mu0_moved"], 0.01)
 
+    def test_truth_of_a_record_without_noise(self):
+        # Its likeliest explanation has a second wave that is uncertain: the first is claimed all the same.
+        record = self.folder / "exact.csv"
+        self.succeeds("simulate", EXAMPLE / "truth.toml", "--output", record)
+        wave = self.json("fit", record, "--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m",
+                         "--stage", "w_s", "--force", "F")["wave"]
+        self.assertTrue(wave["claimed"], wave)
+        self.assertAlmostEqual(wave["wavelength"]["value"], 10.9e-6, delta=0.01e-6)
+
     def test_the_report_of_a_record_without_an_answer_shows_the_record(self):
         noise = random.Random(7)
         record = self.file("noise.csv", "stage [um],force [mN]\n" + "".join(f"{2 * i},{0.01 * noise.gauss(0, 1)!r}\n" for i in range(300)))
