@@ -94,7 +94,7 @@ class FoldSearch {
       reason = CurveEnd::branch_ended;
       folds.erase(lost, folds.end());
     }
-    return {friction_, rig_, sliding_, first.point, std::move(folds), sample(x).point, reason};
+    return {friction_, rig_, sliding_, first.point, std::move(folds), sample(x).point, reason, looked_at_};
   }
 
  private:
@@ -138,6 +138,7 @@ class FoldSearch {
       for (std::size_t j = 0; j < degree; ++j) at.push_back(node_in(cell, j));
     at.push_back(cells.back().b);
     const auto samples = tabulated_samples_at(friction_, rig_, sliding_, at);
+    looked_at_ += at.size();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto corner = corner_at_end(cells[i]);
       const auto ended = corner || x != cells[i].a
@@ -163,6 +164,7 @@ class FoldSearch {
     std::array<double, degree + 1> at;
     for (std::size_t j = 0; j <= degree; ++j) at[j] = node_in(cell, j);
     const auto samples = source.sampler(friction_, rig_, sliding_, at);
+    looked_at_ += at.size();
     return isolate(cell, Nodes(samples), source, halvings);
   }
 
@@ -191,7 +193,9 @@ class FoldSearch {
     const double error = std::max(4 * tail, (rig_.fibre.on_edges() ? source.error : tabulated_error) * scale);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && sign_changes(bernstein) == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
-    const bool smallest = halvings == most_halvings;
+    // Along a load line G is level: no halving would tell more than that G' is within its error.
+    const bool level = resolved && !source.finer && std::max(-*least, *greatest) <= error;
+    const bool smallest = halvings == most_halvings || level;
     if (changes_sign && (single || smallest)) {
       add_bracket(cell, at_a < 0, bernstein);
     } else if (resolved && source.finer) {
@@ -260,6 +264,7 @@ class FoldSearch {
   const Rig& rig_;
   Sliding sliding_;
   std::vector<Bracket> brackets_;
+  std::size_t looked_at_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 // a fold, G' = 0, the fibre snaps. (The paper writes k G.)
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct SlidingCurve {
   std::vector<Fold> folds;  // in the order of the way; maxima and minima in turn
   RigPoint end;
   CurveEnd end_reason;
+  std::size_t looked_at;  // points that it took to find the folds
 };
 
 // The curve on which the fibre is drawn in, from S = 1 to S_max; and that on which it is let out, from S_from down to 1: of a friction of the

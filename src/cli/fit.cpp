@@ -12,6 +12,7 @@
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
@@ -36,6 +37,7 @@ void run_fit(const FitRequest& request) {
   FittedTest test = [&] {
     try {
       const Case input = case_of(request.test);
+      const Busy busy("Fitting", request.output);
       if (request.analysis.model.empty() && input.friction && input.friction->profile)
         note(request.output, "the parameters in [friction] are for simulating; the fit does not use them");
       return fit_test(input, options_for(input, request.analysis));

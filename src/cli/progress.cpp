@@ -71,4 +71,30 @@ ProgressFunction progress_of(const std::string& what, const Output& output) {
              std::uint64_t done, std::uint64_t all) { display->show(done, all); };
 }
 
+Busy::Busy(std::string what, const Output& output) {
+  if (output.quiet || isatty(STDERR_FILENO) != 1) return;
+  shown_ = std::thread([this, what = std::move(what)] { show(what); });
+}
+
+Busy::~Busy() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+  }
+  ended_.notify_all();
+  if (shown_.joinable()) shown_.join();
+}
+
+void Busy::show(const std::string& what) {
+  using namespace std::chrono_literals;
+  const auto begun = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  for (auto wait = 500ms; !ended_.wait_for(lock, wait, [this] { return is_over_; }); wait = 200ms) {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+    std::cerr << fmt::format("\r{}, {:.1f} s; Ctrl-C ends it", what, taken.count()) << std::flush;
+  }
+  const bool was_shown = std::chrono::steady_clock::now() - begun > 500ms;
+  if (was_shown) std::cerr << "\r\x1b[K" << std::flush;
+}
+
 }  // namespace flexslip

@@ -115,16 +115,17 @@ std::vector<double> Fibre::from_the_least(const FibrePoints& points) const {
   return lengths;
 }
 
-// Adds the state of the least length to what the table by length gave, and fills in what it has not.
+// Adds the state of the least length to what the table by length gave, and fills in what it has not, down to a force.
 template <std::size_t n_columns>
-void Fibre::complete(const FibrePoints& points, const std::array<double*, n_columns>& columns) const {
+void Fibre::complete(const FibrePoints& points, const std::array<double*, n_columns>& columns,
+                     WhereForceEnds end) const {
   const auto& [w, F] = std::array{columns[0], columns[1]};
   std::vector<std::size_t> others;
   std::vector<double> S, q, guesses;
   for (std::size_t i = 0; i < points.size(); ++i) {
     w[i] += tables_->least_w();
     F[i] += tables_->least_F();
-    if (points.lengths()[i] >= smooth_from_ && F[i] >= 0) continue;
+    if (points.lengths()[i] >= smooth_from_ && (F[i] >= 0 || end == WhereForceEnds::left_out)) continue;
     others.push_back(i);
     guesses.push_back(w[i]);
     S.push_back(points.lengths()[i]);
@@ -141,15 +142,15 @@ StateArrays Fibre::states_by_length(const FibrePoints& points) const {
   const std::vector<double> lengths = from_the_least(points);
   StateArrays result(lengths.size());
   tables_->by_length().values(lengths.data(), points.frictions(), lengths.size(), result.w.data(), result.F.data());
-  complete(points, std::array{result.w.data(), result.F.data()});
+  complete(points, std::array{result.w.data(), result.F.data()}, WhereForceEnds::computed);
   return result;
 }
 
-SlopeArrays Fibre::slopes_by_length(const FibrePoints& points) const {
+SlopeArrays Fibre::slopes_by_length(const FibrePoints& points, WhereForceEnds end) const {
   const std::vector<double> lengths = from_the_least(points);
   SlopeArrays result(lengths.size());
   tables_->by_length().slopes(lengths.data(), points.frictions(), lengths.size(), result.columns());
-  complete(points, result.columns());
+  complete(points, result.columns(), end);
   return result;
 }
 
@@ -197,7 +198,11 @@ StateArrays Fibre::tabulated_states(const FibrePoints& points) const {
 }
 
 SlopeArrays Fibre::tabulated_states_slopes(const FibrePoints& points) const {
-  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points);
+  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points, WhereForceEnds::computed);
+}
+
+SlopeArrays Fibre::states_slopes_under_force(const FibrePoints& points) const {
+  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points, WhereForceEnds::left_out);
 }
 
 StateArrays Fibre::states(const FibrePoints& points) const {

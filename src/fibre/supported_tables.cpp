@@ -145,7 +145,7 @@ SupportedTables::Step SupportedTables::step_from(double w, double S, double q, d
 }
 
 SupportedState SupportedTables::state(double w, double q) const {
-  if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q) {
+  if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q && w <= branch_end(q).w) {
     const SupportedState led = state_led_on(w, q, supports);
     // Leading on may lose a state that is there, of a fibre much bent.
     return led.status == FibreStatus::ok ? led : state_on_supports(w, q, supports);
@@ -205,8 +205,36 @@ void SupportedTables::fill_slopes(const CellTable& table, Field first, Field sec
   }
 }
 
+// The more friction, the farther the branch goes (tests/fibre/supported_tables_test.cpp): none of this friction goes beyond that of the next
+// friction at which its end is known. So what has no state costs no search for one.
+SupportedTables::BranchEnd SupportedTables::branch_end(double q) const {
+  constexpr BranchEnd unknown{infinity, infinity};
+  if (!(q < table_q.greatest)) return unknown;
+  const double place = (q - table_q.least) / (table_q.greatest - table_q.least) * static_cast<double>(ends - 1);
+  const auto index = static_cast<std::size_t>(std::max(std::ceil(place), 0.0));
+  std::call_once(end_known_[index], [&] { ends_[index] = end_at(index); });
+  return ends_[index];
+}
+
+SupportedTables::BranchEnd SupportedTables::end_at(std::size_t index) const {
+  const double q =
+      table_q.least + (table_q.greatest - table_q.least) * static_cast<double>(index) / static_cast<double>(ends - 1);
+  const auto there = [&](double w) { return state_on_supports(w, q, supports); };
+  double low = 1.25 * supports.half_depth + 1e-3, high = deepest_on_supports;
+  if (there(high).status == FibreStatus::ok) return {infinity, infinity};
+  constexpr double close = 1e-6;  // [L] added to what exists
+  while (high - low > close) {
+    const double middle = 0.5 * (low + high);
+    (there(middle).status == FibreStatus::ok ? low : high) = middle;
+  }
+  // Close to its end the length may rise without bound: by no more than this it does where it is known.
+  const SupportedState last = there(low), before = there(low - close);
+  return {high, last.slid + 4 * std::abs(last.slid - before.slid) + close};
+}
+
 // By bisection, where Newton's iteration leads nowhere: close to the end of the branch.
 double SupportedTables::beyond(double S, double q) const {
+  if (S - 1 > branch_end(q).slid) return not_a_number;
   double low = 1.25 * supports.half_depth, high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9;
   const auto slid = [&](double w) {
     const SupportedState at = state(w, q);

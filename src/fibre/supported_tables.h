@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -61,10 +63,17 @@ class SupportedTables {
     double w;
     bool is_last;
   };
+  // Where the branch of a friction ends, to its error above; infinite if not before deepest_on_supports.
+  struct BranchEnd {
+    double w, slid;  // [L]
+  };
+  static constexpr std::size_t ends = 49;  // frictions evenly over those of the tables
 
   double shallow_deflection(double S) const;
   Step step_from(double w, double S, double q, double slid, double slid_w) const;
   double beyond(double S, double q) const;
+  BranchEnd branch_end(double q) const;
+  BranchEnd end_at(std::size_t index) const;
   SupportedState state(double w, double q) const;
   CellTable::Source source(Field first, Field second) const;
   CellTable::Pair pair_by_length(std::span<const double> x, std::span<const double> q) const;
@@ -75,6 +84,8 @@ class SupportedTables {
                    std::span<const double> q, const std::array<double*, 6>& columns) const;
 
   CellTable sliding_, contacts_, bent_, by_length_;
+  mutable std::array<std::once_flag, ends> end_known_;
+  mutable std::array<BranchEnd, ends> ends_{};
 };
 
 }  // namespace flexslip

@@ -16,6 +16,7 @@
 #include "fibre/elementary.h"
 #include "fibre/limits.h"
 #include "inference/mirror.h"
+#include "inference/profile.h"
 
 namespace flexslip {
 namespace {
@@ -104,14 +105,15 @@ void describe_directions(FrictionLoop& loop, const Block& block, const Noise& no
 }
 
 // Lengths closer than what a measurement resolves would make a table steep for nothing.
-void describe_table(FrictionLoop& loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance) {
+void describe_table(FrictionLoop& loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance,
+                    const Fibre& fibre) {
   const auto smoothed = smooth(block, noise);
   const double least_distance = std::max(block.range / 1000, 2e-6);
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     const double S = block.rows[i].S;
     if (!loop.table.S.empty() && S - loop.table.S.back() < least_distance) continue;
     loop.table.S.push_back(S);
-    loop.table.mu.push_back(std::max(smoothed.mu[i][0], 0.0));
+    loop.table.mu.push_back(held_friction(fibre, smoothed.mu[i][0]));
     loop.error.push_back(
         std::sqrt(smoothed.variance[i] + systematic({smoothed.mu[i][1], smoothed.mu[i][2]}, covariance)));
   }
@@ -396,7 +398,7 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
     const auto errors = covariance_with(loops[i].column);
     describe_corners(loop, fit.points, legs.size());
     describe_directions(loop, fit.blocks[i], fit.noise, errors);
-    describe_table(loop, fit.blocks[i], fit.noise, errors);
+    describe_table(loop, fit.blocks[i], fit.noise, errors, rig.fibre);
     result.loops.push_back(std::move(loop));
   }
   std::vector<BumpCorrelation> correlations;

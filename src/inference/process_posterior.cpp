@@ -14,6 +14,7 @@
 #include "fibre/limits.h"
 #include "inference/matern.h"
 #include "inference/prior_draw.h"
+#include "inference/profile.h"
 
 namespace flexslip {
 namespace {
@@ -392,7 +393,7 @@ class Posterior {
 
   FrictionTable table_of(const std::vector<double>& mu) const {
     FrictionTable table{result_.band.S, mu};
-    for (double& value : table.mu) value = std::max(value, 0.0);
+    for (double& value : table.mu) value = held_friction(process_.passages().fibre, value);
     return table;
   }
 

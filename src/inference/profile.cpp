@@ -14,14 +14,14 @@
 namespace flexslip {
 namespace {
 
-// Friction at length S that puts the point on the load line of a stage position, w + F/k = stage; clamped to [0, 20].
+// Friction at length S that puts the point on the load line of a stage position, w + F/k = stage; held within what the map knows.
 double friction_on_load_line(double S, double stage, const Rig& rig, double start) {
   const double c = 1 / rig.stiffness;
   double q = start;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const auto [state, slopes] = rig.fibre.state_slopes(S, q);
     if (state.status != FibreStatus::ok) return q;
-    const double next = std::clamp(q - (state.w + c * state.F - stage) / (slopes.w_q + c * slopes.F_q), 0.0, 20.0);
+    const double next = held_friction(rig.fibre, q - (state.w + c * state.F - stage) / (slopes.w_q + c * slopes.F_q));
     const bool done = std::abs(next - q) <= 1e-12 * (1 + q);  // far below what a measurement resolves
     q = next;
     if (done) break;
@@ -51,6 +51,8 @@ ProfilePoint point_of(std::size_t index, const FibreState& told, double F, const
 }
 
 }  // namespace
+
+double held_friction(const Fibre& fibre, double mu) { return std::clamp(mu, 0.0, fibre.most_friction()); }
 
 double standard_error(const ProfilePoint& point) {
   return elementary::length(elementary::length(point.from_force, point.from_bending_stiffness), point.from_contact);
@@ -121,7 +123,7 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
   auto drop = drops.begin();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double stage = record.stage[points[i].index];
-    const double mu = friction_on_load_line(lengths[i], stage, rig, std::max(points[i].mu, 0.0));
+    const double mu = friction_on_load_line(lengths[i], stage, rig, held_friction(rig.fibre, points[i].mu));
     while (drop != drops.end() && drop->after < points[i].index) ++drop;
     const bool falls = i > 0 && drop != drops.end() && drop->before < points[i].index && drop->after >= points[i].index;
     if (falls) {

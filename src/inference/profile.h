@@ -66,6 +66,9 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
 // The greatest curvature of the fibre at midspan [1/L] in the states of a profile; NaN if it has none.
 double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre = {});
 
+// [1] Friction read off, as it can be run forward: noise and a wrong stiffness read as friction below none, or as any amount of it.
+double held_friction(const Fibre& fibre, double mu);
+
 // The profile as a friction table that, run forward, gives the measured curve back, drops included: a value on the load line
 // of each point, and within each drop a trough below it, the shallowest part of what the curve leaves unseen.
 // Domain:     a profile of this record; at least two points with w > friction_shows_from.

@@ -13,6 +13,7 @@
 
 #include <doctest/doctest.h>
 
+#include "bending_test/snap.h"
 #include "fibre/elastica.h"
 #include "fibre/limits.h"
 #include "tests/approximately.h"
@@ -375,6 +376,33 @@ TEST_CASE("rig: what cannot be traced is refused with its value (contract)") {
   CHECK(message_of([&] { point_at_length(curve, 1.3); }).find("1.3") != std::string::npos);
   CHECK(message_of([&] { point_at_length(curve, 0.9); }).find("0.9") != std::string::npos);
   CHECK(message_of([&] { point_at_stage(curve, stable_parts(curve).front(), 3.5); }).find("3.5") != std::string::npos);
+}
+
+TEST_CASE("rig: the work of finding folds is bounded by the knots of a table, whatever it says (property)") {
+  CHECK(rc::check([] {
+    const Fibre fibre = *rc::gen::element(Fibre(), Fibre(Supports{0, 0.0136}), Fibre(Supports{0.02, 0.0136}));
+    const Rig rig{std::pow(10, *between(0.5, 4)), fibre};
+    FrictionTable table;
+    const int pieces = *rc::gen::inRange(1, 12);
+    double S = *between(1.01, 1.1);
+    for (int piece = 0; piece < pieces; ++piece) {
+      // Several readings of one stage position lie on its load line, along which G is level.
+      const bool level = *rc::gen::arbitrary<bool>();
+      const double mu = *between(0, 2);
+      const FibreState there = fibre.state(S, mu);
+      for (int i = 0; i < 6; ++i) {
+        table.S.push_back(S);
+        const HeldState held = held_at(S, there.w + there.F / rig.stiffness, rig, mu);
+        table.mu.push_back(level && held.holding == Holding::held ? std::clamp(held.state.q, 0.0, 2.0)
+                                                                  : *between(0, 2));
+        S += std::pow(10, *between(-6, -2.5));
+      }
+    }
+    const SlidingCurve curve = trace_loading_curve(Friction::as_met(table), rig, S + 0.1);
+    // Halving a cell down to a corner looks at 18 points, twenty times, from the table and exactly; a cell between knots has a few folds.
+    const double cells = static_cast<double>(table.S.size()) + 100;
+    RC_ASSERT(static_cast<double>(curve.looked_at) < 3 * 2 * 20 * 18 * cells);
+  }));
 }
 
 }  // namespace flexslip

@@ -61,4 +61,36 @@ TEST_CASE("tables on supports: a deflection is found whatever the guess (propert
   }));
 }
 
+TEST_CASE("tables on supports, identity: the more friction, the farther the branch goes, in deflection and in length") {
+  for (const Supports supports :
+       {Supports{0, 0.0136}, Supports{0, 0.03}, Supports{0.01, 0}, Supports{0.05, 0.0136}, Supports{0.1, 0.03}}) {
+    double w_last = 0, slid_last = 0;
+    for (double q = -3; q <= 4; q += 0.0625) {
+      double exists = 1.25 * supports.half_depth + 1e-3, none = deepest_on_supports;
+      const auto at = [&](double w) { return state_on_supports(w, q, supports); };
+      if (at(none).status == FibreStatus::ok) break;
+      while (none - exists > 1e-9) {
+        const double middle = 0.5 * (exists + none);
+        (at(middle).status == FibreStatus::ok ? exists : none) = middle;
+      }
+      INFO("radius ", supports.radius, ", half depth ", supports.half_depth, ", q ", q);
+      const double slid = at(exists).slid;
+      CHECK(exists > w_last);
+      CHECK(slid > slid_last);
+      // And so nothing that is there is taken for nothing, at frictions where no end is kept, too.
+      const double S = 1 + 0.999 * slid;
+      CHECK(SupportedTables::of(supports)->deflection(S, q) == to(1e-9, [&] {
+              double low = 0.5 * exists, high = exists;
+              for (int i = 0; i < 60; ++i) {
+                const double middle = 0.5 * (low + high);
+                (at(middle).slid < S - 1 ? low : high) = middle;
+              }
+              return low;
+            }()));
+      w_last = exists;
+      slid_last = slid;
+    }
+  }
+}
+
 }  // namespace flexslip

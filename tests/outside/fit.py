@@ -8,10 +8,13 @@ import pathlib
 import random
 import re
 import shutil
+import signal
+import subprocess
+import time
 import tomllib
 import unittest
 
-from program import SOURCE, InFolder, numbers, run, table
+from program import PROGRAM, SOURCE, InFolder, numbers, run, table
 
 EXAMPLE = SOURCE / "examples/simulated"
 CASE = EXAMPLE / "case.toml"
@@ -25,6 +28,48 @@ WAVE = {"amplitude", "wavelength", "phase", "phase_at_middle"}
 CRACKED = SOURCE / "../shared/data/cracked"
 SNAP_KEYS = {"stage", "deflection_before", "deflection_after", "force_before", "force_after", "length_before", "length_after"}
 FIGURES = ["force", "profile", "wavelengths", "teeth"]
+
+
+class OddButLegal(InFolder):
+    """Records and cases whose fit once had no end in sight: each comes to one."""
+
+    def record(self, name, rows):
+        return self.file(name, "stage [um],force [mN]\n" + "".join(f"{stage!r},{force!r}\n" for stage, force in rows))
+
+    def smooth(self):
+        """A specimen of constant friction, as the program simulates it, with noise: micrometres and millinewtons."""
+        case = self.file("smooth.toml", (EXAMPLE / "truth.toml").read_text(encoding="utf-8").split("[friction]")[0]
+                         + '[friction]\nmodel = "constant"\nmu0 = 0.5\n[stage]\nprogram = ["0 um", "600 um"]\nstep = "2 um"\n')
+        text = run("simulate", case, "--quiet").stdout
+        noise = random.Random(1)
+        return [(1e6 * stage, 1e3 * force + noise.gauss(0, 0.01)) for stage, force in zip(numbers(text, "w_s [m]"), numbers(text, "F [N]"))]
+
+    def fitted(self, record, modulus="29.6 GPa", *more):
+        answer = run("fit", record, *FLAGS[:-4], "--modulus", modulus, "--stage", "stage [um]", "--force", "force [mN]", "--json", *more)
+        self.assertIn(answer.returncode, (0, 1), answer.stderr)
+        return json.loads(answer.stdout)
+
+    def test_several_readings_at_each_place(self):
+        noise = random.Random(2)
+        rows = [(stage, force + noise.gauss(0, 0.01)) for stage, force in self.smooth()[::8] for _ in range(4)]
+        low, high = self.fitted(self.record("staircase.csv", rows))["parameters"]["mu0"]["interval95"]
+        self.assertLess(low, 0.52)
+        self.assertGreater(high, 0.48)
+
+    def test_a_preload_at_which_the_stage_counts_from_zero(self):
+        rows = [(stage, force) for stage, force in self.smooth() if force > 0.5]
+        self.fitted(self.record("preload.csv", [(stage - rows[0][0], force) for stage, force in rows]))
+
+    def test_a_load_train_half_as_stiff_and_a_modulus_a_hundred_times_as_large(self):
+        self.assertIn(run("fit", CASE, "--set", 'rig.stiffness="40 N/m"').returncode, (0, 1))
+        self.fitted(self.record("smooth.csv", self.smooth()), "2960 GPa")
+
+    def test_an_interrupt_ends_a_fit(self):
+        process = subprocess.Popen([PROGRAM, "fit", str(CASE), "--quiet"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        self.assertIn(process.returncode, (-signal.SIGINT, 130))
 
 
 class Json(InFolder):
