@@ -80,11 +80,11 @@ void write_tables(std::ostream& out, const Worsts& worsts, const std::vector<std
       out << " " << (found ? number("%g", rounded_up(found->error)) : "") << " |";
     }
   }
-  out << "\n\n| quantity | worst, in 2⁻⁵² | relative | where |\n|---|---|---|---|\n";
+  out << "\n\n| quantity | worst | where |\n|---|---|---|\n";
   for (const auto& quantity : quantities) {
     const Worst& worst = worsts.of(quantity);
-    out << "| " << quantity << " | " << number("%g", rounded_up(worst.error)) << " | "
-        << number("%.0e", rounded_up(worst.error * unit)) << " | " << worst.group << ": " << worst.row << " |\n";
+    out << "| " << quantity << " | " << number("%.0e", rounded_up(worst.error * unit)) << " | " << worst.group << ": "
+        << worst.row << " |\n";
   }
 }
 
@@ -131,32 +131,34 @@ std::string document() {
   std::ostringstream out;
   out << R"(# Accuracy
 
-Written by the test run (`tools/write-accuracy`), and compared with it by the test `fibre/accuracy`; do not edit.
-Errors are relative, in units of 2⁻⁵² = 2.2e-16, against the 40-digit values of `tests/fibre/reference`, rounded up to one digit. The
-bounds promised in the headers are asserted by `tests/fibre/elliptic_test.cpp` and `tests/fibre/elastica_test.cpp`, which try
-states beyond these tables too: a bound may therefore exceed the worst row here.
-
-## The elastica: `fibre_state`
-
-F vanishes at the end of the branch; its error is given as such, and divided by the condition number
-1 + |(S − 1) F_S/F| + |q F_q/F|: what the rounding of S − 1 and q alone may do.
+Written by `tools/write-accuracy`, compared by the test `fibre/accuracy`; do not edit. Errors are relative, in units of 2⁻⁵² = 2.2e-16, against the 40-digit values
+of `tests/fibre/reference`, rounded up to one digit. The bounds in the headers are asserted over more states than these.
 
 )";
   const auto states = measured_states();
+  const auto worst = [&](std::string_view quantity) {
+    return number("%.0e", rounded_up(states.of(quantity).error * unit));
+  };
+  out << "In short: deflections are good to " << worst("w") << ", forces to " << worst("F / condition")
+      << " times their condition number, over the whole branch.\n";
+  out << R"(
+## The elastica: `fibre_state`
+
+F vanishes at the end of the branch: its error is also divided by the condition number 1 + |(S − 1) F_S/F| + |q F_q/F|, what rounding S − 1 and q alone may do.
+
+)";
   write_tables(out, states, {"w", "Pn", "theta0", "U", "F", "F / condition"});
   out << R"(
 ## Its slopes: `fibre_state_slopes`
 
-Slopes pass through zero: the error of X_S is measured by the larger of |X_S| and |X|/(S − 1), that of X_q by the larger of |X_q| and
-|X|/(1 + |q|); of F_S and F_q it is divided by the condition number of F.
+The error of X_S is measured by the larger of |X_S| and |X|/(S − 1), that of X_q by the larger of |X_q| and |X|/(1 + |q|), that of F_S and F_q divided by the condition number.
 
 )";
   write_tables(out, states, {"w_S", "w_q", "Pn_S", "Pn_q", "U_S", "U_q", "F_S", "F_q"});
   out << R"(
 ## The table: `tabulated_states` and `tabulated_states_slopes`
 
-Against `fibre_states_slopes`, 4,000 random states in each row; measured as above. States beyond the table, and near the end of the branch, are
-computed exactly.
+Against `fibre_states_slopes`, 4,000 random states in each row. States beyond the table, and near the end of the branch, are exact.
 
 | q | w | F / condition | w_S, F_S | w_q, F_q |
 |---|---|---|---|---|
@@ -175,9 +177,8 @@ cn vanishes at K: its error is absolute.
   out << R"(
 ## Why not the AGM
 
-S − 1 at m = 3/4 by two routes in double precision, against the first in 50 digits: the closed forms of Jacobi's functions and
-of E(u) from one arithmetic–geometric ladder, and the integrals P and R of `elliptic_arc`. The worst of 64 neighbouring u.
-The ladder's functions are good to the last digit, but S − 1 is their difference: it loses digits as 1/(S − 1).
+S − 1 at m = 3/4 by the closed forms from one arithmetic–geometric ladder, and by the integrals P and R of `elliptic_arc`; the worst of 64 neighbouring u. The ladder's functions are good to the last
+digit, but S − 1 is their difference.
 
 | S − 1 | AGM, relative | digits kept | P and R, relative | digits kept |
 |---|---|---|---|---|
