@@ -12,6 +12,7 @@
 #include "case/analysis_choice.h"
 #include "case/fitted.h"
 #include "figures.h"
+#include "finding/answer.h"
 #include "inference/process_search.h"
 #include "interruptible.h"
 #include "parts.h"
@@ -74,7 +75,7 @@ void add_fits(py::module_& module) {
       .def("draws", [](Test test) { return plain(draw_table(test)); })
       .def("figures", figures)
       .def("why_no_answer", why_no_answer)
-      .def("screen", fit_screen)
+      .def("screen", [](Test test) { return fit_screen(test.name, answer_of(test)); })
       .def("text", fit_text)
       .def(
           "write_report",

@@ -36,7 +36,8 @@ Fields<CampaignTest> name_fields() {
   return Fields<CampaignTest>()
       .words("name", "of the test", &CampaignTest::name)
       .titled("test")
-      .words("status", "ok, or why not: as fit, or failed", &CampaignTest::status);
+      .words("status", "ok, or why not: as fit, or failed", &CampaignTest::status)
+      .words("verdict", "SLIP, UNDECIDED, CRACK, NO DROPS, CHECK INPUT or NO ANSWER", &CampaignTest::verdict);
 }
 
 Fields<TestSummary> verdict_fields() {
@@ -58,6 +59,7 @@ Fields<TestSummary> number_fields() {
       .own("residual_rms", kind::force, "measured force less the mean of the fit run forward, root mean square",
            &TestSummary::residual_rms)
       .count("drops", "of the force, beyond its noise", &TestSummary::drops)
+      .own("spacing", kind::length, "length of specimen from one slip to the next, median", &TestSummary::spacing)
       .own("work_of_fracture", kind::energy, "work on the specimen", &TestSummary::work_of_fracture)
       .number("friction_share",
               "of it that went into friction and snaps; null of a test that is not trusted, or tells only a limit",

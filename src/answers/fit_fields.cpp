@@ -15,6 +15,8 @@
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "case/analysis_fields.h"
+#include "finding/answer.h"
+#include "finding/fit_findings.h"
 #include "data/names.h"
 #include "result/mechanics.h"
 
@@ -42,35 +44,53 @@ Fields<ImagedLength> imaged_fields() {
       .list("points", "that were imaged", imaged_point_fields(), &ImagedLength::points);
 }
 
+Fields<Verdict> verdict_of_fit_fields() {
+  return Fields<Verdict>()
+      .words("code", "slip, undecided, crack, no_drops, check_input or no_answer",
+             [](const Verdict& verdict) { return name_of(verdict.code); })
+      .words("sentence", "the verdict and what belongs to it, as the screen has it", sentence_of);
+}
+
+Fields<AnswerRow> answer_row_fields() {
+  return Fields<AnswerRow>()
+      .words("label", "drops, slip or crack, friction, work, reload, stiffness or assumed", &AnswerRow::label)
+      .words("words", "what the screen says there", &AnswerRow::words);
+}
+
+Fields<FindingNumber> finding_number_fields() {
+  return Fields<FindingNumber>()
+      .words("name", "what the number is", &FindingNumber::name)
+      .number("value", "in SI units, or reduced if the test is", &FindingNumber::value);
+}
+
+Fields<Finding> finding_fields() {
+  return Fields<Finding>()
+      .words("code", "a name that stays", &Finding::code)
+      .words("severity", "refusal, suspicion, doubt, note, passed or unjudged",
+             [](const Finding& finding) { return name_of(finding.severity); })
+      .words("sentence", "what was found, as every door prints it", &Finding::sentence)
+      .words("short_form", "a few words, for a table of many tests; empty where nothing speaks against the test",
+             &Finding::short_form)
+      .words("remedy", "what to do; empty where there is nothing to do", &Finding::remedy)
+      .list("numbers", "what the sentence rests on", finding_number_fields(), &Finding::numbers);
+}
+
 // Domain: judgement is given.
 Fields<FittedTest> judgement_fields() {
   return Fields<FittedTest>()
-      .words("standing", "sound, doubtful, suspect or untrusted",
-             [](T test) { return name_of(test.judgement->standing); })
+      .words("standing", "sound, doubtful, suspect or untrusted, by the weightiest finding",
+             [](T test) { return name_of(standing_of(findings_of(test))); })
       .words("drops", "not_by_cracks_alone, cracks or cannot_be_told, by the rises and by a reload; null without drops",
              [](T test) {
                return test.analysis.drops.drops.empty() ? std::nullopt : std::optional(name_of(test.judgement->drops));
              })
-      .words(
-          "doubts",
-          "what stands against the answer, the weightiest first: wrong_stiffness, no_sliding, softer_reload, cracks, "
-          "impossible_drops, implausible_friction, failed_check, falling_friction, changed_reload, coarse_force, "
-          "undecided_drops, few_rows, below_frictionless, settling_contact, unexpected_stiffness",
-          [](T test) {
-            std::vector<std::string_view> names;
-            for (const Doubt doubt : test.judgement->doubts) names.push_back(name_of(doubt));
-            return names;
-          })
-      .words("next_step",
-             "what would tell most: none, check_case, reload, finer_steps, stiffer_rig, image_length, state_radius, "
-             "find_contact, finer_force, measure_stiffness or see_checks",
-             [](T test) { return name_of(test.judgement->next); })
       .number("stiffness_lost", "share lost, that the last comparable reload shows",
               [](T test) { return test.judgement->loss; })
       .number("stiffness_lost_error", "its standard error", [](T test) { return test.judgement->loss_error; })
       .number("stiffness_loss_needed", "share that cracks alone would need to make the drops; null without a reload",
               [](T test) { return test.judgement->loss_needed; })
-      .number("stiffness_for_no_snap", kind::stiffness, "of a rig on which the mean of the fit does not snap",
+      .number("stiffness_for_no_snap", kind::stiffness,
+              "of a rig on which the mean of the fit does not snap; null where less than half of the length passed in slips",
               [](T test) { return test.judgement->stiffness_for_all; });
 }
 
@@ -186,11 +206,16 @@ Fields<FittedTest> every_fit_field() {
       .words("model", "of friction: roughness, constant, drift, sinusoid or sinusoids",
              [](T test) { return name_of(test.analysis.fit.model); })
       .anywhere()
+      .group("verdict", "what the test comes to", verdict_of_fit_fields(), [](T test) { return answer_of(test).verdict; })
+      .list("answer", "the rows of the screen", answer_row_fields(), [](T test) { return answer_of(test).rows; })
+      .list("findings", "all that was found out, the weightiest first", finding_fields(), findings_of)
+      .words("next", "the one step that would tell most; empty where there is none",
+             [](T test) { return answer_of(test).next; })
       .words("category", "of the sawtooth: clear, nominal or none",
              [](T test) { return name_of(test.analysis.category); })
       .yes_no("suspect", "its standing is suspect or untrusted, or no sliding explains it",
               [](T test) {
-                return is_not_explained(test) || (test.judgement && test.judgement->standing >= Standing::suspect);
+                return standing_of(findings_of(test)) >= Standing::suspect;
               })
       .number("stiffness_over_initial_slope", "bending stiffness used over that of the initial slope",
               analysis(&TestAnalysis::stiffness_over_slope))

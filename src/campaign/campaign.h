@@ -29,6 +29,7 @@ struct CampaignTest {
   std::string status;                    // as status_of, or "failed": then only name, file and reason are valid
   std::string reason;                    // why the status is not "ok"; empty if it is
   std::string file;                      // case, data file or line of a table that describes the test
+  std::string verdict;                   // in one word: "SLIP"
   std::optional<TestSummary> summary;    // where the analysis came to a fit
   std::optional<CampaignCurves> curves;  // likewise
   std::vector<std::string> remarks;      // what a reader of the table should know of it

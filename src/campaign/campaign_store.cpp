@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout_of_store = 6;  // of the kept text: another one is computed anew
+constexpr int layout_of_store = 7;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
 
 // What a result is made of, for the way into the text and back.
@@ -72,6 +72,7 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"bending_stiffness", &TestSummary::bending_stiffness},
                                            Part{"residual_rms", &TestSummary::residual_rms},
                                            Part{"drops", &TestSummary::drops},
+                                           Part{"spacing", &TestSummary::spacing},
                                            Part{"friction_share", &TestSummary::friction_share},
                                            Part{"work_of_fracture", &TestSummary::work_of_fracture},
                                            Part{"failed_checks", &TestSummary::failed_checks},
@@ -94,6 +95,7 @@ template <>
 constexpr std::tuple parts_of<CampaignTest>{
     Part{"name", &CampaignTest::name},          Part{"status", &CampaignTest::status},
     Part{"reason", &CampaignTest::reason},      Part{"file", &CampaignTest::file},
+    Part{"verdict", &CampaignTest::verdict},
     Part{"summary", &CampaignTest::summary},    Part{"curves", &CampaignTest::curves},
     Part{"remarks", &CampaignTest::remarks},    Part{"section_moment", &CampaignTest::section_moment},
     Part{"materials", &CampaignTest::materials}};

@@ -82,23 +82,6 @@ std::optional<Materials> materials_of(const Case& input) {
 
 }  // namespace
 
-std::string reason_of(AnalysisStatus status) {
-  switch (status) {
-    case AnalysisStatus::ok:
-      return "";
-    case AnalysisStatus::too_few_points:
-      return "fewer than 30 rows, or than 20 with a deflection that tells friction, from a twentieth of the span and "
-             "twice "
-             "the specimen's thickness on: check the units, bend farther, or record more rows";
-    case AnalysisStatus::not_explained:
-      return "no sliding with a friction of 0 to 2 gives this record: check the columns, their units, the span, the "
-             "section, the modulus and the stiffness of the load train";
-    case AnalysisStatus::no_initial_slope:
-      break;
-  }
-  return "the force does not rise where the record begins: state the bending stiffness";
-}
-
 std::string name_of_test(const std::string& file) {
   if (file == "-") return "standard input";
   const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();

@@ -56,9 +56,6 @@ struct FittedTest {
   Provenance provenance;
 };
 
-// Why a record has no answer, and what to do about it, as a clause; "" for one that has.
-std::string reason_of(AnalysisStatus status);
-
 // Holds the surface that would explain the friction of a test against a trace, and keeps that in its answers.
 // Fails:      InputError as read_trace and held_against; where there is no such surface.
 void hold_against(FittedTest& test, const std::string& trace, const TraceOptions& options);

@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "finding/answer.h"
 #include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
@@ -60,7 +61,7 @@ void run_fit(const FitRequest& request) {
     write_json(request.output.path, fit_json(test));
   else
     write_text(request.output.path,
-               (request.full ? fit_text(test) : fit_screen(test)) +
+               (request.full ? fit_text(test) : fit_screen(test.name, answer_of(test), screen_style(request.output))) +
                    (request.report.empty() ? "" : fmt::format("\nThe report: {}/report.html\n", request.report)));
   if (const std::string why = why_no_answer(test); !why.empty()) throw CalculationFailed(why);
 }

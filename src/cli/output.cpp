@@ -1,9 +1,13 @@
 #include "cli/output.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include "io/call_files.h"
 
@@ -37,6 +41,15 @@ void add_figure_option(CLI::App& command, std::string& path) {
 void draw_for(const Output& output, const Figure& figure, const std::string& path) {
   if (draw(figure, path) == DrawStatus::no_gnuplot)
     note(output, "gnuplot is not installed: the figure is not drawn, but its script and data are there");
+}
+
+ScreenStyle screen_style(const Output& output) {
+  if (output.path != "-" || isatty(STDOUT_FILENO) != 1) return {};
+  constexpr std::size_t narrowest = 40, widest = 160;
+  ScreenStyle style{.width = line_length, .colour = std::getenv("NO_COLOR") == nullptr};
+  if (winsize size{}; ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    style.width = std::clamp<std::size_t>(size.ws_col, narrowest, widest);
+  return style;
 }
 
 void note(const Output& output, std::string_view remark) {

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "report/figure.h"
+#include "report/fit_screen.h"
 #include "result/json.h"
 #include "result/table.h"
 
@@ -29,6 +30,9 @@ void add_figure_option(CLI::App& command, std::string& path);
 
 // Draws a figure; without gnuplot a remark says that only its script and data are there.
 void draw_for(const Output& output, const Figure& figure, const std::string& path);
+
+// As wide as the terminal, and in colour on one, unless NO_COLOR is set; of results that go into a file, as a file has them.
+ScreenStyle screen_style(const Output& output);
 
 // A remark on standard error: what was assumed, left out or cut short.
 void note(const Output& output, std::string_view remark);

@@ -243,7 +243,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
   analysis.slips = told_by(analysis.profile_at_fit, analysis.slips, fitted.errors);
   analysis.slip_summary = summarise(analysis.slips);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
-  analysis.model_implausible = analysis.fit.residual_rms > 0.1 * greatest ||
+  analysis.model_implausible = analysis.fit.residual_rms > most_residual * greatest ||
                                !may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   analysis.replay = replay_of(analysis);
   analysis.energy = measured_energy(analysis);

@@ -81,7 +81,7 @@ TestSummary without_friction(TestSummary summary) {
   summary.mu0 = summary.roughness = summary.correlation_length = unknown;
   summary.mu0_is_bound = summary.wave_claimed = false;
   summary.friction_read = {};
-  summary.friction_share = summary.log_evidence_of_wave = not_a_number;
+  summary.friction_share = summary.log_evidence_of_wave = summary.spacing = not_a_number;
   summary.known = {};
   return summary;
 }
@@ -103,14 +103,15 @@ std::optional<BetweenSpecimens> between_specimens(const std::vector<const TestSu
 
 }  // namespace
 
-TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement) {
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement,
+                       Standing standing) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no summary");
   const Scales& scales = analysis.scales;
   const FrictionFit& fit = analysis.fit;
   TestSummary summary{.name = name,
                       .category = analysis.category,
-                      .suspect = judgement.standing >= Standing::suspect,
-                      .standing = judgement.standing,
+                      .suspect = standing >= Standing::suspect,
+                      .standing = standing,
                       .drops_verdict = judgement.drops,
                       .model = fit.model,
                       .mu0 = fit.mu0,
@@ -123,12 +124,13 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
                       .residual_rms = scales.physical_force(fit.residual_rms),
                       .drops = analysis.drops.drops.size(),
+                      .spacing = scales.physical_length(analysis.slip_summary.median_spacing),
                       .friction_share = fit.mu0_is_bound ? not_a_number : analysis.energy.friction_share,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
                       .known = marginals_of(fit, scales)};
   for (const auto& check : analysis.checks)
     if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);
-  if (!is_trusted(judgement.standing) || lost_stiffness(judgement)) return without_friction(std::move(summary));
+  if (!is_trusted(standing) || lost_stiffness(judgement)) return without_friction(std::move(summary));
   const bool tells_variation = !fit.mu0_is_bound || fit.wave_claimed;
   if (!fit.waves.empty() && tells_variation) {
     const WaveEstimate& wave = fit.waves.front();

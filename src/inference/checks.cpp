@@ -51,9 +51,8 @@ double number_of(const Check& check, std::string_view name) {
 
 Check check_residuals(const FitProblem& problem, const FrictionFit& fit) {
   const double greatest = *std::max_element(problem.record.force.begin(), problem.record.force.end());
-  constexpr double small = 0.1;  // empirical: the authors' sound tests reach 0.03, and cracked ones 0.5
   return {CheckKind::residuals,
-          passed_if(fit.residual_rms < small * greatest),
+          passed_if(fit.residual_rms < most_residual * greatest),
           {{"residual_rms", fit.residual_rms, true}, {"greatest_force", greatest, true}}};
 }
 
@@ -116,9 +115,8 @@ Check check_whiteness(const FrictionFit& fit) {
   }
   const double statistic = static_cast<double>(n) * static_cast<double>(n + 2) * sum;
   const double p_value = chi_squared_beyond(statistic, static_cast<double>(lags - 1));  // one is spent on ρ
-  constexpr double rare = 1e-4;  // a campaign of a hundred has one false alarm in a hundred
   return {CheckKind::whiteness,
-          passed_if(p_value > rare),
+          passed_if(p_value > least_p_of_noise),
           {{"ljung_box", statistic, false}, {"lags", static_cast<double>(lags), false}, {"p_value", p_value, false}}};
 }
 
@@ -147,10 +145,9 @@ Check check_friction(const FrictionFit& fit) {
 
 Check check_bending_stiffness(const FrictionFit& fit, double error) {
   if (fit.model == ProfileModel::constant) return {CheckKind::stiffness, CheckOutcome::not_possible, {}};  // not fitted
-  constexpr double most = 2;
   const double errors = std::abs(elementary::log(fit.bending_stiffness.value)) / error;
   return {CheckKind::stiffness,
-          passed_if(errors <= most),
+          passed_if(errors <= most_stiffness_errors),
           {{"fitted_over_nominal", fit.bending_stiffness.value, false}, {"errors", errors, false}}};
 }
 

@@ -104,132 +104,42 @@ CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* re
   return slips && loss_needed > at_most ? CrackVerdict::not_by_cracks_alone : by_rises;
 }
 
-Standing standing_of(const std::vector<Doubt>& doubts, bool half_impossible) {
-  if (doubts.empty()) return Standing::sound;
-  if (doubts.front() <= Doubt::no_sliding) return Standing::untrusted;
-  const bool suspect = std::any_of(doubts.begin(), doubts.end(), [&](Doubt doubt) {
-    return doubt == Doubt::softer_reload || doubt == Doubt::cracks || doubt == Doubt::implausible_friction ||
-           (doubt == Doubt::impossible_drops && half_impossible);
-  });
-  return suspect ? Standing::suspect : Standing::doubtful;
-}
-
-// What would settle the weightiest of the doubts that anything would.
-NextStep step_for(const Judgement& judgement, bool on_edges) {
-  for (const Doubt doubt : judgement.doubts) switch (doubt) {
-      case Doubt::implausible_friction:
-      case Doubt::falling_friction:
-        return on_edges ? NextStep::state_radius : NextStep::image_length;
-      case Doubt::impossible_drops:
-        return NextStep::image_length;
-      case Doubt::failed_check:
-        return NextStep::see_checks;
-      case Doubt::coarse_force:
-        return NextStep::finer_force;
-      case Doubt::settling_contact:
-        return NextStep::find_contact;
-      case Doubt::below_frictionless:
-        return NextStep::measure_stiffness;
-      default:
-        break;
-    }
-  return judgement.standing == Standing::suspect ? NextStep::image_length : NextStep::none;
-}
-
 }  // namespace
-
-std::string_view name_of(Doubt doubt) {
-  return name_in_order<Doubt::unexpected_stiffness>(
-      doubt, {"wrong_stiffness", "no_sliding", "softer_reload", "cracks", "impossible_drops", "implausible_friction",
-              "failed_check", "falling_friction", "changed_reload", "coarse_force", "undecided_drops", "few_rows",
-              "below_frictionless", "settling_contact", "unexpected_stiffness"});
-}
 
 std::string_view name_of(Standing standing) {
   return name_in_order<Standing::untrusted>(standing, {"sound", "doubtful", "suspect", "untrusted"});
 }
 
-std::string_view name_of(NextStep step) {
-  return name_in_order<NextStep::see_checks>(
-      step, {"none", "check_case", "reload", "finer_steps", "stiffer_rig", "image_length", "state_radius",
-             "find_contact", "finer_force", "measure_stiffness", "see_checks"});
-}
-
 bool lost_stiffness(const Judgement& judgement) {
-  return std::any_of(judgement.doubts.begin(), judgement.doubts.end(), [&](Doubt doubt) {
-    return doubt == Doubt::softer_reload || doubt == Doubt::cracks ||
-           (doubt == Doubt::changed_reload && judgement.loss > 0);
-  });
+  return judgement.softer_reload || judgement.drops_are_cracks || (judgement.changed_reload && judgement.loss > 0);
 }
 
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
   const LoadingStiffness* const reload = last_reload(cycles);
-  const std::size_t drops = analysis.drops.drops.size(), impossible = impossible_drops(analysis);
+  const bool has_drops = !analysis.drops.drops.empty();
   const FrictionFit& fit = analysis.fit;
-  Judgement judgement{};
+  Judgement judgement{.drops = CrackVerdict::cannot_be_told,
+                      .impossible = impossible_drops(analysis),
+                      .friction_falls = friction_falls(fit),
+                      .few_rows = has_few_rows(analysis),
+                      .jumped = has_drops ? jumped_part(analysis) : 0};
   if (reload) {
     judgement.loss_needed = 1 - left_by_cracks(analysis);
     judgement.loss = 1 - reload->ratio.value;
     judgement.loss_error = elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
+    judgement.softer_reload = reload->verdict == DamageVerdict::damaged;
+    constexpr double relevant = 0.05;
+    judgement.changed_reload = !judgement.softer_reload &&
+                               std::abs(judgement.loss) > std::max(relevant, two_sided * judgement.loss_error);
   }
   judgement.drops = verdict_on(analysis, reload, judgement.loss_needed);
-  const auto doubt_if = [&](bool doubtful, Doubt doubt) {
-    if (doubtful) judgement.doubts.push_back(doubt);
-  };
-  const bool softer = reload && reload->verdict == DamageVerdict::damaged;
-  doubt_if(analysis.stiffness_implausible, Doubt::wrong_stiffness);
-  doubt_if(analysis.model_implausible, Doubt::no_sliding);
-  doubt_if(softer, Doubt::softer_reload);
-  doubt_if(drops > 0 && !softer && judgement.drops == CrackVerdict::cracks, Doubt::cracks);
-  doubt_if(impossible > 0, Doubt::impossible_drops);
-  doubt_if(analysis.suspects.suspect || fit.mu0.low > std::min(analysis.suspects.limit, analysis.most_friction),
-           Doubt::implausible_friction);
-  doubt_if(std::any_of(analysis.checks.begin(), analysis.checks.end(),
-                       [](const Check& check) {
-                         return check.outcome == CheckOutcome::failed && check.kind != CheckKind::friction &&
-                                check.kind != CheckKind::stiffness;
-                       }),
-           Doubt::failed_check);
-  doubt_if(friction_falls(fit), Doubt::falling_friction);
-  constexpr double relevant = 0.05;
-  doubt_if(reload && !softer && std::abs(judgement.loss) > std::max(relevant, two_sided * judgement.loss_error),
-           Doubt::changed_reload);
-  doubt_if(analysis.drops.smallest_fall >
-               relevant * *std::max_element(analysis.record.force.begin(), analysis.record.force.end()),
-           Doubt::coarse_force);
-  doubt_if(drops > 0 && judgement.drops == CrackVerdict::cannot_be_told, Doubt::undecided_drops);
-  doubt_if(has_few_rows(analysis), Doubt::few_rows);
-  doubt_if(analysis.friction_read.median < least_friction, Doubt::below_frictionless);
-  doubt_if(analysis.contact.status == ContactStatus::found && analysis.contact.settles &&
-               analysis.contact.offset.value > two_sided * analysis.contact.offset.standard_error,
-           Doubt::settling_contact);
-  doubt_if(std::any_of(analysis.checks.begin(), analysis.checks.end(),
-                       [](const Check& check) {
-                         return check.outcome == CheckOutcome::failed && check.kind == CheckKind::stiffness;
-                       }),
-           Doubt::unexpected_stiffness);
-  judgement.standing = standing_of(judgement.doubts, 2 * impossible >= drops);
-
-  const bool on_edges = analysis.rig.fibre.supports().radius == 0;
-  const bool in_question = drops > 0 && judgement.drops != CrackVerdict::not_by_cracks_alone;
+  judgement.drops_are_cracks = has_drops && !judgement.softer_reload && judgement.drops == CrackVerdict::cracks;
   constexpr double most_jumped = 0.5;
-  const bool cracks_explain_it = judgement.drops == CrackVerdict::cracks && !analysis.stiffness_implausible;
-  if (!is_trusted(judgement.standing) && !cracks_explain_it)
-    judgement.next = NextStep::check_case;
-  else if (in_question && !reload)
-    judgement.next = NextStep::reload;
-  else if (judgement.standing == Standing::doubtful && judgement.doubts.back() == Doubt::unexpected_stiffness)
-    judgement.next = NextStep::measure_stiffness;
-  else if (has_few_rows(analysis))
-    judgement.next = NextStep::finer_steps;
-  else if (const NextStep step = step_for(judgement, on_edges); step != NextStep::none)
-    judgement.next = step;
-  else if (drops > 0 && jumped_part(analysis) > most_jumped) {
+  if (judgement.jumped > most_jumped) {
     const double deflection = *std::max_element(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end());
     judgement.stiffness_for_all =
         critical_stiffness(Friction::as_met(fit.mean), deflection, analysis.rig.fibre) * fit.bending_stiffness.value;
-    if (std::isfinite(judgement.stiffness_for_all)) judgement.next = NextStep::stiffer_rig;
   }
   return judgement;
 }

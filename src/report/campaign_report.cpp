@@ -181,7 +181,7 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   }
   body += section("Files") + file_list() + paragraph(fmt::format("FlexSlip {}.", FLEXSLIP_VERSION));
   write_text((fs::path(folder) / "report.html").string(),
-             page("Friction in a campaign of bending tests", answer_of(campaign), body));
+             page("Friction in a campaign of bending tests", answer_in_html(answer_of(campaign)), body));
   return drawn;
 }
 

@@ -1,5 +1,6 @@
 #include "report/campaign_text.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "io/text_table.h"
@@ -25,11 +26,23 @@ std::string failures(const Campaign& campaign) {
 // What fits on a line; all of it is on the page and in its files.
 std::string tests(const Campaign& campaign) {
   const PrintedTable all = test_rows(campaign, with_error);
-  std::string remarks;
-  for (const auto& row : all.rows)
-    if (!row.back().empty()) remarks += wrapped(row.front() + ": " + row.back(), "  ");
-  return titled("Tests", picked(all, {"Test", "Sawtooth", "Standing", "μ₀", "σ", "λ", "Friction"})) +
-         (remarks.empty() ? "" : "\n[[Remarks]]\n" + remarks);
+  if (all.rows.empty()) return "";
+  // Doubts to the left of their column, as much of them as the line holds.
+  std::string text = "\n";
+  std::string_view rest;
+  const std::string numbers = laid_out(picked(all, {"Test", "Verdict", "μ₀", "Spacing", "Friction"}));
+  std::size_t width = 0, row = 0;
+  for (rest = numbers; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1))
+    width = std::max(width, width_of(rest.substr(0, rest.find('\n'))));
+  for (rest = numbers; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1), ++row) {
+    const std::string& doubts = row == 0 ? all.head.back() : all.rows[row - 1].back();
+    std::string line = padded_right(rest.substr(0, rest.find('\n')), width) + "   " + doubts;
+    if (width_of(line) > line_length) line = wrapped(line, "", "", line_length - 2);
+    line = line.substr(0, line.find('\n'));
+    if (!line.ends_with(doubts)) line += " …";
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
 }
 
 }  // namespace

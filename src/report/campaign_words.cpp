@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -10,11 +11,10 @@
 #include <fmt/format.h>
 
 #include "answers/campaign_fields.h"
-#include "data/names.h"
+#include "finding/digits.h"
+#include "finding/finding.h"
 #include "io/text_table.h"
-#include "report/answer_words.h"
 #include "report/campaign_units.h"
-#include "report/digits.h"
 #include "report/fit_words.h"
 
 namespace flexslip {
@@ -82,15 +82,29 @@ const CategorySummary* summary_of_all(const Campaign& campaign) {
   return all == campaign.categories.end() ? nullptr : &*all;
 }
 
-std::string sawtooth_in_words(const Campaign& campaign) {
-  std::string out;
-  for (const auto& category : campaign.categories) {
-    if (!category.category) continue;
-    const auto sawtooth = name_in_order<SawtoothCategory::none>(
-        *category.category, {"a clear sawtooth", "a nominal (faint) one", "none or hardly any"});
-    out += fmt::format("{}{} with {}", out.empty() ? "" : ", ", category.with_suspects.tests, sawtooth);
-  }
-  return out;
+// "21 slip, 9 undecided, 0 crack, 8 without drops"; the others where there are some.
+std::string verdicts_in_words(const Campaign& campaign) {
+  const auto count = [&](VerdictCode code) {
+    return std::count_if(campaign.tests.begin(), campaign.tests.end(),
+                         [&](const CampaignTest& test) { return test.verdict == word_of(code); });
+  };
+  std::string words = fmt::format("{} slip, {} undecided, {} crack, {} without drops", count(VerdictCode::slip),
+                                  count(VerdictCode::undecided), count(VerdictCode::crack), count(VerdictCode::no_drops));
+  if (const auto wrong = count(VerdictCode::check_input); wrong > 0) words += fmt::format(", {} to check the input of", wrong);
+  if (const auto none = count(VerdictCode::no_answer); none > 0) words += fmt::format(", {} without an answer", none);
+  return words;
+}
+
+// Of the work under the curves, what went into friction.
+std::string work_in_words(const Campaign& campaign) {
+  std::vector<double> shares;
+  for (const CampaignTest& test : campaign.tests)
+    if (test.summary && !test.summary->suspect && std::isfinite(test.summary->friction_share))
+      shares.push_back(test.summary->friction_share);
+  if (shares.empty()) return "";
+  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  if (shares.size() == 1) return fmt::format(" {} of the work was friction.", percent(shares.front()));
+  return fmt::format(" {} of the work was friction ({} to {}).", percent(std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size())), percent(*least), percent(*most));
 }
 
 // Friction over the tests that are not suspect, or over all if all are.
@@ -146,7 +160,7 @@ std::string suspects_in_words(const Campaign& campaign) {
   };
   say(names_of(campaign, is_suspect), "suspect");
   say(names_of(campaign, is_untrusted), "not to be trusted");
-  return words.empty() ? "" : words + "; the remarks say why.";
+  return words.empty() ? "" : words + "; the doubts say why.";
 }
 
 std::optional<LiteratureFriction> literature_of(const Campaign& campaign) {
@@ -168,9 +182,10 @@ std::string answer_of(const Campaign& campaign) {
                        campaign.tests.size() == 1
                            ? "the test could not be evaluated"
                            : fmt::format("none of the {} tests could be evaluated", campaign.tests.size()));
-  std::string answer = fmt::format("{}: {}.", counted(count, "test", "tests"), sawtooth_in_words(campaign));
+  std::string answer =
+      fmt::format("{}: {}.", counted(campaign.tests.size(), "test", "tests"), verdicts_in_words(campaign));
   if (const CategorySummary* all = summary_of_all(campaign))
-    answer += fmt::format(" {}", friction_in_words(campaign, *all));
+    answer += fmt::format(" {}{}", friction_in_words(campaign, *all), work_in_words(campaign));
   const std::string suspects = suspects_in_words(campaign);
   answer += fmt::format(" {}", suspects.empty() ? "No test is suspect." : suspects);
   const auto doubtful =
@@ -178,7 +193,7 @@ std::string answer_of(const Campaign& campaign) {
         return test.summary && test.summary->standing == Standing::doubtful;
       }));
   if (doubtful > 0)
-    answer += suspects.empty() ? fmt::format(" {} open to doubt; the remarks say why.", counted(doubtful, "is", "are"))
+    answer += suspects.empty() ? fmt::format(" {} open to doubt; the doubts say why.", counted(doubtful, "is", "are"))
                                : fmt::format(" {} open to doubt.", counted(doubtful, "other is", "others are"));
   if (!failures.empty()) answer += fmt::format(" {} could not be evaluated.", enumerated(failures));
   return answer;
@@ -213,9 +228,9 @@ std::string with_error(const Estimate& estimate, double factor) {
 PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
   PrintedTable table{
-      {"Test", "Sawtooth", "Standing", "μ₀", "σ", titled("ℓ", units.wavelength), "A", titled("λ", units.wavelength),
+      {"Test", "Verdict", "Sawtooth", "Standing", "μ₀", titled("Spacing", units.wavelength), "σ", titled("ℓ", units.wavelength), "A", titled("λ", units.wavelength),
        titled("Height", units.wavelength), "Slope", titled("EI", units.bending_stiffness),
-       titled("Residual", units.residual), "Drops", titled("Work", units.work), "Friction (%)", "Remarks"},
+       titled("Residual", units.residual), "Drops", titled("Work", units.work), "Friction (%)", "Doubts"},
       {}};
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
@@ -230,11 +245,12 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     table.rows.push_back(
-        {printable(test.name), std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
+        {printable(test.name), test.verdict, std::string(name_of(summary.category)),
+         std::string(name_of(summary.standing)),
          !tells                 ? ""
          : summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
                                 : written(summary.mu0, 1),
-         is_rough ? written(summary.roughness, 1) : "",
+         significant(units.wavelength.factor * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
          is_rough ? written(summary.correlation_length, units.wavelength.factor) : "", of_wave(summary.amplitude, 1),
          of_wave(summary.wavelength, units.wavelength.factor), of_wave(summary.surface_height, units.wavelength.factor),
          summary.surface_slope ? written(*summary.surface_slope, 1) : "",

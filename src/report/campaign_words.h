@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "campaign/campaign.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 

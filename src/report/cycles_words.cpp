@@ -168,50 +168,7 @@ const std::vector<std::pair<std::string_view, std::string_view>> remarks_on_load
     {"still_drawn_in", "friction still holds it drawn in"},
     {"no_reference", "the first loading has no slope"}};
 
-std::string_view why_not_compared(LoadingStatus status) {
-  const std::string_view name = name_of(status);
-  return std::find_if(remarks_on_loadings.begin(), remarks_on_loadings.end(),
-                      [&](const auto& each) { return each.first == name; })
-      ->second;
-}
-
-// What the last reload says of the stiffness of the specimen.
-std::string last_reload_in_words(const FittedTest& test) {
-  const auto& loadings = test.cycles->stiffness;
-  if (loadings.size() < 2 || !test.judgement) return "";
-  if (loadings.back().status != LoadingStatus::ok)
-    return fmt::format(" The last reload does not tell the stiffness: {}.", why_not_compared(loadings.back().status));
-  const auto& [loss, error] = std::pair(test.judgement->loss, test.judgement->loss_error);
-  if (!std::isfinite(loss)) return "";
-  const auto& doubts = test.judgement->doubts;
-  const bool is_said = std::any_of(doubts.begin(), doubts.end(), [](Doubt doubt) {
-    return doubt == Doubt::softer_reload || doubt == Doubt::changed_reload;
-  });
-  if (is_said) return "";
-  constexpr double tells = 0.1;  // an error above which nothing that matters is bounded
-  if (error > tells)
-    return fmt::format(" The last reload tells little of the stiffness: {:+.0f} ± {:.0f} %.", -100 * loss, 100 * error);
-  return fmt::format(" The last reload is as stiff as the first loading, to {:.1f} %.",
-                     100 * (std::abs(loss) + 2 * error));
-}
-
 }  // namespace
-
-std::string cycles_in_short(const FittedTest& test) {
-  const CyclicFriction& friction = test.cycles->friction;
-  const std::string times =
-      fmt::format("All this is from the first of {}", counted(test.cycles->stiffness.size(), "loading", "loadings"));
-  const std::string stiff = last_reload_in_words(test);
-  if (friction.status != CyclesStatus::ok) return times + "; the loops say nothing more of friction." + stiff;
-  const auto [in, out, rms] = direction_means(friction);
-  return times +
-         fmt::format(
-             "; all loops give a friction of {:.2g} sliding in and {:.2g} sliding out{}.", in, out,
-             is_beyond_friction(friction)
-                 ? ", but loading and unloading differ by more than friction can: the model leaves something out"
-                 : "") +
-         stiff;
-}
 
 std::vector<std::string> cycles_in_words(const FittedTest& test) {
   const CyclicFriction& friction = test.cycles->friction;

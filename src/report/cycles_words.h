@@ -5,14 +5,11 @@
 #include <vector>
 
 #include "case/fitted.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 
 // Domain of all: analysis.status is ok, test.cycles is given.
-
-// A sentence for the answer: what all loops together say of friction.
-std::string cycles_in_short(const FittedTest& test);
 
 // Paragraphs. If the loops say nothing, one that says why.
 std::vector<std::string> cycles_in_words(const FittedTest& test);

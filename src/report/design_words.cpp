@@ -8,7 +8,7 @@
 
 #include "inference/profile.h"
 #include "report/plain_text.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 namespace {

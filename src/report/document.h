@@ -9,7 +9,7 @@
 #include "report/fit_print.h"
 #include "report/page.h"
 #include "report/preparation_words.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/printed.h"
+#include "finding/printed.h"
 #include "result/fields.h"
 
 namespace flexslip {

@@ -4,9 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "io/text_table.h"
-#include "report/answer_words.h"
-#include "report/check_words.h"
+#include "finding/answer.h"
 #include "report/cycles_figures.h"
 #include "report/cycles_words.h"
 #include "report/fit_figures.h"
@@ -95,10 +93,19 @@ Picture boxes_picture(const FittedTest& test) {
                       : ""));
 }
 
-Chapter friction_chapter(const FittedTest& test) {
+// What a reader of numbers should know that are given all the same; empty where there is nothing.
+std::string caution_of(const FittedTest& test, const Answer& answer) {
+  if (lost_stiffness(test.judgement.value()))
+    return "The numbers below assume that the specimen kept its stiffness; the record speaks against that.";
+  return is_trusted(answer.standing)
+             ? ""
+             : "The fit is not to be used: it tells no friction. What is drawn of it shows where it fails.";
+}
+
+Chapter friction_chapter(const FittedTest& test, const Answer& answer) {
   Chapter chapter{"Friction"};
-  if (!is_trusted(test.judgement.value().standing)) return chapter.say(caution_of(test));
-  chapter.say(joined(caution_of(test), friction_in_words(test)))
+  if (!is_trusted(answer.standing)) return chapter.say(caution_of(test, answer));
+  chapter.say(joined(caution_of(test, answer), friction_in_words(test)))
       .say(fmt::format("The parameters of the model, {}:", model_in_words(test.analysis.fit.model)))
       .show(parameter_rows(test))
       .say(joined(strain_in_words(test), friction_in_literature(test)));
@@ -115,18 +122,16 @@ Chapter wave_chapter(const FittedTest& test) {
   return chapter;
 }
 
-Chapter checks_chapter(const FittedTest& test) {
+Chapter findings_chapter(const Answer& answer) {
   Bullets bullets;
-  for (const CheckInWords& said : checks_in_words(test))
-    bullets.items.push_back(fmt::format("{}: {}.{}{}", said.outcome, said.words,
-                                        said.detail.empty() ? "" : " " + said.detail,
-                                        said.remedy.empty() ? "" : fmt::format(" What to do: {}.", said.remedy)));
-  return Chapter{"Checks"}.show(std::move(bullets));
+  for (const Finding& finding : answer.findings)
+    bullets.items.push_back(joined(fmt::format("{}: {}", name_of(finding.severity), finding.sentence), finding.remedy));
+  return Chapter{"What was checked"}.show(std::move(bullets));
 }
 
-std::vector<Chapter> slip_chapters(const FittedTest& test) {
+std::vector<Chapter> slip_chapters(const FittedTest& test, const Answer& answer) {
   const auto& analysis = test.analysis;
-  if (!is_trusted(test.judgement.value().standing)) return {Chapter{"Drops"}.show(drop_table(test))};
+  if (!is_trusted(answer.standing)) return {Chapter{"Drops"}.show(drop_table(test))};
   std::vector<Chapter> chapters{Chapter{"Drops and slips"}.say(slips_in_words(test)).show(drop_table(test))};
   if (!analysis.drops.drops.empty() || !analysis.model.snaps.empty())
     chapters.push_back(Chapter{"Snaps of the fit's mean"}.say(snaps_in_words(test)).show(snap_table(test)));
@@ -145,9 +150,9 @@ Chapter cycles_chapter(const FittedTest& test) {
   return chapter.say(reloading_in_words(test)).show(loading_table(test));
 }
 
-Chapter energy_chapter(const FittedTest& test) {
+Chapter energy_chapter(const FittedTest& test, const Answer& answer) {
   Chapter chapter{test.cycles ? "Where the work of the first loading went" : "Where the work went"};
-  return chapter.say(caution_of(test)).show(energy_table(test));
+  return chapter.say(caution_of(test, answer)).show(energy_table(test));
 }
 
 Chapter provenance_chapter(const FittedTest& test) {
@@ -163,7 +168,6 @@ Chapter provenance_chapter(const FittedTest& test) {
 
 Chapter preparation_chapter(const FittedTest& test) {
   Chapter chapter{"From the file to the record"};
-  if (test.analysis.status == AnalysisStatus::ok) chapter.say(fmt::format("The record has {}.", record_in_words(test)));
   return chapter.show(preparation_rows(test.measurement.preparation));
 }
 
@@ -178,14 +182,15 @@ std::vector<Chapter> document_of(const FittedTest& test) {
     chapters.push_back(provenance_chapter(test));
     return chapters;
   }
-  const bool trusted = is_trusted(test.judgement.value().standing);
+  const Answer answer = answer_of(test);
+  const bool trusted = is_trusted(answer.standing);
   std::vector<Chapter> chapters{Chapter{""}.show(force_picture(test)).show(profile_picture(test)),
-                                friction_chapter(test)};
+                                friction_chapter(test, answer)};
   if (trusted) chapters.push_back(wave_chapter(test));
-  chapters.push_back(checks_chapter(test));
-  for (Chapter& chapter : slip_chapters(test)) chapters.push_back(std::move(chapter));
+  chapters.push_back(findings_chapter(answer));
+  for (Chapter& chapter : slip_chapters(test, answer)) chapters.push_back(std::move(chapter));
   if (test.cycles) chapters.push_back(cycles_chapter(test));
-  if (trusted) chapters.push_back(energy_chapter(test));
+  if (trusted) chapters.push_back(energy_chapter(test, answer));
   chapters.push_back(
       Chapter{"Can it be trusted?"}.say(suspicion_in_words(test)).say(trusted ? replay_in_words(test) : ""));
   const StandardTest standard = standard_test(test);
@@ -200,7 +205,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
 }
 
 std::string fit_text(const FittedTest& test) {
-  return wrapped(fmt::format("{}: {}", printable(test.name), answer_of(test)), "") + in_text(document_of(test));
+  return fit_screen(test.name, answer_of(test)) + in_text(document_of(test));
 }
 
 }  // namespace flexslip

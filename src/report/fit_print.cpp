@@ -10,8 +10,7 @@
 
 #include "answers/fit_fields.h"
 #include "io/quantity.h"
-#include "report/answer_words.h"
-#include "report/digits.h"
+#include "finding/digits.h"
 #include "report/field_table.h"
 
 namespace flexslip {

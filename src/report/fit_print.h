@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "case/fitted.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 

@@ -1,17 +1,22 @@
-// The answer of a fit on one screen.
+// The answer of one fitted test on one screen.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
-#include "case/fitted.h"
+#include "finding/finding.h"
+#include "report/plain_text.h"
 
 namespace flexslip {
 
-// What is known and no more, in lines of at most 100 characters: the verdict first, then what was read off the curve before any model, the checks
-// with what to do about those that failed, what was assumed, and where more is. About 30 lines; fit_text (fit_document.h) has the rest.
-std::string fit_screen(const FittedTest& test);
+// How it is laid out.
+struct ScreenStyle {
+  std::size_t width = line_length;  // [characters]
+  bool colour = false;              // bold, and a colour for the verdict, as terminals take it
+};
 
-// "426 rows, to a deflection of 766.1 µm, …". Domain: analysis.status is ok.
-std::string record_in_words(const FittedTest& test);
+// The verdict with its numbers on the first line; the rows; at most three doubts, each with its remedy; the checks; one next step. 24 lines at
+// most on a terminal of 100 characters or more (tests/outside/fit.py).
+std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style = {});
 
 }  // namespace flexslip

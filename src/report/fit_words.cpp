@@ -11,10 +11,10 @@
 
 #include "inference/process_search.h"
 #include "io/quantity.h"
-#include "report/answer_words.h"
 #include "report/cycles_words.h"
-#include "report/digits.h"
-#include "report/printed.h"
+#include "finding/answer.h"
+#include "finding/digits.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 namespace {
@@ -27,8 +27,9 @@ std::string ranged(double low, double high) {
 }  // namespace
 
 std::string why_no_answer(const FittedTest& test) {
-  const std::string reason = reason_of(test.analysis.status);
-  return reason.empty() ? "" : fmt::format("{}: {}", test.measurement.file, reason);
+  if (is_fitted(test)) return "";
+  const Answer answer = answer_of(test);
+  return fmt::format("{}: {} {}", test.measurement.file, answer.findings.front().sentence, answer.next);
 }
 
 std::string model_in_words(ProfileModel model) {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "report/digits.h"
-#include "report/printed.h"
+#include "finding/digits.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 namespace {

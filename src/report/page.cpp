@@ -23,6 +23,11 @@ body { margin: 0 auto; max-width: 56rem; padding: 2.2rem 1.5rem 4rem; color: var
   font: 1rem/1.5 "Source Sans 3", "Segoe UI", "Helvetica Neue", Arial, sans-serif; }
 h1 { font-size: 1.15rem; font-weight: 600; color: var(--soft); margin: 0 0 .6rem; }
 h2 { font-size: 1.15rem; margin: 2.4rem 0 .5rem; }
+.answer b { letter-spacing: .02em; margin-right: .5rem; } .answer .slip, .answer .no_drops { color: #007a58; }
+.answer .undecided { color: #a66f00; } .answer .crack, .answer .check_input, .answer .no_answer { color: #c04a00; }
+dl.rows { display: grid; grid-template-columns: 7.5rem 1fr; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); } dl.rows dd { margin: 0; }
+dl.source { font-size: .88rem; color: var(--soft); border-top: 1px solid var(--line); padding-top: .6rem; }
+details summary { cursor: pointer; color: var(--soft); }
 .answer { font-size: 1.4rem; line-height: 1.38; margin: 0 0 1.6rem; text-wrap: pretty; }
 figure { margin: 1.4rem 0 1.8rem; }
 figure svg { display: block; width: 100%; height: auto; }
@@ -146,14 +151,18 @@ std::string html_figure(const std::string& folder, const Plate& plate, DrawStatu
       narrow ? " class=\"narrow\"" : "", picture, number, html_escaped(plate.caption), files);
 }
 
-std::string page(const std::string& title, const std::string& answer, const std::string& body) {
+std::string page(const std::string& title, const std::string& head, const std::string& body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width, "
-      "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n<p "
-      "class=\"answer\">{}</p>\n{}</main>\n"
+      "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n"
+      "{}{}</main>\n"
       "</body>\n</html>\n",
-      html_escaped(title), style, html_escaped(title), typeset_minus(html_escaped(answer)), body);
+      html_escaped(title), style, html_escaped(title), head, body);
+}
+
+std::string answer_in_html(const std::string& words) {
+  return fmt::format("<p class=\"answer\">{}</p>\n", typeset_minus(html_escaped(words)));
 }
 
 std::string paragraph(const std::string& words) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "report/figure.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 
@@ -34,8 +34,11 @@ std::string html_word_table(const PrintedTable& table, const std::vector<std::st
 // The picture itself, its caption and links to its files, which lie in <folder>/figures.
 std::string html_figure(const std::string& folder, const Plate& plate, DrawStatus drawn, int number);
 
-// A page with the answer first. The body is HTML, the rest text.
-std::string page(const std::string& title, const std::string& answer, const std::string& body);
+// A page with the answer first. Head and body are HTML.
+std::string page(const std::string& title, const std::string& head, const std::string& body);
+
+// An answer in a paragraph, for its head.
+std::string answer_in_html(const std::string& words);
 
 // Makes a folder and those it lies in.
 // Fails:      InputError.

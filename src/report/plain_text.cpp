@@ -8,8 +8,6 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t line_length = 100;
-
 // Where the first word ends; a percent sign belongs to its number.
 std::size_t end_of_word(std::string_view text) {
   std::size_t end = text.find(' ');
@@ -31,7 +29,7 @@ std::string padded_left(std::string_view text, std::size_t width) {
   return std::string(width - std::min(width, width_of(text)), ' ') + std::string(text);
 }
 
-std::string wrapped(std::string_view text, std::string_view indent, std::string_view begin) {
+std::string wrapped(std::string_view text, std::string_view indent, std::string_view begin, std::size_t most) {
   std::string out(begin);
   std::size_t length = width_of(begin);
   bool first = true;
@@ -39,7 +37,7 @@ std::string wrapped(std::string_view text, std::string_view indent, std::string_
     const std::size_t space = end_of_word(text);
     const std::string_view word = text.substr(0, space);
     text.remove_prefix(std::min(space + 1, text.size()));
-    if (!first && length + 1 + width_of(word) > line_length) {
+    if (!first && length + 1 + width_of(word) > most) {
       out += fmt::format("\n{}", indent);
       length = width_of(indent);
     } else if (!first) {

@@ -15,7 +15,7 @@ void announce_report(CallFiles& files, const std::string& folder, const std::str
 
 // Writes <folder>/report.html, which needs no other file, and <folder>/figures/: every figure as SVG, PDF and PNG with its gnuplot
 // script and data. The folder is made if it is not there; files of the same names are replaced.
-// It links to a studio page beside it, where one is named.
+// It links to a studio page beside it, where one is named, and says of what day it is (that of SOURCE_DATE_EPOCH, where it is set).
 // Fails:      as draw(); without gnuplot the report has no pictures and says so.
 DrawStatus write_report(const std::string& folder, const FittedTest& test, const std::string& studio = "");
 

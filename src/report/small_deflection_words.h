@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "answers/standard_fields.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 

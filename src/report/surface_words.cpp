@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "report/digits.h"
+#include "finding/digits.h"
 #include "report/plain_text.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 namespace {

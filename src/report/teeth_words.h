@@ -4,7 +4,7 @@
 #include <string>
 
 #include "case/fitted.h"
-#include "report/printed.h"
+#include "finding/printed.h"
 
 namespace flexslip {
 

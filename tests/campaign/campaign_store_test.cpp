@@ -16,6 +16,7 @@ CampaignTest some_test() {
                     .status = "ok",
                     .reason = "",
                     .file = "ss14.toml",
+                    .verdict = "CHECK INPUT",
                     .summary = {},
                     .curves = {},
                     .remarks = {"one", "tw\"o"},
@@ -42,6 +43,7 @@ CampaignTest some_test() {
       .bending_stiffness = {},
       .residual_rms = 0.3,
       .drops = 7,
+      .spacing = 8e-6,
       .friction_share = 0.25,
       .work_of_fracture = 2e-9,
       .failed_checks = {CheckKind::drops, CheckKind::friction},
@@ -75,6 +77,8 @@ TEST_CASE("identity: a kept test comes back to the last bit, and its text to the
   CHECK(std::isinf(back->curves->load_train_stiffness));
   CHECK(back->curves->force == some_test().curves->force);
   CHECK(back->remarks == some_test().remarks);
+  CHECK(back->verdict == "CHECK INPUT");
+  CHECK(back->summary->spacing == 8e-6);
   CHECK(back->section_moment == some_test().section_moment);
   CHECK(back->materials == some_test().materials);
   const auto& known = back->summary->known;

@@ -102,7 +102,7 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
                                     .bending_stiffness = scales.bending_stiffness()};
   const Record record = to_physical(simulated_record(truth), scales);
   const auto analysis = analyse(record, description);
-  const auto summary = summary_of("simulated", analysis, judge(analysis, nullptr));
+  const auto summary = summary_of("simulated", analysis, judge(analysis, nullptr), Standing::sound);
   CHECK(summary.category == SawtoothCategory::clear);
   CHECK(summary.wave_claimed);
   CHECK(!summary.mu0_is_bound);
@@ -119,15 +119,18 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
   CHECK(summary.work_of_fracture == doctest::Approx(work).scale(0).epsilon(1e-12));  // rounding of a sum of 300
 
   auto cracked = judge(analysis, nullptr);
-  cracked.doubts = {Doubt::cracks};
-  const auto of_cracked = summary_of("cracked", analysis, cracked);
+  cracked.drops_are_cracks = true;
+  const auto of_cracked = summary_of("cracked", analysis, cracked, Standing::suspect);
   CHECK(std::isnan(of_cracked.mu0.value));
+  CHECK(std::isnan(of_cracked.spacing));
+  CHECK(summary.spacing > 5e-6);
+  CHECK(std::isnan(summary_of("untrusted", analysis, judge(analysis, nullptr), Standing::untrusted).mu0.value));
   CHECK(!of_cracked.wavelength);
   CHECK(of_cracked.work_of_fracture == summary.work_of_fracture);
 
   auto without = analysis;
   without.status = AnalysisStatus::too_few_points;
-  CHECK(message_of([&] { summary_of("simulated", without, {}); }) == "a test without a fit has no summary");
+  CHECK(message_of([&] { summary_of("simulated", without, {}, Standing::sound); }) == "a test without a fit has no summary");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // A small campaign whose every number is known, with names that no format takes as they are.
 #pragma once
 
+#include <limits>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +27,7 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                     .status = "ok",
                     .reason = "",
                     .file = "cases/" + name + ".toml",
+                    .verdict = wavelength ? "SLIP" : "NO DROPS",
                     .summary = TestSummary{.name = name,
                                            .category = category,
                                            .suspect = mu0 > 1,
@@ -45,6 +47,7 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                                            .bending_stiffness = {2.13e-9, 6.4e-11, 2.0e-9, 2.26e-9},
                                            .residual_rms = 1.5e-4,
                                            .drops = wavelength ? 7U : 0U,
+                                           .spacing = wavelength ? 8e-6 : std::numeric_limits<double>::quiet_NaN(),
                                            .friction_share = 0.25,
                                            .work_of_fracture = 3.4e-6,
                                            .failed_checks = {},

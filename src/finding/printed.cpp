@@ -1,4 +1,4 @@
-#include "report/printed.h"
+#include "finding/printed.h"
 
 #include <algorithm>
 #include <cmath>

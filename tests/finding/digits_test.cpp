@@ -1,4 +1,4 @@
-#include "report/digits.h"
+#include "finding/digits.h"
 
 #include <limits>
 

@@ -1,0 +1,71 @@
+#include "finding/finding.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "data/names.h"
+
+namespace flexslip {
+
+std::string_view name_of(Severity severity) {
+  return name_in_order<Severity::unjudged>(severity,
+                                           {"refusal", "suspicion", "doubt", "note", "passed", "unjudged"});
+}
+
+std::string_view name_of(VerdictCode code) {
+  return name_in_order<VerdictCode::no_answer>(
+      code, {"slip", "undecided", "crack", "no_drops", "check_input", "no_answer"});
+}
+
+std::string_view word_of(VerdictCode code) {
+  return name_in_order<VerdictCode::no_answer>(
+      code, {"SLIP", "UNDECIDED", "CRACK", "NO DROPS", "CHECK INPUT", "NO ANSWER"});
+}
+
+std::string sentence_of(const Verdict& verdict) {
+  const std::string parts = fmt::format("{}", fmt::join(verdict.parts, "; "));
+  return fmt::format("{}: {}{}", word_of(verdict.code), parts, parts.ends_with('.') ? "" : ".");
+}
+
+std::vector<Finding> doubts_of(const Answer& answer) {
+  const VerdictCode verdict = answer.verdict.code;
+  // What is read off with a wrong input, or of a specimen that lost stiffness, is wrong for that reason.
+  if (verdict == VerdictCode::check_input || verdict == VerdictCode::no_answer) return {};
+  constexpr std::array whatever_happened{"coarse_force", "few_rows", "settling_contact"};
+  std::vector<Finding> doubts;
+  for (const Finding& finding : answer.findings) {
+    if (finding.severity > Severity::doubt || finding.code == answer.verdict.finding) continue;
+    if (verdict == VerdictCode::crack &&
+        std::find(whatever_happened.begin(), whatever_happened.end(), finding.code) == whatever_happened.end())
+      continue;
+    doubts.push_back(finding);
+  }
+  std::stable_sort(doubts.begin(), doubts.end(),
+                   [](const Finding& a, const Finding& b) { return a.severity < b.severity; });
+  return doubts;
+}
+
+std::string checks_in_words(const Answer& answer) {
+  const auto count = [&](Severity severity) {
+    return std::count_if(answer.findings.begin(), answer.findings.end(),
+                         [&](const Finding& finding) { return finding.severity == severity; });
+  };
+  const auto passed = count(Severity::passed), against = count(Severity::doubt) + count(Severity::suspicion);
+  if (passed == 0) return "";
+  if (answer.verdict.code == VerdictCode::check_input || answer.verdict.code == VerdictCode::no_answer) return "";
+  return against == 0 ? fmt::format("All {} checks passed.", passed)
+                      : fmt::format("{} other {} passed.", passed, passed == 1 ? "check" : "checks");
+}
+
+std::string next_in_words(const Answer& answer) {
+  if (answer.next.empty()) return "";
+  std::string step = answer.next;
+  step.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(step.front())));
+  return "Next: " + step;
+}
+
+}  // namespace flexslip

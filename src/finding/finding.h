@@ -1,0 +1,80 @@
+// What the program finds out about a test: data with its sentence, worded once, where it is found out. Screen, report, campaign, JSON, Python
+// and page print the same strings.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "inference/judgement.h"
+#include "io/quantity.h"
+
+namespace flexslip {
+
+// What a finding does to the answer, the weightiest first.
+enum class Severity {
+  refusal,    // there is no answer, or none to use
+  suspicion,  // the conclusion does not survive it
+  doubt,      // it may not matter
+  note,       // it casts no doubt
+  passed,     // what was checked is in order
+  unjudged,   // this record does not allow the check
+};
+
+std::string_view name_of(Severity severity);
+
+struct FindingNumber {
+  std::string_view name;
+  double value;  // SI, or reduced if the test is
+  Kind kind = kind::number;
+};
+
+struct Finding {
+  std::string_view code;
+  Severity severity;
+  std::string sentence;      // whole sentences, understood when read alone
+  std::string short_form{};  // a few words, for a table of many tests; empty where it says nothing against a test
+  std::string remedy{};      // what to do, a whole sentence; empty where there is nothing to do
+  std::vector<FindingNumber> numbers{};
+};
+
+// What a test comes to in one word.
+enum class VerdictCode { slip, undecided, crack, no_drops, check_input, no_answer };
+
+std::string_view name_of(VerdictCode code);  // "check_input"
+std::string_view word_of(VerdictCode code);  // "CHECK INPUT"
+
+struct Verdict {
+  VerdictCode code;
+  std::vector<std::string> parts;  // what belongs to it: numbers, or the sentence of the finding that it rests on
+  std::string_view finding{};      // the code of that finding, whose remedy is the next step; empty if it rests on none
+};
+
+// "SLIP: friction 0.47 ± 0.06; 18 % of the work was friction, not toughness."
+std::string sentence_of(const Verdict& verdict);
+
+struct AnswerRow {
+  std::string_view label;  // "drops"
+  std::string words;
+};
+
+// All that is told of a test at a glance, in the order in which it is told.
+struct Answer {
+  Verdict verdict;
+  Standing standing;
+  std::vector<AnswerRow> rows;
+  std::vector<Finding> findings;  // the weightiest first
+  std::string next;               // the one step that would tell most; may be empty
+};
+
+// Those against the answer that the verdict does not tell already, and that do not follow from it, the weightiest first: refusals, suspicions and
+// doubts.
+std::vector<Finding> doubts_of(const Answer& answer);
+
+// "All 7 checks passed."; beside doubts, how many others did.
+std::string checks_in_words(const Answer& answer);
+
+// "Next: unload and load once more."; empty where there is no step.
+std::string next_in_words(const Answer& answer);
+
+}  // namespace flexslip
