@@ -364,10 +364,9 @@ class Case:
             if error.file or self._source:
                 raise
             # The file, and its line, is a text that nobody wrote.
-            words = [str(error).removeprefix(f"line {error.line}: "), error.expected or ""]
-            message, expected = (text.replace("it in the file", "this keyword") for text in words)
-            parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "found", "remedy")}
-            raise error_of(message, expected=expected or None, **parts) from None
+            message = str(error).removeprefix(f"line {error.line}: ")
+            parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "expected", "found", "remedy")}
+            raise error_of(message, **parts) from None
 
     @classmethod
     def from_toml(cls, text: str, source: str = "") -> Case:

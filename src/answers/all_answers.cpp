@@ -62,48 +62,48 @@ std::vector<Description> sweep_columns() {
 std::vector<AnswerDescription> all_answers() {
   static const std::array<std::string, 1> draws{"draw_1, draw_2, …"};
   return {
-      {"fit --json", "what a measured test shows", false, fit_fields().descriptions()},
+      {"fit --json", "results of a measured test", false, fit_fields().descriptions()},
       {"fit --profile", "friction along the specimen, read at the bending stiffness of the fit", true,
        profile_fields().descriptions()},
-      {"fit --curves", "the record, and what was read and fitted", true, curve_fields().descriptions()},
+      {"fit --curves", "the record, with what was read off and fitted", true, curve_fields().descriptions()},
       {"fit --draws", "profiles that explain the record", true, draw_fields(draws).descriptions()},
-      {"campaign --json", "many tests", false, campaign_fields().descriptions()},
+      {"campaign --json", "results of many tests", false, campaign_fields().descriptions()},
       {"campaign: tests.csv", "a row per test", true, test_columns().descriptions()},
-      {"campaign: categories.csv", "a row per category, without and with suspects", true,
+      {"campaign: categories.csv", "a row per category, without and with suspect tests", true,
        category_columns().descriptions()},
-      {"campaign: specimens.csv", "what specimens have in common, a row per parameter", true,
+      {"campaign: specimens.csv", "typical values and spread between specimens, a row per parameter", true,
        specimen_columns().descriptions()},
-      {"invert --json", "friction point by point, of a case", false, read_test_fields().descriptions()},
+      {"invert --json", "friction of a case, point by point", false, read_test_fields().descriptions()},
       {"invert --json of w,F", "friction of single states", false,
        states_fields(no_friction, inverted_fields()).descriptions()},
-      {"invert", "friction point by point, of a case, read at the bending stiffness stated", true,
+      {"invert", "friction of a case, point by point, read off at the stated bending stiffness", true,
        profile_fields().descriptions()},
       {"invert of w,F", "friction of single states", true, inverted_fields().descriptions()},
       {"modulus --json", "the numbers of the bending standards", false, modulus_fields().descriptions()},
-      {"read --json", "what an export holds", false, export_fields().descriptions()},
-      {"surface --json", "what a height profile says of its surface", false, surface_fields().descriptions()},
-      {"surface --profile", "its heights, and what an edge sees of them", true, trace_fields().descriptions()},
-      {"surface --spectrum", "its power spectral density", true, spectrum_fields().descriptions()},
+      {"read --json", "contents of an export", false, export_fields().descriptions()},
+      {"surface --json", "what a height profile says about its surface", false, surface_fields().descriptions()},
+      {"surface --profile", "heights of a profile, and the path of an edge over them", true,
+       trace_fields().descriptions()},
+      {"surface --spectrum", "power spectral density of a height profile", true, spectrum_fields().descriptions()},
       {"simulate --json", "what a test would measure", false, simulation_fields(all_columns).descriptions()},
-      {"simulate", "its path; some columns only of some tests", true, path_fields(all_columns).descriptions()},
+      {"simulate", "path of a test; some columns only for some tests", true, path_fields(all_columns).descriptions()},
       {"equilibrium --json", "the curve of loading", false, equilibria_fields({false, true}).descriptions()},
       {"equilibrium --region --json", "all equilibria", false, equilibria_fields({true, true}).descriptions()},
       {"equilibrium", "the curve of loading", true, equilibrium_fields({false, true}).descriptions()},
       {"equilibrium --region", "all equilibria", true, equilibrium_fields({true, true}).descriptions()},
       {"design --json", "what a planned test will show", false, design_fields().descriptions()},
-      {"design --over --json", "planned tests; beside it the parameters that go through values", false,
+      {"design --over --json", "planned tests, beside the parameters that are varied", false,
        design_map_fields({}).descriptions()},
-      {"design --over", "planned tests; beside it the parameters that go through values", true,
-       map_fields({}).descriptions()},
-      {"sweep, HDF5", "/inputs, those of its axes, and /outcomes", true, sweep_columns()},
-      {"sweep --json, merge --json", "what came of it", false, sweep_fields().descriptions()},
+      {"design --over", "planned tests, beside the parameters that are varied", true, map_fields({}).descriptions()},
+      {"sweep, HDF5", "/inputs, one for each axis, and /outcomes", true, sweep_columns()},
+      {"sweep --json, merge --json", "outcome of a sweep", false, sweep_fields().descriptions()},
       {"state --json", "states on edges", false, states_fields(no_state, edge_state_fields(true)).descriptions()},
       {"state --json on rollers", "states on rollers, or of a thick specimen", false,
        states_fields(no_state, roller_state_fields()).descriptions()},
       {"state", "states on edges", true, edge_state_fields(true).descriptions()},
       {"state on rollers", "states on rollers, or of a thick specimen", true, roller_state_fields().descriptions()},
-      {"keys --json", "the keys of case files, a list", false, key_fields().descriptions()},
-      {"results --json", "this page, a list", false, line_fields().descriptions()},
+      {"keys --json", "list of the keys of case files", false, key_fields().descriptions()},
+      {"results --json", "list of all keys and columns", false, line_fields().descriptions()},
   };
 }
 
@@ -116,13 +116,13 @@ std::vector<ResultLine> lines_of(const AnswerDescription& answer) {
 Fields<ResultLine> line_fields() {
   using L = const ResultLine&;
   return Fields<ResultLine>()
-      .words("key", "or the title of a column; [] for each of a list, * for any name", &ResultLine::key)
-      .words("holds", "number, count, estimate, words, …", &ResultLine::shape)
-      .words("unit", "of numbers and estimates; null of others",
+      .words("key", "key, or title of a column; [] stands for each item of a list, * for any name", &ResultLine::key)
+      .words("holds", "kind of value: number, count, estimate, words, …", &ResultLine::shape)
+      .words("unit", "unit of numbers and estimates; null for others",
              [](L line) { return line.unit.empty() ? std::nullopt : std::optional(line.unit); })
-      .words("reduced_unit", "of reduced tests",
+      .words("reduced_unit", "unit for reduced tests",
              [](L line) { return line.reduced_unit.empty() ? std::nullopt : std::optional(line.reduced_unit); })
-      .words("meaning", "in a few words", &ResultLine::meaning);
+      .words("meaning", "meaning of the key", &ResultLine::meaning);
 }
 
 }  // namespace flexslip

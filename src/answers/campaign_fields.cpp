@@ -23,9 +23,10 @@ Fields<TestSummary> summary_parameter_fields() {
       .own_estimate(parameter::correlation_length, of_roughness(&TestSummary::correlation_length))
       .own_estimate(parameter::amplitude, &TestSummary::amplitude)
       .own_estimate(parameter::wavelength, &TestSummary::wavelength)
-      .own_estimate("surface_height", kind::length, "amplitude of the wave of the surface that would show that wave",
+      .own_estimate("surface_height", kind::length,
+                    "amplitude of the surface wave that would explain the wave of friction",
                     &TestSummary::surface_height)
-      .own_estimate("surface_slope", kind::number, "rms of the slopes that would show the friction",
+      .own_estimate("surface_slope", kind::number, "rms slope of the surface that would explain the friction",
                     &TestSummary::surface_slope)
       .own_estimate(parameter::phase, &TestSummary::phase)
       .own_estimate(parameter::bending_stiffness, &TestSummary::bending_stiffness);
@@ -34,75 +35,81 @@ Fields<TestSummary> summary_parameter_fields() {
 // Of what a test is called, and what it comes to.
 Fields<CampaignTest> name_fields() {
   return Fields<CampaignTest>()
-      .words("name", "of the test", &CampaignTest::name)
+      .words("name", "name of the test", &CampaignTest::name)
       .titled("test")
-      .words("status", "ok, or why not: as fit, or failed", &CampaignTest::status)
+      .words("status", "whether the test has an answer: a status of fit, or failed", &CampaignTest::status)
       .words("verdict", "SLIP, UNDECIDED, CRACK, NO DROPS, CHECK INPUT or NO ANSWER", &CampaignTest::verdict);
 }
 
 Fields<TestSummary> verdict_fields() {
   return Fields<TestSummary>()
-      .words("category", "of the sawtooth: clear, nominal, none",
+      .words("category", "how clear the sawtooth is: clear, nominal or none",
              [](const TestSummary& test) { return name_of(test.category); })
-      .yes_no("suspect", "its standing is suspect or untrusted", &TestSummary::suspect)
-      .words("standing", "sound, doubtful, suspect, untrusted: the remarks say why",
+      .yes_no("suspect", "standing is suspect or untrusted", &TestSummary::suspect)
+      .words("standing",
+             "how far the answer can be trusted: sound, doubtful, suspect or untrusted; the remarks say why",
              [](const TestSummary& test) { return name_of(test.standing); })
-      .words("drops_verdict", "not_by_cracks_alone, cracks, cannot_be_told; null without drops",
-             [](const TestSummary& test) {
-               return test.drops > 0 ? std::optional(name_of(test.drops_verdict)) : std::nullopt;
-             })
-      .words("model", "of friction, that was fitted", [](const TestSummary& test) { return name_of(test.model); });
+      .words(
+          "drops_verdict",
+          "whether cracks alone can make the drops: not_by_cracks_alone, cracks or cannot_be_told; null without drops",
+          [](const TestSummary& test) {
+            return test.drops > 0 ? std::optional(name_of(test.drops_verdict)) : std::nullopt;
+          })
+      .words("model", "fitted friction model", [](const TestSummary& test) { return name_of(test.model); });
 }
 
 Fields<TestSummary> number_fields() {
   return Fields<TestSummary>()
-      .own("residual_rms", kind::force, "measured force less the mean of the fit run forward, root mean square",
+      .own("residual_rms", kind::force,
+           "root mean square difference between the measured force and the mean of the fit run forward",
            &TestSummary::residual_rms)
-      .count("drops", "of the force, beyond its noise", &TestSummary::drops)
+      .count("drops", "number of drops of the force beyond its noise", &TestSummary::drops)
       .own("spacing", kind::length, "length of specimen from one slip to the next, median", &TestSummary::spacing)
       .own("work_of_fracture", kind::energy, "work on the specimen", &TestSummary::work_of_fracture)
-      .number("friction_share",
-              "of it that went into friction and snaps; null of a test that is not trusted, or tells only a limit",
-              &TestSummary::friction_share);
+      .number(
+          "friction_share",
+          "share of the work that went into friction and snaps; null if the test is not trusted or gives only a limit",
+          &TestSummary::friction_share);
 }
 
 Fields<CampaignTest> remark_fields() {
   return Fields<CampaignTest>()
-      .words("reason", "why the status is not ok",
+      .words("reason", "reason why the status is not ok",
              [](const CampaignTest& test) { return test.reason.empty() ? std::nullopt : std::optional(test.reason); })
-      .words("remarks", "what a reader of the table should know of it", &CampaignTest::remarks)
-      .words("file", "what describes the test", &CampaignTest::file);
+      .words("remarks", "remarks on the test", &CampaignTest::remarks)
+      .words("file", "file that describes the test", &CampaignTest::file);
 }
 
 Fields<CampaignTest> test_fields() {
   return name_fields()
       .all_of(verdict_fields(), &CampaignTest::summary)
-      .group("parameters", "what was fitted; null what the fit has not", summary_parameter_fields(),
+      .group("parameters", "fitted parameters; null where the fit has none", summary_parameter_fields(),
              &CampaignTest::summary)
-      .group(
-          "wave", "whether the likeliest one is claimed",
-          Fields<TestSummary>()
-              .yes_no("claimed", "by the evidence; a wave that is not is only indicative", &TestSummary::wave_claimed)
-              .number("log_evidence", "ln of the evidence with a wave over that without",
-                      &TestSummary::log_evidence_of_wave),
-          &CampaignTest::summary)
-      .group("friction_read", "friction read off the curve point by point, before any model of it",
+      .group("wave", "likeliest wave of friction, and whether it is claimed",
              Fields<TestSummary>()
-                 .number("median", "half of the points lie below it",
+                 .yes_no("claimed", "the evidence supports the wave; otherwise it is only indicative",
+                         &TestSummary::wave_claimed)
+                 .number("log_evidence", "ln of the ratio of the evidence with and without a wave",
+                         &TestSummary::log_evidence_of_wave),
+             &CampaignTest::summary)
+      .group("friction_read", "friction read off the curve point by point, without a friction model",
+             Fields<TestSummary>()
+                 .number("median", "friction below which half of the points lie",
                          [](const TestSummary& test) { return test.friction_read.median; })
-                 .number("low80", "a tenth of the points lie below it",
+                 .number("low80", "friction below which a tenth of the points lie",
                          [](const TestSummary& test) { return test.friction_read.low80; })
-                 .number("high80", "a tenth of the points lie above it",
+                 .number("high80", "friction above which a tenth of the points lie",
                          [](const TestSummary& test) { return test.friction_read.high80; }),
              &CampaignTest::summary)
-      .all_of(Fields<TestSummary>().words("failed_checks",
-                                          "residuals, drops, whiteness, nesting, friction, stability, stiffness",
-                                          [](const TestSummary& test) {
-                                            std::vector<std::string_view> names;
-                                            for (const auto kind : test.failed_checks) names.push_back(name_of(kind));
-                                            return names;
-                                          }),
-              &CampaignTest::summary)
+      .all_of(
+          Fields<TestSummary>().words(
+              "failed_checks", "failed checks: residuals, drops, whiteness, nesting, friction, stability, stiffness",
+              [](const TestSummary& test) {
+                std::vector<std::string_view> names;
+                for (const auto kind : test.failed_checks) names.push_back(name_of(kind));
+                return names;
+              }),
+          &CampaignTest::summary)
       .all_of(number_fields(), &CampaignTest::summary)
       .all_of(remark_fields());
 }
@@ -111,27 +118,28 @@ Fields<CampaignTest> test_fields() {
 Fields<Spread> spread_fields(const Kind& kind) {
   return Fields<Spread>()
       .only_where([](const Spread& spread) { return spread.count > 0; })
-      .own("mean", kind, "over the tests", &Spread::mean)
-      .own("min", kind, "smallest", &Spread::min)
-      .own("max", kind, "largest", &Spread::max)
+      .own("mean", kind, "mean over the tests", &Spread::mean)
+      .own("min", kind, "smallest value", &Spread::min)
+      .own("max", kind, "largest value", &Spread::max)
       .anywhere()
-      .count("n", "tests that it is taken over", &Spread::count);
+      .count("n", "number of tests", &Spread::count);
 }
 
 Fields<CategorySpread> category_fields() {
   return Fields<CategorySpread>()
-      .count("tests", "in the category", &CategorySpread::tests)
-      .group("mu0", "mean friction, without tests that tell only a limit", spread_fields(kind::number),
+      .count("tests", "number of tests in the category", &CategorySpread::tests)
+      .group("mu0", "mean friction, without tests that give only a limit", spread_fields(kind::number),
              &CategorySpread::mu0)
-      .group("mu0_limit", "upper limits of the tests that tell only such", spread_fields(kind::number),
-             &CategorySpread::mu0_limit)
-      .group("amplitude", "of one wave of friction, relative to mu0", spread_fields(kind::number),
+      .group("mu0_limit", "upper limits of mean friction, of the tests that give only a limit",
+             spread_fields(kind::number), &CategorySpread::mu0_limit)
+      .group("amplitude", "amplitude of the wave of friction, relative to mu0", spread_fields(kind::number),
              &CategorySpread::amplitude)
-      .group("wavelength", "of that wave, along the specimen", spread_fields(kind::length), &CategorySpread::wavelength)
-      .count("waves_claimed", "of the tests with such a wave, those that claim it", &CategorySpread::waves_claimed)
-      .group("surface_height", "amplitude of the wave of the surface that would show it", spread_fields(kind::length),
-             &CategorySpread::surface_height)
-      .group("surface_slope", "rms of the slopes that would show the friction", spread_fields(kind::number),
+      .group("wavelength", "wavelength of the wave of friction, along the specimen", spread_fields(kind::length),
+             &CategorySpread::wavelength)
+      .count("waves_claimed", "number of tests that claim a wave of friction", &CategorySpread::waves_claimed)
+      .group("surface_height", "amplitude of the surface wave that would explain the wave of friction",
+             spread_fields(kind::length), &CategorySpread::surface_height)
+      .group("surface_slope", "rms slope of the surface that would explain the friction", spread_fields(kind::number),
              &CategorySpread::surface_slope);
 }
 
@@ -157,14 +165,15 @@ std::string_view differ_by(const SpecimenLine& line) { return line.by_factors ? 
 Fields<SpecimenLine> between_fields() {
   using L = const SpecimenLine&;
   return Fields<SpecimenLine>()
-      .count("tests", "whose records tell it", [](L line) { return line.between->tests.size(); })
-      .estimate_in("typical", "mean of the specimens, of mu0; of the others the middle one", &SpecimenLine::typical,
-                   &SpecimenLine::unit)
-      .words("differ_by", "what spread is: a standard deviation, or a factor either way", differ_by)
+      .count("tests", "number of tests whose records determine the parameter",
+             [](L line) { return line.between->tests.size(); })
+      .estimate_in("typical", "typical specimen: the mean for mu0, the median for other parameters",
+                   &SpecimenLine::typical, &SpecimenLine::unit)
+      .words("differ_by", "meaning of spread: a standard deviation, or a factor in either direction", differ_by)
       .estimate_in(
-          "spread", "between specimens", &SpecimenLine::spread,
+          "spread", "spread between specimens", &SpecimenLine::spread,
           [](L line) { return line.by_factors ? std::string("1") : line.unit; },
-          Fields<SpecimenLine>().yes_no("bound", "the records do not tell the specimens apart",
+          Fields<SpecimenLine>().yes_no("bound", "the specimens cannot be distinguished from each other",
                                         [](L line) { return line.between->population.spread_is_bound; }));
 }
 
@@ -179,28 +188,28 @@ Fields<CategoryOf> category_answer_fields() {
       .all_of(
           category_fields(), [](C of) -> const auto& { return of.category.without_suspects; })
       .group(
-          "with_suspects", "the same with tests that are suspect", category_fields(),
+          "with_suspects", "the same, including suspect tests", category_fields(),
           [](C of) -> const auto& { return of.category.with_suspects; })
-      .by_name(
-          "between_specimens", "what specimens have in common, and how they differ, by parameter",
-          between_fields().list("specimens", "each in the light of the others",
-                                Fields<DrawnSpecimen>()
-                                    .words("test", "its name", &DrawnSpecimen::test)
-                                    .number("value", "of the parameter, in the unit of typical", &DrawnSpecimen::value)
-                                    .number("standard_error", "of value", &DrawnSpecimen::standard_error),
-                                specimens_of),
-          [](C of) {
-            std::vector<std::pair<std::string, SpecimenLine>> lines;
-            for (SpecimenLine& line : specimen_lines(of.campaign))
-              if (line.category == key_of(of.category)) lines.emplace_back(line.parameter, std::move(line));
-            return lines;
-          });
+      .by_name("between_specimens", "typical value and spread between specimens, by parameter",
+               between_fields().list(
+                   "specimens", "value of each specimen in the light of the others",
+                   Fields<DrawnSpecimen>()
+                       .words("test", "name of the test", &DrawnSpecimen::test)
+                       .number("value", "value of the parameter, in the unit of typical", &DrawnSpecimen::value)
+                       .number("standard_error", "standard error of value", &DrawnSpecimen::standard_error),
+                   specimens_of),
+               [](C of) {
+                 std::vector<std::pair<std::string, SpecimenLine>> lines;
+                 for (SpecimenLine& line : specimen_lines(of.campaign))
+                   if (line.category == key_of(of.category)) lines.emplace_back(line.parameter, std::move(line));
+                 return lines;
+               });
 }
 
 Fields<CampaignTest> failure_fields() {
   return name_fields()
-      .words("reason", "why there is no answer", &CampaignTest::reason)
-      .words("file", "what describes the test", &CampaignTest::file);
+      .words("reason", "reason why there is no answer", &CampaignTest::reason)
+      .words("file", "file that describes the test", &CampaignTest::file);
 }
 
 using SomeTests = std::vector<std::reference_wrapper<const CampaignTest>>;
@@ -222,29 +231,32 @@ SomeTests failures_of(const Campaign& campaign) {
 // With the estimate as it stands there: its numbers beside the others in JSON, four columns in tables.
 Fields<SharedParameter> shared_fields(const Fields<SharedParameter>& estimate) {
   return Fields<SharedParameter>()
-      .words("name", "of the parameter", &SharedParameter::name)
+      .words("name", "name of the parameter", &SharedParameter::name)
       .titled("parameter")
-      .words("unit", "of the estimate", &SharedParameter::unit)
+      .words("unit", "unit of the estimate", &SharedParameter::unit)
       .all_of(estimate)
-      .count("tests", "whose records tell it", &SharedParameter::tests)
-      .number("chi_squared", "of the tests about it, with one freedom less than tests", &SharedParameter::chi_squared)
-      .number("agreement", "probability that tests that do share it differ as much", &SharedParameter::agreement);
+      .count("tests", "number of tests whose records determine the parameter", &SharedParameter::tests)
+      .number("chi_squared", "chi-squared of the tests about the value, with one degree of freedom less than tests",
+              &SharedParameter::chi_squared)
+      .number("agreement", "probability that tests that share the value differ at least as much",
+              &SharedParameter::agreement);
 }
 
 Fields<SharedParameter> shared_answer_fields() {
   using P = const SharedParameter&;
-  return shared_fields(Fields<SharedParameter>()
-                           .number("value", "from several tests", [](P p) { return p.estimate.value; })
-                           .number("standard_error", "of value", [](P p) { return p.estimate.standard_error; })
-                           .own_numbers("interval95", kind::number, "of value", [](P p) {
-                             return std::vector{p.estimate.low, p.estimate.high};
-                           }));
+  return shared_fields(
+      Fields<SharedParameter>()
+          .number("value", "value of the shared parameter", [](P p) { return p.estimate.value; })
+          .number("standard_error", "standard error of value", [](P p) { return p.estimate.standard_error; })
+          .own_numbers("interval95", kind::number, "95 % interval of value", [](P p) {
+            return std::vector{p.estimate.low, p.estimate.high};
+          }));
 }
 
 Fields<Campaign> all_fields() {
   return Fields<Campaign>()
-      .list("tests", "with an answer, in the order of the plan", test_fields(), answered_of)
-      .by_name("categories", "clear, nominal, none and all; without tests that are suspect", category_answer_fields(),
+      .list("tests", "tests with an answer, in the order of the plan", test_fields(), answered_of)
+      .by_name("categories", "categories clear, nominal, none and all, without suspect tests", category_answer_fields(),
                [](const Campaign& campaign) {
                  std::vector<std::pair<std::string, CategoryOf>> categories;
                  for (const CategorySummary& category : campaign.categories)
@@ -253,7 +265,7 @@ Fields<Campaign> all_fields() {
                })
       .list("failures", "tests without an answer", failure_fields(), failures_of)
       .list("shared", "parameters that tests share", shared_answer_fields(), &Campaign::shared)
-      .group("units", "of plain numbers", units_of_numbers<Campaign>());
+      .group("units", "units of plain numbers", units_of_numbers<Campaign>());
 }
 
 }  // namespace
@@ -292,9 +304,9 @@ Fields<CampaignTest> test_columns() {
       .all_of(verdict_fields(), &CampaignTest::summary)
       .all_of(summary_parameter_fields(), &CampaignTest::summary)
       .all_of(Fields<TestSummary>()
-                  .yes_no("mu0_is_bound", "the record does not tell mu0 from 0: mu0_high is its upper limit",
+                  .yes_no("mu0_is_bound", "mu0 cannot be distinguished from 0, and mu0_high is its upper limit",
                           &TestSummary::mu0_is_bound)
-                  .yes_no("wave_claimed", "by the evidence; a wave that is not is only indicative",
+                  .yes_no("wave_claimed", "the evidence supports the wave; otherwise it is only indicative",
                           [](const TestSummary& test) {
                             return test.wavelength ? std::optional(test.wave_claimed) : std::nullopt;
                           }),
@@ -305,16 +317,16 @@ Fields<CampaignTest> test_columns() {
 
 Fields<CategoryLine> category_columns() {
   return Fields<CategoryLine>()
-      .words("category", "of the sawtooth", &CategoryLine::key)
-      .words("suspects", "without or with them", &CategoryLine::suspects)
+      .words("category", "category of the sawtooth", &CategoryLine::key)
+      .words("suspects", "whether suspect tests are included: without or with", &CategoryLine::suspects)
       .all_of(category_fields(), &CategoryLine::spread);
 }
 
 Fields<SpecimenLine> specimen_columns() {
   return Fields<SpecimenLine>()
-      .words("category", "of the sawtooth, suspects left out", &SpecimenLine::category)
-      .words("parameter", "of friction", &SpecimenLine::parameter)
-      .words("unit", "of typical and its interval", &SpecimenLine::unit)
+      .words("category", "category of the sawtooth, without suspect tests", &SpecimenLine::category)
+      .words("parameter", "parameter of friction", &SpecimenLine::parameter)
+      .words("unit", "unit of typical and its interval", &SpecimenLine::unit)
       .all_of(between_fields());
 }
 
@@ -340,7 +352,7 @@ ResultTable failure_table(const Campaign& campaign) {
 ResultTable shared_table(const Campaign& campaign) {
   return tabulated("shared",
                    shared_fields(Fields<SharedParameter>().estimate_in(
-                       "value", "from several tests", &SharedParameter::estimate, &SharedParameter::unit)),
+                       "value", "value of the shared parameter", &SharedParameter::estimate, &SharedParameter::unit)),
                    campaign.shared);
 }
 

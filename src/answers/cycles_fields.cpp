@@ -35,55 +35,58 @@ std::vector<LoopPlace> places_of(const FrictionTable& table, const std::vector<d
 
 Fields<LoopPlace> place_fields() {
   return Fields<LoopPlace>()
-      .number("length", kind::length, "drawn in, and the span", &LoopPlace::S)
-      .number("drawn_in", kind::length, "length drawn in over both supports",
-              [](const LoopPlace& p) { return p.S - 1; })
-      .number("position", kind::length, "half of length: of the support along the specimen, from midspan, on edges",
+      .number("length", kind::length, "length between the supports: the span and what was pulled in", &LoopPlace::S)
+      .number("drawn_in", kind::length, "length pulled in (both supports)", [](const LoopPlace& p) { return p.S - 1; })
+      .number("position", kind::length,
+              "position of the support along the specimen, from midspan: half of length, on edges",
               [](const LoopPlace& p) { return p.S / 2; })
-      .number("mu", "friction there", &LoopPlace::mu);
+      .number("mu", "friction at this place", &LoopPlace::mu);
 }
 
 Fields<BumpCorrelation> correlation_fields() {
   return Fields<BumpCorrelation>()
-      .number("value", "Pearson's r of friction in the two directions, slow trends taken off", &BumpCorrelation::value)
-      .number("low", "lower end of its 95 % interval", &BumpCorrelation::low)
-      .number("high", "upper end of its 95 % interval", &BumpCorrelation::high)
-      .number("effective_points", "independent places that the places are worth", &BumpCorrelation::effective_points);
+      .number("value", "Pearson's r of friction in the two directions, without slow trends", &BumpCorrelation::value)
+      .number("low", "lower end of the 95 % interval of value", &BumpCorrelation::low)
+      .number("high", "upper end of the 95 % interval of value", &BumpCorrelation::high)
+      .number("effective_points", "effective number of independent places", &BumpCorrelation::effective_points);
 }
 
 Fields<Leg> leg_fields() {
   return Fields<Leg>()
-      .row("first_row", "first row of the file", &Leg::first)
-      .row("last_row", "last row of the file", [](const Leg& leg) { return leg.last - 1; });
+      .row("first_row", "first row of the leg in the file", &Leg::first)
+      .row("last_row", "last row of the leg in the file", [](const Leg& leg) { return leg.last - 1; });
 }
 
 Fields<LoopCorner> corner_fields() {
   return Fields<LoopCorner>()
       .row("row", "row of the file", &LoopCorner::index)
-      .number("length", kind::length, "drawn in, and the span", &LoopCorner::S)
+      .number("length", kind::length, "length between the supports: the span and what was pulled in", &LoopCorner::S)
       .number("q", "mobilised friction", &LoopCorner::q);
 }
 
 Fields<FrictionLoop> corners_fields() {
   const Fields<LoopCorner> corner = corner_fields();
   return Fields<FrictionLoop>()
-      .group("start", "first point of the loading that slides", corner, &FrictionLoop::start)
-      .group("turn", "where the stage turned back", corner, &FrictionLoop::turn)
-      .group("slides_back", "where it began to slide out", corner, &FrictionLoop::slides_back)
-      .group("end", "end of the unloading", corner, &FrictionLoop::end);
+      .group("start", "first sliding point of the loading", corner, &FrictionLoop::start)
+      .group("turn", "point at which the stage turned back", corner, &FrictionLoop::turn)
+      .group("slides_back", "point at which the specimen began to slide out", corner, &FrictionLoop::slides_back)
+      .group("end", "last point of the unloading", corner, &FrictionLoop::end);
 }
 
 Fields<LoopEnergy> loop_energy_fields() {
   return Fields<LoopEnergy>()
-      .number("loading", kind::energy, "put in: the apparent work of fracture of this loading", &LoopEnergy::loading)
-      .number("unloading", kind::energy, "given back; null of a loop that was not unloaded", &LoopEnergy::unloading)
-      .number("stored", kind::energy, "kept by bending, from where the loop begins to where it ends",
+      .number("loading", kind::energy, "work put in during loading, the apparent work of fracture",
+              &LoopEnergy::loading)
+      .number("unloading", kind::energy, "work given back during unloading; null if the loop was not unloaded",
+              &LoopEnergy::unloading)
+      .number("stored", kind::energy, "bending energy gained between the beginning and the end of the loop",
               &LoopEnergy::stored)
       .number("lost", kind::energy,
-              "area of the loop less what is stored; null of one that is not closed, or was not loaded",
+              "area of the loop minus the stored energy; null if the loop is not closed or was not loaded",
               &LoopEnergy::lost)
-      .number("lost_share", "lost over loading", [](const LoopEnergy& energy) { return energy.lost / energy.loading; })
-      .number("friction", kind::energy, "heat of friction where it slides", &LoopEnergy::friction);
+      .number("lost_share", "lost divided by loading",
+              [](const LoopEnergy& energy) { return energy.lost / energy.loading; })
+      .number("friction", kind::energy, "heat of friction during sliding", &LoopEnergy::friction);
 }
 
 Fields<LoopOf> loop_fields() {
@@ -100,36 +103,40 @@ Fields<LoopOf> loop_fields() {
     return last ? legs[unloading ? *unloading : *loading].last - 1 : legs[loading ? *loading : *unloading].first;
   };
   return Fields<LoopOf>()
-      .row("first_row", "first row of the file", [row_of](L loop) { return row_of(loop, false); })
-      .row("last_row", "last row of the file", [row_of](L loop) { return row_of(loop, true); })
+      .row("first_row", "first row of the loop in the file", [row_of](L loop) { return row_of(loop, false); })
+      .row("last_row", "last row of the loop in the file", [row_of](L loop) { return row_of(loop, true); })
       .group("loading", "rows of the loading; null without one", leg_fields(), leg_of(&FrictionLoop::loading))
       .group("unloading", "rows of the unloading; null without one", leg_fields(), leg_of(&FrictionLoop::unloading))
       .estimate("contact", kind::length, "stage position of the contact", part(&FrictionLoop::contact))
       .group(
-          "corners", "of the loop in friction over length; null where it has none", corners_fields(),
+          "corners", "corners of the loop of friction over length; null if it has none", corners_fields(),
           [](L loop) -> const auto& { return loop.loop(); })
-      .number("stick_advance", kind::length, "drawn in while it should stick, after the turn: 0 in the model",
+      .number("stick_advance", kind::length,
+              "length pulled in after the turn, while the specimen should stick: 0 in the model",
               part(&FrictionLoop::stick_advance))
-      .count("places", "at which the directions are compared", part(&FrictionLoop::places))
+      .count("places", "number of places at which the directions are compared", part(&FrictionLoop::places))
       .only_where([](L loop) { return loop.loop().places > 0; })
-      .estimate("mu_in", kind::number, "friction sliding in, mean over the places", part(&FrictionLoop::mu_in))
-      .estimate("mu_out", kind::number, "friction sliding out, likewise", part(&FrictionLoop::mu_out))
-      .estimate("mean_difference", kind::number, "of the two, after EI and contact were chosen so that they agree",
+      .estimate("mu_in", kind::number, "mean friction while sliding in, over the places", part(&FrictionLoop::mu_in))
+      .estimate("mu_out", kind::number, "mean friction while sliding out, over the places", part(&FrictionLoop::mu_out))
+      .estimate("mean_difference", kind::number,
+                "mean difference between the two directions, after EI and contact were chosen so that they agree",
                 part(&FrictionLoop::mean_difference))
-      .estimate("rms_difference", kind::number, "of the two from place to place", part(&FrictionLoop::rms_difference))
-      .group("correlation", "of the bumps of friction in the two directions", correlation_fields(),
+      .estimate("rms_difference", kind::number,
+                "root mean square difference between the two directions from place to place",
+                part(&FrictionLoop::rms_difference))
+      .group("correlation", "correlation of the bumps of friction in the two directions", correlation_fields(),
              part(&FrictionLoop::correlation))
       .anywhere()
       .group(
-          "energy", "work at the supports' side, past the deflection at which friction shows", loop_energy_fields(),
+          "energy", "work on the specimen, beyond the deflection at which friction shows", loop_energy_fields(),
           [](L loop) -> const auto& { return loop.energy(); })
-      .number("replay_rms", "residuals of one profile for all loops run forward, of the greatest force",
+      .number("replay_rms", "rms residual of one profile for all loops, run forward, as a share of the greatest force",
               [](L loop) {
                 const auto& rms = loop.test.cycles->replay.residual_rms;
                 return loop.i < rms.size() ? std::optional(rms[loop.i]) : std::nullopt;
               })
-      .list("profile", "friction along the specimen as both directions support it",
-            place_fields().number("mu_error", "its standard error", &LoopPlace::error),
+      .list("profile", "friction along the specimen, supported by both directions",
+            place_fields().number("mu_error", "standard error of mu", &LoopPlace::error),
             [](L loop) { return places_of(loop.loop().table, loop.loop().error); });
 }
 
@@ -140,47 +147,52 @@ Fields<LoadingStiffness> loading_fields() {
   };
   return Fields<LoadingStiffness>()
       .words("status",
-             "ok, reference (the first), or why it is not compared: loaded_too_little, window_not_covered, "
+             "whether the loading is compared: ok, reference (the first), or why not: loaded_too_little, "
+             "window_not_covered, "
              "too_few_points, not_rising, still_drawn_in, no_reference",
              [is_reference](S loading) {
                if (is_reference(loading)) return std::string_view("reference");
                return name_of(loading.status);
              })
       .only_where([](S loading) { return loading.status == LoadingStatus::ok; })
-      .own_numbers("rows", kind::number, "first and last row of the file in the window",
+      .own_numbers("rows", kind::number, "first and last row of the window in the file",
                    [](S loading, const Frame& frame) {
                      return std::vector{frame.row(loading.first), frame.row(loading.last - 1)};
                    })
-      .own_estimate("slope", kind::stiffness, "force over deflection in the window, its error from scatter",
+      .own_estimate("slope", kind::stiffness, "slope of force over deflection in the window; its error from scatter",
                     &LoadingStiffness::slope)
       .only_where([is_reference](S loading) { return loading.status == LoadingStatus::ok && !is_reference(loading); })
-      .own_estimate("ratio", kind::number, "to the slope of the first loading, its error from scatter",
+      .own_estimate("ratio", kind::number, "slope divided by that of the first loading; its error from scatter",
                     &LoadingStiffness::ratio)
-      .number("ratio_systematic", "half the difference of the ratios in the lower and in the upper half of the window",
+      .number("ratio_systematic",
+              "half the difference between the ratios in the lower and the upper half of the window",
               &LoadingStiffness::ratio_systematic)
-      .words("verdict", "damaged, not_damaged or undecided", [](S loading) { return name_of(loading.verdict); });
+      .words("verdict", "whether the specimen lost stiffness: damaged, not_damaged or undecided",
+             [](S loading) { return name_of(loading.verdict); });
 }
 
 Fields<CyclicPoint> point_fields() {
   return Fields<CyclicPoint>()
       .row("row", "row of the file", &CyclicPoint::index)
-      .number("length", kind::length, "drawn in, and the span", &CyclicPoint::S)
-      .number("q", "mobilised friction: μ sliding in, −μ sliding out, within these when stuck", &CyclicPoint::q)
-      .number("q_error", "its standard error: noise, EI and contact", &CyclicPoint::standard_error)
-      .words("motion", "slip_in, slip_out or stick", [](const CyclicPoint& point) {
+      .number("length", kind::length, "length between the supports: the span and what was pulled in", &CyclicPoint::S)
+      .number("q", "mobilised friction: μ while sliding in, −μ while sliding out, in between while stuck",
+              &CyclicPoint::q)
+      .number("q_error", "standard error of q from noise, EI and contact", &CyclicPoint::standard_error)
+      .words("motion", "how the specimen moves: slip_in, slip_out or stick", [](const CyclicPoint& point) {
         return name_in_order<LegMotion::stuck>(point.motion, {"slip_in", "slip_out", "stick"});
       });
 }
 
 Fields<BuildUpLength> build_up_fields() {
   return Fields<BuildUpLength>()
-      .number("value", kind::length, "length of sliding, both sides together",
+      .number("value", kind::length, "build-up length of friction, in length of sliding over both supports",
               [](const BuildUpLength& build_up) { return build_up.length.value; })
-      .number("standard_error", kind::length, "from reversal to reversal; null of a single one",
+      .number("standard_error", kind::length,
+              "standard error from the scatter between reversals; null for a single one",
               [](const BuildUpLength& build_up) { return build_up.length.standard_error; })
-      .number("least", kind::length, "least that could be told", &BuildUpLength::least)
-      .count("reversals", "that it is read off", &BuildUpLength::reversals)
-      .yes_no("told", "it is told from none", &BuildUpLength::is_told);
+      .number("least", kind::length, "smallest build-up length that could be detected", &BuildUpLength::least)
+      .count("reversals", "number of reversals used", &BuildUpLength::reversals)
+      .yes_no("told", "the build-up length differs significantly from zero", &BuildUpLength::is_told);
 }
 
 const CyclicFriction& friction_of(T test) { return test.cycles->friction; }
@@ -223,38 +235,43 @@ Fields<FittedTest> cycles_fields() {
                      .in_inches = is_in_inches(test.measurement.test),
                      .row = [&test](std::size_t point) { return cyclic_row(test, point); }};
       })
-      .words("status", "ok, no_mirror (no part of the specimen slid both ways), too_few_points or not_converged",
+      .words("status",
+             "whether the loops were evaluated: ok, no_mirror (no part of the specimen slid both ways), too_few_points "
+             "or not_converged",
              [](T test) { return name_of(friction_of(test).status); })
       .only_where(is_measurable)
       .estimate("bending_stiffness", kind::bending_stiffness,
                 "EI at which friction is the same in loading and unloading", stiffness_of,
-                Fields<FittedTest>().number("relative_to_nominal", "over that stated, or of the initial slope",
+                Fields<FittedTest>().number("relative_to_nominal",
+                                            "value divided by the stated EI, or by that of the initial slope",
                                             [](T test) { return stiffness_of(test).value; }))
       .only_where(is_mirrored)
       .estimate("asymmetry", kind::number,
-                "friction sliding in less that sliding out, left free beside EI and contacts",
+                "friction while sliding in minus friction while sliding out, fitted beside EI and contacts",
                 [](T test) { return friction_of(test).asymmetry; })
-      .group("correlation", "of the bumps of friction in the two directions, of all loops together",
+      .group("correlation", "correlation of the bumps of friction in the two directions, over all loops",
              correlation_fields(), [](T test) { return friction_of(test).correlation; })
-      .number("mu_in", "friction sliding in, mean over the places of all loops",
+      .number("mu_in", "mean friction while sliding in, over the places of all loops",
               [](T test) { return direction_means(friction_of(test)).in; })
-      .number("mu_out", "friction sliding out, likewise", [](T test) { return direction_means(friction_of(test)).out; })
-      .number("rms_difference", "of the two from place to place",
+      .number("mu_out", "mean friction while sliding out, over the places of all loops",
+              [](T test) { return direction_means(friction_of(test)).out; })
+      .number("rms_difference", "root mean square difference between the two directions from place to place",
               [](T test) { return direction_means(friction_of(test)).rms_difference; })
-      .yes_no("beyond_friction", "asymmetry is larger than friction itself, and told from none: an error of the model",
+      .yes_no("beyond_friction",
+              "asymmetry is significant and larger than friction itself, which is an error of the model",
               [](T test) { return is_beyond_friction(friction_of(test)); })
       .anywhere()
-      .group("build_up_length", "over which friction builds up after a reversal (Dahl); null where no reversal is seen",
+      .group("build_up_length", "length over which friction builds up after a reversal (Dahl); null without a reversal",
              build_up_fields(), [](T test) { return test.cycles->build_up; })
       .only_where(is_measurable)
       .number("force_noise", kind::force, "standard deviation of one force reading",
               [](T test) { return friction_of(test).force_noise; })
       .anywhere()
-      .list("loops", "each loading with the unloading after it", loop_fields(), loops_of)
+      .list("loops", "loops: each loading with the unloading that follows", loop_fields(), loops_of)
       .list(
-          "loading_stiffness", "of each loading, against the first", loading_fields(),
+          "loading_stiffness", "stiffness of each loading compared with the first", loading_fields(),
           [](T test) -> const auto& { return test.cycles->stiffness; })
-      .list("profile", "friction along the specimen, of all loops", place_fields(),
+      .list("profile", "friction along the specimen, from all loops", place_fields(),
             [if_measurable](T test) { return if_measurable(test, places_of(friction_of(test).table)); })
       .list("points", "mobilised friction, point by point", point_fields(),
             [if_measurable](T test) { return if_measurable(test, friction_of(test).points); });

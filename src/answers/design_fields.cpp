@@ -23,25 +23,26 @@ std::vector<ToldChange> changes_of(const ToldDesign& told) {
 Fields<ToldChange> change_fields() {
   using C = const ToldChange&;
   return Fields<ToldChange>()
-      .words("parameter", "that changes, the others as they are",
+      .words("parameter", "parameter that changes, while the others stay",
              [](C c) { return described(c.change.parameter).name; })
-      .own("from", kind::number, "its value, in the unit of the parameter", [](C c) { return c.change.from; })
-      .own("to", kind::number, "its value then, likewise", [](C c) { return c.change.to; })
-      .yes_no("and_beyond", "it stays so however far beyond", [](C c) { return c.change.and_beyond; })
-      .number("largest_drop_share", "largest drop then, of the greatest force",
+      .own("from", kind::number, "present value, in the unit of the parameter", [](C c) { return c.change.from; })
+      .own("to", kind::number, "changed value, in the unit of the parameter", [](C c) { return c.change.to; })
+      .yes_no("and_beyond", "the changed answer holds however far beyond", [](C c) { return c.change.and_beyond; })
+      .number("largest_drop_share", "largest drop after the change, as a share of the greatest force",
               [](C c) { return c.change.outcome.largest_drop / c.change.outcome.greatest_force; })
       .words("words", "the change in a sentence", [](C c) { return c.words; });
 }
 
 Fields<PhaseStudy> phase_fields() {
   return Fields<PhaseStudy>()
-      .count("count", "phases of the waves of friction that were tried", &PhaseStudy::phases)
-      .count("snapping", "of them, those with which the specimen snaps", &PhaseStudy::snapping)
-      .number("least_largest_drop", kind::force, "least of the largest drops, one for each phase",
+      .count("count", "number of phases of the waves of friction that were tried", &PhaseStudy::phases)
+      .count("snapping", "number of phases with which the specimen snaps", &PhaseStudy::snapping)
+      .number("least_largest_drop", kind::force, "smallest of the largest drops, one for each phase",
               &PhaseStudy::least_drop)
-      .number("greatest_largest_drop", kind::force, "greatest of them", &PhaseStudy::largest_drop)
-      .number("critical_stiffness", kind::stiffness, "stiffness from which it snaps with none of them",
-              &PhaseStudy::critical);
+      .number("greatest_largest_drop", kind::force, "greatest of the largest drops, one for each phase",
+              &PhaseStudy::largest_drop)
+      .number("critical_stiffness", kind::stiffness,
+              "stiffness at and above which the specimen snaps with none of the phases", &PhaseStudy::critical);
 }
 
 // Those that the case has, each in its unit.
@@ -62,7 +63,8 @@ DesignResult outcome_told(const ToldDesign& told) {
 }
 
 constexpr std::string_view statuses =
-    "ok, slipped_through or breaks (the outcomes are those up to there), impossible or not_computable";
+    "whether the design was computed: ok, slipped_through or breaks (the outcomes are those up to there), "
+    "impossible or not_computable";
 
 }  // namespace
 
@@ -75,22 +77,24 @@ Fields<ToldDesign> design_fields() {
       .all_of(outcome_fields(), outcome_told)
       .yes_no("wraps_nose", "the specimen is bent more sharply than the nose",
               [](const ToldDesign& told) { return told.answer.wraps_nose; })
-      .number("friction_share", "of the work that went into friction and snaps",
+      .number("friction_share", "share of the work that goes into friction and snaps",
               [](const ToldDesign& told) { return friction_share(told.answer.outcome); })
       .words("answer", "whether the test shows a sawtooth, in a sentence",
              [](const ToldDesign& told) { return told.words; })
       .number("critical_stiffness", kind::stiffness,
-              "stiffness at and above which this loading meets no snap; null if it snaps on every rig, 0 if on none",
+              "smallest stiffness at and above which this loading meets no snap; null if it snaps on every rig, 0 if "
+              "on none",
               [](const ToldDesign& told) { return told.answer.critical; })
-      .number("pin_limit", "friction at which the rollers turn on their pins, the most that acts; null of others",
+      .number("pin_limit",
+              "greatest friction that can act, at which the rollers turn on their pins; null for other supports",
               [](const ToldDesign& told) { return told.answer.input.pin_limit(); })
-      .yes_no("snaps_whatever_the_stiffness", "even where the deflection itself is controlled",
+      .yes_no("snaps_whatever_the_stiffness", "the specimen snaps even if the deflection itself is controlled",
               [](const ToldDesign& told) { return told.answer.critical > 0 && !std::isfinite(told.answer.critical); })
-      .group("phases", "what the phase of the friction decides; null where it decides nothing", phase_fields(),
+      .group("phases", "what the phase of the friction decides; null if it decides nothing", phase_fields(),
              [](const ToldDesign& told) { return told.answer.phases; })
-      .list("changes", "with which the answer is the other one", change_fields(), changes_of)
-      .group("parameters", "of the design, in their units; null where infinite", changed_parameter_fields())
-      .group("units", "of plain numbers", units_of_numbers<ToldDesign>());
+      .list("changes", "single changes that reverse the answer", change_fields(), changes_of)
+      .group("parameters", "parameters of the design, in their units; null if infinite", changed_parameter_fields())
+      .group("units", "units of plain numbers", units_of_numbers<ToldDesign>());
 }
 
 Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes) {
@@ -103,15 +107,15 @@ Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes) {
   return fields.words("status", statuses, [](P point) { return word_of(point.result.status); })
       .all_of(outcome_fields(), &MapPoint::result)
       .number("stiffness_margin",
-              "ln of the stiffness over the critical one, within ±3: above 0 the specimen does not snap",
+              "ln of the ratio of stiffness to critical stiffness, within ±3: above 0 the specimen does not snap",
               [](P point) { return point.result.outcome ? std::optional(point.margin) : std::nullopt; });
 }
 
 Fields<DesignMap> design_map_fields(const std::vector<DesignAxis>& axes) {
   return Fields<DesignMap>()
-      .group("units", "of plain numbers", units_of_numbers<DesignMap>())
+      .group("units", "units of plain numbers", units_of_numbers<DesignMap>())
       .list(
-          "designs", "one for each combination of values", map_fields(axes),
+          "designs", "designs, one for each combination of values", map_fields(axes),
           [](const DesignMap& map) -> const auto& { return map.points; });
 }
 

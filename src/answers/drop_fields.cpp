@@ -14,64 +14,71 @@ using T = const FittedTest&;
 Fields<Slip> slip_fields() {
   return Fields<Slip>()
       .row("row_before", "row of the file before the slip", [](const Slip& slip) { return slip.drop.before; })
-      .row("row_after", "row of the file after it", [](const Slip& slip) { return slip.drop.after; })
-      .number("length_before", kind::length, "drawn in before it, and the span", &Slip::S_before)
-      .number("length_after", kind::length, "drawn in after it, and the span", &Slip::S_after)
-      .number("mu_before", "friction before it", &Slip::mu_before)
-      .number("mu_after", "friction after it", &Slip::mu_after);
+      .row("row_after", "row of the file after the slip", [](const Slip& slip) { return slip.drop.after; })
+      .number("length_before", kind::length,
+              "length between the supports before the slip: the span and what was pulled in", &Slip::S_before)
+      .number("length_after", kind::length,
+              "length between the supports after the slip: the span and what was pulled in", &Slip::S_after)
+      .number("mu_before", "friction before the slip", &Slip::mu_before)
+      .number("mu_after", "friction after the slip", &Slip::mu_after);
 }
 
 Fields<RiseExplanation> rise_fields() {
   return Fields<RiseExplanation>()
-      .number("bic", "Bayes' information criterion", &RiseExplanation::bic)
-      .number("friction", "mean friction", &RiseExplanation::friction)
-      .number("stiffness_left", "bending stiffness after the last drop over that before the first",
+      .number("bic", "Bayesian information criterion of the explanation", &RiseExplanation::bic)
+      .number("friction", "mean friction of the explanation", &RiseExplanation::friction)
+      .number("stiffness_left", "bending stiffness after the last drop divided by that before the first",
               &RiseExplanation::left);
 }
 
 Fields<Tooth> tooth_fields() {
   return Fields<Tooth>()
-      .row("first_row", "first row of the file of the rise", &Tooth::first)
-      .row("last_row", "its last row", [](const Tooth& tooth) { return tooth.last - 1; })
-      .number("length_before", kind::length, "drawn in where it begins, and the span", &Tooth::S_begin)
-      .number("length_after", kind::length, "drawn in where it ends, and the span", &Tooth::S_end)
-      .number("q_before", "mobilised friction where it begins", &Tooth::q_begin)
-      .number("q_after", "mobilised friction where it ends", &Tooth::q_end)
-      .estimate("slope", kind::stiffness, "force over stage position, mean of the rise", &Tooth::slope)
-      .number("stick_slope", kind::stiffness, "likewise, of a specimen that is stuck", &Tooth::stick_slope)
-      .number("slide_slope", kind::stiffness, "likewise, of one that slides at constant friction", &Tooth::slide_slope)
+      .row("first_row", "first row of the rise in the file", &Tooth::first)
+      .row("last_row", "last row of the rise in the file", [](const Tooth& tooth) { return tooth.last - 1; })
+      .number("length_before", kind::length, "length between the supports where the rise begins", &Tooth::S_begin)
+      .number("length_after", kind::length, "length between the supports where the rise ends", &Tooth::S_end)
+      .number("q_before", "mobilised friction where the rise begins", &Tooth::q_begin)
+      .number("q_after", "mobilised friction where the rise ends", &Tooth::q_end)
+      .estimate("slope", kind::stiffness, "mean slope of force over stage position in the rise", &Tooth::slope)
+      .number("stick_slope", kind::stiffness, "slope of force over stage position for a specimen that sticks",
+              &Tooth::stick_slope)
+      .number("slide_slope", kind::stiffness,
+              "slope of force over stage position for a specimen that slides at constant friction", &Tooth::slide_slope)
       .estimate("position", kind::number,
-                "p: 1 where the slope is that of sticking, 0 where it is that of sliding; its error from scatter",
+                "position p of the slope between sliding (0) and sticking (1); its error from scatter",
                 &Tooth::position)
-      .number("position_systematic", "its error from EI, contact and load train, common to all rises",
+      .number("position_systematic", "error of position from EI, contact and load train, common to all rises",
               &Tooth::position_systematic)
-      .estimate("advance", kind::length, "length drawn in over the rise", &Tooth::advance)
-      .words("verdict", "sliding, as_if_stuck or undecided", [](const Tooth& tooth) { return name_of(tooth.verdict); })
-      .number("compliant_position", "p of a stuck specimen on supports that give way as fitted",
+      .estimate("advance", kind::length, "length pulled in (both supports) during the rise", &Tooth::advance)
+      .words("verdict", "what the specimen does during the rise: sliding, as_if_stuck or undecided",
+             [](const Tooth& tooth) { return name_of(tooth.verdict); })
+      .number("compliant_position", "position p of a stuck specimen on supports that yield as fitted",
               &Tooth::compliant_position)
-      .number("compliant_deviation", "of the position from that, in standard errors", &Tooth::compliant_deviation)
-      .yes_no("compliant_rejected", "that is too much: it slides all the same", &Tooth::compliant_rejected);
+      .number("compliant_deviation", "position minus compliant_position, in standard errors",
+              &Tooth::compliant_deviation)
+      .yes_no("compliant_rejected", "the deviation is too large: the specimen slides even on such supports",
+              &Tooth::compliant_rejected);
 }
 
 Fields<SupportCompliance> compliance_fields() {
   return Fields<SupportCompliance>()
       .words(
-          "status", "ok, too_few_teeth or none_fits",
+          "status", "whether a compliance was found: ok, too_few_teeth or none_fits",
           [](const SupportCompliance& compliance) {
             return name_in_order<ComplianceStatus::none_fits>(compliance.status, {"ok", "too_few_teeth", "none_fits"});
           })
       .only_where([](const SupportCompliance& compliance) { return compliance.status == ComplianceStatus::ok; })
-      .number("value", kind::compliance, "of both supports together, if the specimen were stuck",
+      .number("value", kind::compliance, "compliance of both supports together, if the specimen were stuck",
               [](const SupportCompliance& compliance) { return compliance.estimate.value; })
-      .number("standard_error", kind::compliance, "of value, from scatter",
+      .number("standard_error", kind::compliance, "standard error of value, from scatter",
               [](const SupportCompliance& compliance) { return compliance.estimate.standard_error; })
       .number("systematic", kind::compliance, "error of value from EI, contact and load train",
               &SupportCompliance::systematic)
-      .words("unit", "of these",
+      .words("unit", "unit of value and its errors",
              [](const SupportCompliance&, const Frame& frame) { return unit_of(kind::compliance, frame.reduced); })
-      .number("chi_squared", "of the slopes about it", &SupportCompliance::chi_squared)
-      .count("freedom", "degrees of freedom", &SupportCompliance::freedom)
-      .number("p_value", "probability of so large a chi_squared of a specimen that is stuck",
+      .number("chi_squared", "chi-squared of the slopes about the compliance", &SupportCompliance::chi_squared)
+      .count("freedom", "degrees of freedom of chi_squared", &SupportCompliance::freedom)
+      .number("p_value", "probability of a chi_squared at least this large for a stuck specimen",
               &SupportCompliance::p_value);
 }
 
@@ -87,26 +94,25 @@ Fields<DropOf> drop_fields() {
   };
   return Fields<DropOf>()
       .row("row_before", "row of the file before the drop", [](D drop) { return drop.slip.drop.before; })
-      .row("row_after", "row of the file after it", [](D drop) { return drop.slip.drop.after; })
-      .own("stage", kind::length, "stage position before it", before(&Record::stage))
-      .own("deflection_before", kind::length, "deflection before it", before(&Record::deflection))
-      .own("deflection_after", kind::length, "deflection after it", after(&Record::deflection))
-      .own("force_before", kind::force, "force before it", before(&Record::force))
-      .own("force_after", kind::force, "force after it", after(&Record::force))
-      .own("force_fall", kind::force, "by which the force falls", [](D drop) { return drop.slip.drop.force_fall; })
-      .number("significance", "fall beyond that of the smooth curve, in standard deviations of the noise",
+      .row("row_after", "row of the file after the drop", [](D drop) { return drop.slip.drop.after; })
+      .own("stage", kind::length, "stage position before the drop", before(&Record::stage))
+      .own("deflection_before", kind::length, "deflection before the drop", before(&Record::deflection))
+      .own("deflection_after", kind::length, "deflection after the drop", after(&Record::deflection))
+      .own("force_before", kind::force, "force before the drop", before(&Record::force))
+      .own("force_after", kind::force, "force after the drop", after(&Record::force))
+      .own("force_fall", kind::force, "fall of the force in the drop", [](D drop) { return drop.slip.drop.force_fall; })
+      .number("significance", "fall of the force beyond that of the smooth curve, in standard deviations of the noise",
               [](D drop) { return drop.slip.drop.significance; })
-      .number("false_alarms", "drops as significant to be expected in a test of this length without slips",
+      .number("false_alarms", "number of equally significant drops expected in a test of this length without slips",
               [](D drop) { return drop.slip.drop.false_alarms; })
       .words("slip",
-             "whether it can be a slip: possible, too_short to judge, or why not: unexplained by any friction, "
-             "implausible "
-             "friction before, negative friction after, moves_out",
+             "whether the drop can be a slip: possible; too_short to judge; or not, as unexplained by any friction, "
+             "implausible friction before, negative friction after, or moves_out (length let out)",
              [](D drop) { return name_of(drop.slip.verdict); })
-      .estimate("pulled_in", kind::length, "length that it draws in over both supports, if it is a slip",
+      .estimate("pulled_in", kind::length, "length pulled in (both supports) if the drop is a slip",
                 [](D drop) { return normal_estimate(drop.slip.S_after - drop.slip.S_before, drop.slip.advance_error); })
-      .number("mu_before", "friction before it, if it is a slip", [](D drop) { return drop.slip.mu_before; })
-      .number("mu_after", "friction after it, likewise", [](D drop) { return drop.slip.mu_after; });
+      .number("mu_before", "friction before the drop, if it is a slip", [](D drop) { return drop.slip.mu_before; })
+      .number("mu_after", "friction after the drop, if it is a slip", [](D drop) { return drop.slip.mu_after; });
 }
 
 Fields<TestAnalysis> slips_fields() {
@@ -114,13 +120,15 @@ Fields<TestAnalysis> slips_fields() {
     return [part](const TestAnalysis& analysis) { return analysis.slip_summary.*part; };
   };
   return Fields<TestAnalysis>()
-      .count("count", "drops that slips can explain", summary(&SlipSummary::count))
+      .count("count", "number of drops that can be slips", summary(&SlipSummary::count))
       .number("median_spacing", kind::length,
-              "of the specimen that passes over a support from the beginning of a slip to that of the next, median",
+              "median length of specimen that passes over each support from the beginning of one slip to the next",
               summary(&SlipSummary::median_spacing))
-      .number("mean_spacing", kind::length, "likewise, mean", summary(&SlipSummary::mean_spacing))
-      .number("median_fall_of_mu", "by which friction falls in a slip, median", summary(&SlipSummary::median_fall))
-      .list("slips", "those drops", slip_fields(), [](const TestAnalysis& analysis) {
+      .number("mean_spacing", kind::length,
+              "mean length of specimen that passes over each support from one slip to the next",
+              summary(&SlipSummary::mean_spacing))
+      .number("median_fall_of_mu", "median fall of friction in a slip", summary(&SlipSummary::median_fall))
+      .list("slips", "drops that can be slips", slip_fields(), [](const TestAnalysis& analysis) {
         std::vector<Slip> possible;
         for (const Slip& slip : analysis.slips)
           if (slip.verdict == SlipVerdict::possible) possible.push_back(slip);
@@ -131,17 +139,20 @@ Fields<TestAnalysis> slips_fields() {
 Fields<SlipOrCrack> slip_or_crack_fields() {
   const Fields<RiseExplanation> rise = rise_fields();
   return Fields<SlipOrCrack>()
-      .words("verdict", "not_by_cracks_alone, cracks or cannot_be_told",
+      .words("verdict", "whether cracks alone can make the drops: not_by_cracks_alone, cracks or cannot_be_told",
              [](const SlipOrCrack& judged) { return name_of(judged.verdict); })
-      .number("margin", "D*: BIC of the best of the cracks less that of the best of the slips", &SlipOrCrack::margin)
-      .number("margin_arrested", "D: likewise, without cracks that run on within a rise", &SlipOrCrack::margin_arrested)
-      .count("rises", "between the drops that are judged", &SlipOrCrack::rises)
-      .count("stiffer_rises", "of these, those that grow stiffer towards their end", &SlipOrCrack::stiffer_rises)
-      .group("cracks", "cracks that are arrested, friction free", rise, &SlipOrCrack::cracks)
-      .group("cracks_constant", "likewise, friction constant", rise, &SlipOrCrack::cracks_constant)
-      .group("cracks_running", "cracks that run on within a rise", rise, &SlipOrCrack::cracks_running)
-      .group("slip", "slips alone", rise, &SlipOrCrack::slip)
-      .group("slip_and_cracks", "both", rise, &SlipOrCrack::slip_and_cracks);
+      .number("margin", "D*: BIC of the best explanation by cracks minus BIC of the best by slips",
+              &SlipOrCrack::margin)
+      .number("margin_arrested", "D: like margin, without cracks that grow during a rise",
+              &SlipOrCrack::margin_arrested)
+      .count("rises", "number of rises between drops that are judged", &SlipOrCrack::rises)
+      .count("stiffer_rises", "number of judged rises that grow stiffer towards their end", &SlipOrCrack::stiffer_rises)
+      .group("cracks", "explanation by cracks that arrest, friction free to vary", rise, &SlipOrCrack::cracks)
+      .group("cracks_constant", "explanation by cracks that arrest, friction constant", rise,
+             &SlipOrCrack::cracks_constant)
+      .group("cracks_running", "explanation by cracks that grow during a rise", rise, &SlipOrCrack::cracks_running)
+      .group("slip", "explanation by slips alone", rise, &SlipOrCrack::slip)
+      .group("slip_and_cracks", "explanation by slips and cracks", rise, &SlipOrCrack::slip_and_cracks);
 }
 
 Fields<FittedTest> teeth_fields() {
@@ -152,19 +163,21 @@ Fields<FittedTest> teeth_fields() {
     };
   };
   return Fields<FittedTest>()
-      .number("confidence", "of each verdict, one-sided", [](T) { return tooth_confidence; })
-      .number("least_share", "of the stage's motion drawn in, below which a specimen is called stuck",
+      .number("confidence", "one-sided confidence of each verdict", [](T) { return tooth_confidence; })
+      .number("least_share", "share of the stage's motion that is pulled in, below which the specimen is called stuck",
               [](T test) { return test.provenance.options.teeth.least_share; })
       .group(
-          "compliance", "of supports that give way", compliance_fields(),
-          [](T test) -> const auto& { return test.analysis.teeth->compliance; })
-      .count("sliding", "rises that reject that the specimen is stuck", count(ToothVerdict::sliding))
-      .count("as_if_stuck", "rises as steep as if it were stuck", count(ToothVerdict::as_if_stuck))
-      .count("undecided", "rises that tell neither", count(ToothVerdict::undecided))
-      .count("too_short", "rises of fewer than four rows", [](T test) { return test.analysis.teeth->too_short; })
-      .count("unexplained", "rises whose middle no friction explains",
+          "compliance", "compliance of the supports that would explain the slopes of a stuck specimen",
+          compliance_fields(), [](T test) -> const auto& { return test.analysis.teeth->compliance; })
+      .count("sliding", "number of rises in which the specimen slides", count(ToothVerdict::sliding))
+      .count("as_if_stuck", "number of rises that cannot be distinguished from sticking",
+             count(ToothVerdict::as_if_stuck))
+      .count("undecided", "number of rises that remain undecided", count(ToothVerdict::undecided))
+      .count("too_short", "number of rises with fewer than four rows",
+             [](T test) { return test.analysis.teeth->too_short; })
+      .count("unexplained", "number of rises whose middle no friction explains",
              [](T test) { return test.analysis.teeth->unexplained; })
-      .list("teeth", "the rises between drops", tooth_fields(), [](T test) { return test.analysis.teeth->teeth; });
+      .list("teeth", "rises between drops", tooth_fields(), [](T test) { return test.analysis.teeth->teeth; });
 }
 
 std::vector<SuspectPoint> suspects_of(T test) {
@@ -186,19 +199,23 @@ Fields<SuspectPoint> suspect_fields() {
   };
   return Fields<SuspectPoint>()
       .row("row", "row of the file", &SuspectPoint::index)
-      .number("length", kind::length, "drawn in, and the span", read(&ProfilePoint::S))
-      .number("mu", "friction that it needs", read(&ProfilePoint::mu))
-      .number("mu_error", "its standard error", read(standard_error));
+      .number("length", kind::length, "length between the supports: the span and what was pulled in",
+              read(&ProfilePoint::S))
+      .number("mu", "friction that the point needs", read(&ProfilePoint::mu))
+      .number("mu_error", "standard error of mu", read(standard_error));
 }
 
 Fields<SuspectReport> suspect_criteria_fields() {
   return Fields<SuspectReport>()
-      .number("limit", "friction above it is implausible", &SuspectReport::limit)
-      .count("points_judged", "past a deflection of a tenth of the span", &SuspectReport::points_judged)
-      .count("points_above_limit", "of these", [](const SuspectReport& report) { return report.points.size(); })
-      .count("points_above_limit_beyond_error", "of these by more than 1.96 standard errors",
-             &SuspectReport::beyond_error)
-      .count("points_above_euler_bernoulli", "points past there with a force above 48 EI w/L³: the paper's criterion",
+      .number("limit", "limit above which friction is implausible", &SuspectReport::limit)
+      .count("points_judged", "number of points judged, at deflections beyond a tenth of the span",
+             &SuspectReport::points_judged)
+      .count("points_above_limit", "number of judged points above the limit",
+             [](const SuspectReport& report) { return report.points.size(); })
+      .count("points_above_limit_beyond_error",
+             "number of judged points above the limit by more than 1.96 standard errors", &SuspectReport::beyond_error)
+      .count("points_above_euler_bernoulli",
+             "number of judged points with a force above 48 EI w/L³, the criterion of the paper",
              &SuspectReport::above_euler_bernoulli);
 }
 

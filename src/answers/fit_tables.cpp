@@ -16,12 +16,12 @@ Fields<BandPlace> draw_fields(std::span<const std::string> names) {
   using P = const BandPlace&;
   Fields<BandPlace> fields;
   fields
-      .number("length", kind::length, "between the contacts",
+      .number("length", kind::length, "length between the contacts",
               [](P p) { return p.fit->between_contacts(p.fit->band.S[p.i]); })
-      .number("mu", "mean of the fit", [](P p) { return p.fit->mean.mu[p.i]; })
-      .number("deviation", "its standard deviation", [](P p) { return p.fit->band.deviation[p.i]; });
+      .number("mu", "friction, mean of the fit", [](P p) { return p.fit->mean.mu[p.i]; })
+      .number("deviation", "standard deviation of friction", [](P p) { return p.fit->band.deviation[p.i]; });
   for (std::size_t k = 0; k < names.size(); ++k)  // all over the lengths of the band
-    fields.number(names[k], "a profile drawn from the fit", [k](P p) { return p.fit->draws[k].mu[p.i]; });
+    fields.number(names[k], "friction of a profile drawn from the fit", [k](P p) { return p.fit->draws[k].mu[p.i]; });
   return fields;
 }
 
@@ -49,10 +49,10 @@ Fields<CurvePoint> curve_fields() {
               there([](const TestAnalysis& a) -> const auto& { return a.fit.force; }))
       .number("replay_force", kind::force, "force of the measured profile, run forward as a table",
               there([](const TestAnalysis& a) -> const auto& { return a.replay.force; }))
-      .number("length", kind::length, "between the contacts", read(&ProfilePoint::length))
+      .number("length", kind::length, "length between the contacts", read(&ProfilePoint::length))
       .titled("S")
-      .number("mu", "friction read there", read(&ProfilePoint::mu))
-      .number("mu_error", "its standard error", read(standard_error));
+      .number("mu", "friction read off at this row", read(&ProfilePoint::mu))
+      .number("mu_error", "standard error of mu", read(standard_error));
 }
 
 void write_curves(const std::string& path, const FittedTest& test) {

@@ -20,7 +20,7 @@ Fields<WaveEstimate> wave_fields() {
       .estimate(parameter::amplitude, &WaveEstimate::amplitude)
       .estimate(parameter::wavelength, &WaveEstimate::wavelength)
       .estimate(parameter::phase, &WaveEstimate::phase)
-      .estimate("phase_at_middle", kind::angle, "of that wave, at the reference", &WaveEstimate::phase_at_middle);
+      .estimate("phase_at_middle", kind::angle, "phase of the wave at the reference", &WaveEstimate::phase_at_middle);
 }
 
 }  // namespace
@@ -33,10 +33,12 @@ Fields<FittedTest> parameter_fields() {
     };
   };
   Fields<WaveEstimate> second;
-  second.estimate("amplitude_2", kind::number, "of the second wave, relative to mu0", &WaveEstimate::amplitude)
-      .estimate("wavelength_2", kind::length, "of the second wave, along the specimen", &WaveEstimate::wavelength)
-      .estimate("phase_2", kind::angle, "of the second wave, at the length 0", &WaveEstimate::phase)
-      .estimate("phase_at_middle_2", kind::angle, "of the second wave, at the reference",
+  second
+      .estimate("amplitude_2", kind::number, "amplitude of the second wave, relative to mu0", &WaveEstimate::amplitude)
+      .estimate("wavelength_2", kind::length, "wavelength of the second wave, along the specimen",
+                &WaveEstimate::wavelength)
+      .estimate("phase_2", kind::angle, "phase of the second wave at the length 0", &WaveEstimate::phase)
+      .estimate("phase_at_middle_2", kind::angle, "phase of the second wave at the reference",
                 &WaveEstimate::phase_at_middle);
   return Fields<FittedTest>()
       .left_out_where_missing()
@@ -47,7 +49,7 @@ Fields<FittedTest> parameter_fields() {
       .all_of(second, wave(1))
       .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model != ProfileModel::constant; })
       .estimate("drift", kind::inverse_length, "slope of friction along the specimen", of_fit(&FrictionFit::drift))
-      .estimate("force_noise", kind::force, "standard deviation of a force reading, by the fit",
+      .estimate("force_noise", kind::force, "standard deviation of a force reading, from the fit",
                 of_fit(&FrictionFit::noise))
       .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model == ProfileModel::roughness; })
       .estimate(parameter::roughness, of_fit(&FrictionFit::roughness))
@@ -55,19 +57,19 @@ Fields<FittedTest> parameter_fields() {
       .only_where(is_fitted)
       .estimate(parameter::bending_stiffness, of_fit(&FrictionFit::bending_stiffness))
       .estimate("reference", kind::length,
-                "length between the contacts where phase_at_middle, and mu0 with drift and wave, hold",
+                "length between the contacts to which phase_at_middle refers, and mu0 if there is a drift or a wave",
                 [](T test) { return normal_estimate(test.analysis.fit.S_middle, 0); })
       .anywhere()
-      .own_estimate("contact_offset", kind::length, "stage position of the contact in the file, taken off", [](T test) {
-        return normal_estimate(test.measurement.contact_offset, test.measurement.contact_error);
-      });
+      .own_estimate(
+          "contact_offset", kind::length, "stage position of the contact in the file, which is subtracted",
+          [](T test) { return normal_estimate(test.measurement.contact_offset, test.measurement.contact_error); });
 }
 
 Fields<FittedTest> likeliest_wave_fields() {
   return Fields<FittedTest>()
-      .yes_no("claimed", "by the evidence, and shorter than a quarter of the fibre seen",
+      .yes_no("claimed", "the evidence supports the wave, and it is shorter than a quarter of the specimen seen",
               of_fit(&FrictionFit::wave_claimed))
-      .number("log_evidence", "ln of the evidence with a wave over that without",
+      .number("log_evidence", "ln of the ratio of the evidence with and without a wave",
               of_fit(&FrictionFit::log_evidence_of_wave))
       .all_of(
           wave_fields(), [](T test) -> const auto& { return test.analysis.fit.waves.front(); });
@@ -75,32 +77,35 @@ Fields<FittedTest> likeliest_wave_fields() {
 
 Fields<Explanation> explanation_fields() {
   return Fields<Explanation>()
-      .words("kernel", "of the roughness: exponential, matern_3_2, matern_5_2 or none",
+      .words("kernel", "kernel of the roughness: exponential, matern_3_2, matern_5_2 or none",
              [](const Explanation& each) { return name_of(each.kernel); })
-      .numbers("wavelengths", kind::length, "of its waves", [](const Explanation& each) { return each.wavelengths; })
-      .number("weight", "of all; they add up to 1", &Explanation::weight)
-      .number("log_evidence", "ln of its evidence", &Explanation::log_evidence)
-      .number("log_likelihood", "ln of its likelihood where its posterior is greatest", &Explanation::log_likelihood);
+      .numbers("wavelengths", kind::length, "wavelengths of the waves in the explanation",
+               [](const Explanation& each) { return each.wavelengths; })
+      .number("weight", "weight of the explanation; all weights add up to 1", &Explanation::weight)
+      .number("log_evidence", "ln of the evidence of the explanation", &Explanation::log_evidence)
+      .number("log_likelihood", "ln of the likelihood of the explanation at the maximum of its posterior",
+              &Explanation::log_likelihood);
 }
 
 // All of the fit that is made of the bands along the fibre.
 Fields<FittedTest> band_fields() {
   return Fields<FittedTest>()
-      .numbers("length", kind::length, "between the contacts",
+      .numbers("length", kind::length, "length between the contacts",
                [](T test) {
                  std::vector<double> lengths;
                  for (const double S : test.analysis.fit.band.S)
                    lengths.push_back(test.analysis.fit.between_contacts(S));
                  return lengths;
                })
-      .numbers("drawn_in", kind::length, "length drawn in over both supports",
+      .numbers("drawn_in", kind::length, "length pulled in (both supports)",
                [](T test) {
                  std::vector<double> lengths;
                  for (const double S : test.analysis.fit.band.S) lengths.push_back(S - 1);
                  return lengths;
                })
-      .own_numbers("mean", kind::number, "friction there", [](T test) { return test.analysis.fit.band.mean; })
-      .own_numbers("deviation", kind::number, "its standard deviation",
+      .own_numbers("mean", kind::number, "mean friction at this length",
+                   [](T test) { return test.analysis.fit.band.mean; })
+      .own_numbers("deviation", kind::number, "standard deviation of friction at this length",
                    [](T test) { return test.analysis.fit.band.deviation; });
 }
 
@@ -128,16 +133,16 @@ std::string_view remedy_of(const Check& check) {
 Fields<Check> check_fields() {
   Fields<Check> fields;
   fields
-      .words("name", "residuals, drops, whiteness, nesting, friction, stability or stiffness",
+      .words("name", "name of the check: residuals, drops, whiteness, nesting, friction, stability or stiffness",
              [](const Check& check) { return name_of(check.kind); })
-      .yes_no("passed", "null where it is not possible",
+      .yes_no("passed", "whether the check passed; null if it was not possible",
               [](const Check& check) {
                 return check.outcome == CheckOutcome::not_possible
                            ? std::nullopt
                            : std::optional(check.outcome == CheckOutcome::passed);
               })
       .left_out_where_missing()
-      .words("remedy", "what to do where it failed", [](const Check& check) {
+      .words("remedy", "what to do if the check failed", [](const Check& check) {
         const std::string_view remedy = remedy_of(check);
         return remedy.empty() ? std::nullopt : std::optional(remedy);
       });
@@ -147,24 +152,28 @@ Fields<Check> check_fields() {
     std::string_view meaning;
   };
   for (const auto& [name, kind, meaning] :
-       {Number{"residual_rms", kind::force, "by which the mean of the fit, run forward, misses the force"},
+       {Number{"residual_rms", kind::force,
+               "root mean square difference between the force and the mean of the fit run forward"},
         Number{"greatest_force", kind::force, "greatest force measured"},
-        Number{"threshold", kind::force, "smallest drop that is counted"},
-        Number{"record", kind::number, "drops of the record"},
-        Number{"draws_low", kind::number, "fewest drops of a profile drawn from the fit"},
-        Number{"draws_median", kind::number, "drops of such profiles, median"},
-        Number{"draws_high", kind::number, "most drops of such a profile"},
-        Number{"record_fall", kind::force, "mean fall in the drops of the record"},
-        Number{"draws_fall", kind::force, "mean fall in the drops of such profiles"},
-        Number{"ljung_box", kind::number, "Ljung and Box's statistic of what the fit leaves"},
-        Number{"lags", kind::number, "readings over which it is taken"},
-        Number{"p_value", kind::number, "probability of as much from noise alone"},
-        Number{"most_below", kind::number, "greatest ln L by which the explanation lies below one that it contains"},
+        Number{"threshold", kind::force, "smallest fall that counts as a drop"},
+        Number{"record", kind::number, "number of drops in the record"},
+        Number{"draws_low", kind::number, "fewest drops with a profile drawn from the fit"},
+        Number{"draws_median", kind::number, "median number of drops with profiles drawn from the fit"},
+        Number{"draws_high", kind::number, "most drops with a profile drawn from the fit"},
+        Number{"record_fall", kind::force, "mean fall of the force in the drops of the record"},
+        Number{"draws_fall", kind::force, "mean fall of the force in the drops with profiles drawn from the fit"},
+        Number{"ljung_box", kind::number, "Ljung-Box statistic of the residuals"},
+        Number{"lags", kind::number, "number of lags in the Ljung-Box statistic"},
+        Number{"p_value", kind::number, "probability of a value at least this large from noise alone"},
+        Number{"most_below", kind::number,
+               "largest amount by which ln L of an explanation lies below that of one that it contains"},
         Number{"mu0_high", kind::number, "upper end of the 95 % interval of mu0"},
-        Number{"mu0_moved", kind::number, "standard errors that mu0 moves by as the force changes in its ninth digit"},
-        Number{"same_explanation", kind::number, "1 if the likeliest explanation stays then, else 0"},
-        Number{"fitted_over_nominal", kind::number, "bending stiffness of the fit over the nominal one"},
-        Number{"errors", kind::number, "of the nominal one, by which they differ"}})
+        Number{"mu0_moved", kind::number,
+               "shift of mu0, in standard errors, when the force changes in its ninth digit"},
+        Number{"same_explanation", kind::number,
+               "1 if the likeliest explanation stays when the force changes in its ninth digit, else 0"},
+        Number{"fitted_over_nominal", kind::number, "bending stiffness of the fit divided by the nominal one"},
+        Number{"errors", kind::number, "difference between the two bending stiffnesses, in errors of the nominal one"}})
     fields.number(name, kind, meaning, [name = name](const Check& check) {
       const auto found = std::find_if(check.numbers.begin(), check.numbers.end(),
                                       [&](const CheckNumber& number) { return number.name == name; });

@@ -17,15 +17,18 @@ Fields<FittedTest> likeliest_wave_fields();
 // The parameters that a campaign tells of each of its tests, too.
 namespace parameter {
 
-inline constexpr Named mu0{"mu0", kind::number, "mean friction over the fibre seen"};
+inline constexpr Named mu0{"mu0", kind::number, "mean friction over the specimen seen"};
 inline constexpr Named roughness{"roughness", kind::number, "standard deviation of friction about its mean"};
-inline constexpr Named correlation_length{"correlation_length", kind::length, "of the roughness along the specimen"};
-inline constexpr Named amplitude{"amplitude", kind::number, "of the likeliest wave of friction, relative to mu0"};
-inline constexpr Named wavelength{"wavelength", kind::length, "of that wave, along the specimen"};
-inline constexpr Named phase{"phase", kind::angle, "of that wave, at the length 0"};
+inline constexpr Named correlation_length{"correlation_length", kind::length,
+                                          "correlation length of friction along the specimen"};
+inline constexpr Named amplitude{"amplitude", kind::number,
+                                 "amplitude of the likeliest wave of friction, relative to mu0"};
+inline constexpr Named wavelength{"wavelength", kind::length,
+                                  "wavelength of the likeliest wave of friction, along the specimen"};
+inline constexpr Named phase{"phase", kind::angle, "phase of the likeliest wave of friction at the length 0"};
 inline constexpr Named bending_stiffness{"bending_stiffness", kind::bending_stiffness, "EI of the fit"};
 inline constexpr std::string_view bound =
-    "the record does not tell it from 0: the upper end of its interval is a limit";
+    "mu0 cannot be distinguished from 0, and the upper end of its interval is a limit";
 
 }  // namespace parameter
 

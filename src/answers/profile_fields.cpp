@@ -24,42 +24,45 @@ Fields<ReadPoint> profile_fields() {
       .titled("w")
       .own("force", kind::force, "force measured", measured(&Record::force))
       .titled("F")
-      .number("length", kind::length, "of the specimen's axis between the contacts", [](P p) { return p.point.length; })
+      .number("length", kind::length, "length of the specimen's axis between the contacts",
+              [](P p) { return p.point.length; })
       .titled("S")
-      .number("drawn_in", kind::length, "length drawn in over both supports", [](P p) { return p.point.S - 1; })
-      .number("imaged", kind::length, "of the axis between the verticals through the supports, as a camera sees it",
+      .number("drawn_in", kind::length, "length pulled in (both supports)", [](P p) { return p.point.S - 1; })
+      .number("imaged", kind::length,
+              "length of the axis between the verticals through the supports, as a camera sees it",
               [](P p) { return p.point.imaged; })
-      .number("position", kind::length, "of the support along the specimen, from midspan",
+      .number("position", kind::length, "position of the support along the specimen, from midspan",
               [](P p) { return 0.5 * p.point.length; })
       .number("mu", "mobilised friction: the coefficient of friction while the specimen slides",
               [](P p) { return p.point.mu; })
-      .number("mu_error", "its standard error", [](P p) { return standard_error(p.point); })
-      .number("mu_error_force", "the part of it from the noise of the force", [](P p) { return p.point.from_force; })
-      .number("mu_error_bending_stiffness", "the part of it from EI, which moves all points together",
+      .number("mu_error", "standard error of mu", [](P p) { return standard_error(p.point); })
+      .number("mu_error_force", "part of mu_error from the noise of the force", [](P p) { return p.point.from_force; })
+      .number("mu_error_bending_stiffness", "part of mu_error from EI, which moves all points together",
               [](P p) { return p.point.from_bending_stiffness; })
-      .number("mu_error_contact", "the part of it from the contact point, likewise",
+      .number("mu_error_contact", "part of mu_error from the contact point, which moves all points together",
               [](P p) { return p.point.from_contact; });
 }
 
 Fields<ReadTest> read_test_fields() {
   using T = const ReadTest&;
   return Fields<ReadTest>()
-      .words("status", "ok, or nothing_explained",
+      .words("status", "whether friction was read off: ok, or nothing_explained",
              [](T test) { return test.profile.points.empty() ? "nothing_explained" : "ok"; })
-      .group("units", "of plain numbers", units_of_numbers<ReadTest>())
+      .group("units", "units of plain numbers", units_of_numbers<ReadTest>())
       .group(
-          "bending_stiffness", "as used",
+          "bending_stiffness", "bending stiffness used",
           Fields<BendingStiffnessUsed>()
               .own("value", kind::bending_stiffness, "EI", &BendingStiffnessUsed::value)
-              .number("relative_error", "its standard deviation", &BendingStiffnessUsed::relative_error)
-              .words("source", "stated, stated_without_uncertainty, initial_slope or mirror_symmetry",
+              .number("relative_error", "relative standard deviation of EI", &BendingStiffnessUsed::relative_error)
+              .words("source",
+                     "where EI comes from: stated, stated_without_uncertainty, initial_slope or mirror_symmetry",
                      [](const BendingStiffnessUsed& used) { return name_of(used.source); }),
           [](T test) -> const auto& { return test.stiffness; })
-      .own("contact_offset", kind::length, "taken off stage and deflection",
+      .own("contact_offset", kind::length, "displacement of the contact, subtracted from stage and deflection",
            [](T test) { return test.measurement.contact_offset; })
       .own("force_noise", kind::force, "standard deviation of one force reading",
            [](T test) { return test.measurement.force_noise; })
-      .count("last_row", "of the file that is evaluated",
+      .count("last_row", "last row of the file that is evaluated",
              [](T test) { return last_file_row(test.measurement, test.measurement.record.force.size() - 1); })
       .list("profile", "friction along the specimen, point by point", profile_fields(),
             [](T test) { return points_of(test.measurement.record, test.profile); })

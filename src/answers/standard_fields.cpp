@@ -15,29 +15,33 @@ std::optional<Estimate> with_error_of_slope(const std::optional<double>& value, 
 
 Fields<Chord> chord_fields() {
   return Fields<Chord>()
-      .own_numbers("strain", kind::number, "flexural strains between which it is drawn",
+      .own_numbers("strain", kind::number, "flexural strains between which the chord is drawn",
                    [](const Chord&) {
                      return std::vector{0.0005, 0.0025};
                    })
-      .own_numbers("deflection", kind::length, "deflections there, from the origin",
+      .own_numbers("deflection", kind::length, "deflections at the ends of the chord, from the origin",
                    [](const Chord& chord) {
                      return std::vector{chord.deflection_from, chord.deflection_to};
                    })
-      .own_estimate("stiffness", kind::stiffness, "force over deflection between them", &Chord::stiffness)
-      .own_estimate("modulus", kind::pressure, "flexural modulus of the chord, as ISO 178 has it",
+      .own_estimate("stiffness", kind::stiffness, "force over deflection between the ends of the chord",
+                    &Chord::stiffness)
+      .own_estimate("modulus", kind::pressure, "flexural modulus of the chord, as defined by ISO 178",
                     [](const Chord& chord) { return with_error_of_slope(chord.modulus, chord.stiffness); });
 }
 
 Fields<StandardTest> window_fields() {
   return Fields<StandardTest>()
-      .number("from", "where the straight part begins, in shares of of_force",
+      .number("from", "beginning of the straight part, as a share of of_force",
               [](const StandardTest& t) { return t.numbers.window.from; })
-      .number("up_to", "where it ends, likewise", [](const StandardTest& t) { return t.numbers.window.up_to; })
+      .number("up_to", "end of the straight part, as a share of of_force",
+              [](const StandardTest& t) { return t.numbers.window.up_to; })
       .own("of_force", kind::force, "greatest force reached at a small deflection",
            [](const StandardTest& t) { return t.numbers.window_force; })
-      .own_numbers("rows", kind::number, "first and last row of the file in it", [](const StandardTest& t) {
-        return std::vector{file_row(t.measurement, t.numbers.first), last_file_row(t.measurement, t.numbers.last - 1)};
-      });
+      .own_numbers("rows", kind::number, "first and last row of the straight part in the file",
+                   [](const StandardTest& t) {
+                     return std::vector{file_row(t.measurement, t.numbers.first),
+                                        last_file_row(t.measurement, t.numbers.last - 1)};
+                   });
 }
 
 // The unit of a kind that needs no factor; "1" for plain numbers.
@@ -90,7 +94,7 @@ std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
 Fields<StandardTest> standard_fields() {
   const auto ok = [](const StandardTest& t) { return t.numbers.status == SmallDeflectionStatus::ok; };
   return Fields<StandardTest>()
-      .words("status", "ok, or no_straight_part: no number is there then",
+      .words("status", "whether there are numbers: ok, or no_straight_part",
              [ok](const StandardTest& t) { return ok(t) ? "ok" : "no_straight_part"; })
       .only_where(ok)
       .own_estimate("stiffness", kind::stiffness, "force over deflection, slope of the straight part",
@@ -100,29 +104,30 @@ Fields<StandardTest> standard_fields() {
           [](const StandardTest& t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
       .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
                     [](const StandardTest& t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
-      .group("chord", "of ISO 178; null where the record does not cover both strains", chord_fields(),
+      .group("chord", "chord of ISO 178; null if the record does not cover both strains", chord_fields(),
              [](const StandardTest& t) { return t.numbers.chord; })
-      .group("window", "the straight part", window_fields())
+      .group("window", "straight part of the curve", window_fields())
       .own_quantity("origin", kind::length, "deflection at which the straight part would meet zero force",
                     [](const StandardTest& t) { return t.numbers.origin; })
       .own_quantity("greatest_force", kind::force, "greatest force",
                     [](const StandardTest& t) { return t.numbers.greatest_force; })
-      .own_quantity("deflection", kind::length, "deflection there, from the origin",
+      .own_quantity("deflection", kind::length, "deflection at the greatest force, from the origin",
                     [](const StandardTest& t) { return t.numbers.deflection; })
-      .own_quantity("stress", kind::pressure, "flexural stress there, F L depth/(8 I)",
+      .own_quantity("stress", kind::pressure, "flexural stress at the greatest force, F L depth/(8 I)",
                     [](const StandardTest& t) { return t.numbers.stress; })
-      .own_quantity("strain", kind::number, "flexural strain there, 6 δ depth/L²",
+      .own_quantity("strain", kind::number, "flexural strain at the greatest force, 6 δ depth/L²",
                     [](const StandardTest& t) { return t.numbers.strain; })
-      .yes_no("deflection_large", "it is beyond a tenth of the span: stress and strain of the standards do not hold",
+      .yes_no("deflection_large",
+              "the deflection exceeds a tenth of the span, so stress and strain of the standards do not hold",
               [](const StandardTest& t) { return t.numbers.deflection_large; })
       .number("supports_share",
-              "what rollers and thickness, left out, add to the stiffness between the deflections of chord or straight "
-              "part, without friction",
+              "share that rollers and thickness, which are neglected, add to the stiffness between the deflections of "
+              "chord or straight part, without friction",
               &StandardTest::supports_share)
       .own_estimate("modulus_less_supports", kind::pressure,
-                    "modulus of the chord, or else of the straight part, less that",
+                    "modulus of the chord, or else of the straight part, without that share",
                     [](const StandardTest& t) { return modulus_less_supports(t); })
-      .number("shear_share", "what shear, left out, adds to a small deflection",
+      .number("shear_share", "share that shear, which is neglected, adds to a small deflection",
               [](const StandardTest& t) { return t.numbers.shear_share; });
 }
 
@@ -130,31 +135,33 @@ Fields<PreparationStep> preparation_fields() {
   using S = const PreparationStep&;
   return Fields<PreparationStep>()
       .words("step",
-             "columns, metadata, first, repeated, held, interpolated, sign, thinning, zero, compliance, end, turn, "
+             "name of the step: columns, metadata, first, repeated, held, interpolated, sign, thinning, zero, "
+             "compliance, end, turn, "
              "stage or contact",
              [](S step) { return step.name; })
-      .yes_no("changed", "numbers are not as in the file, or rows are left out", [](S step) { return step.changed; })
+      .yes_no("changed", "numbers differ from those in the file, or rows are left out",
+              [](S step) { return step.changed; })
       .words("done", "what was done, in words", [](S step) { return step.done; })
-      .own("value", kind::number, "taken off, applied or found",
+      .own("value", kind::number, "value that was subtracted, applied or found",
            [](S step) { return step.value ? std::optional(step.value->value) : std::nullopt; })
-      .own("uncertainty", kind::number, "its standard deviation, where it is known",
+      .own("uncertainty", kind::number, "standard deviation of value, if it is known",
            [](S step) { return step.value ? step.value->error : std::nullopt; })
-      .words("unit", "of both",
+      .words("unit", "unit of value and uncertainty",
              [](S step) { return step.value ? std::optional(si_unit(step.value->kind)) : std::nullopt; })
-      .own_numbers("rows", kind::number, "first and last row of the file that it is about; null: all",
+      .own_numbers("rows", kind::number, "first and last row of the file that the step concerns; null for all",
                    [](S step) {
                      return step.rows ? std::optional(std::vector{step.rows->first, step.rows->last}) : std::nullopt;
                    })
-      .words("key", "what to write into the case for having it otherwise",
+      .words("key", "what to write into the case to have the step done otherwise",
              [](S step) { return step.otherwise ? std::optional(step.otherwise->in_case()) : std::nullopt; })
-      .words("flag", "the flag that says the same",
+      .words("flag", "flag of the command line that has the step done otherwise",
              [](S step) { return step.otherwise ? std::optional(step.otherwise->flag()) : std::nullopt; });
 }
 
 Fields<StandardTest> modulus_fields() {
   Fields<StandardTest> fields = standard_fields();
   return fields.anywhere().list(
-      "preparation", "from the file to the record, step by step", preparation_fields(),
+      "preparation", "steps from the file to the record", preparation_fields(),
       [](const StandardTest& t) -> const auto& { return t.measurement.preparation.steps; });
 }
 

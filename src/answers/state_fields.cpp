@@ -18,7 +18,7 @@ Fields<EdgeState> edge_state_fields(bool slopes) {
       .number("theta0", "slope at the supports, in radians", of(&FibreState::theta0))
       .number("Pn", "normal force at one support, over EI/L²", of(&FibreState::Pn))
       .number("U", "bending energy, over EI/L", of(&FibreState::U))
-      .number("curvature", "at midspan, times L", of(curvature_at_midspan));
+      .number("curvature", "curvature at midspan, times L", of(curvature_at_midspan));
   if (slopes)
     fields.number("w_S", "derivative of w with respect to S", slope(&FibreSlopes::w_S))
         .number("w_q", "derivative of w with respect to q", slope(&FibreSlopes::w_q))
@@ -42,10 +42,11 @@ Fields<RollerState> roller_state_fields() {
       .number("theta0", "slope at the contacts, in radians", of(&SupportedState::theta0))
       .number("Pn", "normal force at one support, over EI/L²", of(&SupportedState::Pn))
       .number("U", "bending energy, over EI/L", of(&SupportedState::U))
-      .number("curvature", "at midspan, times L", of(&SupportedState::curvature))
-      .number("length", "of the axis between the contacts, over L", of(&SupportedState::length))
-      .number("slid", "past the contacts along the surface, over L", of(&SupportedState::slid))
-      .number("imaged", "of the axis between the verticals through the supports, over L", of(&SupportedState::imaged));
+      .number("curvature", "curvature at midspan, times L", of(&SupportedState::curvature))
+      .number("length", "length of the axis between the contacts, over L", of(&SupportedState::length))
+      .number("slid", "length that has slid past the contacts along the surface, over L", of(&SupportedState::slid))
+      .number("imaged", "length of the axis between the verticals through the supports, over L",
+              of(&SupportedState::imaged));
 }
 
 Fields<InvertedState> inverted_fields() {

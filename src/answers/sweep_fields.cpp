@@ -9,19 +9,19 @@ namespace {
 Fields<ToldSweep> count_fields() {
   Fields<ToldSweep> fields;
   for (std::size_t i = 0; i < result_status_words.size(); ++i)
-    fields.count(result_status_words[i], "designs with this status",
+    fields.count(result_status_words[i], "number of designs with this status",
                  [i](const ToldSweep& told) { return told.counts[i]; });
   return fields;
 }
 
 Fields<ToldFault> fault_fields() {
   return Fields<ToldFault>()
-      .words("file", "where the part should be, or what is damaged", &ToldFault::file)
-      .own_numbers("rows", kind::number, "first and last of the sweep in it",
+      .words("file", "file of the part that is missing or damaged", &ToldFault::file)
+      .own_numbers("rows", kind::number, "first and last row of the sweep in the part",
                    [](const ToldFault& fault) {
                      return std::vector{fault.first_row, fault.last_row};
                    })
-      .words("state", "missing or damaged", &ToldFault::state);
+      .words("state", "state of the part: missing or damaged", &ToldFault::state);
 }
 
 }  // namespace
@@ -41,16 +41,17 @@ Fields<ToldSweep> sweep_fields() {
     return [part](const ToldSweep& told) { return told.shard ? std::optional((*told.shard).*part) : std::nullopt; };
   };
   return Fields<ToldSweep>()
-      .words("status", "done, or incomplete: parts are missing or damaged", &ToldSweep::status)
-      .words("file", "that holds the sweep; null of a shard", &ToldSweep::file)
-      .count("rows", "designs of the sweep; null where that is not known", &ToldSweep::rows)
-      .group("counts", "of them by status; null where they were not counted now", count_fields(),
+      .words("status", "whether the sweep is complete: done, or incomplete (parts are missing or damaged)",
+             &ToldSweep::status)
+      .words("file", "file that holds the sweep; null for a shard", &ToldSweep::file)
+      .count("rows", "number of designs of the sweep; null if unknown", &ToldSweep::rows)
+      .group("counts", "number of designs by status; null if they were not counted now", count_fields(),
              [](const ToldSweep& told) { return told.counts.empty() ? nullptr : &told; })
       .list("faults", "parts that are missing or damaged", fault_fields(), &ToldSweep::faults)
-      .words("parts", "folder of a shard", of_shard(&ToldShard::parts))
-      .own_numbers("shard", kind::number, "which of how many", of_shard(&ToldShard::shard))
-      .count("rows_found", "designs of the shard that were there already", of_shard(&ToldShard::rows_found))
-      .count("rows_computed", "designs of the shard computed now", of_shard(&ToldShard::rows_computed));
+      .words("parts", "folder of the parts of a shard", of_shard(&ToldShard::parts))
+      .own_numbers("shard", kind::number, "index of the shard and number of shards", of_shard(&ToldShard::shard))
+      .count("rows_found", "number of designs of the shard that were already there", of_shard(&ToldShard::rows_found))
+      .count("rows_computed", "number of designs of the shard computed now", of_shard(&ToldShard::rows_computed));
 }
 
 }  // namespace flexslip

@@ -157,7 +157,7 @@ void say(toml::table& table, const TableKey& key, const std::string& cell) {
 Case checked(Case input) {
   if (!input.record) throw missing(input, "record");
   if (input.reduced)
-    throw wrong_value(input, "reduced", "a test in physical units, as its campaign is", "a reduced one",
+    throw wrong_value(input, "reduced", "a test in physical units, as in every campaign", "a reduced one",
                       "give the span and the bending stiffness");
   return input;
 }
@@ -171,7 +171,9 @@ InputError in_row(const InputError& error, const TextTable& table, const TextRow
   fault.line = row.line;
   for (const auto& key : keys)
     if (fault.key == fmt::format("{}.{}", key.section, key.key)) fault.field = "column " + in_quotes(key.title);
-  if (fault.kind == FaultKind::missing) fault.expected = "it in the table, or in a case file passed as --common";
+  if (fault.kind == FaultKind::missing)
+    fault.remedy = fmt::format("{} to the case file passed as --common, or a column to the table",
+                               fault.remedy.empty() ? "add it" : fault.remedy);
   return InputError(fault);
 }
 
@@ -181,7 +183,7 @@ InputError unknown_column(const TableKey& key, const TextTable& table) {
     if (each.section == key.section || section_of(each.name) == each.section) known.emplace_back(each.name);
   const std::string meant = nearest(key.key, known);
   return InputError({table.source, table.header_line, "column " + in_quotes(key.title),
-                     "name, or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span "
+                     "'name', or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span "
                      "[um]', 'diameter [um]', 'stiffness', 'modulus', 'until', 'rig.span', ...",
                      "an unknown key",
                      meant.empty() ? "put # before the title of a column that is not meant for FlexSlip"
@@ -319,9 +321,10 @@ std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optio
            .expected =
                common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra, .xlsx)" : "case files (.toml) with a [record]",
            .found = "none",
-           .remedy = common ? ""
-                            : "write one for each test, pass what all data files of the folder have in common "
-                              "as --common CASE, or give a table with a row for each test"});
+           .remedy = common
+                         ? ""
+                         : "write one for each test, or pass a case file with what all data files of the folder have "
+                           "in common as --common CASE, or pass a table with a row for each test"});
   } else {
     tests = plan_of_table(path, shared, changes);
   }

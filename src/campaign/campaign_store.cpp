@@ -155,7 +155,7 @@ CampaignTest test_from(const Json& json) {
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 [[noreturn]] void refuse(const fs::path& path, const std::error_code& error) {
-  throw InputError({.file = path.string(), .expected = "a folder that can be written to", .found = error.message()});
+  throw unwritable(path.string(), error.message());
 }
 
 }  // namespace

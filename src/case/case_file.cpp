@@ -92,11 +92,11 @@ void note_lines(const toml::node& node, const std::string& key, Case& input) {
 Section read_tube(const Keys& keys, double diameter) {
   const bool has_wall = keys.has("wall");
   if (has_wall && keys.has("inner_diameter"))
-    keys.refuse("wall", "either the inner diameter of a tube or its wall", "both", "delete one");
+    keys.refuse("wall", "either the inner diameter or the wall of a tube", "both", "delete one");
   const double inner = has_wall ? diameter - 2 * keys.quantity("wall") : keys.quantity("inner_diameter");
   if (inner < diameter && inner > 0) return TubularSection{diameter, inner};
   keys.refuse(has_wall ? "wall" : "inner_diameter",
-              has_wall ? "a wall of less than half the diameter" : "an inner diameter less than the outer one",
+              has_wall ? "a wall thinner than half the diameter" : "an inner diameter below the outer one",
               kind_of_node(keys.need(has_wall ? "wall" : "inner_diameter")),
               has_wall ? "leave it out if the specimen is solid" : "check which of the two is which");
 }
@@ -106,7 +106,7 @@ std::optional<Section> read_section(const Keys& keys) {
   const bool is_round = keys.has("diameter") || is_tube;
   const bool is_rectangular = keys.has("width") || keys.has("height");
   if (is_round && is_rectangular)
-    keys.refuse("diameter", "either a diameter or a width and height", "both", "delete one");
+    keys.refuse("diameter", "either a diameter or width and height", "both", "delete one");
   if (is_round) {
     const double diameter = keys.quantity("diameter");
     return is_tube ? read_tube(keys, diameter) : RoundSection{diameter};
@@ -132,11 +132,11 @@ void read_what_it_bears(const Keys& keys, const Case& input, SpecimenInput& spec
   if (keys.has("strength") && keys.has("strain_at_break"))
     keys.refuse("strength", "either a strength or a strain_at_break", "both", "delete one");
   if (!specimen.section)
-    keys.refuse(name, "the section of the specimen beside it", "none",
-                "add diameter, or width and height: bending strains a specimen by its depth");
+    keys.refuse(name, "a section of the specimen beside it", "none",
+                "add diameter, or width and height: the strain depends on the depth");
   if (name == "strain_at_break") specimen.strain_at_break = keys.share("strain_at_break");
   if (name == "strength" && input.reduced)
-    keys.refuse("strength", "no strength in a reduced case", "one", "give strain_at_break instead");
+    keys.refuse("strength", "no strength in a reduced case", "", "give strain_at_break instead");
   if (name == "strength") specimen.strength = keys.quantity("strength");
 }
 
@@ -149,8 +149,8 @@ SpecimenInput read_specimen(const Keys& keys, const Case& input) {
   const bool has_product = keys.has("bending_stiffness");
   if (keys.has("modulus") && (has_product || input.reduced))
     keys.refuse("modulus", input.reduced ? "no modulus in a reduced case" : "either a modulus or a bending_stiffness",
-                input.reduced ? "one" : "both",
-                input.reduced ? "the bending stiffness is 1, or \"fit\"" : "delete one");
+                input.reduced ? "" : "both",
+                input.reduced ? "delete it: the bending stiffness is 1, or \"fit\"" : "delete one");
   if (has_product) {
     const StatedStiffness product = keys.estimate("bending_stiffness");
     const Known* known = std::get_if<Known>(&product);
@@ -176,7 +176,7 @@ void read_rollers(const Keys& keys, const Case& input, RigInput& rig) {
   rig.rollers = rollers == "pinned" ? Rollers::pinned : rollers == "loose" ? Rollers::loose : Rollers::fixed;
   for (const std::string_view of_pins : {"pin_radius", "pin_friction"}) {
     if (rig.rollers == Rollers::pinned && !keys.has(of_pins))
-      throw missing(input, fmt::format("rig.{}", of_pins), "it beside rollers = \"pinned\"",
+      throw missing(input, fmt::format("rig.{}", of_pins), "beside rollers = \"pinned\"",
                     fmt::format("add that of your rig, such as {} = {}", of_pins,
                                 of_pins == "pin_friction" ? "0.1" : written(0.2 * *rig.roller_radius)));
     if (rig.rollers != Rollers::pinned && keys.has(of_pins))
@@ -186,12 +186,12 @@ void read_rollers(const Keys& keys, const Case& input, RigInput& rig) {
   rig.pin_radius = keys.quantity("pin_radius");
   rig.pin_friction = keys.quantity("pin_friction");
   if (!(rig.pin_radius <= *rig.roller_radius))
-    keys.refuse("pin_radius", "no more than the radius of the roller",
-                fmt::format("{:g} of it", rig.pin_radius / *rig.roller_radius), "check their units");
+    keys.refuse("pin_radius", "at most the radius of the roller",
+                fmt::format("{:g} times that", rig.pin_radius / *rig.roller_radius), "check the units of both");
   if (!rig.pins_turn())
-    keys.refuse("pin_friction", "less than the radius of the roller over that of the pin",
-                fmt::format("{:g}", rig.pin_friction),
-                fmt::format("write less than {:.3g}, or a smaller pin_radius", *rig.roller_radius / rig.pin_radius));
+    keys.refuse(
+        "pin_friction", "less than the ratio of the radii of roller and pin", fmt::format("{:g}", rig.pin_friction),
+        fmt::format("write a value below {:.3g}, or a smaller pin_radius", *rig.roller_radius / rig.pin_radius));
 }
 
 RigInput read_rig(const Keys& keys, const Case& input) {
@@ -212,7 +212,7 @@ RigInput read_rig(const Keys& keys, const Case& input) {
     const bool has_no_depth = input.specimen && !input.specimen->section &&
                               std::holds_alternative<BendingStiffness>(input.specimen->rigidity);
     if (at == "surface" && has_no_depth)
-      keys.refuse("friction_at", "the section of the specimen beside \"surface\"", "none",
+      keys.refuse("friction_at", "a section of the specimen, as friction acts at its surface", "none",
                   "add diameter, or width and height, to [specimen], or write \"axis\"");
     rig.friction_at = at == "surface" ? FrictionAt::surface : FrictionAt::axis;
   }
@@ -225,7 +225,7 @@ TurningPoints read_turning_points(const Keys& keys) {
   const toml::node& node = keys.need("program");
   const toml::array* turns = node.as_array();
   if (!turns || turns->size() < 2)
-    keys.refuse("program", "at least two stage positions, where it starts and where it goes",
+    keys.refuse("program", "at least two stage positions, a start and an end",
                 turns ? std::to_string(turns->size()) : kind_of_node(node));
   TurningPoints stage{{}, keys.has("cycles") ? keys.whole_number("cycles") : 1, {}};
   for (std::size_t i = 0; i < turns->size(); ++i)
@@ -254,11 +254,11 @@ StageInput read_stage(const Keys& keys) {
   const bool is_measured = keys.has("file");
   for (const std::string_view other : {"program", "cycles", "step"})
     if (is_measured && keys.has(other))
-      keys.refuse(other, "either a program or the file of one", "both",
-                  other == "step" ? "the rows of the file are the steps" : "delete one");
+      keys.refuse(other, "either a program or a file with stage positions", "both",
+                  other == "step" ? "delete it: the rows of the file are the steps" : "delete one");
   for (const std::string_view other : {"stage", "time", "decimal"})
     if (!is_measured && keys.has(other))
-      keys.refuse(other, "it beside the file it is about", "no file", "add file = \"run.csv\"");
+      keys.refuse(other, "a file beside it, which it describes", "none", "add file = \"run.csv\", or delete it");
   if (is_measured)
     stage.programme =
         MeasuredProgramme{keys.path("file"), keys.column("stage"),
@@ -280,14 +280,14 @@ TableColumns read_table_columns(const Keys& keys) {
   if (keys.has("length")) columns.length = keys.column("length");
   if (columns.stage.has_value() + columns.deflection.has_value() + columns.force.has_value() != 2)
     keys.refuse("stage", "two of the columns stage, deflection and force", found.empty() ? "none" : found,
-                "the third follows from the rig's stiffness");
+                "the third follows from the stiffness of the rig");
   return columns;
 }
 
 ExportColumns read_export_columns(const Keys& keys, const Case& input) {
   if (input.reduced)
     keys.refuse("stage", "two of the columns stage, deflection and force, as the case is reduced", "none",
-                "an export of a testing machine is in physical units: delete reduced = true");
+                "delete reduced = true if the file is an export of a testing machine, in physical units");
   const auto text = [&](std::string_view name) {
     return keys.has(name) ? std::optional(keys.text(name)) : std::nullopt;
   };
@@ -338,14 +338,14 @@ RecordInput read_record(const Keys& keys, const Case& input) {
   const auto of_table = first_of(of_tables);
   const auto of_export = first_of(of_exports);
   if (of_table != of_tables.end() && of_export != of_exports.end())
-    keys.refuse(*of_export, "either titles of columns or what the displacement of an export is",
+    keys.refuse(*of_export, "either column titles or a description of an export",
                 fmt::format("both {} and {}", *of_table, *of_export), "delete one");
   const bool is_export = of_export != of_exports.end() || (of_table == of_tables.end() && !keys.has("force"));
   RecordInput record{.file = keys.path("file"), .columns = {}};
   if (keys.has("sheet")) record.sheet = keys.name_or_number("sheet");
   if (is_export && keys.has("length"))
-    keys.refuse("length", "the columns of stage or deflection and force named beside it",
-                "an export of a testing machine");
+    keys.refuse("length", "stage or deflection and force beside it, with the titles of their columns",
+                "none, as for the export of a testing machine");
   if (is_export)
     record.columns = read_export_columns(keys, input);
   else
@@ -369,13 +369,14 @@ void check_together(const Case& input) {
   if (input.specimen && input.specimen->section && input.rig && input.rig->span) {
     const double thickness = depth(*input.specimen->section);
     if (thickness >= *input.rig->span)
-      throw wrong_value(input, depth_key(*input.specimen->section),
-                        "a specimen thinner than the span, " + readable(*input.rig->span, kind_in(input, kind::length)),
-                        readable(thickness, kind_in(input, kind::length)), "check the units of both");
+      throw wrong_value(
+          input, depth_key(*input.specimen->section),
+          "a specimen thinner than the span of " + readable(*input.rig->span, kind_in(input, kind::length)),
+          readable(thickness, kind_in(input, kind::length)), "check the units of both");
   }
   if (columns && !columns->force && input.rig && input.rig->stiffness && std::isinf(*input.rig->stiffness))
-    throw wrong_value(input, "record", "a force column, since the rig is infinitely stiff", "stage and deflection",
-                      "these are then the same, and say nothing of the force");
+    throw wrong_value(input, "record", "a force column, as the rig is infinitely stiff", "stage and deflection",
+                      "on such a rig the two are the same and do not give the force");
 }
 
 }  // namespace
@@ -463,13 +464,14 @@ std::string depth_key(const Section& section) {
 }
 
 InputError missing(const Case& input, std::string_view key, std::string why, std::string remedy) {
-  InputError error = wrong_value(input, key, std::move(why), "nothing", std::move(remedy));
-  error.fault.kind = FaultKind::missing;
-  return error;
+  InputFault fault = wrong_value(input, key, "", "", std::move(remedy)).fault;
+  fault.kind = FaultKind::missing;
+  fault.problem = why.empty() ? "is missing" : fmt::format("is missing {}", why);
+  return InputError(std::move(fault));
 }
 
 InputError missing(const Case& input, std::string_view key) {
-  const auto fault = [&](std::string remedy) { return missing(input, key, "it in the file", std::move(remedy)); };
+  const auto fault = [&](std::string remedy) { return missing(input, key, "", std::move(remedy)); };
   for (const Example& example : examples) {
     const std::string_view text = input.reduced ? example.reduced : example.physical;
     if (example.key == key && !text.empty()) return fault(fmt::format("add {}", text));

@@ -66,7 +66,7 @@ std::string readable_length(const Case& input, double length);
 // The error to throw when a command needs what a case does not have: a section, "friction", or a key, "rig.stiffness".
 // The message shows an example of it.
 InputError missing(const Case& input, std::string_view key);
-// The same with why it is needed, "it in the file", and what to do.
+// The same with words that follow "is missing", "beside rollers = "pinned"", and what to do.
 InputError missing(const Case& input, std::string_view key, std::string why, std::string remedy);
 
 }  // namespace flexslip

@@ -53,7 +53,7 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
   measurement.preparation.steps.push_back(
       {.name = "contact",
        .changed = true,
-       .done = "displacements of the first loading count from the contact that the loops tell",
+       .done = "displacements of the first loading are counted from the contact that the loops determine",
        .value = PreparedValue{contact.value, contact.standard_error, kind},
        .rows =
            skipped > 0 ? std::optional(RowRange{1, cyclic_file_row(measurement, measurement.first) - 1}) : std::nullopt,
@@ -70,9 +70,10 @@ void require_same_world(const Case& input, const Record& record, double bending_
   if (ratio < farthest && ratio > 1 / farthest) return;
   const bool has_modulus = std::holds_alternative<Modulus>(input.specimen->rigidity);
   throw wrong_value(input, has_modulus ? "specimen.modulus" : "specimen.bending_stiffness",
-                    fmt::format("a bending stiffness within a factor of 1e15 of that of the record's initial slope, {}",
+                    fmt::format("a bending stiffness within a factor of 1e15 of the {} from the record's initial slope",
                                 readable(slope.value, kind_in(input, kind::bending_stiffness))),
-                    fmt::format("{:.1e} times as much", ratio), "check its unit, the section, and those of the record");
+                    fmt::format("{:.1e} times as much", ratio),
+                    "check its unit, the section, and the units of the record");
 }
 
 std::optional<Materials> materials_of(const Case& input) {
@@ -187,7 +188,7 @@ void hold_against(FittedTest& test, const std::string& trace, const TraceOptions
   if (!test.implied)
     throw InputError(
         {.file = file.source,
-         .expected = "a fit whose friction varies, to hold a surface against",
+         .expected = "a fit in which friction varies, to compare a surface with",
          .found = is_fitted(test) ? fmt::format("the model {}", name_of(test.analysis.fit.model)) : "no fit",
          .remedy = "leave --surface out, or fit with --model roughness"});
   const auto& waves = test.analysis.fit.waves;

@@ -39,7 +39,7 @@ std::vector<WaveInput> read_waves(const Keys& keys) {
     sum += waves.back().amplitude;
   }
   if (sum > 1)
-    keys.refuse("waves", "amplitudes of at most 1 in sum", fmt::format("{}", sum),
+    keys.refuse("waves", "amplitudes that add up to at most 1", fmt::format("{}", sum),
                 "they are relative to mu0, and friction cannot be negative");
   return waves;
 }
@@ -52,12 +52,12 @@ std::optional<double> read_reference(const Keys& keys) {
 }
 
 SurfaceFriction read_surface(const Keys& keys, double mu0) {
-  if (!(mu0 > 0)) keys.refuse("mu0", "friction above 0, of the flat surface", fmt::format("{:g}", mu0));
+  if (!(mu0 > 0)) keys.refuse("mu0", "a friction of the flat surface above 0", fmt::format("{:g}", mu0));
   SurfaceFriction surface{mu0, keys.path("trace")};
   if (keys.has("position")) surface.position = keys.text("position");
   if (keys.has("height")) surface.height = keys.text("height");
   if (keys.has("position") && keys.has("trace_step"))
-    keys.refuse("trace_step", "none beside position", "one", "delete it, or position");
+    keys.refuse("trace_step", "either a trace_step or a position", "both", "delete one");
   surface.trace_step = keys.optional_quantity("trace_step");
   surface.trace_begin = keys.optional_quantity("trace_begin");
   if (const auto direction = keys.optional_choice("direction", direction_names)) surface.direction = *direction;
@@ -114,7 +114,7 @@ FrictionModel read_known_model(const Keys& keys, const std::vector<std::string>&
   if (model != FrictionModel::roughness)
     all.insert(all.end(), further.begin(), further.end());
   else if (keys.has("other"))
-    keys.refuse("other", "no section [friction.other] beside a model that is fitted", "one",
+    keys.refuse("other", "no section [friction.other] beside a model to fit", "one",
                 "write a model to compute with into [friction], such as model = \"constant\" with mu0 = 0.5");
   keys.only(all);
   return model;
@@ -123,18 +123,17 @@ FrictionModel read_known_model(const Keys& keys, const std::vector<std::string>&
 OtherSupport read_other(const Keys& keys, const Case& input) {
   const toml::table* table = keys.need("other").as_table();
   if (!table)
-    keys.refuse("other", "a section [friction.other], of the other support", kind_of_node(keys.need("other")));
+    keys.refuse("other", "a section [friction.other] for the other support", kind_of_node(keys.need("other")));
   if (keys.has("static_excess") && keys.quantity("static_excess") > 0)
-    keys.refuse("static_excess", "the same friction at rest, on two supports that are not alike", "an excess",
+    keys.refuse("static_excess", "no excess of static friction, as the two supports differ", "one",
                 "delete it, or [friction.other]");
   const Keys side(*table, keys.key("other"), input);
   if (side.has("static_excess"))
-    side.refuse("static_excess", "the same friction at rest, on two supports that are not alike", "an excess",
-                "delete it");
+    side.refuse("static_excess", "no excess of static friction, as the two supports differ", "one", "delete it");
   const FrictionModel model = read_known_model(side, {});
   if (model == FrictionModel::roughness)
-    side.refuse("model", "a model to compute with", "'roughness', which is fitted",
-                "write the one to compute with, such as model = \"constant\"");
+    side.refuse("model", "a model to compute with", "'roughness', which can only be fitted",
+                "write a model to compute with, such as model = \"constant\"");
   return {model, read_profile(model, side)};
 }
 
@@ -150,7 +149,7 @@ FrictionInput read_friction(const Keys& keys, const Case& input) {
   if (keys.has("build_up_length")) friction.build_up_length = keys.quantity("build_up_length");
   for (const std::string_view beside : {"static_excess", "other"})
     if (friction.build_up_length > 0 && keys.has(beside))
-      keys.refuse("build_up_length", fmt::format("none beside {}", beside), "one",
+      keys.refuse("build_up_length", fmt::format("no build-up length beside {}", beside), "one",
                   fmt::format("delete it, or {}", beside));
   return friction;
 }

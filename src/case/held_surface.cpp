@@ -46,10 +46,10 @@ HeldSurface held_against(const ImpliedSurface& implied, const WaveEstimate* wave
   of_trace = averaged(of_trace, step);
   if (std::min(profile.value.size(), of_trace.value.size()) < fewest)
     throw InputError({.file = file.source,
-                      .expected = fmt::format("a trace that has {} slopes in common with the friction", fewest),
-                      .found = fmt::format("{} of {}, against {} of the friction", of_trace.value.size(),
+                      .expected = fmt::format("a trace that overlaps the friction by at least {} slopes", fewest),
+                      .found = fmt::format("{} slopes at steps of {}, and {} of the friction", of_trace.value.size(),
                                            readable(step, kind::length), profile.value.size()),
-                      .remedy = "a longer trace, or a finer one"});
+                      .remedy = "use a longer trace, or a finer one"});
   HeldSurface held{
       file.source, trace.step, trace.width(), study.pixel, study.texture, {}, placed(profile, of_trace), 0};
   if (wave) held.wave = study.resolution.front();

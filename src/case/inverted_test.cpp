@@ -39,14 +39,14 @@ InvertedTest invert_test(const Case& asked, const OtherSupports& other) {
   std::vector<std::string> remarks = assumptions_in_words(stiffness);
   const double most = rig.fibre.most_friction();
   if (!profile.unexplained.empty())
-    remarks.push_back(fmt::format("no friction from {:g} to {:g} explains {} readings, left out; the first is row {}",
+    remarks.push_back(fmt::format("no friction between {:g} and {:g} explains {} readings, which are left out; the first is row {}",
                                   -most, most, profile.unexplained.size(),
                                   file_row(measurement, profile.unexplained.front())));
   const bool is_thick = least_half_depths * rig.fibre.supports().half_depth > hardly_bent;
   std::string why;
   if (profile.points.empty())
     why = fmt::format(
-        "{}: no reading tells a friction: all deflections are below {}, or no friction explains them; check the units",
+        "{}: friction cannot be read off: all deflections are below {}, or no friction explains them; check the units",
         measurement.file,
         is_thick ? "twice the thickness of the specimen, up to where its surface hardly slides" : "0.02 spans");
   return {std::move(measurement), stiffness, scales, std::move(profile), std::move(remarks), std::move(why)};

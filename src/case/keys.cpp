@@ -35,14 +35,16 @@ void Keys::only(const std::vector<std::string>& known) const {
     const std::string meant = nearest(name.str(), known);
     const CaseKey* described = case_key(path_, name.str());
     const bool is_elsewhere = described && described->name == name.str();  // of another model, in this section
-    InputError error = wrong_value(input_, key(name.str()),
-                                   (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known),
-                                   is_elsewhere ? "a key that has no meaning here" : "an unknown key",
-                                   is_elsewhere    ? "leave it out"
-                                   : meant.empty() ? ""
-                                                   : "did you mean " + in_quotes(meant) + "?");
-    error.fault.kind = FaultKind::unknown;
-    throw error;
+    const std::string expected = (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known);
+    InputFault fault =
+        wrong_value(input_, key(name.str()), expected, is_elsewhere ? "a key without meaning here" : "an unknown key",
+                    is_elsewhere    ? "leave it out"
+                    : meant.empty() ? "expected " + expected
+                                    : "did you mean " + in_quotes(meant) + "?")
+            .fault;
+    fault.kind = FaultKind::unknown;
+    fault.problem = is_elsewhere ? "has no meaning here" : "is an unknown key";
+    throw InputError(std::move(fault));
   }
 }
 
@@ -176,10 +178,9 @@ double Keys::value(const toml::node& node, const std::string& key, const Kind& k
     if (is_plain && !(*text == "inf" && range == Range::positive_or_infinite))
       throw InputError({.expected = "a plain number",
                         .found = in_quotes(*text),
-                        .remedy = kind.dimension == Dimension{}
-                                      ? "write it without quotes and unit"
-                                      : "the case is reduced: write it in the model's variables, "
-                                        "without quotes and unit, or delete reduced = true"});
+                        .remedy = kind.dimension == Dimension{} ? "write it without quotes and without a unit"
+                                                                : "the case is reduced: write it in reduced variables, "
+                                                                  "without quotes and unit, or delete reduced = true"});
     return parse_quantity(*text, kind, range);
   } catch (const InputError& error) {
     throw placed(error, key);
@@ -191,10 +192,13 @@ void Keys::refuse(std::string_view name, std::string expected, std::string found
 }
 
 InputError Keys::placed(const InputError& error, const std::string& key) const {
-  InputError placed = wrong_value(input_, key, error.fault.expected, error.fault.found, error.fault.remedy);
-  placed.fault.kind = error.fault.kind;
-  placed.fault.limit = error.fault.limit;
-  return placed;
+  const InputFault place = wrong_value(input_, key, "", "", "").fault;
+  InputFault fault = error.fault;
+  fault.file = place.file;
+  fault.line = place.line;
+  fault.field = place.field;
+  fault.key = place.key;
+  return InputError(std::move(fault));
 }
 
 std::vector<Keys> Keys::tables(std::string_view name, const std::vector<std::string>& known) const {

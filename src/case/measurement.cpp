@@ -36,7 +36,7 @@ void require_finite(const Record& record, const Table& table) {
   throw InputError({.file = table.source,
                     .line = table.line_of(check.index),
                     .expected = "readings of a bending test",
-                    .found = "numbers too large for one",
+                    .found = "numbers that are too large",
                     .remedy = "check the units"});
 }
 
@@ -48,8 +48,8 @@ double stiffness_for(const Case& input, const ReadingColumns& columns) {
     throw wrong_value(input, "rig.stiffness",
                       "the stiffness of the load train, as the displacement is that of the stage", "none",
                       "write the stiffness of your load train into [rig] as stiffness = \"… N/m\", or pass "
-                      "--stiffness; \"inf\" if the displacement is that of the specimen's midpoint, or corrected "
-                      "already; columns are named with --stage, --deflection, --force");
+                      "--stiffness; write \"inf\" if the displacement is that of the specimen's midpoint or already "
+                      "corrected; --stage, --deflection and --force name columns");
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }
 
@@ -90,20 +90,22 @@ std::size_t rows_of_points(const Sampling& sampling, std::size_t rows, std::size
 void note_sampling(const Sampling& sampling, std::size_t rows, PreparationSteps& steps) {
   if (sampling.repeated > 0)
     steps.add("repeated", true,
-              fmt::format("{} of the {} rows repeat the row before and count once", sampling.repeated, rows), {});
+              fmt::format("{} of the {} rows repeat the previous row and count once", sampling.repeated, rows), {});
   if (sampling.held > 0)
-    steps.add("held", true,
-              fmt::format("in {} of the {} rows the force is held over from the row before; these rows do not count",
-                          sampling.held, rows),
-              {});
+    steps.add(
+        "held", true,
+        fmt::format(
+            "{} of the {} rows repeat the force of the previous row while the displacement moves on, and are left out",
+            sampling.held, rows),
+        {});
   if (sampling.interpolated > 0)
     steps.add("interpolated", true,
-              fmt::format("{} of the {} rows lie on a straight line between readings and do not count",
-                          sampling.interpolated, rows),
+              fmt::format("{} of the {} rows are interpolated between readings and are left out", sampling.interpolated,
+                          rows),
               {});
   if (sampling.stride > 1)
     steps.add("thinning", true,
-              fmt::format("one in {} of the {} rows is used", sampling.stride,
+              fmt::format("one row in {} is used, out of {}", sampling.stride,
                           rows - sampling.repeated - sampling.held - sampling.interpolated),
               {});
 }
@@ -125,25 +127,26 @@ Record zeroed(const Case& input, const Record& record, bool stage_is_read, doubl
               std::size_t rows, PreparationSteps& steps) {
   const ForceZeroRule& rule = input.record->zero;
   if (std::holds_alternative<ToKeep>(rule)) {
-    steps.add("zero", false, "the force counts from the zero of the file, as stated",
+    steps.add("zero", false, "the force is counted from the file's own zero, as stated",
               KeyChange{"record", "zero", "\"find\""});
     return record;
   }
   if (const auto* stated = std::get_if<double>(&rule)) {
-    steps.add("zero", *stated != 0, "the force counts from the zero stated", KeyChange{"record", "zero", "\"keep\""},
-              steps.value(*stated, {}, kind::force));
+    steps.add("zero", *stated != 0, "the force is counted from the zero stated",
+              KeyChange{"record", "zero", "\"keep\""}, steps.value(*stated, {}, kind::force));
     return with_force_zero(record, *stated, stage_is_read, stiffness);
   }
   const ForceZero zero = zero_of(record);
   if (zero.status != ForceZeroStatus::found) {
-    steps.add("zero", false, "no rows before the contact tell the zero of the force: the zero of the file is kept",
+    steps.add("zero", false,
+              "the record has no rows before contact that show the zero of the force: the file's own zero is kept",
               KeyChange{"record", "zero", "\"…\""});
     return record;
   }
   const bool changed = is_significant(zero);
   steps.add("zero", changed,
-            changed ? "the mean force before the contact is taken off"
-                    : "the mean force before the contact is zero within four standard errors and is left alone",
+            changed ? "the mean force before contact is subtracted"
+                    : "the mean force before contact is zero within four standard errors and is not subtracted",
             KeyChange{"record", "zero", "\"keep\""}, steps.value(zero.offset, zero.error, kind::force),
             RowRange{1, rows_of_points(sampling, rows, zero.points)});
   return changed ? with_force_zero(record, zero.offset, stage_is_read, stiffness) : record;
@@ -156,14 +159,14 @@ void note_compliance(const Case& input, const ReadingColumns& columns, double st
       support_compliance_of(input) > 0 ? "the stiffness of load train and supports" : "load-train stiffness";
   std::string words;
   if (!columns.has(Reading::force))
-    words = fmt::format("the force is {} times the lead of the stage over the deflection", of);
+    words = fmt::format("the force is {} times the difference between stage displacement and deflection", of);
   else if (columns.has(Reading::stage))
-    words = is_stiff ? "the deflection is the displacement of the stage, as the load train is stated to be stiff"
-                     : fmt::format("the deflection is the displacement of the stage less force over {}", of);
+    words = is_stiff ? "the deflection equals the stage displacement, as the load train is stated to be rigid"
+                     : fmt::format("the deflection is the stage displacement minus force over {}", of);
   else
-    words = !is_stated ? "the stage is taken to move by the deflection, as no load-train stiffness is stated"
-            : is_stiff ? "the stage moves by the deflection, as the load train is stated to be stiff"
-                       : fmt::format("the displacement of the stage is the deflection plus force over {}", of);
+    words = !is_stated ? "the stage displacement is taken to equal the deflection, as no load-train stiffness is stated"
+            : is_stiff ? "the stage displacement equals the deflection, as the load train is stated to be rigid"
+                       : fmt::format("the stage displacement is the deflection plus force over {}", of);
   std::optional<PreparedValue> value;
   if (!is_stiff) value = steps.value(stiffness, {}, kind::stiffness);
   steps.add("compliance", !is_stiff, std::move(words), KeyChange{"rig", "stiffness", is_stiff ? "\"…\"" : "\"inf\""},
@@ -177,12 +180,12 @@ void require_stiff_enough(const Case& input, const Record& record, double stiffn
   const double way = rise.stage.back() - rise.stage.front();
   if (!(way > 0) || force / stiffness <= way) return;
   const Kind force_kind = kind_in(input, kind::force);
-  throw wrong_value(input, "rig.stiffness", "a load train that gives way by less than the stage moves",
-                    fmt::format("{}, which {} bends by {}, but the stage moved {}",
+  throw wrong_value(input, "rig.stiffness", "a load train that yields by less than the stage moves",
+                    fmt::format("{0}, which yields by {2} under {1}, but the stage moved {3}",
                                 readable(stiffness, kind_in(input, kind::stiffness)), readable(force, force_kind),
                                 readable_length(input, force / stiffness), readable_length(input, way)),
-                    "check it and the units of stage and force; \"inf\" if the displacement is that of the specimen's "
-                    "midpoint, or corrected already");
+                    "check it and the units of stage and force; write \"inf\" if the displacement is that of the "
+                    "specimen's midpoint or already corrected");
 }
 
 // Holds the stage where it runs back by no more than its noise.
@@ -201,11 +204,11 @@ void hold_stage(const Case& input, const Table& table, Record& record, const Sam
           {.file = table.source,
            .line = table.line_of(sampling.rows[i]),
            .field = "the stage",
-           .expected = fmt::format("a position not behind that of the row before, {}",
+           .expected = fmt::format("a position no smaller than in the previous row, {}",
                                    readable_length(input, stage[i - 1] == 0 ? 0 : stage[i - 1])),
            .found = readable_length(input, stage[i]),
            .remedy = i < 30 ? "check the sign of the displacement: write sign = \"keep\" or \"reverse\" into [record]"
-                            : fmt::format("keep the loading only: write until = {} into [record]", sampling.rows[i])});
+                            : fmt::format("keep only the loading: write until = {} into [record]", sampling.rows[i])});
     if (stage[i] < farthest) {
       ++held;
       largest = std::max(largest, farthest - stage[i]);
@@ -215,7 +218,7 @@ void hold_stage(const Case& input, const Table& table, Record& record, const Sam
   }
   if (held > 0)
     steps.add("stage", true,
-              fmt::format("where the stage runs back, at {} {}, it is held at its farthest position", held,
+              fmt::format("where the stage runs back, at {} {}, its farthest position so far is used", held,
                           held == 1 ? "point" : "points"),
               {}, steps.value(largest, {}, kind::length));
 }
@@ -239,7 +242,7 @@ Record without_first(const Record& record, std::size_t points) {
 void require_points(const Table& table, const Record& record, std::size_t least_points) {
   if (record.force.size() >= least_points) return;
   throw InputError({.file = table.source,
-                    .expected = fmt::format("at least {} rows of readings before the failure", least_points),
+                    .expected = fmt::format("at least {} rows of readings before failure", least_points),
                     .found = std::to_string(record.force.size())});
 }
 
@@ -250,8 +253,8 @@ void require_loading_first(const Table& table, const Record& record, const Leg& 
                     .field = "the stage",
                     .expected = "a record that begins by loading",
                     .found = "one that begins by unloading",
-                    .remedy = "if the stage is counted the other way, say so with sign in [record] or with --sign; "
-                              "otherwise leave out what comes before the first loading"});
+                    .remedy = "if the stage is counted the other way, reverse it with sign in [record] or --sign; "
+                              "otherwise leave out the rows before the first loading"});
 }
 
 // How many rows lie before a place: those before the row, or before the stage or the deflection first gets there.
@@ -260,7 +263,7 @@ std::size_t rows_before(const PlaceInRecord& place, std::string_view key, const 
                         const std::string& file) {
   if (const auto* at = std::get_if<AtRow>(&place)) {
     if (at->row > every.force.size())
-      throw wrong_value(input, key, fmt::format("a row of {}, which has {}", file, every.force.size()),
+      throw wrong_value(input, key, fmt::format("one of the {1} rows of {0}", file, every.force.size()),
                         std::to_string(at->row));
     return at->row - 1;
   }
@@ -270,7 +273,7 @@ std::size_t rows_before(const PlaceInRecord& place, std::string_view key, const 
   const auto there = std::find_if(positions.begin(), positions.end(), [&](double at) { return at >= position; });
   if (there == positions.end())
     throw wrong_value(input, key,
-                      fmt::format("a {} of the record, which gets to {}", stage ? "stage position" : "deflection",
+                      fmt::format("a {} within the record, which reaches {}", stage ? "stage position" : "deflection",
                                   readable_length(input, *std::max_element(positions.begin(), positions.end()))),
                       readable_length(input, position));
   return static_cast<std::size_t>(there - positions.begin());
@@ -305,7 +308,7 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
     return points;
   }
   if (!input.record->find_failure) {
-    steps.add("end", false, "no failure was looked for, as stated: all rows are used",
+    steps.add("end", false, "failure was not looked for, as stated: all rows are used",
               KeyChange{"record", "failure", "\"find\""});
     return points;
   }
@@ -313,11 +316,11 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
   if (failure.status == FailureStatus::found && (legs.size() < 2 || failure.points <= legs.front().last)) {
     result.end = MeasurementEnd::failure;
     const std::size_t last = rows_of_points(result.sampling, rows, failure.points);
-    steps.add("end", true, fmt::format("a failure was found after row {}: the rows after it are left out", last),
+    steps.add("end", true, fmt::format("the specimen failed after row {}: later rows are left out", last),
               KeyChange{"record", "failure", "\"none\""}, {}, RowRange{last + 1, rows});
     return failure.points;
   }
-  steps.add("end", false, "no failure was found: no row is left out", KeyChange{"record", "until", "…"});
+  steps.add("end", false, "no failure was found: all rows are kept", KeyChange{"record", "until", "…"});
   return points;
 }
 
@@ -336,13 +339,15 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
       contact.status == ContactStatus::found && std::abs(contact.offset.value) > far * contact.offset.standard_error &&
       std::abs(contact.offset.value - whole.stage.front()) < near * std::abs(contact.offset.value);
   if (is_asked && contact.status != ContactStatus::found)
-    throw wrong_value(input, "record.contact", "a force that rises from the contact in at least 5 rows, to find it",
-                      "none", "state the contact, or leave it out");
+    throw wrong_value(input, "record.contact",
+                      "a force that rises from contact over at least 5 rows, to find the contact", "none",
+                      "state the contact, or leave the key out");
   if (is_asked || (std::holds_alternative<WhereFree>(rule) && (begins_free || begins_elsewhere))) {
     result.contact = ContactSource::found;
     result.contact_offset = contact.offset.value;
     result.contact_error = contact.offset.standard_error;
-    steps.add("contact", true, "displacements count from where the straight beginning of the curve meets zero force",
+    steps.add("contact", true,
+              "displacements are counted from where the straight first part of the curve meets zero force",
               KeyChange{"record", "contact", "\"first row\""},
               steps.value(contact.offset.value, contact.offset.standard_error, kind::length),
               contact.points_before > 0
@@ -355,26 +360,26 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
     if (contact.status == ContactStatus::found)
       toe = steps.value(contact.offset.value, contact.offset.standard_error, kind::length);
     steps.add("contact", false,
-              toe ? "displacements count from the zero of the file; the value is where the straight beginning of the "
-                    "curve would meet zero force"
-                  : "displacements count from the zero of the file",
+              toe ? "displacements are counted from the file's own zero; the value is where the straight first part of "
+                    "the curve would meet zero force"
+                  : "displacements are counted from the file's own zero",
               KeyChange{"record", "contact", "\"find\""}, toe);
     return;
   }
   const auto* stated = std::get_if<double>(&rule);
   result.contact = ContactSource::stated;
   result.contact_offset = stated ? *stated : whole.stage.front();
-  steps.add(
-      "contact", result.contact_offset != 0,
-      stated ? "displacements count from the contact stated" : "displacements count from the first row, as stated",
-      KeyChange{"record", "contact", "\"find\""}, steps.value(result.contact_offset, {}, kind::length));
+  steps.add("contact", result.contact_offset != 0,
+            stated ? "displacements are counted from the contact stated"
+                   : "displacements are counted from the first row, as stated",
+            KeyChange{"record", "contact", "\"find\""}, steps.value(result.contact_offset, {}, kind::length));
 }
 
 }  // namespace
 
 Measurement read_measurement(const Case& asked, std::size_t least_points) {
   if (least_points < least_noise_points)
-    throw std::invalid_argument(fmt::format("the noise of {} points cannot be told", least_points));
+    throw std::invalid_argument(fmt::format("the noise of {} points cannot be estimated", least_points));
   if (!asked.record) throw missing(asked, "record");
   Readings readings = read_readings(asked);
   Table& table = readings.table;
@@ -425,7 +430,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
     points = legs.front().last;
     result.end = MeasurementEnd::turn;
     steps.add("turn", true,
-              fmt::format("the stage turns back after row {}: the first loading ends there; the rows after it belong "
+              fmt::format("the stage turns back after row {}, where the first loading ends; later rows belong "
                           "to {} further loadings and unloadings",
                           rows_of_points(result.sampling, result.rows, points), legs.size() - 1),
               KeyChange{"record", "until", fmt::format("{}", rows_of_points(result.sampling, result.rows, points))});
@@ -442,8 +447,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
       result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - whole.stage.begin());
   result.first = skipped;
   if (points - skipped < least_points)
-    throw wrong_value(input, "record.contact",
-                      fmt::format("at least {} rows of readings after the contact", least_points),
+    throw wrong_value(input, "record.contact", fmt::format("at least {} rows of readings after contact", least_points),
                       std::to_string(points - skipped));
   result.record = without_first(whole, skipped);
   const auto take_contact_off = [&](Record& record) {

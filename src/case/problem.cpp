@@ -28,8 +28,9 @@ void require_slender(const Case& input) {
   if (thickness < thickest * span) return;
   throw wrong_value(
       input, depth_key(*input.specimen->section),
-      fmt::format("less than a fifth of the span, {}", readable_length(input, span)), readable_length(input, thickness),
-      "beam theory does not hold for a thicker specimen: check the units of both, or take flexslip modulus");
+      fmt::format("less than a fifth of the span of {}", readable_length(input, span)),
+      readable_length(input, thickness),
+      "beam theory does not hold for a thicker specimen: check the units of both, or use flexslip modulus");
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ Scales scales_of(const Case& input, const BendingStiffnessUsed& stiffness) {
 Fibre fibre_of(const Case& input, const std::optional<Section>& section, const Scales& scales) {
   if (input.rig->rollers == Rollers::loose)
     throw wrong_value(input, "rig.rollers", "rollers that hold the specimen by friction", "\"loose\"",
-                      "see with flexslip simulate what it does on these, or write \"fixed\" or \"pinned\"");
+                      "write \"fixed\" or \"pinned\"; flexslip simulate shows what happens on loose rollers");
   return Fibre(supports_of(input, section, scales));
 }
 
@@ -59,8 +60,9 @@ Supports supports_of(const Case& input, const std::optional<Section>& section, c
   if (!(supports.radius + supports.half_depth < widest_supports))
     throw wrong_value(
         input, "rig.roller_radius",
-        fmt::format("a radius, and half of a thickness, of less than {:g} spans together", widest_supports),
-        fmt::format("{:g} and {:g} spans", supports.radius, supports.half_depth), "check their units, and the span");
+        fmt::format("a roller radius and half a thickness that add up to less than {:g} spans", widest_supports),
+        fmt::format("{:g} and {:g} spans", supports.radius, supports.half_depth),
+        "check the units of both, and the span");
   return supports;
 }
 
@@ -91,19 +93,18 @@ BendingTest bending_test_of(const Case& input, const Scales& scales, double fart
   const double most = kinetic.most_up_to(S_max) + excess;
   if (excess > 0 && most > rig.fibre.most_friction())
     throw wrong_value(input, "friction.static_excess", "static " + friction_limit(rig.fibre),
-                      fmt::format("{:g}, which brings it to {:g}", excess, most), "write a smaller one");
+                      fmt::format("{:g}, which raises it to {:g}", excess, most), "write a smaller one");
   if (excess > 0 && rig.fibre.supports().radius > 0)
-    throw wrong_value(input, "friction.static_excess", "no static friction above the kinetic one, on rollers",
+    throw wrong_value(input, "friction.static_excess", "no excess of static over kinetic friction on rollers",
                       fmt::format("{:g}", excess), "delete it, or roller_radius");
   if (kinetic.walk() && input.stage && input.stage->snaps == SnapRest::overshoot)
-    throw wrong_value(input, "stage.snaps",
-                      "snaps that rest at the nearest stable state, on two supports that are not alike",
+    throw wrong_value(input, "stage.snaps", "snaps that rest at the nearest stable state, as the two supports differ",
                       "\"overshoot\"", "delete it, or [friction.other]");
   if (!kinetic.lets_stick() && input.stage && input.stage->snaps == SnapRest::overshoot)
-    throw wrong_value(input, "stage.snaps", "snaps that rest at the nearest stable state, where friction builds up",
+    throw wrong_value(input, "stage.snaps", "snaps that rest at the nearest stable state, as friction builds up",
                       "\"overshoot\"", "delete it, or [friction] build_up_length");
   if (!kinetic.lets_stick() && input.specimen && !input.specimen->cracks.empty())
-    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, where friction builds up",
+    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as friction builds up",
                       fmt::format("{} of them", input.specimen->cracks.size()),
                       "delete them, or [friction] build_up_length");
   return {{std::move(kinetic), Friction::constant(excess)},

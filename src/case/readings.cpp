@@ -37,10 +37,10 @@ Readings readings_from(const Case& input, const TableColumns& asked) {
     } catch (const InputError& error) {
       InputFault fault = error.fault;
       // The titles are not on the first line: a preamble may stand there.
-      if (fault.line != 1 || !fault.field.starts_with("column") || !fault.remedy.empty()) throw;
+      if (fault.line != 1 || fault.part != TablePart::title || !fault.remedy.empty()) throw;
       fault.remedy =
           "if it is the export of a testing machine, write displacement = \"crosshead\" or \"deflection\" into "
-          "[record], or pass --displacement, instead of titles of columns; flexslip read shows what is in it";
+          "[record], or pass --displacement, instead of column titles; flexslip read shows what the file holds";
       throw InputError(fault);
     }
   }();
@@ -85,9 +85,8 @@ const ExportedSpecimen& specimen_of(const Case& input, const ExportColumns& aske
   }
   if (count == 1) return file.specimens.front();
   throw InputError({.file = file.source,
-                    .field = "the specimens",
-                    .expected = "to be told which one",
-                    .found = std::to_string(count),
+                    .expected = "one specimen, or the number of one",
+                    .found = fmt::format("{} specimens", count),
                     .remedy = "write specimen = 1 into [record], or pass --specimen 1"});
 }
 
@@ -135,9 +134,9 @@ FoundDisplacement displacement_of(const ExportColumns& asked, const Export& file
       {.file = file.source,
        .field = fmt::format("column {}", in_quotes(column.name)),
        .expected = "a displacement known to be that of the crosshead or of the specimen's midpoint",
-       .found = "words that do not say which",
-       .remedy = "write displacement = \"crosshead\" into [record], or pass --displacement crosshead: then it is "
-                 "corrected for the stiffness of the load train, without which no modulus is right (ISO 178); or "
+       .found = "a name that does not say which",
+       .remedy = "write displacement = \"crosshead\" into [record], or pass --displacement crosshead: it is then "
+                 "corrected for the stiffness of the load train, as a modulus requires (ISO 178); write "
                  "\"deflection\" if a deflectometer or a camera measured it"});
 }
 

@@ -34,7 +34,7 @@ void require_path_that_fits(const Case& input, const Friction& friction, const s
   const double expected = 2 * periods * points;
   if (expected <= most_points) return;
   throw wrong_value(input, "stage.step",
-                    fmt::format("a step, as friction varies over some {:.0e} periods on the way", periods),
+                    fmt::format("a step, as friction goes through about {:.0e} periods on the way", periods),
                     "none: a continuous path",
                     fmt::format("write step = \"…\" into [stage], or pass --points {:.0f}",
                                 std::max(std::floor(most_points / (2 * periods)), 2.0)));
@@ -63,12 +63,12 @@ std::vector<std::string> left_out_in_words(const Case& input, const Simulation& 
               : test.path.end();
   if (breaks != test.path.end())
     remarks.push_back(fmt::format(
-        "the specimen would break at the stage position {}, as stated: what follows is for a specimen that bears more",
+        "the specimen would break at the stage position {}, as stated; what follows is for a stronger specimen",
         readable(breaks->stage, kind_in(input, kind::length))));
   constexpr double worth_a_word = 0.01;
   if (specimen.section)
     if (const double share = shear_share(*specimen.section, scales.span()); share > worth_a_word)
-      remarks.push_back(fmt::format("shear, which is left out, would add {:.1f} % to a small deflection", 100 * share));
+      remarks.push_back(fmt::format("shear, which is neglected, would add {:.1f} % to a small deflection", 100 * share));
   return remarks;
 }
 
@@ -82,7 +82,7 @@ SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& optio
                                    {friction_input && friction_input->static_excess > 0, "friction.static_excess"},
                                    {input.stage->snaps != SnapRest::nearest_stable, "stage.snaps"}})
     if (asked)
-      throw wrong_value(input, key, "rollers that are fixed or on pins beside it", "rollers = \"loose\"",
+      throw wrong_value(input, key, "fixed or pinned rollers", "rollers = \"loose\"",
                         "leave it out, or write rollers = \"fixed\"");
   const Supports supports = supports_of(input, input.specimen->section, scales);
   const double stiffness = scales.reduced_stiffness(rig_stiffness_of(input));
@@ -144,13 +144,13 @@ SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& optio
   SimulatedTest result{input.reduced, is_in_inches(input), scales, std::move(test), {}, std::move(remarks), ""};
   if (slides_from)
     result.remarks.push_back(
-        fmt::format("from the stage position {} on, rolling takes more friction than the case states, {:.3g} and more: "
-                    "the specimen slides on its rollers there, but what follows is told as if it rolled on",
+        fmt::format("from the stage position {} on, rolling takes more friction than the case states, {:.3g} or more: "
+                    "the specimen slides on its rollers there, but what follows is computed as if it rolled on",
                     shown(*slides_from), *friction_there));
   if (!gets_there)
     result.why_it_ends = fmt::format(
-        "{}: loose rollers are computed up to the stage position {}: beyond, the specimen slips through, is bent by "
-        "more than {:g} spans, or the rollers, with half of its thickness, take more than {:g} of the distance that is "
+        "{}: loose rollers are computed up to the stage position {}; beyond, the specimen slips through, is bent by "
+        "more than {:g} spans, or the rollers, with half its thickness, take more than {:g} of the distance that is "
         "left between them",
         input.source, shown(result.simulation.path.back().stage), deepest_on_supports, widest_supports);
   return result;
@@ -181,8 +181,8 @@ SimulatedTest simulate(const Case& input, const SimulationOptions& options, doub
   Simulation test = simulated(input, history, bending_test.rig.fibre, scales, legs);
   if (test.wraps_nose_from)
     remarks.push_back(
-        fmt::format("from the stage position {} on the specimen is bent more sharply than the nose, and "
-                    "wraps it: what follows is for a sharp nose",
+        fmt::format("from the stage position {} on, the specimen is bent more sharply than the nose and "
+                    "wraps around it; what follows is for a sharp nose",
                     readable(scales.physical_length(*test.wraps_nose_from), kind_in(input, kind::length))));
   // A stage in steps stands where it was asked to, without the rounding of there and back.
   if (programme.in_steps)

@@ -60,8 +60,8 @@ StageProgramme programme_from(const Case& input, const MeasuredProgramme& measur
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double position = stage.values[row];
     if (position < 0)
-      refuse(row, stage, "a stage position of at least 0, the contact", readable_length(input, position),
-             "count the stage from where it touches the specimen, and leave out what comes before");
+      refuse(row, stage, "a stage position of at least 0, the point of contact", readable_length(input, position),
+             "count the stage from where it touches the specimen, and leave out the rows before");
     if (!(position <= farthest_reduced * span))
       refuse(row, stage, fmt::format("a stage position within {:g} spans", farthest_reduced),
              readable_length(input, position), "check its unit");
@@ -69,7 +69,7 @@ StageProgramme programme_from(const Case& input, const MeasuredProgramme& measur
     const Column& time = table.columns[1];
     if (time.values[row] < time.values[row - 1])
       refuse(row, time,
-             fmt::format("a time not before that of the row before, {}",
+             fmt::format("a time no earlier than in the previous row, {}",
                          readable(time.values[row - 1], kind_in(input, kind::time))),
              readable(time.values[row], kind_in(input, kind::time)), "sort the rows by time");
   }

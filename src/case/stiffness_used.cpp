@@ -25,7 +25,7 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Case& input) {
     throw wrong_value(input, modulus ? "specimen.modulus" : "specimen.bending_stiffness",
                       "an uncertainty of at most 30 % of the value",
                       fmt::format("{:.0f} %", 100 * known->uncertainty / known->value),
-                      "write \"fit\" to have it found from the initial slope");
+                      "write \"fit\" to find it from the initial slope");
   BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : usual_stiffness_error,
                             has_error ? StiffnessSource::stated : StiffnessSource::assumed_error};
   if (!modulus) return used;
@@ -75,11 +75,10 @@ BendingStiffnessUsed bending_stiffness_of(const Case& input, const Measurement& 
   const double span = span_of(input);
   const auto slope = stiffness_from_slope(measurement.record, span);
   if (!slope.found)
-    throw InputError(
-        {.file = measurement.file,
-         .expected = "a force that rises from the contact in at least 5 rows, to tell the bending stiffness",
-         .found = "none",
-         .remedy = "write the modulus or bending_stiffness into [specimen]"});
+    throw InputError({.file = measurement.file,
+                      .expected = "a force that rises from contact over at least 5 rows, to find the bending stiffness",
+                      .found = "none",
+                      .remedy = "write the modulus or bending_stiffness into [specimen]"});
   return {slope.value, slope.relative_error, StiffnessSource::initial_slope};
 }
 

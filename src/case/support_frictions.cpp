@@ -71,14 +71,14 @@ Friction friction_from(const Place& place, const TabulatedFriction& tabulated, c
     const double length = table.columns[0].values[row];
     const double mu = table.columns[1].values[row];
     if (row > 0 && !(length > table.columns[0].values[row - 1]))
-      refuse(row, 0, "a length greater than that of the row before", length, kind_in(input, kind::length));
+      refuse(row, 0, "a length greater than in the previous row", length, kind_in(input, kind::length));
     if (mu < 0) refuse(row, 1, "friction of at least 0", mu, kind::number);
     friction.S.push_back(scales.reduced_length(length));
     friction.mu.push_back(mu);
   }
   if (!(friction.S.back() > 1))
     refuse(table.rows() - 1, 0,
-           fmt::format("lengths between the supports, which grow from the span, {}",
+           fmt::format("lengths between the supports, which grow from the span of {}",
                        readable_length(input, scales.span())),
            table.columns[0].values.back(), kind_in(input, kind::length));
   return Friction::table(std::move(friction));
@@ -88,7 +88,7 @@ Friction friction_from(const Place& place, const RoughFriction& rough, const Sca
   const double correlation_length = scales.reduced_length(rough.correlation_length);
   if (!((S_max - 1) / correlation_length <= most_correlations))
     throw place.fault({.field = "correlation_length",
-                       .expected = fmt::format("at least {:.0e} of the length drawn in", 1 / most_correlations),
+                       .expected = fmt::format("at least {:.0e} of the length pulled in", 1 / most_correlations),
                        .found = readable_length(place.input, rough.correlation_length),
                        .remedy = "check its unit"});
   return Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
@@ -114,12 +114,11 @@ Friction friction_from(const Place& place, const SurfaceFriction& surface, const
   const double step = ready.trace.step, extent = step * static_cast<double>(ready.path.size() - 1);
   const double first = surface.direction == TraceDirection::inwards ? begin - extent : begin;
   if (!(first + extent > 0.5 * scales.span()))
-    throw place.fault(
-        {.field = "trace_begin",
-         .expected = fmt::format("a trace that reaches beyond the support, half the span from midspan, {}",
-                                 readable_length(input, 0.5 * scales.span())),
-         .found = fmt::format("one that ends at {}", readable_length(input, first + extent)),
-         .remedy = "check its unit, that of the trace, and direction"});
+    throw place.fault({.field = "trace_begin",
+                       .expected = fmt::format("a trace that reaches beyond the support, {} from midspan",
+                                               readable_length(input, 0.5 * scales.span())),
+                       .found = fmt::format("one that ends at {}", readable_length(input, first + extent)),
+                       .remedy = "check its unit, that of the trace, and direction"});
   FrictionTable table;
   const auto add = [&](double s, double mu) {
     const double S = 2 * scales.reduced_length(s);
@@ -141,7 +140,7 @@ std::optional<InputFault> misplaced(const Case& input, double reference, const S
   const double S = scales.reduced_length(reference);
   if (S >= 1 - rounding && S <= farthest_reduced) return std::nullopt;
   return InputFault{.field = "reference",
-                    .expected = fmt::format("a length between the supports, from the span, {}, to {:g} spans",
+                    .expected = fmt::format("a length between the supports, from the span of {} to {:g} spans",
                                             readable_length(input, scales.span()), farthest_reduced),
                     .found = readable_length(input, reference),
                     .remedy = "check its unit"};
@@ -215,8 +214,8 @@ std::optional<InputFault> too_steep(const Asked& asked) {
                              : input.friction->model == FrictionModel::sinusoid ? "wavelength"
                                                                                 : "waves",
                     .expected = fmt::format(
-                        "friction that changes by less than {} with the length between the {}: on these, the point "
-                        "that touches moves with friction, and would jump",
+                        "friction that changes by less than {} with the length between the {}, as the point of contact "
+                        "moves with friction on these and would jump",
                         readable(limit / scales.span(), kind_in(input, kind::inverse_length)),
                         fibre.supports().radius > 0 ? "contacts" : "supports"),
                     .found = fmt::format("up to {:.5g} times as much", steepest / limit),
@@ -239,7 +238,7 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
     fault.field = is_rough || is_surface ? "mu0" : "file";
     fault.expected += is_rough ? ", its roughness included" : is_surface ? ", on the slopes of its trace" : "";
     fault.remedy = is_rough     ? "write a smaller mu0 or rms"
-                   : is_surface ? "write a smaller one, or a cutoff"
+                   : is_surface ? "write a smaller mu0, or a cutoff"
                                 : "check the column of friction";
     return fault;
   }
@@ -248,15 +247,15 @@ std::optional<InputFault> uncovered(const Case& input, const FrictionProfileInpu
   fault.expected += ", its waves and drift included";
   if (!(without_drift <= limit)) {
     fault.field = "mu0";
-    fault.remedy = "write a smaller one";
+    fault.remedy = "write a smaller mu0";
     return fault;
   }
   fault.field = "drift";
-  fault.found = fmt::format("{}, which brings it from {:g} at {} to {:g} at {}",
+  fault.found = fmt::format("{}, which takes friction from {:g} at {} to {:g} at {}",
                             readable(waves->drift / scales.span(), kind_in(input, kind::inverse_length)), without_drift,
                             asked.length(waves->S_reference), most, asked.length(waves->drift > 0 ? S_max : 1));
   const bool is_at_span = waves->S_reference == 1;
-  fault.remedy = is_at_span ? "check its unit, or go less far" : "check its unit, and that of reference";
+  fault.remedy = is_at_span ? "check its unit, or bend less far" : "check its unit, and that of reference";
   return fault;
 }
 
@@ -273,8 +272,8 @@ SupportFrictions frictions_of(const Case& input, const Fibre& fibre, const Scale
   if (!input.friction) throw missing(input, "friction");
   if (!input.friction->model) throw missing(input, "friction.model");
   if (input.friction->model == FrictionModel::roughness)
-    throw wrong_value(input, "friction.model", "a model to compute with", "'roughness', which is fitted",
-                      "write the one to compute with, such as model = \"constant\", or \"rough\" with its parameters");
+    throw wrong_value(input, "friction.model", "a model to compute with", "'roughness', which can only be fitted",
+                      "write a model to compute with, such as model = \"constant\", or \"rough\" with its parameters");
   if (!input.friction->profile)
     throw missing(input, input.friction->model == FrictionModel::table ? "friction.file" : "friction.mu0");
   const double reach = one_sided_reach(input, S_max);
@@ -299,15 +298,15 @@ Friction together(const Case& input, SupportFrictions supports, const Fibre& fib
       return Friction::on_a_way(std::make_shared<const BuildUp>(std::move(supports.first), build_up, S_max));
     } catch (const std::invalid_argument& error) {
       throw wrong_value(input, "friction.build_up_length",
-                        fmt::format("at least {} of such a profile",
+                        fmt::format("at least {} with such a friction profile",
                                     readable_length(input, scales.physical_length(2e-5 * (S_max - 1)))),
                         readable_length(input, input.friction->build_up_length),
                         fmt::format("delete it ({})", error.what()));
     }
   if (!supports.other) return std::move(supports.first);
   if (fibre.supports().radius > 0)
-    throw wrong_value(input, "rig.roller_radius", "edges, where [friction.other] says that the supports are not alike",
-                      "rollers", "delete it, or [friction.other]");
+    throw wrong_value(input, "rig.roller_radius", "edges, as [friction.other] says that the supports differ", "rollers",
+                      "delete it, or [friction.other]");
   return Friction::on_two_supports(std::move(supports.first), *std::move(supports.other), S_max);
 }
 
@@ -325,8 +324,8 @@ bool climbs_surface(const Case& input) {
 Friction on_both_ways(const Case& input, const Friction& inwards, const Fibre& fibre, const Scales& scales) {
   const FrictionInput& friction = *input.friction;
   const auto refuse = [&](std::string_view key, const std::string& found) {
-    throw wrong_value(input, key, "a surface on edges that are alike, where the stage turns back", found,
-                      "delete it, or let the stage only load: a surface shows another friction on the way back");
+    throw wrong_value(input, key, "a surface on two equal edges, as the stage turns back", found,
+                      "delete it, or let the stage only load: a surface has another friction on the way back");
   };
   if (friction.other) refuse("friction.other", "another support");
   if (fibre.supports().radius > 0) refuse("rig.roller_radius", "rollers");
@@ -341,8 +340,8 @@ Friction on_both_ways(const Case& input, const Friction& inwards, const Fibre& f
     if (out.mu[i] > 0 && out.mu[i] <= fibre.most_friction()) continue;
     throw wrong_value(
         input, "friction.trace",
-        fmt::format("slopes less steep than the friction, {:g}, both ways, where the stage turns back", mu0),
-        fmt::format("steeper ones, as at the length {}", readable_length(input, scales.physical_length(out.S[i]))),
+        fmt::format("slopes below the friction of {:g} in both directions, as the stage turns back", mu0),
+        fmt::format("a steeper one at the length {}", readable_length(input, scales.physical_length(out.S[i]))),
         "write a cutoff or an edge_radius, or let the stage only load");
   }
   return Friction::on_a_way(std::make_shared<const OnSlopes>(inwards, Friction::table(std::move(out))));

@@ -23,15 +23,16 @@ void require_band(const TraceFile& file, const SurfaceOptions& options) {
   const auto& [tapers, shortest, longest, noise] = options.texture;
   if (shortest && !(*shortest >= (1 - rounding) * finest && *shortest < field))
     refuse("--shortest",
-           fmt::format("two distances of heights, {}, or more, below the field, {}", length(finest), length(field)),
+           fmt::format("at least twice the distance between heights, {}, and less than the field of {}", length(finest),
+                       length(field)),
            *shortest);
   if (longest && !(*longest > shortest.value_or(finest) && *longest <= (1 + rounding) * field))
     refuse("--longest",
-           fmt::format("more than {}, at most the field, {}", length(shortest.value_or(finest)), length(field)),
+           fmt::format("more than {} and at most the field of {}", length(shortest.value_or(finest)), length(field)),
            *longest);
   if (shortest && !longest && !(*shortest < 0.25 * field))
     refuse("--shortest",
-           fmt::format("less than a quarter of the field, {}, unless --longest says otherwise", length(0.25 * field)),
+           fmt::format("less than a quarter of the field, {}, unless --longest is given", length(0.25 * field)),
            *shortest);
   if (options.edge_radius > 1e6 * field)
     refuse("--edge-radius", fmt::format("a radius of at most a million fields, {}", length(1e6 * field)),
@@ -57,11 +58,11 @@ InputError refusal_of(const TooSteep& fault, const HeightTrace& trace, double mu
        .expected = fmt::format("slopes between {:.3g}, where a contact of friction {:g} slides by itself, and {:.3g}, "
                                "where it would show a friction of {:g}",
                                -mu, mu, slope_of_friction(most_apparent, mu), most_apparent),
-       .found = fmt::format("one of {:.3g} at the position {}, {:.2g} times the limit", fault.slope,
+       .found = fmt::format("a slope of {:.3g} at the position {}, {:.2g} times the limit", fault.slope,
                             readable(place, kind), std::abs(fault.slope) / limit),
-       .remedy = falls ? "is it noise? take short waves out with a cutoff, state the radius of the edge, or check the "
-                         "unit of the heights"
-                       : "is it noise? take short waves out with a cutoff, or check the unit of the heights"});
+       .remedy = falls ? "if it is noise, remove short waves with a cutoff, or state the radius of the edge; otherwise "
+                         "check the unit of the heights"
+                       : "if it is noise, remove short waves with a cutoff; otherwise check the unit of the heights"});
 }
 
 SurfaceStudy study_surface(TraceFile file, const SurfaceOptions& options) {

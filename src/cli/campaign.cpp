@@ -62,13 +62,13 @@ void run_campaign_command(const CampaignRequest& request) {
   if (run.status == CampaignStatus::stopped)
     throw Interrupted(fmt::format("interrupted after {} of {} tests{}", run.campaign.tests.size(), plan.size(),
                                   request.report.empty() ? "; with --report FOLDER they would be kept"
-                                                         : "; the same command goes on from there"));
+                                                         : "; the same command continues from there"));
   if (run.found > 0)
-    note(request.output, fmt::format("{} of {} tests were kept by an earlier run", run.found, plan.size()));
+    note(request.output, fmt::format("{} of {} tests were computed by an earlier run", run.found, plan.size()));
   if (!request.report.empty() &&
       write_campaign_report(request.report, run.campaign, request.figures) == DrawStatus::no_gnuplot)
     note(request.output,
-         "gnuplot is not installed: the report has the scripts and data of the pictures, but no pictures");
+         "gnuplot is not installed: the report holds the scripts and data of the figures, but no pictures");
   if (request.output.json)
     write_json(request.output.path, campaign_json(run.campaign));
   else
@@ -79,7 +79,7 @@ void run_campaign_command(const CampaignRequest& request) {
     for (const auto& shared : run.campaign.shared)
       if (shared.name == name_of(parameter) && shared.tests < 2)
         throw CalculationFailed(
-            fmt::format("--share {}: expected at least two tests whose records tell this parameter, found {}; {}",
+            fmt::format("--share {}: expected at least two tests whose records determine this parameter, found {}; {}",
                         shared.name, shared.tests, needed_for(parameter)));
   if (without_answer > 0)
     throw CalculationFailed(fmt::format("{}: {} of {} tests gave no answer; the reasons are listed", request.path,
@@ -90,26 +90,25 @@ void run_campaign_command(const CampaignRequest& request) {
 
 void add_campaign_command(CLI::App& app) {
   const auto request = std::make_shared<CampaignRequest>();
-  CLI::App* command = app.add_subcommand("campaign", "Many measured tests: one table, categories, figures");
+  CLI::App* command = app.add_subcommand("campaign", "Friction in many measured tests: one table, categories, figures");
   command
       ->add_option("path", request->path,
                    "Folder of case files; or, with --common, of data files; or a table (CSV) with one test per row")
       ->type_name("PATH")
       ->required();
-  command->add_option("--common", request->common, "Case file that says what all tests have in common")
-      ->type_name("FILE");
+  command->add_option("--common", request->common, "Case file with what all tests have in common")->type_name("FILE");
   add_set_option(*command, request->changes);
   command
       ->add_option("--report", request->report,
                    "Write report.html, tables, figures and each test's results into this folder; results that are "
-                   "there already are not computed again")
+                   "already there are not computed again")
       ->type_name("FOLDER")
       ->each([](const std::string& folder) {
         if (!folder.empty()) announce_campaign_report(files_of_this_call(), folder, "--report");
       });
   command->add_flag("!--no-figures", request->figures, "Write only the tables, without report.html and figures");
   command->add_flag("--test-reports", request->test_reports, "Also write the report of each test, with its figures");
-  command->add_option("-j,--jobs", request->jobs, "Tests computed at the same time")
+  command->add_option("-j,--jobs", request->jobs, "Number of tests computed at the same time")
       ->type_name("NUMBER")
       ->check(CLI::Range(1U, 1024U))
       ->default_str("the number of cores");
@@ -122,10 +121,11 @@ void add_campaign_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "A table has a column for each key of a case file that differs: \"file\", \"diameter [um]\", \"until\". A test\n"
-      "that cannot be computed is listed with its reason, and the exit code is 1. If a run is interrupted, at any\n"
-      "moment, the same command with the same --report goes on where it stopped. The results are the same bytes\n"
-      "for any number of jobs.\n\n"
+      "A table has a column for each key of a case file that differs between tests: \"file\", \"diameter [um]\", "
+      "\"until\".\n"
+      "A test that cannot be computed is listed with the reason, and the exit code is 1. If a run is interrupted, the\n"
+      "same command with the same --report continues where it stopped. The results are identical for any number of\n"
+      "jobs.\n\n"
       "Examples:\n"
       "  flexslip campaign tests/ --report report\n"
       "  flexslip campaign exports/ --common rig.toml --report report\n"

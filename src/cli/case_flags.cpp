@@ -75,8 +75,9 @@ Case case_of_flags(const CaseRequest& request) {
 
 void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
   command
-      .add_option("--set", changes,
-                  "Change a key of the case: rig.stiffness=\"90 N/m\"; may be repeated. flexslip keys lists the keys")
+      .add_option(
+          "--set", changes,
+          "Change a key of the case, as in rig.stiffness=\"90 N/m\"; may be repeated. flexslip keys lists all keys")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -87,7 +88,7 @@ void add_case_options(CLI::App& command, CaseRequest& request) {
     if (!key.flag.empty()) request.flags.push_back({&key});
   command
       .add_option("file", request.file,
-                  "Case file (.toml), or a data file described by the flags below; - is standard input")
+                  "Case file (.toml), or a data file that the flags below describe; - is standard input")
       ->type_name("FILE")
       ->required();
   add_set_option(command, request.changes);
@@ -107,9 +108,9 @@ Case case_of(const CaseRequest& request) {
   if (!names_case_file(request)) return case_of_flags(request);
   if (has_flags(request))
     throw InputError({.file = request.file,
-                      .expected = "a data file beside flags that describe the test",
-                      .found = "a case file, which describes it",
-                      .remedy = "write the change into the case file, or pass --set"});
+                      .expected = "a data file, as flags describe the test",
+                      .found = "a case file, which describes the test itself",
+                      .remedy = "write the change into the case file, or pass it as --set"});
   return read_case(request.file, request.changes);
 }
 
@@ -121,7 +122,6 @@ InputError in_words_of_call(const CaseRequest& request, const InputError& error)
     if (fault.key != fmt::format("{}.{}", key->section, key->name)) continue;
     fault.field = key->flag;
     if (fault.kind == FaultKind::missing) {
-      fault.expected = "this flag, as the file is no case";
       fault.remedy = fmt::format("add {} {}, or describe the test in a case file (.toml)", key->flag, type_of(*key));
     }
   }

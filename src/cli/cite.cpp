@@ -65,13 +65,13 @@ void run_cite(const Output& output) {
 void add_cite_command(CLI::App& app) {
   const auto output = std::make_shared<Output>();
   CLI::App* command =
-      app.add_subcommand("cite", "How to cite the program and the paper whose model it computes: BibTeX");
+      app.add_subcommand("cite", "How to cite the program and the paper whose model it computes, in BibTeX");
   add_output_options(*command, *output);
   command->get_option("--json")->description("Write JSON instead of BibTeX");
   command->footer(
-      "Cite the paper for the mechanics, the program for the numbers: its version stands in the entry, and beside "
-      "every\n"
-      "answer (provenance in --json).\n\n"
+      "Cite the paper for the mechanics and the program for the numbers. The version of the program stands in the "
+      "entry\n"
+      "and in every answer (provenance in --json).\n\n"
       "Examples:\n"
       "  flexslip cite\n"
       "  flexslip cite --output flexslip.bib");

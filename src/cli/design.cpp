@@ -54,7 +54,7 @@ void run_design(const DesignRequest& request) {
   const Design planned = input.planned().design;
   if (const double periods = periods_up_to(planned.friction, planned.travel); periods > many)
     note(request.output,
-         fmt::format("friction varies over some {:.0e} periods on the way: the answer may take minutes", periods));
+         fmt::format("friction goes through about {:.0e} periods on the way: the answer may take minutes", periods));
   const DesignAnswer answer = answer_of(input);
   if (!request.figure.empty()) draw_for(request.output, design_figure(answer), request.figure);
   if (request.output.json)
@@ -69,15 +69,15 @@ void run_design(const DesignRequest& request) {
 void add_design_command(CLI::App& app) {
   const auto request = std::make_shared<DesignRequest>();
   CLI::App* command =
-      app.add_subcommand("design", "Before a test: will it show a sawtooth, and what would change that?");
+      app.add_subcommand("design", "Before a test: whether it will show a sawtooth, and what would change that");
   command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
   add_set_option(*command, request->changes);
   command
       ->add_option("--over", request->over,
-                   "A parameter and its range, NAME=FROM:TO[:POINTS]: write a table over it instead of the answer in "
+                   "Write a table over a parameter and its range, NAME=FROM:TO[:POINTS], instead of the answer in "
                    "words; given twice, a map over both")
       ->type_name("RANGE");
-  command->add_option("-j,--threads", request->threads, "With --over: designs computed at the same time")
+  command->add_option("-j,--threads", request->threads, "With --over, number of designs computed at the same time")
       ->type_name("NUMBER")
       ->check(CLI::Range(1U, 1024U))
       ->default_str("the number of cores");
@@ -85,8 +85,8 @@ void add_design_command(CLI::App& app) {
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text, or of CSV with --over");
   command->footer(
-      "Says whether a fibre on this rig will snap and where first, what the record will show of it, how stiff the\n"
-      "load train would have to be, and which single changes would reverse the answer. The case is one for\n"
+      "Says whether a specimen on this rig will snap and where first, what the record will show, how stiff the load\n"
+      "train would have to be for no snap, and which single changes would reverse the answer. The case is one for\n"
       "flexslip simulate: its farthest stage position is the travel of one loading, and its step is the distance\n"
       "between readings.\n"
       "With --over, writes a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, height, "

@@ -46,28 +46,31 @@ void run_equilibrium(const EquilibriumRequest& request) {
 void add_equilibrium_command(CLI::App& app) {
   const auto request = std::make_shared<EquilibriumRequest>();
   CLI::App* command =
-      app.add_subcommand("equilibrium", "The equilibrium curve or region of a specimen, whatever the rig");
+      app.add_subcommand("equilibrium", "The equilibrium curve or region of a specimen, independent of the rig");
   command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
   add_set_option(*command, request->changes);
   command->add_flag("--region", request->choice.region,
-                    "All equilibria, |q| <= mu, instead of only the loading curve, q = mu");
-  command->add_option("--points", request->choice.points, "Points along S; without it, as many as the roughness needs")
+                    "Write all equilibria, |q| <= mu, instead of only the loading curve, q = mu");
+  command
+      ->add_option("--points", request->choice.points,
+                   "Number of points along S; without it, as many as the roughness needs")
       ->type_name("N")
       ->check(CLI::Range(2, most_equilibria).description(""));
-  command->add_option("--levels", request->choice.levels, "With --region, values of q from -mu to mu")
+  command->add_option("--levels", request->choice.levels, "With --region, number of values of q from -mu to mu")
       ->type_name("N")
       ->check(CLI::Range(2, most_levels).description(""))
       ->capture_default_str();
   command
       ->add_option("--longest", request->choice.longest,
-                   "Compute up to this length between the supports; without it, 1.5 spans")
+                   "Length between the supports up to which to compute; without it, 1.5 spans")
       ->type_name("LENGTH");
   add_figure_option(*command, request->figure);
   add_output_options(*command, request->output);
   command->footer(
       "Writes S,mu,w,F along the curve, or S,q,w,F over the region, in SI, or reduced if the case is. For a thick\n"
-      "specimen, or on rollers, it also writes drawn_in. The surface of a thick specimen slides out at first: the\n"
-      "curve begins where the surface has come back to the point that touched, and simulate shows the way there.\n\n"
+      "specimen, or on rollers, it also writes drawn_in, the length pulled in. The surface of a thick specimen slides\n"
+      "out at first: the curve begins where the point that first touched is back, and simulate shows the path "
+      "there.\n\n"
       "Examples:\n"
       "  flexslip equilibrium case.toml --longest \"1500 um\"\n"
       "  flexslip equilibrium case.toml --region --output region.csv");

@@ -40,7 +40,7 @@ void run_fit(const FitRequest& request) {
       const Case input = case_of(request.test);
       const Busy busy("Fitting", request.output);
       if (request.analysis.model.empty() && input.friction && input.friction->profile)
-        note(request.output, "the parameters in [friction] are for simulating; the fit does not use them");
+        note(request.output, "the parameters in [friction] are for simulating and are not used by the fit");
       return fit_test(input, options_for(input, request.analysis));
     } catch (const InputError& error) {
       throw in_words_of_call(request.test, error);
@@ -52,11 +52,10 @@ void run_fit(const FitRequest& request) {
   if (!request.curves.empty()) write_curves(request.curves, test);
   if (!request.draws.empty() && is_fitted(test)) write_draws(request.draws, test);
   if (!request.draws.empty() && !is_fitted(test))
-    note(request.output,
-         fmt::format("no profiles are written to {}: there is no fit to draw them from", request.draws));
+    note(request.output, fmt::format("{} is not written: there is no fit to draw profiles from", request.draws));
   if (!request.report.empty() && write_report_with_studio(request.report, test) == DrawStatus::no_gnuplot)
     note(request.output,
-         "gnuplot is not installed: the report has the scripts and data of the pictures, but no pictures");
+         "gnuplot is not installed: the report holds the scripts and data of the figures, but no pictures");
   if (request.output.json)
     write_json(request.output.path, fit_json(test));
   else
@@ -71,12 +70,12 @@ void run_fit(const FitRequest& request) {
 void add_fit_command(CLI::App& app) {
   const auto request = std::make_shared<FitRequest>();
   CLI::App* command =
-      app.add_subcommand("fit", "What friction a measured test shows, where along the specimen, and how certainly");
+      app.add_subcommand("fit", "Friction that a measured test shows along the specimen, and how certain it is");
   add_case_options(*command, request->test);
   add_analysis_options(*command, request->analysis);
   add_output_file(*command, "--profile", request->profile, "Write the friction along the specimen to this CSV file");
   add_output_file(*command, "--curves", request->curves,
-                  "Write measured, fitted and replayed force point by point to this CSV file");
+                  "Write measured, fitted and replayed force, point by point, to this CSV file");
   add_output_file(
       *command, "--draws", request->draws,
       "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"");
@@ -86,19 +85,20 @@ void add_fit_command(CLI::App& app) {
         if (!folder.empty()) announce_report(files_of_this_call(), folder, "--report");
       });
   command
-      ->add_option("--surface", request->surface,
-                   "Hold the surface that would explain the friction against this height profile, read as surface does")
+      ->add_option(
+          "--surface", request->surface,
+          "Compare the surface that would explain the friction with this height profile, read as by flexslip surface")
       ->type_name("TRACE");
-  command->add_flag("--full", request->full, "Print every table and remark, not only what fits one screen");
+  command->add_flag("--full", request->full, "Print every table and remark, not only what fits on one screen");
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "Writes the answer on one screen. With --full it writes all that the report says but for its pictures: the\n"
-      "parameters with their intervals, every slip and snap, the energy account, what was assumed, and the files. Rows "
-      "are those of the file, counted from 1 without its header.\n"
-      "Without gnuplot the report has the scripts and data of the pictures, but no pictures, and the exit code is\n"
-      "0. The exit code is 1 if there is no answer. One that is not to be trusted is an answer: judgement.standing of\n"
-      "--json says so.\n\n"
+      "Writes the answer on one screen. With --full it writes everything in the report except the figures: parameters\n"
+      "with their intervals, every slip and snap, the energy account, what was assumed, and the files. Rows are those\n"
+      "of the file, counted from 1 without its header.\n"
+      "Without gnuplot the report holds the scripts and data of the figures but no pictures, and the exit code is 0.\n"
+      "The exit code is 1 if there is no answer. An answer that should not be trusted is still an answer:\n"
+      "judgement.standing in --json says so.\n\n"
       "Examples:\n"
       "  flexslip fit examples/simulated/case.toml --report report\n"
       "  flexslip fit test.csv --span \"1278 um\" --stiffness \"90.6 N/m\" --diameter \"34.8 um\" \\\n"

@@ -93,11 +93,13 @@ void invert_states(const InvertRequest& request) {
   const std::size_t row = unexplained.front();
   const double most = request.on_supports() ? largest_q_on_supports : largest_q;
   throw CalculationFailed(fmt::format(
-      "{}:{}: no friction from {:g} to {:g} explains w = {}, F = {}{}{}", table.source, table.line_of(row), -most, most,
-      w[row], F[row],
-      w[row] < least_half_depths * supports.half_depth ? "; deflections below twice the thickness tell no friction"
-                                                       : "",
-      unexplained.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", unexplained.size() - 1)));
+      "{}:{}: no friction between {:g} and {:g} explains w = {}, F = {}{}{}", table.source, table.line_of(row), -most,
+      most, w[row], F[row],
+      w[row] < least_half_depths * supports.half_depth
+          ? "; friction cannot be read off deflections below twice the thickness"
+          : "",
+      unexplained.size() == 1 ? ""
+                              : fmt::format("; nor {} more rows, which are written as nan", unexplained.size() - 1)));
 }
 
 void invert_case(const InvertRequest& request) {
@@ -125,7 +127,7 @@ void run_invert(const InvertRequest& request) {
   else
     throw InputError({.file = request.file,
                       .field = "--set",
-                      .expected = "a case file (.toml) beside it",
+                      .expected = "a case file (.toml) to change",
                       .found = "deflections and forces",
                       .remedy = "leave it out, or pass --case if the file is one"});
 }
@@ -139,28 +141,29 @@ void add_invert_command(CLI::App& app) {
       ->type_name("FILE")
       ->required();
   add_set_option(*command, request->changes);
-  command->add_flag("--case", request->is_case, "The file is a case, whatever its name");
+  command->add_flag("--case", request->is_case, "Read the file as a case, whatever its name");
   command
       ->add_option("--roller-radius", request->radius,
-                   "Radius of fixed rollers as supports, such as \"5 mm\"; in spans without a case")
+                   "Radius of fixed rollers as supports, such as \"5 mm\"; without a case, in spans")
       ->type_name("LENGTH");
   command
       ->add_option("--thickness", request->thickness,
-                   "Thickness of the specimen, at whose surface friction acts; with --roller-radius, by default that "
+                   "Thickness of the specimen, as friction acts at its surface; with --roller-radius, by default that "
                    "of the case")
       ->type_name("LENGTH");
   add_output_options(*command, request->output);
   command->footer(
-      "From CSV: reduced variables, w in spans and F in EI/L^2; writes w,F,S,q. A point that no friction\n"
-      "explains is written as nan, and the exit code is 1.\n"
-      "From a case: the friction along the specimen in its test up to failure, in SI. drawn_in is S - L on edges.\n"
-      "imaged is the length of the axis between the verticals through the supports, as a camera sees it.\n"
-      "position is that of the support, counted along the specimen from midspan. mu_error is the standard\n"
-      "error. Its parts stem from the noise of the force, the bending stiffness and the contact point; the last\n"
-      "two move all points together.\n"
-      "Supports are knife edges, and friction acts at the axis of the specimen, unless the case or flags say more.\n"
-      "If they do, S is the length of the axis between the contacts, drawn_in is what has slid, including the arc\n"
-      "over the roller, and nothing is told below a deflection of twice the thickness.\n\n"
+      "From CSV, in reduced variables (w in spans, F in EI/L^2), it writes w,F,S,q. A point that no friction explains "
+      "is\n"
+      "written as nan, and the exit code is 1.\n"
+      "From a case, it writes friction along the specimen up to failure, in SI. drawn_in is the length pulled in, on\n"
+      "edges S - L. imaged is the length of the axis between the verticals through the supports, as a camera sees it.\n"
+      "position is that of the support, counted along the specimen from midspan. mu_error is the standard error. Its\n"
+      "parts come from the noise of the force, the bending stiffness and the contact point; the last two move all\n"
+      "points together.\n"
+      "Supports are knife edges and friction acts at the axis of the specimen, unless case or flags say otherwise.\n"
+      "Then S is the length of the axis between the contacts, drawn_in includes the arc over the roller, and friction\n"
+      "cannot be read off below a deflection of twice the thickness.\n\n"
       "Examples:\n"
       "  flexslip invert bar.toml --roller-radius \"5 mm\"\n"
       "  flexslip invert examples/simulated/case.toml --output profile.csv\n"

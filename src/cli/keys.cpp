@@ -47,13 +47,13 @@ void run_keys(const KeysRequest& request) {
 
 void add_keys_command(CLI::App& app) {
   const auto request = std::make_shared<KeysRequest>();
-  CLI::App* command = app.add_subcommand("keys", "Every key of a case file: what it holds, and what it means");
-  command->add_option("section", request->section, "Only this section or key, such as rig or rig.stiffness")
+  CLI::App* command = app.add_subcommand("keys", "Every key of a case file: what it holds and what it means");
+  command->add_option("section", request->section, "Show only this section or key, such as rig or rig.stiffness")
       ->type_name("WHAT");
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "--set in the other commands changes any of them.\n\n"
+      "The option --set of other commands changes any key.\n\n"
       "Examples:\n"
       "  flexslip keys rig\n"
       "  flexslip simulate case.toml --set rig.stiffness=\"200 N/m\" --set friction.mu0=0.4");

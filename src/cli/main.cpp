@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/interruption.h"
 #include "io/call_files.h"
 #include "io/input_error.h"
@@ -68,13 +69,13 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
              help;
     if (is_program)
       return with_guess(fmt::format("unknown command {}", in_quotes(word)), nearest(word, command_names(app))) + help;
-    return fmt::format("{} has no use for {}", program, in_quotes(word)) + help;
+    return fmt::format("{} takes no further argument, but was given {}", program, in_quotes(word)) + help;
   }
   if (is_program && command.get_subcommands().empty())
     return fmt::format("expected one of the commands {}", listed(command_names(app))) + help;
   std::string message = error.what();
   if (const std::string_view unread = "Could not convert: "; message.starts_with(unread))
-    message = fmt::format("{} is not a number as this option takes it", message.substr(unread.size()));
+    message = fmt::format("{} is not a number that this option takes", message.substr(unread.size()));
   for (char& c : message)
     if (c == '\n') c = ' ';
   return fmt::format("{}: {}", command.get_name(), message) + help;
@@ -82,19 +83,20 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "What a sawtooth in a three-point bending test means: the friction at the supports, read off the force curve");
+      "What a sawtooth in a three-point bending test means: friction at the supports, read off the force curve");
   app.name("flexslip");
+  app.set_help_flag("--help", "Print all options and exit");
   app.set_version_flag("--version", "flexslip " FLEXSLIP_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.get_formatter()->column_width(28);
   app.footer(
-      "flexslip COMMAND --help explains a command.\n\n"
+      "flexslip COMMAND -h shows the usual options of a command, flexslip COMMAND --help all of them.\n\n"
       "Examples:\n"
       "  flexslip fit examples/simulated/case.toml --report report\n"
       "                            fits the shipped example and writes report/report.html\n"
       "  flexslip simulate case.toml --output test.csv\n"
-      "                            says what a test would measure\n\n"
+      "                            computes what a test would measure\n\n"
       "Exit status:\n"
       "  0  done\n"
       "  1  the calculation did not succeed; what could be calculated is written\n"
@@ -117,7 +119,12 @@ int run(int argc, char** argv) {
   add_results_command(app);
   add_completions_command(app);
   add_cite_command(app);
-  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) command->group("Commands");
+  add_help_command(app);
+  add_short_help(app);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    command->group("Commands");
+    add_short_help(*command);
+  }
 
   // Where a shell sends it to a file.
   std::error_code elsewhere;
@@ -125,6 +132,9 @@ int run(int argc, char** argv) {
     files_of_this_call().writes(file, "standard output");
   try {
     app.parse(argc, argv);
+    return EXIT_SUCCESS;
+  } catch (const ShortHelp& help) {
+    std::cout << help.text;
     return EXIT_SUCCESS;
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);

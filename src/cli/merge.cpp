@@ -50,7 +50,7 @@ void run_merge(const MergeRequest& request) {
   const bool is_gone = std::none_of(request.folders.begin(), request.folders.end(), is_there);
   if (is_gone && digest_of_sweep_file(path)) {
     note(request.output,
-         fmt::format("there is no {}, but there is {}, the file of a sweep", request.folders.front(), path));
+         fmt::format("{} does not exist, but {} does, the file of a sweep", request.folders.front(), path));
     if (request.output.json) write_json("-", sweep_fields()({.status = "done", .file = path}, {}));
     return;
   }
@@ -59,8 +59,8 @@ void run_merge(const MergeRequest& request) {
     const auto there = std::filesystem::absolute(path).parent_path();
     if (is_there(folder) && std::filesystem::equivalent(there, folder, absent))
       throw InputError({.field = "--output",
-                        .expected = "a file beside the parts",
-                        .found = in_quotes(path) + " among them",
+                        .expected = "a file outside the folder of parts",
+                        .found = in_quotes(path) + " inside it",
                         .remedy = "pass another --output: the parts are removed once they are joined"});
   }
 
@@ -84,22 +84,23 @@ void run_merge(const MergeRequest& request) {
 
 void add_merge_command(CLI::App& app) {
   const auto request = std::make_shared<MergeRequest>();
-  CLI::App* command =
-      app.add_subcommand("merge", "Join the parts of a sweep in one file, once all shards are computed");
-  command->add_option("folders", request->folders, "Folder of parts, FILE.parts; several if shards were computed apart")
+  CLI::App* command = app.add_subcommand("merge", "Join the parts of a sweep in one file when all shards are computed");
+  command
+      ->add_option("folders", request->folders,
+                   "Folder of parts, FILE.parts; several if shards were computed in different places")
       ->type_name("FOLDER")
       ->required();
   command->add_option("-o,--output", request->path, "HDF5 file to write")
       ->type_name("FILE")
       ->default_str("the first folder without .parts");
-  command->add_flag("--keep-parts", request->keep_parts, "Leave the parts where they are");
+  command->add_flag("--keep-parts", request->keep_parts, "Keep the parts after they are joined");
   command->add_flag("--json", request->output.json, "Report the outcome in JSON");
   command->add_flag("--quiet", request->output.quiet, "No remarks on standard error, only errors");
   command->footer(
       "If parts are missing or damaged, no file is written and the exit code is 1. Those parts are listed with their\n"
-      "rows, and with the call that computes only them. The parts are removed once the file is whole and safe on the\n"
-      "disk, so nothing is lost if the merge is stopped. Memory does not grow with the sweep, except for the list of\n"
-      "missing parts.\n\n"
+      "rows and with the call that computes only them. The parts are removed when the file is complete and safe on "
+      "the\n"
+      "disk, so nothing is lost if the merge is stopped.\n\n"
       "Examples:\n"
       "  flexslip merge map.h5.parts\n"
       "  flexslip merge here/map.h5.parts there/map.h5.parts --output map.h5");

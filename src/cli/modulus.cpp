@@ -57,22 +57,24 @@ void run_modulus(const ModulusRequest& request) {
 void add_modulus_command(CLI::App& app) {
   const auto request = std::make_shared<ModulusRequest>();
   CLI::App* command =
-      app.add_subcommand("modulus", "Stiffness and flexural modulus, as the bending standards have them");
+      app.add_subcommand("modulus", "Stiffness and flexural modulus as defined by the bending standards");
   add_case_options(*command, request->test);
   command
-      ->add_option("--window", request->window,
-                   "Straight part, in shares of the greatest force at deflections below a tenth of the span; without "
-                   "it, the steepest quarter")
+      ->add_option(
+          "--window", request->window,
+          "Straight part of the curve, in shares of the greatest force at deflections below a tenth of the span; "
+          "without it, the steepest quarter")
       ->type_name("SHARE")
       ->expected(2);
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
-      "Gives the numbers to compare with other laboratories, also for specimens too thick for fit. They assume small\n"
-      "deflections, no friction and no shear. Without a span there is only a stiffness, and without a section there\n"
-      "is no modulus. A displacement of the crosshead is corrected for the stiffness of the load train. Modulus and\n"
-      "stress have three significant digits, as ISO 178 wants; --json has all. The exit code is 1 if the record has\n"
-      "no straight rising part.\n\n"
+      "Gives numbers to compare with other laboratories, also for specimens too thick for fit. The numbers assume "
+      "small\n"
+      "deflections, no friction and no shear. A modulus needs a span and a section; without a span there is only a\n"
+      "stiffness. Crosshead displacement is corrected for the stiffness of the load train. Modulus and stress have\n"
+      "three significant digits, as ISO 178 asks; --json has all. The exit code is 1 if the record has no straight\n"
+      "rising part.\n\n"
       "Examples:\n"
       "  flexslip modulus examples/simulated/case.toml\n"
       "  flexslip modulus export.csv --displacement crosshead --stiffness \"2 kN/mm\" --span \"64 mm\" \\\n"

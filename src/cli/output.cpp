@@ -24,12 +24,12 @@ void add_output_options(CLI::App& command, Output& output) {
   command.add_flag("--json", output.json, "Write JSON instead of CSV");
   add_output_file(command, "-o,--output", output.path, "Write to this file; - is standard output")
       ->capture_default_str();
-  command.add_flag("--quiet", output.quiet, "No remarks on standard error, only errors");
+  command.add_flag("--quiet", output.quiet, "Write no remarks on standard error, only errors");
 }
 
 void add_figure_option(CLI::App& command, std::string& path) {
   add_output_file(command, "--figure", path,
-                  "Draw the result: FILE.svg, FILE.pdf or FILE.png; its gnuplot script and data go beside it")
+                  "Draw the result as FILE.svg, FILE.pdf or FILE.png, with its gnuplot script and data beside it")
       ->each([](const std::string& file) {
         const std::filesystem::path picture(file);
         const std::string name = picture.stem().string();
@@ -40,7 +40,7 @@ void add_figure_option(CLI::App& command, std::string& path) {
 
 void draw_for(const Output& output, const Figure& figure, const std::string& path) {
   if (draw(figure, path) == DrawStatus::no_gnuplot)
-    note(output, "gnuplot is not installed: the figure is not drawn, but its script and data are there");
+    note(output, "gnuplot is not installed: the script and data of the figure are written, but no picture");
 }
 
 ScreenStyle screen_style(const Output& output) {

@@ -65,7 +65,7 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
     as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.encoding),
                       file.byte_order_mark ? " with byte order mark" : "", words_for(file.separator));
   if (file.has_marks)
-    as += fmt::format(", decimal {}, thousands {}", words_for(file.decimal), words_for(file.thousands));
+    as += fmt::format(", decimal mark {}, thousands mark {}", words_for(file.decimal), words_for(file.thousands));
   say(fmt::format("{}: {}; {}", file.source, file.format, as));
   say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
                   specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));
@@ -74,9 +74,9 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
                     column.unit.empty() ? "no unit" : column.unit,
                     column.words.empty() ? name_of(column.role) : "words"));
   for (const std::string& remark : file.notes) say(remark);
-  for (const std::string& question : file.asks) say("open: " + question);
+  for (const std::string& question : file.asks) say("open question: " + question);
   const bool has_spaces = request.file.find(' ') != std::string::npos;
-  say(fmt::format("the same again: flexslip read {0}{1}{0} {2}", has_spaces ? "\"" : "", request.file,
+  say(fmt::format("to read it the same way again: flexslip read {0}{1}{0} {2}", has_spaces ? "\"" : "", request.file,
                   file.repeat_with));
 }
 
@@ -95,40 +95,40 @@ void run_read(const ReadRequest& request) {
 
 void add_read_command(CLI::App& app) {
   const auto request = std::make_shared<ReadRequest>();
-  CLI::App* command =
-      app.add_subcommand("read", "Any testing machine's export as plain CSV, and what was decided about it");
+  CLI::App* command = app.add_subcommand("read", "An export of any testing machine as plain CSV, and how it was read");
   command->add_option("file", request->file, "Export of a testing machine, or a workbook (.xlsx); - is standard input")
       ->type_name("FILE")
       ->required();
-  command->add_option("--specimen", request->specimen, "Which of several specimens, counted from 1")
+  command->add_option("--specimen", request->specimen, "Which of several specimens to read, counted from 1")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber);
   const auto text = [&](const char* name, std::string& value, const char* description, const char* type) {
     return command->add_option(name, value, description)->type_name(type);
   };
-  text("--sheet", request->words.sheet, "Of a workbook (.xlsx): the sheet, its name or number", "SHEET");
-  text("--encoding", request->words.encoding, "utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
-  text("--separator", request->words.separator, "Between cells: , ; tab or space", "MARK");
+  text("--sheet", request->words.sheet, "Sheet of a workbook (.xlsx), by name or number", "SHEET");
+  text("--encoding", request->words.encoding, "Encoding of the text: utf-8, utf-16le, utf-16be, cp1252 or shift-jis",
+       "NAME");
+  text("--separator", request->words.separator, "Separator between cells: , ; tab or space", "MARK");
   text("--decimal", request->words.decimal, "Decimal mark: . or ,", "MARK");
-  text("--thousands", request->words.thousands, "Between groups of digits: . , space ' or none", "MARK");
-  text("--time", request->words.time, "The column with the time, its name or number", "COLUMN");
-  text("--crosshead", request->words.crosshead, "The column with the displacement of the crosshead", "COLUMN");
-  text("--deflection", request->words.deflection, "The column with the deflection of the specimen", "COLUMN");
-  text("--force", request->words.force, "The column with the force", "COLUMN");
+  text("--thousands", request->words.thousands, "Thousands separator: . , space ' or none", "MARK");
+  text("--time", request->words.time, "Column of time, by name or number", "COLUMN");
+  text("--crosshead", request->words.crosshead, "Column of crosshead displacement, by name or number", "COLUMN");
+  text("--deflection", request->words.deflection, "Column of deflection of the specimen, by name or number", "COLUMN");
+  text("--force", request->words.force, "Column of force, by name or number", "COLUMN");
   text("--displacement", request->words.displacement,
-       "What a displacement is if its name does not say: crosshead or deflection", "WHICH")
+       "What a displacement measures if its name does not say: crosshead or deflection", "WHICH")
       ->check(CLI::IsMember({"crosshead", "deflection"}));
-  text("--time-unit", request->words.time_unit, "The unit of the time", "UNIT");
-  text("--displacement-unit", request->words.displacement_unit, "The unit of the displacements", "UNIT");
-  auto* force_unit = text("--force-unit", request->words.force_unit, "The unit of the force", "UNIT");
+  text("--time-unit", request->words.time_unit, "Unit of time", "UNIT");
+  text("--displacement-unit", request->words.displacement_unit, "Unit of displacements", "UNIT");
+  auto* force_unit = text("--force-unit", request->words.force_unit, "Unit of force", "UNIT");
   text("--calibration", request->words.calibration, "Calibration of a force given in volts, such as \"222 N/V\"",
        "VALUE")
       ->excludes(force_unit);
   add_output_options(*command, request->output);
   command->footer(
-      "Reads exports of Instron Bluehill, MTS, Zwick testXpert, Shimadzu Trapezium and others, and plain tables:\n"
-      "whatever the encoding, separator, decimal mark and preamble. Writes CSV with units in the names. What was\n"
-      "decided, and what the file leaves open, goes to standard error, or with --json into the result.\n\n"
+      "Reads exports of Instron Bluehill, MTS, Zwick testXpert, Shimadzu Trapezium and others, and plain tables, with\n"
+      "any encoding, separator, decimal mark and preamble. Writes CSV with units in the names. What was decided, and\n"
+      "what the file leaves open, is written to standard error, or with --json into the result.\n\n"
       "Examples:\n"
       "  flexslip read examples/simulated/test.csv --output plain.csv\n"
       "  flexslip read examples/simulated/test.csv --json");

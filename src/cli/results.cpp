@@ -52,13 +52,13 @@ void run_results(const ResultsRequest& request) {
 void add_results_command(CLI::App& app) {
   const auto request = std::make_shared<ResultsRequest>();
   CLI::App* command =
-      app.add_subcommand("results", "Every key and column that the commands write: its unit, and what it means");
-  command->add_option("command", request->command, "Only this command, such as fit")->type_name("COMMAND");
+      app.add_subcommand("results", "Every key and column that the commands write: its unit and what it means");
+  command->add_option("command", request->command, "Show only this command, such as fit")->type_name("COMMAND");
   add_output_options(*command, request->output);
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
       "In JSON an estimate holds value, standard_error, interval95 and unit; [] stands for each item of a list, * for\n"
-      "any name. In tables an estimate takes four columns: NAME, NAME_standard_error, NAME_low and NAME_high.\n\n"
+      "any name. In tables an estimate has four columns: NAME, NAME_standard_error, NAME_low and NAME_high.\n\n"
       "Examples:\n"
       "  flexslip results fit\n"
       "  flexslip results simulate --json");

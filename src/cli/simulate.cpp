@@ -72,11 +72,11 @@ void require_history(const SimulateRequest& request, const Case& input) {
       if (asked)
         throw InputError({.file = input.source,
                           .field = field,
-                          .expected = "rollers that are fixed or on pins beside it",
+                          .expected = "fixed or pinned rollers",
                           .found = "rollers = \"loose\"",
                           .remedy = "leave it out"});
   if (!request.equilibria_at.empty() && input.specimen && !input.specimen->cracks.empty())
-    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, to draw all equilibria of",
+    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as all equilibria are drawn",
                       fmt::format("{}", input.specimen->cracks.size()), "leave out --equilibria-at, or the cracks");
 }
 
@@ -108,21 +108,21 @@ void add_simulate_command(CLI::App& app) {
   add_set_option(*command, request->changes);
   command
       ->add_option("--points", request->points,
-                   "Points on each stretch of sticking or sliding, if the stage has the step \"continuous\"")
+                   "Points on each stretch of sticking or sliding, if the stage moves continuously")
       ->type_name("N")
       ->check(CLI::Range(2, 1000000).description(""))
       ->capture_default_str();
   command->add_option("--noise", request->noise, "Standard deviation of the force readings, such as \"10 uN\"")
       ->type_name("FORCE");
-  command->add_option("--seed", request->seed, "Seed of the noise: the same seed gives the same readings")
+  command->add_option("--seed", request->seed, "Seed of the noise; the same seed gives the same readings")
       ->type_name("N")
       ->check(whole_number())
       ->capture_default_str();
-  command->add_flag("--energies", request->energies, "Add the energies up to each point of the path");
+  command->add_flag("--energies", request->energies, "Add the energies from the start to each point of the path");
   add_figure_option(*command, request->figure);
   command
       ->add_option("--equilibria-at", request->equilibria_at,
-                   "Draw all overall equilibria at this stage position in the figure; may be repeated")
+                   "Draw all equilibria at this stage position in the figure; may be repeated")
       ->type_name("LENGTH");
   add_output_options(*command, request->output);
   command->footer(
@@ -133,14 +133,15 @@ void add_simulate_command(CLI::App& app) {
       "\n"
       "Some tests have more columns:\n"
       "  section known            strain and stress of bending, at the surface at midspan\n"
-      "  supports not alike       left and right, what is drawn in over the first and over the other\n"
-      "  thick, or on rollers     drawn_in, what has slid past the first contacts, and imaged, what a camera sees\n"
+      "  supports differ          left and right, the lengths pulled in over the first and the other support\n"
+      "  thick, or on rollers     drawn_in, the length pulled in past the first contacts, and imaged, as a camera sees "
+      "it\n"
       "  --energies               stage_work, bending, load_train, friction, snaps and cracks, from the start\n"
       "With --json, the result also has snaps and cracks, the energies of each loading and unloading, and the\n"
       "energy account. The figure of a test that is unloaded shows its loops and their direction.\n"
       "\n"
-      "If the specimen slips through the supports, the path ends there, and the exit code is 1. Where the nose\n"
-      "lifts off, w stays that of the specimen.\n\n"
+      "If the specimen slips through the supports, the path ends there and the exit code is 1. Where the nose lifts\n"
+      "off, w is still the deflection of the specimen.\n\n"
       "Examples:\n"
       "  flexslip simulate case.toml --output test.csv\n"
       "  flexslip simulate case.toml --noise \"10 uN\" --seed 7 --json");

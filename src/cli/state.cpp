@@ -42,7 +42,7 @@ Input read_input(const StateRequest& request) {
   const auto& value = request.on_supports() ? request.w : request.S;
   if (request.on_supports() && request.S)
     throw InputError({.field = "--S",
-                      .expected = "a deflection, as the states are those on rollers",
+                      .expected = "a deflection, as the supports are rollers",
                       .found = "a length",
                       .remedy = "write --w, or leave out --roller-radius and --thickness"});
   if (!request.on_supports() && request.w)
@@ -52,7 +52,7 @@ Input read_input(const StateRequest& request) {
                       .remedy = "write --S, or add --roller-radius or --thickness"});
   if (request.loose && request.q)
     throw InputError({.field = "--q",
-                      .expected = "a deflection alone, as rollers that roll loose say the friction",
+                      .expected = "a deflection alone, as loose rollers determine the friction",
                       .found = "both",
                       .remedy = "leave it out"});
   if (!request.loose && value.has_value() != request.q.has_value())
@@ -112,13 +112,13 @@ std::string place_of(const Input& input, std::size_t row) {
 }
 
 std::string likewise(const std::vector<std::size_t>& missing) {
-  return missing.size() == 1 ? "" : fmt::format("; likewise {} more rows, written as nan", missing.size() - 1);
+  return missing.size() == 1 ? "" : fmt::format("; nor for {} more rows, which are written as nan", missing.size() - 1);
 }
 
 void run_states_on_supports(const StateRequest& request, const Input& input) {
   const Supports supports = within_limits({request.radius.value_or(0), 0.5 * request.thickness.value_or(0)});
   if (request.slopes)
-    throw InputError({.field = "--slopes", .expected = "edges", .found = "rollers or a thickness beside it"});
+    throw InputError({.field = "--slopes", .expected = "edges as supports", .found = "rollers or a thickness"});
   if (request.loose && !(supports.radius > 0))
     throw InputError(
         {.field = "--loose", .expected = "rollers with a radius", .found = "none", .remedy = "add --roller-radius"});
@@ -136,7 +136,7 @@ void run_states_on_supports(const StateRequest& request, const Input& input) {
   write_states(request, roller_state_fields(), states, missing.empty());
   if (missing.empty()) return;
   const std::size_t row = missing.front();
-  throw CalculationFailed(fmt::format("{}no state with a force found at w = {}{} on these supports{}",
+  throw CalculationFailed(fmt::format("{}no state with a force exists at w = {}{} on these supports{}",
                                       place_of(input, row), input.values[row],
                                       request.loose ? "" : fmt::format(", q = {}", input.q[row]), likewise(missing)));
 }
@@ -162,22 +162,23 @@ void run_state(const StateRequest& request) {
   if (missing.empty()) return;
 
   const std::size_t row = missing.front();
-  throw CalculationFailed(fmt::format(
-      "{}no state at S = {}, q = {}: there the force has fallen to zero, at S = {:.6g}{}", place_of(input, row),
-      input.values[row], input.q[row], fibre_branch_end(input.q[row]).S, likewise(missing)));
+  throw CalculationFailed(fmt::format("{}no state exists at S = {}, q = {}, as the force falls to zero at S = {:.6g}{}",
+                                      place_of(input, row), input.values[row], input.q[row],
+                                      fibre_branch_end(input.q[row]).S, likewise(missing)));
 }
 
 }  // namespace
 
 void add_state_command(CLI::App& app) {
   const auto request = std::make_shared<StateRequest>();
-  CLI::App* command = app.add_subcommand("state", "Deflection, force, slope and energy of states (S, q) of the fibre");
-  command->add_option("file", request->file, "CSV with the columns S,q, or w,q on rollers; - is standard input")
+  CLI::App* command = app.add_subcommand(
+      "state", "Deflection, force, slope and energy of single states of a specimen, in reduced variables");
+  command->add_option("file", request->file, "CSV with the columns S,q (on rollers w,q); - is standard input")
       ->type_name("FILE");
   command->add_option("--S", request->S, "Length between the supports, in spans")->type_name("NUMBER");
-  command->add_option("--q", request->q, "Mobilised friction, tangential over normal support force")
+  command->add_option("--q", request->q, "Mobilised friction: tangential over normal force at a support")
       ->type_name("NUMBER");
-  command->add_option("--w", request->w, "Deflection at midspan, in spans, instead of --S on rollers")
+  command->add_option("--w", request->w, "Deflection at midspan, in spans; on rollers, instead of --S")
       ->type_name("NUMBER");
   command->add_option("--roller-radius", request->radius, "Radius of fixed rollers as supports, in spans")
       ->type_name("NUMBER");
@@ -186,7 +187,7 @@ void add_state_command(CLI::App& app) {
                    "Thickness of the specimen, in spans; friction acts at its surface")
       ->type_name("NUMBER");
   command->add_flag("--loose", request->loose,
-                    "The rollers roll on a flat base and determine the friction: give --w alone; a column q is left");
+                    "The rollers roll on a flat base and determine the friction: give only --w; a column q is ignored");
   command->add_flag("--slopes", request->slopes, "Also write the partial derivatives with respect to S and q");
   add_output_options(*command, request->output);
   command->footer(

@@ -49,23 +49,23 @@ void run_studio(const StudioRequest& request) {
   const std::string page = std::filesystem::absolute(request.output).lexically_normal().string();
   std::cout << fmt::format("The studio: {}\n", page);
   if (!request.stay_closed && !opened(page))
-    note(Output{}, "no browser was found to open it: open it in one, it needs no network");
+    note(Output{}, "no browser was found: open the page in one; it needs no network");
 }
 
 }  // namespace
 
 void add_studio_command(CLI::App& app) {
   const auto request = std::make_shared<StudioRequest>();
-  CLI::App* command = app.add_subcommand("studio", "One page to see and fit tests in a browser, without a network");
+  CLI::App* command = app.add_subcommand("studio", "A page to see and fit tests in a browser, without a network");
   command
       ->add_option("files", request->files,
-                   "Tests to open it with: case files, which take along the files that they name, or data files")
+                   "Tests to open in it: case files, with the files that they name, or data files")
       ->type_name("FILE");
   add_output_file(*command, "-o,--output", request->output, "Write the page to this file; - is standard output")
       ->capture_default_str();
-  command->add_flag("--no-open", request->stay_closed, "Do not open it in the browser");
+  command->add_flag("--no-open", request->stay_closed, "Do not open the page in the browser");
   command->footer(
-      "Writes one HTML file that holds the program as WebAssembly, and opens it. It sends nothing anywhere. The page "
+      "Writes one HTML file that holds the program as WebAssembly, and opens it. The page sends nothing anywhere. It "
       "is\n"
       "built by tools/build-studio, or comes with a release.\n\n"
       "Examples:\n"

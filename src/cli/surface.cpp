@@ -42,10 +42,10 @@ void run_surface(const SurfaceRequest& request) {
 void add_surface_command(CLI::App& app) {
   const auto request = std::make_shared<SurfaceRequest>();
   CLI::App* command = app.add_subcommand(
-      "surface", "What a height profile says of its surface: slope, waves, what it resolves, the friction it predicts");
+      "surface", "What a height profile says about its surface: slope, waves, resolution, predicted friction");
   command
       ->add_option("trace", request->file,
-                   "Height profile of a microscope, a profilometer or an edge in an image; - is standard input")
+                   "Height profile from a microscope, a profilometer or an edge in an image; - is standard input")
       ->type_name("TRACE")
       ->required();
   const auto length = [&](const char* name, std::string& value, const char* help) {
@@ -53,28 +53,33 @@ void add_surface_command(CLI::App& app) {
   };
   command
       ->add_option("--level", request->choice.level,
-                   "Degree of the polynomial to take off: 0 the mean, 1 the tilt, 2 the bow")
+                   "Degree of the polynomial to subtract: 0 removes the mean, 1 the tilt, 2 the bow")
       ->type_name("DEGREE")
       ->check(CLI::Range(0, static_cast<int>(most_degree)).description(""))
       ->capture_default_str();
-  length("--cutoff", request->choice.cutoff, "Take shorter waves out, by the Gaussian filter of ISO 16610-21");
+  length("--cutoff", request->choice.cutoff, "Remove shorter waves with the Gaussian filter of ISO 16610-21");
   length("--edge-radius", request->choice.edge_radius, "Radius of the support's edge that is drawn over the surface");
-  command->add_option("--friction", request->choice.friction, "Predict the friction, from this one of the flat surface")
+  command
+      ->add_option("--friction", request->choice.friction,
+                   "Friction of the flat surface, from which to predict friction along the trace")
       ->type_name("NUMBER");
   command
-      ->add_option("--wavelength", request->choice.wavelengths,
-                   "Can the trace show waves of this length? May be repeated; without it, of those it shows")
+      ->add_option(
+          "--wavelength", request->choice.wavelengths,
+          "Tell whether the trace can show waves of this length; may be repeated. Without it, of the waves it shows")
       ->type_name("LENGTH")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  length("--amplitude", request->choice.amplitude, "Of this height, half of crest to trough?");
+  length("--amplitude", request->choice.amplitude, "Tell so for waves of this amplitude, half of crest to trough");
   length("--pixel", request->choice.pixel,
-         "Least difference of heights that is told; without it, what all are multiples of");
+         "Smallest difference between heights; without it, the number of which all heights are multiples");
   length("--noise", request->choice.noise,
-         "Standard deviation of a height; without it, found by the floor of the spectrum");
-  length("--shortest", request->choice.shortest, "Shortest wavelength that height and slope are told of");
-  length("--longest", request->choice.longest, "Longest; without it, a quarter of the trace");
-  command->add_option("--tapers", request->choice.tapers, "Tapers of the spectrum: more are smoother and coarser")
+         "Standard deviation of the noise of a height; without it, found from the floor of the spectrum");
+  length("--shortest", request->choice.shortest, "Shortest wavelength to include in rms height and slope");
+  length("--longest", request->choice.longest, "Longest wavelength to include; without it, a quarter of the trace");
+  command
+      ->add_option("--tapers", request->choice.tapers,
+                   "Number of tapers of the spectrum: more make it smoother and coarser")
       ->type_name("COUNT")
       ->check(CLI::Range(static_cast<int>(least_tapers), static_cast<int>(most_tapers)).description(""))
       ->capture_default_str();
@@ -87,8 +92,9 @@ void add_surface_command(CLI::App& app) {
   command->get_option("--json")->description("Write JSON instead of text");
   command->footer(
       "Reads text exports of Gwyddion, tables of position and height with their units, and heights alone with --step.\n"
-      "Height and slope are told of a stated band of wavelengths, each with its 95 % interval, without the noise that\n"
-      "the spectrum shows. The exit code is 1 if noise hides the surface at all of them.\n\n"
+      "Height and slope hold for a stated band of wavelengths. Each has a 95 % interval and excludes the noise that "
+      "the\n"
+      "spectrum shows. The exit code is 1 if noise hides the surface at all wavelengths.\n\n"
       "Examples:\n"
       "  flexslip surface examples/surface/trace.csv --wavelength \"10.9 um\" --amplitude \"0.11 um\"\n"
       "  flexslip surface examples/surface/trace.csv --friction 0.58 --edge-radius \"1 um\" --figure surface.svg");

@@ -47,7 +47,7 @@ std::string file_of(const SweepRequest& request) {
   if (request.path) return file_to_write(*request.path);
   if (request.file == "-")
     throw InputError({.field = "--output",
-                      .expected = "the file to write, as the case has no name",
+                      .expected = "the file to write, as a case on standard input has no name",
                       .found = "none",
                       .remedy = "pass --output FILE"});
   return std::filesystem::path(request.file).filename().replace_extension(".h5").string();
@@ -88,7 +88,7 @@ void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, cons
        fmt::format("jobs: {}, for {:.2g} core hours of designs. To submit them, and the merge: bash {}", shards,
                    minutes * static_cast<double>(request.threads) / 60, shell_word(request.slurm)));
   if (minutes < 1)
-    note(request.output, fmt::format("without a cluster it takes some {:.0f} s on {} threads of a machine like this",
+    note(request.output, fmt::format("without a cluster, about {:.0f} s on {} threads of a machine like this",
                                      std::ceil(60 * minutes), request.threads));
 }
 
@@ -123,7 +123,7 @@ void report_done(const SweepRequest& request, const SweepPlan& plan, const std::
   if (!parts.are_all_there())
     parts.remove_all();
   else if (!request.keep_parts)
-    note(request.output, fmt::format("its parts are still in {}: remove them if they are not needed", folder));
+    note(request.output, fmt::format("its parts are still in {}; remove them if you do not need them", folder));
 }
 
 void run_sweep_command(const SweepRequest& request) {
@@ -139,11 +139,11 @@ void run_sweep_command(const SweepRequest& request) {
   const SweepParts parts(parts_folder_of(path), plan);
   const SweepRun run = compute(request, parts, shard);
   for (const std::uint64_t chunk : run.damaged)
-    note(request.output, fmt::format("{} was damaged, and is computed anew", parts.file_of(chunk).string()));
+    note(request.output, fmt::format("{} is damaged and is computed again", parts.file_of(chunk).string()));
   if (run.rows_found > 0)
-    note(request.output, fmt::format("{} of {} designs were kept by an earlier run", run.rows_found, plan.rows));
+    note(request.output, fmt::format("{} of {} designs were computed by an earlier run", run.rows_found, plan.rows));
   if (run.status == SweepStatus::stopped)
-    throw Interrupted(fmt::format("interrupted; {} designs are kept in {}, and the same command goes on from there",
+    throw Interrupted(fmt::format("interrupted; {} designs are kept in {}, and the same command continues from there",
                                   run.rows_found + run.rows_computed, parts.folder().string()));
   if (!request.shard.empty()) return report_shard(request, parts, shard, run);
   if (finds_sweep(path, digest)) return report_done(request, plan, path);  // another run beside this was faster
@@ -155,8 +155,7 @@ void run_sweep_command(const SweepRequest& request) {
 
 void add_sweep_command(CLI::App& app) {
   const auto request = std::make_shared<SweepRequest>();
-  CLI::App* command =
-      app.add_subcommand("sweep", "Thousands of designs of a test: a grid or a sample of them, in HDF5");
+  CLI::App* command = app.add_subcommand("sweep", "Thousands of designs of a test, on a grid or as a sample, in HDF5");
   command->add_option("case", request->file, "Case file with a section [sweep]; - is standard input")
       ->type_name("CASE")
       ->required();
@@ -164,24 +163,23 @@ void add_sweep_command(CLI::App& app) {
   command->add_option("-o,--output", request->path, "HDF5 file to write")
       ->type_name("FILE")
       ->default_str("the case's name with .h5");
-  command->add_option("-j,--threads", request->threads, "Designs computed at the same time")
+  command->add_option("-j,--threads", request->threads, "Number of designs computed at the same time")
       ->type_name("NUMBER")
       ->check(CLI::Range(1U, 1024U))
       ->default_str("the number of cores");
   CLI::Option* shard =
-      command
-          ->add_option("--shard", request->shard, "Compute the I-th of N shards only, and leave the joining to `merge`")
+      command->add_option("--shard", request->shard, "Compute only the I-th of N shards; flexslip merge joins them")
           ->type_name("I/N");
-  command->add_flag("--keep-parts", request->keep_parts, "Leave the parts where they are once they are joined");
+  command->add_flag("--keep-parts", request->keep_parts, "Keep the parts after they are joined");
   CLI::Option* slurm = add_output_file(*command, "--slurm", request->slurm,
-                                       "Write a script for a Slurm array of jobs, and compute nothing yet");
+                                       "Write a script for an array of Slurm jobs, and compute nothing yet");
   slurm->excludes(shard);
-  command->add_option("--minutes", request->minutes, "With --slurm: about how long a job is to take")
+  command->add_option("--minutes", request->minutes, "With --slurm, approximate duration of a job")
       ->type_name("NUMBER")
       ->check(CLI::Range(0.1, 1e5).description(""))
       ->capture_default_str()
       ->needs(slurm);
-  command->add_option("--shards", request->shards, "With --slurm: the number of jobs")
+  command->add_option("--shards", request->shards, "With --slurm, number of jobs")
       ->type_name("N")
       ->check(CLI::PositiveNumber.description(""))
       ->needs(slurm);
@@ -196,8 +194,8 @@ void add_sweep_command(CLI::App& app) {
       "  mu0 = [0.3, 0.4, 0.5]\n"
       "Axes: mu0, amplitude, wavelength, phase, span, diameter, height, width, modulus, stiffness, travel, step,\n"
       "reference and pin_friction.\n\n"
-      "Results lie in FILE.parts until all are joined in FILE. If a sweep is stopped, at any moment, the same command\n"
-      "goes on where it was. The file is the same, byte for byte, for any number of threads and shards.\n\n"
+      "Results are kept in FILE.parts until all are joined in FILE. If a sweep is stopped, the same command continues\n"
+      "where it stopped. The file is identical for any number of threads and shards.\n\n"
       "Examples:\n"
       "  flexslip sweep map.toml\n"
       "  flexslip sweep map.toml --slurm map.slurm && bash map.slurm\n"

@@ -43,7 +43,7 @@ std::string words_of(const SweepMerge& merge, const SweepParts& parts, const std
   const auto& faults = merge.faults;
   constexpr std::size_t most = 20;
   std::string text =
-      fmt::format("{} is not written: of {} parts, {} are missing and {} damaged\n", path, chunks_of(parts.plan()),
+      fmt::format("{} is not written: of {} parts, {} are missing and {} are damaged\n", path, chunks_of(parts.plan()),
                   count_of(faults, PartState::missing), count_of(faults, PartState::damaged));
   const std::vector<ToldFault> told = faults_of(merge, parts.plan());
   for (std::size_t i = 0; i < std::min(told.size(), most); ++i)
@@ -67,7 +67,7 @@ std::string words_of(const std::vector<std::uint64_t>& counts) {
 std::string file_to_write(const std::string& path) {
   if (!path.empty() && path != "-") return path;
   throw InputError({.field = "--output",
-                    .expected = "a file: HDF5 cannot be written to standard output",
+                    .expected = "a file, as HDF5 cannot be written to standard output",
                     .found = in_quotes(path),
                     .remedy = "pass --output FILE"});
 }

@@ -44,30 +44,31 @@ Loading loading_of(const Case& input) {
   if (!input.stage) throw missing(input, "stage");
   const auto* programme = std::get_if<TurningPoints>(&input.stage->programme);
   if (!programme)
-    throw wrong_value(input, "stage.file", "a program of turning points, to plan one loading", "a measured programme",
-                      R"(write program = ["0 um", "900 um"], or see what that programme does with flexslip simulate)");
+    throw wrong_value(input, "stage.file", "a program of turning points, as one loading is planned",
+                      "a measured programme",
+                      R"(write program = ["0 um", "900 um"]; flexslip simulate shows what a measured programme does)");
   const auto& positions = programme->positions;
   const auto farthest = std::max_element(positions.begin(), positions.end());
   const auto shown = [&](double position) { return readable(position, kind_in(input, kind::length)); };
   if (positions.front() != 0)
-    throw wrong_value(input, "stage.program[1]", "0, the straight specimen, to plan one loading",
+    throw wrong_value(input, "stage.program[1]", "0, the straight specimen, as one loading is planned",
                       shown(positions.front()));
   if (const auto turn = std::is_sorted_until(positions.begin(), farthest + 1); turn <= farthest)
     throw wrong_value(input, fmt::format("stage.program[{}]", turn - positions.begin() + 1),
-                      fmt::format("one loading up to the farthest position, {}", shown(*farthest)),
+                      fmt::format("one loading up to the farthest position of {}", shown(*farthest)),
                       fmt::format("a way back to {}", shown(*turn)),
-                      "leave out what comes before, or see what the whole programme does with flexslip simulate");
+                      "leave out the positions before; flexslip simulate shows what the whole programme does");
   if (input.stage->snaps != SnapRest::nearest_stable)
-    throw wrong_value(input, "stage.snaps", "snaps that rest at the nearest stable state, to plan one loading",
-                      "\"overshoot\"", "leave it out, or see what overshooting does with flexslip simulate");
+    throw wrong_value(input, "stage.snaps", "snaps that rest at the nearest stable state, as one loading is planned",
+                      "\"overshoot\"", "leave it out; flexslip simulate shows what overshooting does");
   if (input.friction && input.friction->static_excess > 0)
-    throw wrong_value(input, "friction.static_excess", "friction that is the same at rest, to plan one loading",
+    throw wrong_value(input, "friction.static_excess", "no excess of static friction, as one loading is planned",
                       fmt::format("{:g}", input.friction->static_excess),
-                      "leave it out, or see what it does with flexslip simulate");
+                      "leave it out; flexslip simulate shows what it does");
   if (!input.specimen->cracks.empty())
-    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, to plan one loading",
+    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as one loading is planned",
                       fmt::format("{} of them", input.specimen->cracks.size()),
-                      "leave them out, or see what they do with flexslip simulate");
+                      "leave them out; flexslip simulate shows what they do");
   return {*farthest, programme->step.value_or(0)};
 }
 
@@ -136,7 +137,7 @@ double DesignCase::value(DesignParameter parameter) const {
   if (!has(parameter))
     throw InputError({.file = input_->source,
                       .field = std::string(described(parameter).name),
-                      .expected = "a number of the case that can be varied",
+                      .expected = "a number that the case has and that can be varied",
                       .found = "none"});
   return at(parameter).number;
 }
@@ -194,11 +195,12 @@ std::optional<DesignRefusal> DesignCase::fault_of_specimen() const {
   if (thickness < thickest * span) return std::nullopt;
   for (const auto parameter : {DesignParameter::diameter, DesignParameter::height})
     if (has(parameter))
-      return refusal(DesignFault::impossible, parameter,
-                     fmt::format("less than a fifth of the span, {}, for beam theory", readable(span, kind::length)));
-  return refusal(
-      DesignFault::impossible, DesignParameter::span,
-      fmt::format("more than five times the thickness, {}, for beam theory", readable(thickness, kind::length)));
+      return refusal(
+          DesignFault::impossible, parameter,
+          fmt::format("less than a fifth of the span of {}, for beam theory to hold", readable(span, kind::length)));
+  return refusal(DesignFault::impossible, DesignParameter::span,
+                 fmt::format("more than five times the thickness of {}, for beam theory to hold",
+                             readable(thickness, kind::length)));
 }
 
 RigInput DesignCase::rig() const {
@@ -212,7 +214,7 @@ std::optional<double> DesignCase::pin_limit() const { return pin_limit_of(rig())
 std::optional<DesignRefusal> DesignCase::fault_of_pins() const {
   if (rig().pins_turn()) return std::nullopt;
   return refusal(DesignFault::impossible, DesignParameter::pin_friction,
-                 "less than the radius of the roller over that of the pin");
+                 "less than the ratio of the radii of roller and pin");
 }
 
 std::optional<DesignRefusal> DesignCase::fault_of_loading(const Scales& scales) const {

@@ -29,7 +29,7 @@ const DesignParameterName& parameter_named(const DesignCase& input, std::string_
     if (known.name == name && input.has(known.parameter)) return described(known.parameter);
   const auto names = names_of(input);
   const std::string meant = nearest(name, names);
-  throw InputError({.expected = "one of the numbers of this case, " + listed(names),
+  throw InputError({.expected = "a number of this case, one of " + listed(names),
                     .found = in_quotes(name),
                     .remedy = meant.empty() ? "" : fmt::format("did you mean {}?", in_quotes(meant))});
 }

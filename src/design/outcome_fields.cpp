@@ -20,11 +20,11 @@ auto told(Get get) {
 
 Fields<DesignResult> fields_of_outcomes() {
   return Fields<DesignResult>()
-      .own("stage_reached", kind::length, "stage position that the loading gets to",
+      .own("stage_reached", kind::length, "stage position that the loading reaches",
            told([](O o, U u) { return u.scales.physical_length(o.stage_reached); }))
       .own("deflection_reached", kind::length, "deflection at that stage position",
            told([](O o, U u) { return u.scales.physical_length(o.w_reached); }))
-      .count("snaps", "snaps of the specimen, however small", told([](O o, U) { return o.snaps; }))
+      .count("snaps", "number of snaps of the specimen, however small", told([](O o, U) { return o.snaps; }))
       .own("first_snap_stage", kind::length, "stage position of the first snap; none without a snap",
            told([](O o, U u) { return u.scales.physical_length(o.first_snap.value_or(no_snap).stage); }))
       .own("first_snap_deflection", kind::length, "deflection before the first snap; none without a snap",
@@ -34,7 +34,7 @@ Fields<DesignResult> fields_of_outcomes() {
       .own("first_snap_force_after", kind::force, "force after the first snap; none without a snap",
            told([](O o, U u) { return u.scales.physical_force(o.first_snap.value_or(no_snap).F_after); }))
       .count("drops",
-             "falls of the force between readings, a run of them counting once: the teeth that the record shows",
+             "number of drops that the record shows: falls of the force between readings, a run of them counting once",
              told([](O o, U) { return o.drops; }))
       .own("largest_drop", kind::force, "largest fall of the force; 0 without drops",
            told([](O o, U u) { return u.scales.physical_force(o.largest_drop); }))
@@ -42,9 +42,10 @@ Fields<DesignResult> fields_of_outcomes() {
            told([](O o, U u) { return u.scales.physical_force(o.mean_drop); }))
       .own("greatest_force", kind::force, "greatest force",
            told([](O o, U u) { return u.scales.physical_force(o.greatest_force); }))
-      .number("greatest_strain", "greatest bending strain, at the surface at midspan; none without a section",
+      .number("greatest_strain", "greatest bending strain of the surface at midspan; none without a section",
               told([](O o, U u) { return u.surface ? u.surface->strain(o.greatest_curvature) : no_number; }))
-      .own("greatest_stress", kind::pressure, "greatest bending stress, likewise",
+      .own("greatest_stress", kind::pressure,
+           "greatest bending stress of the surface at midspan; none without a section",
            told([](O o, U u) { return u.surface ? u.surface->stress(o.greatest_curvature) : no_number; }))
       .own("work", kind::energy, "work measured on the specimen",
            told([](O o, U u) { return u.scales.physical_energy(o.work); }))

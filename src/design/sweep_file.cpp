@@ -126,8 +126,8 @@ bool finds_sweep(const std::string& path, const std::string& digest) {
   const auto found = digest_of_sweep_file(path);
   if (found == digest) return true;
   throw InputError({.file = path,
-                    .expected = "no file, or that of this sweep",
-                    .found = found ? "that of another sweep, or of another version" : "another file",
+                    .expected = "no file, or the file of this sweep",
+                    .found = found ? "the file of another sweep or another version" : "another file",
                     .remedy = "pass another --output, or remove it"});
 }
 

@@ -51,12 +51,12 @@ std::optional<Label> read_label(const fs::path& folder) {
   try {
     const Json json = Json::parse(in);
     if (json.at("layout") != layout_of_parts)
-      refuse(folder, "those of another version of FlexSlip", "go on with that version, or remove the folder");
+      refuse(folder, "those of another version of FlexSlip", "continue with that version, or remove the folder");
     return Label{json.at("version").get<std::string>(), json.at("digest").get<std::string>(),
                  json.at("source").get<std::string>(), json.at("text").get<std::string>(),
                  json.value("changes", std::vector<std::string>())};
   } catch (const Json::exception&) {
-    refuse(folder, fmt::format("a damaged {}", plan_name), "remove the folder: the sweep is computed anew");
+    refuse(folder, fmt::format("a damaged {}", plan_name), "remove the folder, and the sweep is computed anew");
   }
 }
 
@@ -74,7 +74,7 @@ Label label_of(const fs::path& folder) {
                       .expected = "a folder of parts, as flexslip sweep makes it beside its output",
                       .found = fs::is_directory(folder) ? fmt::format("one without {}", plan_name) : "no such folder"});
   if (label->version != FLEXSLIP_VERSION)
-    refuse(folder, fmt::format("those of FlexSlip {}, and this is {}", label->version, FLEXSLIP_VERSION),
+    refuse(folder, fmt::format("those of FlexSlip {}, but this is {}", label->version, FLEXSLIP_VERSION),
            "join them with that version, or compute the sweep anew");
   return *std::move(label);
 }
@@ -102,9 +102,7 @@ SweepParts::SweepParts(fs::path folder, const SweepPlan& plan)
   // Only this folder is made, so that a path misspelt is told.
   std::error_code error;
   fs::create_directory(folder_, error);
-  if (error)
-    throw InputError(
-        {.file = folder_.string(), .expected = "a folder that can be written to", .found = error.message()});
+  if (error) throw unwritable(folder_.string(), error.message());
   const bool is_foreign =
       !holds_nothing_else(folder_);  // asked before the label is read, which a run beside this writes before its parts
   const auto label = read_label(folder_);
@@ -117,7 +115,7 @@ SweepParts::SweepParts(fs::path folder, const SweepPlan& plan)
   if (label && label->digest != digest_)
     refuse(folder_,
            label->version == FLEXSLIP_VERSION
-               ? fmt::format("those of another one, of {} as it was", in_quotes(label->source))
+               ? fmt::format("those of another one, of {} before it was changed", in_quotes(label->source))
                : fmt::format("those of FlexSlip {}", label->version),
            "pass another --output, or remove the folder if they are not needed");
 }
@@ -128,7 +126,7 @@ SweepParts::SweepParts(fs::path folder)
       digest_(label_of(folder_).digest),
       columns_(columns_of(plan_).size()) {
   if (digest_of_sweep(plan_) != digest_)
-    refuse(folder_, fmt::format("a damaged {}, or parts of a program that computes other numbers", plan_name),
+    refuse(folder_, fmt::format("a damaged {}, or parts from a program that computes other numbers", plan_name),
            "run flexslip sweep with the case and this --output");
 }
 

@@ -62,7 +62,7 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameterName&
   if (range.points > most_axis_points)
     keys.refuse("points", fmt::format("at most {} points", most_axis_points), std::to_string(range.points));
   if (range.from == range.to)
-    keys.refuse("to", "another value than from", kind_of_node(keys.need("to")), "leave the axis out, or write a list");
+    keys.refuse("to", "a value other than from", kind_of_node(keys.need("to")), "leave the axis out, or write a list");
   if (range.spacing == Spacing::logarithmic && !(range.from > 0 && range.to > 0))
     keys.refuse(range.from > 0 ? "to" : "from", "a positive value, as the spacing is \"log\"",
                 kind_of_node(keys.need(range.from > 0 ? "to" : "from")), "write spacing = \"linear\"");
@@ -176,7 +176,7 @@ void check(const SweepPlan& plan) {
     const std::string key = axis_key(axis);
     if (!design.has(axis.parameter.parameter))
       throw wrong_value(plan.input, key, "a parameter that the case has", in_quotes(axis.parameter.name),
-                        "take another axis, or another kind of case");
+                        "choose another axis, or another kind of case");
     if (const auto* range = std::get_if<AxisRange>(&axis.values)) {
       set_from_axis(design, plan, axis, key + ".from", range->from);
       set_from_axis(design, plan, axis, key + ".to", range->to);
@@ -205,7 +205,7 @@ SweepPlan read_sweep(std::string_view text, const std::string& source, const std
   } else {
     for (const std::string_view other : {"samples", "seed"})
       if (sweep.has(other))
-        sweep.refuse(other, "it in a Latin hypercube only", "it in a grid", "delete it, or set method");
+        sweep.refuse(other, "method = \"latin hypercube\" beside it", "\"grid\"", "delete it, or change method");
   }
   const toml::node& axes = sweep.need("axes");
   if (!axes.is_table()) sweep.refuse("axes", "a section [sweep.axes]", kind_of_node(axes));

@@ -156,8 +156,8 @@ void require_space(const SweepPlan& plan, const std::string& output, const Shard
   const auto free = static_cast<double>(fs::space(folder).available);
   if (of_parts + of_file <= free) return;
   throw wrong_value(plan.input, "sweep", "a sweep that the disk has room for",
-                    fmt::format("{} for {} designs ({} of parts, and at most {} of the file that they are joined in), "
-                                "and {} free in {}",
+                    fmt::format("{} for {} designs ({} of parts, and at most {} of the file that joins them), "
+                                "but {} free in {}",
                                 readable_size(of_parts + of_file), plan.rows, readable_size(of_parts),
                                 readable_size(of_file), readable_size(free), in_quotes(folder.string())),
                     "take fewer points, or an --output on a larger disk");

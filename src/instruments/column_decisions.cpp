@@ -100,7 +100,7 @@ class Decisions {
     if (unit->dimension != kind.dimension)
       throw InputError({.file = out_.source,
                         .field = std::string(flag_of(role)),
-                        .expected = fmt::format("a column in a unit of {}", kind.name),
+                        .expected = fmt::format("a column in units of {}", kind.name),
                         .found = fmt::format("{} in {}", in_quotes(column.name), in_quotes(column.unit))});
   }
 
@@ -159,12 +159,12 @@ class Decisions {
       return each->role == ColumnRole::force && !is_voltage(each->unit);
     });
     std::string remedy =
-        fmt::format("if it is the force, give its calibration: --force {} --calibration \"222 N/V\"", voltage.number);
+        fmt::format("if it is the force, state its calibration: --force {} --calibration \"222 N/V\"", voltage.number);
     std::string found = fmt::format("column {} in {}", in_quotes(voltage.name), voltage.unit);
     if (force != which.end()) {
-      remedy += fmt::format("; if {} is, say --force {}", in_quotes((*force)->name), (*force)->number);
+      remedy += fmt::format("; if {} is the force, pass --force {}", in_quotes((*force)->name), (*force)->number);
       found += finding->force_is_noise
-                   ? fmt::format(" beside {}, which is noise", in_quotes((*force)->name))
+                   ? fmt::format(" beside {}, which holds only noise", in_quotes((*force)->name))
                    : fmt::format(", which follows {} (correlation {:.3f}) as a second load cell would",
                                  in_quotes((*force)->name), finding->correlation);
     }
@@ -184,7 +184,7 @@ class Decisions {
                           .field = "force",
                           .expected = "a force in units of force",
                           .found = fmt::format("column {} in {}", in_quotes(column.name), column.unit),
-                          .remedy = "give its calibration, as in --calibration \"222 N/V\""});
+                          .remedy = "state its calibration, as in --calibration \"222 N/V\""});
   }
 
   void apply_units() {
@@ -213,7 +213,7 @@ class Decisions {
     if (!is_voltage(column.unit))
       throw InputError({.file = out_.source,
                         .field = "column " + in_quotes(column.name),
-                        .expected = "volts, for a calibration",
+                        .expected = "a column in volts, as a calibration is given",
                         .found = column.unit.empty() ? "no unit" : in_quotes(column.unit)});
     for (double& value : column.values) value *= volts_in(column.unit) * factor;
     note_once(fmt::format("column {}: {} taken as {} by the calibration {}", in_quotes(column.name), column.unit, unit,
@@ -234,7 +234,7 @@ class Decisions {
                         .found = fmt::format("the unit {} for values in {}", in_quotes(text), column.unit),
                         .remedy = "give it as in --calibration \"222 N/V\""});
     if (!column.unit.empty() && machine_unit(column.unit) != unit)
-      note_once(fmt::format("column {}: the file says {}, taken as {} as you ask", in_quotes(column.name),
+      note_once(fmt::format("column {}: the file says {}; taken as {}, as you ask", in_quotes(column.name),
                             in_quotes(column.unit), text));
     column.unit = text;
   }
@@ -261,7 +261,7 @@ class Decisions {
     const double ratio = std::abs(stated->value) / highest;
     if (ratio < contradicts && ratio > 1 / contradicts) {
       if (std::abs(ratio - 1) > 0.01)  // evaluated within limits, or of smoothed values: worth saying, not wrong
-        out_.notes.push_back(fmt::format("line {} states a maximum force of {}, the rows have {}", stated->where->line,
+        out_.notes.push_back(fmt::format("line {} states a maximum force of {}, but the rows have {}", stated->where->line,
                                          readable(stated->value, kind::force), readable(highest, kind::force)));
       return;
     }
@@ -273,7 +273,7 @@ class Decisions {
          .field = "column " + in_quotes(force->name),
          .expected = fmt::format("a maximum of {}, as this line states", readable(stated->value, kind::force)),
          .found = readable(highest, kind::force),
-         .remedy = "is the file complete? If it is, say which unit the column has with --force-unit"});
+         .remedy = "check that the file is complete; if it is, state the unit of the column with --force-unit"});
   }
 
   void ask() {
@@ -287,28 +287,28 @@ class Decisions {
       if (column.role == ColumnRole::crosshead || column.role == ColumnRole::deflection)
         clear[column.role].push_back(&column);
     }
-    if (forces.empty()) out_.asks.emplace_back("which column is the force: --force COLUMN, its name or number");
+    if (forces.empty()) out_.asks.emplace_back("which column is the force? --force COLUMN, its name or number");
     if (forces.size() > 1)
-      out_.asks.push_back(fmt::format("which of the columns {} is the force: --force {}", listed_columns(forces),
+      out_.asks.push_back(fmt::format("which of the columns {} is the force? --force {}", listed_columns(forces),
                                       forces.front()->number));
     if (clear.empty() && unclear.empty())
-      out_.asks.emplace_back("which column is the displacement: --crosshead COLUMN or --deflection COLUMN");
+      out_.asks.emplace_back("which column is the displacement? --crosshead COLUMN or --deflection COLUMN");
     if (unclear.size() == 1 && clear.empty())
       out_.asks.push_back(fmt::format(
-          "is {} that of the crosshead or the deflection of the specimen: --displacement crosshead|deflection",
+          "is {} that of the crosshead or the deflection of the specimen? --displacement crosshead|deflection",
           in_quotes(unclear.front()->name)));
     if (unclear.size() > 1 && clear.empty())
       out_.asks.push_back(
-          fmt::format("which of the columns {} is of the crosshead, or the deflection of the specimen: "
+          fmt::format("which of the columns {} is that of the crosshead, or the deflection of the specimen? "
                       "--crosshead COLUMN or --deflection COLUMN",
                       listed_columns(unclear)));
     for (const auto& [role, several] : clear)
       if (several.size() > 1)
-        out_.asks.push_back(fmt::format("which of the columns {} is the {}: {} {}", listed_columns(several),
+        out_.asks.push_back(fmt::format("which of the columns {} is the {}? {} {}", listed_columns(several),
                                         word_for(role), flag_of(role), several.front()->number));
     for (const ExportColumn& column : columns) {
       if (column.role == ColumnRole::other || machine_unit(column.unit)) continue;
-      out_.asks.push_back(fmt::format("the unit of {}{}: {} {}", in_quotes(column.name),
+      out_.asks.push_back(fmt::format("what is the unit of {}{}? {} {}", in_quotes(column.name),
                                       column.unit.empty() ? "" : ", which says " + in_quotes(column.unit),
                                       unit_flag_of(column.role), usual_unit(column.role)));
     }

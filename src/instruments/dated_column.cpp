@@ -29,13 +29,13 @@ std::string take_dated(const ExportCells& cells, std::span<const std::size_t> li
       out.values.push_back(from_si((days - from) * 86400, *unit));
     }
     if (out.unit.empty()) out.unit = "s";
-    return fmt::format("column {} holds clock times: taken in {}{}", in_quotes(out.name), out.unit,
+    return fmt::format("column {} holds clock times, read in {}{}", in_quotes(out.name), out.unit,
                        has_date ? ", from the midnight before the first" : "");
   }
   if (out.role != ColumnRole::other || count(is_dated) != numbers) return "";
   out.values.assign(lines.size(), not_a_number);
   for (const std::size_t line : lines) out.words.push_back(cells.shown(line, column));
-  return fmt::format("column {} holds dates or clock times, and is kept as words", in_quotes(out.name));
+  return fmt::format("column {} holds dates or clock times and is kept as text", in_quotes(out.name));
 }
 
 }  // namespace flexslip

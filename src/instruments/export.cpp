@@ -27,7 +27,7 @@ ExportOptions options_for(const WorkbookSheet& sheet, ExportOptions options) {
     if (is_given)
       throw InputError({.field = flag,
                         .expected = "a text file",
-                        .found = "a workbook, whose cells are apart",
+                        .found = "a workbook, which needs no such choice",
                         .remedy = fmt::format("leave {} out", flag)});
   options.separator = '\t';
   return options;
@@ -51,7 +51,7 @@ Export read_export(std::string_view bytes, const std::string& source, const Expo
     if (is_packed(bytes)) return read_workbook(bytes, source, options);
     if (options.sheet)
       throw InputError({.field = "--sheet",
-                        .expected = "a workbook (.xlsx), of which it names a sheet",
+                        .expected = "a workbook (.xlsx), as this names a sheet",
                         .found = "a text file",
                         .remedy = "leave it out",
                         .key = "record.sheet"});
@@ -88,12 +88,19 @@ std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, 
                                          unit_flag_of(column.role), usual_unit(column.role));
   if (is_voltage(column.unit))
     refuse(0, wanted, in_quotes(column.unit), "give its calibration, as in --calibration \"222 N/V\"");
-  if (!unit) refuse(0, wanted, column.unit.empty() ? "none" : in_quotes(column.unit) + ", which is not known", remedy);
+  if (!unit) refuse(0, wanted, column.unit.empty() ? "none" : in_quotes(column.unit) + ", which is unknown", remedy);
   if (unit->dimension != kind.dimension) refuse(0, wanted, in_quotes(column.unit), remedy);
   std::vector<double> values;
   values.reserve(column.values.size());
   for (std::size_t row = 0; row < column.values.size(); ++row) {
-    if (std::isnan(column.values[row])) refuse(specimen.lines[row], "a number", "none", "delete the line");
+    if (std::isnan(column.values[row]))
+      throw InputError({.file = file.source,
+                        .line = specimen.lines[row],
+                        .field = "column " + in_quotes(column.name),
+                        .expected = "a number",
+                        .found = "none",
+                        .remedy = "delete the line",
+                        .part = TablePart::cell});
     values.push_back(to_si(column.values[row], *unit));
   }
   return values;
@@ -112,8 +119,8 @@ const ExportColumn& column_with(const Export& file, const ExportedSpecimen& spec
   if (found != nullptr && names.size() == 1) return *found;
   throw InputError({.file = file.source,
                     .field = std::string(word_for(role)),
-                    .expected = "one column that is it",
-                    .found = names.empty() ? "none by its name among " + listed(all) : "several: " + listed(names),
+                    .expected = "one column with it",
+                    .found = names.empty() ? "no name that says so among " + listed(all) : "several: " + listed(names),
                     .remedy = fmt::format("say which with {} COLUMN", flag_of(role))});
 }
 

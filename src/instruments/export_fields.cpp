@@ -29,18 +29,18 @@ Fields<ExportColumn> column_fields() {
     return !column.words.empty() ? Json(word()) : std::isnan(number) ? Json() : Json(number);
   };
   return Fields<ExportColumn>()
-      .count("number", "of the column in the file, from 1", &ExportColumn::number)
-      .words("name", "as in the file", &ExportColumn::name)
-      .words("unit", "as in the file; null if there is none",
+      .count("number", "number of the column in the file, from 1", &ExportColumn::number)
+      .words("name", "name of the column, as in the file", &ExportColumn::name)
+      .words("unit", "unit of the column, as in the file; null if there is none",
              [](C column) { return column.unit.empty() ? std::nullopt : std::optional(column.unit); })
-      .words("role", "time, displacement, crosshead, deflection, force or other",
+      .words("role", "role of the column: time, displacement, crosshead, deflection, force or other",
              [](C column) { return name_of(column.role); })
-      .any("first", "what stands in its first row",
+      .any("first", "content of the first row",
            [end](C column) {
              return end(column, column.values.empty() ? NAN : column.values.front(),
                         [&] { return column.words.front(); });
            })
-      .any("last", "what stands in its last row", [end](C column) {
+      .any("last", "content of the last row", [end](C column) {
         return end(column, column.values.empty() ? NAN : column.values.back(), [&] { return column.words.back(); });
       });
 }
@@ -48,22 +48,21 @@ Fields<ExportColumn> column_fields() {
 Fields<ExportedSpecimen> specimen_fields() {
   using S = const ExportedSpecimen&;
   return Fields<ExportedSpecimen>()
-      .words("name", "empty if the file names none", &ExportedSpecimen::name)
-      .list("columns", "that it has", column_fields(), &ExportedSpecimen::columns)
-      .count("rows", "that it has", [](S specimen) { return specimen.lines.size(); })
-      .count("first_line", "of the file, that its first row stands on",
-             [](S specimen) { return specimen.lines.front(); })
-      .count("last_line", "of the file, that its last row stands on", [](S specimen) { return specimen.lines.back(); })
-      .words_by_name("metadata", "what the file says of it alone, under the file's names",
+      .words("name", "name of the specimen; empty if the file names none", &ExportedSpecimen::name)
+      .list("columns", "columns of the specimen", column_fields(), &ExportedSpecimen::columns)
+      .count("rows", "number of rows of the specimen", [](S specimen) { return specimen.lines.size(); })
+      .count("first_line", "line of the file with the first row", [](S specimen) { return specimen.lines.front(); })
+      .count("last_line", "line of the file with the last row", [](S specimen) { return specimen.lines.back(); })
+      .words_by_name("metadata", "what the file says about this specimen, under the file's own names",
                      [](S specimen) { return first_of_each(specimen.metadata); });
 }
 
 Fields<ExportedTest> test_fields() {
   return Fields<ExportedTest>()
-      .own("span", kind::length, "between the supports", &ExportedTest::span)
-      .own("diameter", kind::length, "of the specimen", &ExportedTest::diameter)
-      .own("width", kind::length, "of the specimen", &ExportedTest::width)
-      .own("thickness", kind::length, "of the specimen", &ExportedTest::thickness)
+      .own("span", kind::length, "support span", &ExportedTest::span)
+      .own("diameter", kind::length, "diameter of the specimen", &ExportedTest::diameter)
+      .own("width", kind::length, "width of the specimen", &ExportedTest::width)
+      .own("thickness", kind::length, "thickness of the specimen", &ExportedTest::thickness)
       .number("rate", "speed of the crosshead, in m/s", &ExportedTest::rate);
 }
 
@@ -79,23 +78,24 @@ Fields<ToldExport> export_fields() {
   const auto of = [](auto part) { return [part](E told) { return told.file.*part; }; };
   const auto mark = [](char Export::*part) { return [part](E told) { return text_of(told.file.*part); }; };
   return Fields<ToldExport>()
-      .words("format", "Instron Bluehill, …, or table", of(&Export::format))
-      .words("sheet", "of the workbook (.xlsx) that was read; null of a text file", of(&Export::sheet))
-      .words("sheets", "of that workbook, in their order", of(&Export::sheets))
-      .words("encoding", "of the text", [](E told) { return name_of(told.file.encoding); })
-      .yes_no("byte_order_mark", "the file begins with one", of(&Export::byte_order_mark))
-      .words("delimiter", "between columns", mark(&Export::separator))
-      .words("decimal", "mark", mark(&Export::decimal))
-      .words("thousands", "mark between them; null without one", mark(&Export::thousands))
+      .words("format", "format of the file: Instron Bluehill, …, or table", of(&Export::format))
+      .words("sheet", "sheet of the workbook (.xlsx) that was read; null for a text file", of(&Export::sheet))
+      .words("sheets", "sheets of the workbook, in their order", of(&Export::sheets))
+      .words("encoding", "encoding of the text", [](E told) { return name_of(told.file.encoding); })
+      .yes_no("byte_order_mark", "the file begins with a byte order mark", of(&Export::byte_order_mark))
+      .words("delimiter", "separator between columns", mark(&Export::separator))
+      .words("decimal", "decimal mark", mark(&Export::decimal))
+      .words("thousands", "mark between thousands; null without one", mark(&Export::thousands))
       .yes_no("quoted", "cells stand in quotes", of(&Export::quoted))
-      .list("columns", "of the specimen chosen", column_fields(), [chosen](E told) { return chosen(told).columns; })
-      .count("rows", "of the specimen chosen", [chosen](E told) { return chosen(told).lines.size(); })
-      .list("specimens", "that the file holds", specimen_fields(), of(&Export::specimens))
-      .words_by_name("metadata", "what the file says of all, under its own names",
+      .list("columns", "columns of the chosen specimen", column_fields(),
+            [chosen](E told) { return chosen(told).columns; })
+      .count("rows", "number of rows of the chosen specimen", [chosen](E told) { return chosen(told).lines.size(); })
+      .list("specimens", "specimens in the file", specimen_fields(), of(&Export::specimens))
+      .words_by_name("metadata", "what the file says about all specimens, under its own names",
                      [](E told) { return first_of_each(told.file.metadata); })
-      .group("test", "what was understood of that; null what was not stated", test_fields(), of(&Export::test))
-      .words("notes", "what was decided or left out", of(&Export::notes))
-      .words("asks", "what the file does not say and an evaluation needs, with the flag that says it",
+      .group("test", "metadata that were understood; null if not stated", test_fields(), of(&Export::test))
+      .words("notes", "decisions about the file, and what was left out", of(&Export::notes))
+      .words("asks", "questions that the file leaves open and an evaluation needs answered, each with its flag",
              of(&Export::asks))
       .words("repeat_with", "flags that make the same decisions again", of(&Export::repeat_with));
 }

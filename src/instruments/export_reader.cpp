@@ -146,15 +146,15 @@ class ExportReader {
       format_.decimal = *proven;
     else if (evidence.undecidable() && (out_.separator != ',' || evidence.only_commas()))
       throw InputError({.line = undecided,
-                        .expected = "numbers that tell a decimal mark from a separator of thousands",
-                        .found = "all like '1,234' or '1.234'",
-                        .remedy = "say which it is, with --decimal . or --decimal ,"});
+                        .expected = "numbers that distinguish a decimal mark from a thousands separator",
+                        .found = "only such as '1,234' or '1.234'",
+                        .remedy = "say which it is with --decimal . or --decimal ,"});
     format_.thousands = options_.thousands ? *options_.thousands : evidence.thousands(format_.decimal);
     if (format_.thousands == '.' && format_.decimal == '.')
       throw InputError({.line = undecided,
                         .expected = "numbers with one decimal point",
                         .found = "several in one number",
-                        .remedy = "say --decimal , if the points separate thousands"});
+                        .remedy = "pass --decimal , if the points separate thousands"});
     out_.decimal = format_.decimal;
     out_.thousands = format_.thousands;
   }
@@ -193,8 +193,8 @@ class ExportReader {
       throw InputError({.line = block.rows[column.row] + 1,
                         .field = "column " + in_quotes(name),
                         .expected = "numbers with one decimal comma",
-                        .found = in_quotes(numbers[column.row]) + ", several commas, and a column too uneven to tell "
-                                                                  "which is the decimal one",
+                        .found = in_quotes(numbers[column.row]) + ", with several commas, in a column too uneven to "
+                                                                  "show which is the decimal one",
                         .remedy = "export the file again without opening it in a spreadsheet"});
     if (column.status == Regrouped::Status::restored)
       out_.notes.push_back(fmt::format(
@@ -329,7 +329,7 @@ class ExportReader {
     const std::string title = titles.empty() ? "" : titles[column];
     const std::string row_unit = block.units.empty() ? "" : block.units[column];
     if (content.numbers == 0 && content.words == 0) {
-      if (!title.empty()) out_.notes.push_back(fmt::format("column {} is empty, and left out", in_quotes(title)));
+      if (!title.empty()) out_.notes.push_back(fmt::format("column {} is empty and left out", in_quotes(title)));
       return;
     }
     ExportColumn out;
@@ -435,9 +435,9 @@ class ExportReader {
       for (const std::size_t line : block.misfits) lines.push_back(line + 1);
     if (!lines.empty())
       out_.notes.push_back(
-          fmt::format("left out, for they are no rows of {} cells: {}", layout_.columns, on_lines(lines)));
+          fmt::format("left out, as they are not rows of {} cells: {}", layout_.columns, on_lines(lines)));
     if (layout_.blocks.back().cut_off)
-      out_.notes.emplace_back("the file ends in the middle of a row, which is left out: is it complete?");
+      out_.notes.emplace_back("the file ends in the middle of a row, which is left out; check that the file is complete");
     if (layout_.blocks.front().titles.empty())
       out_.notes.push_back(fmt::format("no line above line {} names {} columns",
                                        layout_.blocks.front().rows.front() + 1, layout_.columns));

@@ -235,7 +235,7 @@ class LayoutFinder {
 
   void finish() {
     if (layout_.blocks.empty())
-      throw InputError({.expected = "rows of numbers", .found = "none with as many cells as the others"});
+      throw InputError({.expected = "rows of numbers", .found = "no row with as many cells as the others"});
     TableBlock& last = layout_.blocks.back();
     // The end of a file that was cut off: words or a short row as its last line.
     if (!last.misfits.empty() && last.misfits.back() > last.rows.back() && gap_.empty()) {
@@ -249,11 +249,12 @@ class LayoutFinder {
     layout_.remarks = std::exchange(gap_, {});
     for (const TableBlock& block : layout_.blocks)
       if (block.misfits.size() * misfit_share > block.rows.size())
-        throw InputError({.line = block.misfits.front() + 1,
-                          .expected = "rows of " + std::to_string(layout_.columns) + " cells",
-                          .found = std::to_string(block.misfits.size()) + " lines with more or fewer, beside " +
-                                   std::to_string(block.rows.size()) + " rows",
-                          .remedy = "name the separator with --separator, or delete what is not of the table"});
+        throw InputError(
+            {.line = block.misfits.front() + 1,
+             .expected = "rows of " + std::to_string(layout_.columns) + " cells",
+             .found = std::to_string(block.misfits.size()) + " lines with more or fewer cells, beside " +
+                      std::to_string(block.rows.size()) + " rows",
+             .remedy = "name the separator with --separator, or delete the lines that do not belong to the table"});
   }
 
   const Sheet& sheet_;

@@ -127,7 +127,7 @@ std::optional<char> NumberEvidence::decimal() const {
     throw InputError({.expected = "one decimal mark",
                       .found = std::to_string(points) + " numbers with a decimal point and " + std::to_string(commas) +
                                " with a decimal comma",
-                      .remedy = "say which with --decimal"});
+                      .remedy = "say which it is with --decimal"});
   return points > commas ? '.' : ',';
 }
 

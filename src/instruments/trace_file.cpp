@@ -96,9 +96,9 @@ class TraceColumns {
     std::vector<std::string> names;
     for (const ExportColumn* column : numeric_) names.push_back(column->name);
     throw InputError({.file = file_.source,
-                      .expected = fmt::format("a column that is the {}", what),
+                      .expected = fmt::format("a column known to hold the {}", what),
                       .found = "the columns " + listed(names),
-                      .remedy = fmt::format("name it with {}: its name or number", flag)});
+                      .remedy = fmt::format("name it with {}, by name or number", flag)});
   }
 
   std::vector<double> values(const ExportColumn& column, const std::string& unit_given, const Kind& kind,
@@ -122,7 +122,7 @@ class TraceColumns {
         refuse(0, "a unit of length", in_quotes(column.unit), remedy);
       if (given && stated && *given != *stated)
         refuse(0, fmt::format("the unit {}, as you say", in_quotes(unit_given)), in_quotes(column.unit),
-               "leave the unit out: the file states it");
+               "leave the unit out, as the file states it");
       unit = given ? *given : *stated;
     }
     std::vector<double> values;
@@ -211,7 +211,7 @@ TraceFile read_trace(const std::string& path, const TraceOptions& options, const
   require_rising(read, x, kind);
   read.sampled = sampled(x, z);
   if (read.sampled.turned) std::reverse(read.lines.begin(), read.lines.end());
-  if (read.sampled.turned) read.notes.emplace_back("positions fall: the rows are taken in the reverse order");
+  if (read.sampled.turned) read.notes.emplace_back("positions fall, so the rows are read in reverse order");
   if (read.sampled.interpolated)
     read.notes.push_back(
         fmt::format("distances differ by up to {:.0f} % from their mean: heights are interpolated at "

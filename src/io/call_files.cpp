@@ -89,11 +89,11 @@ void CallFiles::add(Claim claim) {
     if (one->kind != Kind::one) std::swap(one, many);
     if (one->kind != Kind::one || many->kind == Kind::no_input_below) continue;
     if (const auto same = same_in(*many, one->given))
-      refuse(fmt::format("{} and {}", other.option, claim.option), "two files",
+      refuse(fmt::format("{} and {}", other.option, claim.option), "two different files",
              *same == one->given
                  ? in_quotes(same->string()) + " twice"
                  : fmt::format("{} and {}, the same file", in_quotes(same->string()), in_quotes(one->given.string())),
-             "pass another name: nothing has been written");
+             "pass another name (nothing has been written)");
   }
   claims_.push_back(std::move(claim));
 }
@@ -125,12 +125,12 @@ void CallFiles::reads(const fs::path& file) const {
     if (!same) continue;
     const bool is_one = claim.kind == Kind::one;
     refuse(claim.option,
-           is_one                               ? "another file than is read"
+           is_one                               ? "an output other than the file that is read"
            : claim.kind == Kind::no_input_below ? fmt::format("inputs outside {}", in_quotes(claim.given.string()))
-                                                : "no file that is read among those it writes",
+                                                : "only outputs that are not read as well",
            *same == path ? in_quotes(path.string())
                          : fmt::format("{}, the same file as {}", in_quotes(same->string()), in_quotes(path.string())),
-           fmt::format("pass another {}: nothing has been written", is_one ? "name" : "name or folder"));
+           fmt::format("pass another {} (nothing has been written)", is_one ? "name" : "name or folder"));
   }
 }
 

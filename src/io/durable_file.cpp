@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view suffix = ".unfinished";
 
 [[noreturn]] void refuse(const std::string& path, const std::error_code& error) {
-  throw InputError({.file = path, .expected = "a file that can be written", .found = error.message()});
+  throw unwritable(path, error.message());
 }
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
@@ -152,9 +152,8 @@ UnfinishedFile::UnfinishedFile(fs::path file) : file_(std::move(file)), name_(na
     if (flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) continue;  // or a file system without locks
     close(lock_);
     throw InputError({.file = file_.string(),
-                      .expected = "one program that writes it",
-                      .found = "another one that does",
-                      .remedy = "wait for it, or pass another --output"});
+                      .remedy = "wait for it, or pass another --output",
+                      .problem = "is being written by another program"});
   }
 }
 

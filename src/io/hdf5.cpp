@@ -184,16 +184,12 @@ void Hdf5File::finish() {
   if (H5Fclose(file) < 0) refuse();
 }
 
-void Hdf5File::refuse() const {
-  throw InputError({.file = path_, .expected = "a file that can be written", .found = reason_of_failure()});
-}
+void Hdf5File::refuse() const { throw unwritable(path_, reason_of_failure()); }
 
 std::optional<std::string> hdf5_text(const std::string& path, const std::string& name) {
   prepare();
   errno = 0;
-  if (!std::ifstream(path) && errno != ENOENT)
-    throw InputError(
-        {.file = path, .expected = "a file that can be read", .found = std::generic_category().message(errno)});
+  if (!std::ifstream(path) && errno != ENOENT) throw unreadable(path, std::generic_category().message(errno));
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.is_open()) return std::nullopt;
   const Handle attribute(H5Aopen(file.id(), name.c_str(), H5P_DEFAULT), H5Aclose);

@@ -42,14 +42,23 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+// What is wrong: "expected a number, found '12,5'".
+std::string problem_of(const InputFault& fault) {
+  if (!fault.problem.empty()) return fault.problem;
+  if (fault.found.empty()) return "expected " + fault.expected;
+  if (fault.expected.empty()) return "found " + fault.found;
+  return fmt::format("expected {}, found {}", fault.expected, fault.found);
+}
+
+// "ss14.csv:17: column 'F_N': expected …", "case.toml:4: [rig] span is missing", "ss14.csv cannot be read: …".
 std::string sentence(const InputFault& fault) {
-  std::string text = fault.file;
-  if (fault.line > 0) text += fmt::format("{}{}", fault.file.empty() ? "line " : ":", fault.line);
-  if (!text.empty()) text += ": ";
-  if (!fault.field.empty()) text += fault.field + ": ";
-  if (!fault.expected.empty()) text += "expected " + fault.expected;
-  if (!fault.expected.empty() && !fault.found.empty()) text += ", ";
-  if (!fault.found.empty()) text += "found " + fault.found;
+  std::string place = fault.file;
+  if (fault.line > 0) place += fmt::format("{}{}", fault.file.empty() ? "line " : ":", fault.line);
+  const bool has_subject = !fault.problem.empty();  // the field, or else the file, is what the problem is told of
+  std::string text = place;
+  if (!place.empty()) text += has_subject && fault.field.empty() ? " " : ": ";
+  if (!fault.field.empty()) text += fault.field + (has_subject ? " " : ": ");
+  text += problem_of(fault);
   if (!fault.remedy.empty()) text += "; " + fault.remedy;
   return printable(text);
 }
@@ -78,6 +87,22 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 InputError::InputError(InputFault what_is_wrong)
     : std::runtime_error(sentence(what_is_wrong)), fault(std::move(what_is_wrong)) {}
+
+InputError unreadable(std::string file, std::string reason) {
+  std::string problem = "cannot be read: " + reason;
+  return InputError({.file = std::move(file),
+                     .expected = "a file that can be read",
+                     .found = std::move(reason),
+                     .problem = std::move(problem)});
+}
+
+InputError unwritable(std::string file, std::string reason) {
+  std::string problem = "cannot be written: " + reason;
+  return InputError({.file = std::move(file),
+                     .expected = "a file that can be written",
+                     .found = std::move(reason),
+                     .problem = std::move(problem)});
+}
 
 InputError located(const InputError& error, std::string_view file, std::size_t line, std::string_view field) {
   InputFault fault = error.fault;

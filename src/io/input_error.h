@@ -19,6 +19,9 @@ enum class FaultKind {
   too_much,  // a number beyond `limit`
 };
 
+// Of a table, what is at fault: what to advise depends on it.
+enum class TablePart { none, title, cell };
+
 // The parts of the message; those that do not apply stay empty.
 struct InputFault {
   std::string file{};      // as the user named it
@@ -27,14 +30,17 @@ struct InputFault {
   std::string expected{};  // "a number"
   std::string found{};     // "'12,5'"
   std::string remedy{};    // "write decimal points, or pass --decimal ,"
+  std::string problem{};   // said instead of expected and found where these make no sentence: "is missing"
 
   FaultKind kind = FaultKind::wrong;
-  std::string key{};              // of a case file: "rig.stiffness"
-  std::optional<double> limit{};  // SI, or reduced
+  std::string key{};                 // of a case file: "rig.stiffness"
+  std::optional<double> limit{};     // SI, or reduced
+  TablePart part = TablePart::none;  // title: no column has the one asked for; cell: one cell alone
 };
 
 // The one exception type for bad input. what() is one line made of the fault, without control characters:
 //   ss14.csv:17: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,
+//   case.toml:4: [rig] span is missing; add span = "1278 um"
 struct InputError : std::runtime_error {
   explicit InputError(InputFault what_is_wrong);
   InputFault fault;
@@ -42,6 +48,10 @@ struct InputError : std::runtime_error {
 
 // The same error with its place filled in: what a reader of text throws, told by the reader of the file it stands in.
 InputError located(const InputError& error, std::string_view file, std::size_t line, std::string_view field);
+
+// A file that the system does not let us read or write, and the reason that it gives.
+InputError unreadable(std::string file, std::string reason);
+InputError unwritable(std::string file, std::string reason);
 
 // Text from a user's file made fit for a message: in quotes, control characters and broken UTF-8 as \xNN, clipped.
 std::string in_quotes(std::string_view text);

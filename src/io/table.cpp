@@ -176,7 +176,7 @@ class TableReader {
         refuse(header_line_, field, "one column", std::to_string(found.size()) + " of this name", "rename them");
       for (const Source& other : sources_)
         if (other.cell == found[0])
-          refuse(header_line_, field, "different columns", "the same one asked for twice", "");
+          refuse(header_line_, field, "another column for each quantity", "the same one asked for twice", "");
       Source source{found[0], field, each.kind, {}};
       if (!asked.unit.empty()) source.units.push_back(asked.unit);
       if (!header_[found[0]].title.unit.empty()) source.units.push_back(header_[found[0]].title.unit);
@@ -190,9 +190,16 @@ class TableReader {
     std::vector<std::string> names;
     for (const HeaderCell& cell : header_) names.push_back(cell.title.name);
     const std::string meant = nearest(name, names);
-    refuse(header_line_, field,
-           names.size() == 1 ? "the column " + listed(names) : "one of the columns " + listed(names),
-           "none of this name", meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
+    throw InputError(
+        {.file = source_,
+         .line = header_line_,
+         .field = field,
+         .expected = fmt::format("{} {}", names.size() == 1 ? "the column" : "one of the columns", listed(names)),
+         .found = "none of this name",
+         .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?",
+         .problem = fmt::format("is missing: the file has {} {}", names.size() == 1 ? "only the column" : "the columns",
+                                listed(names)),
+         .part = TablePart::title});
   }
 
   // A line of units has words where the wanted columns should have numbers.
@@ -243,7 +250,7 @@ class TableReader {
       for (const std::string& other : source.units)
         if (parse_unit(other, source.kind) != unit)
           refuse(header_line_, source.field, "one unit", listed(source.units),
-                 "the file and what you ask for must agree");
+                 "the file and the title asked for must agree");
       return unit;
     } catch (const InputError& error) {
       const InputError placed = located(error, source_, header_line_, source.field);
@@ -337,9 +344,15 @@ class TableReader {
       const std::string& field = sources_[wanted_by_[i]].field;
       const std::optional<double> value = as_number(cell, decimal_);
       if (value && std::isfinite(*value)) return;
-      if (cell.empty()) refuse(lines_.number(), field, "a number", "an empty cell", "fill it in or delete the line");
-      if (value) refuse(lines_.number(), field, "a finite number", in_quotes(cell), "delete the line");
-      refuse(lines_.number(), field, "a number", in_quotes(cell), remedy_for_cell(cell));
+      throw InputError({.file = source_,
+                        .line = lines_.number(),
+                        .field = field,
+                        .expected = value ? "a finite number" : "a number",
+                        .found = cell.empty() ? "an empty cell" : in_quotes(cell),
+                        .remedy = cell.empty() ? "fill it in or delete the line"
+                                  : value      ? "delete the line"
+                                               : remedy_for_cell(cell),
+                        .part = TablePart::cell});
     });
     throw std::logic_error("read_row refuses only lines with a cell that is no finite number");
   }
@@ -486,7 +499,7 @@ std::shared_ptr<std::istream> open_to_read(const std::string& path) {
     throw InputError({.file = path, .expected = "a file", .found = "a directory"});
   errno = 0;
   auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
-  if (!*file) throw InputError({.file = path, .expected = "a file that can be read", .found = reason(errno)});
+  if (!*file) throw unreadable(path, reason(errno));
   return file;
 }
 

@@ -26,7 +26,7 @@ TableSource open_table(const std::string& path, const std::optional<SheetChoice>
   if (sheet && !source.sheet)
     throw InputError({.file = source.name,
                       .field = "--sheet",
-                      .expected = "a workbook (.xlsx), of which it names a sheet",
+                      .expected = "a workbook (.xlsx), as this names a sheet",
                       .found = "a text file",
                       .remedy = "leave it out",
                       .key = "record.sheet"});

@@ -178,7 +178,7 @@ class Workbook {
     if (archive_.has("content.xml") && archive_.has("mimetype")) refuse_kind("an OpenDocument (.ods)", remedy);
     if (main.ends_with(".bin")) refuse_kind("a binary workbook (.xlsb)", remedy);
     if (archive_.has("Index/Document.iwa")) refuse_kind("a spreadsheet of Numbers", remedy);
-    refuse_kind("an archive that holds no workbook", "unpack it, and give the file with the measurement");
+    refuse_kind("an archive without a workbook", "unpack it, and pass the file with the measurement");
   }
 
   ZipArchive archive_;
@@ -198,8 +198,8 @@ std::vector<std::string> notes_on(const Worksheet& sheet) {
                                 sheet.first_numeric_word));
   if (sheet.without_value > 0)
     notes.push_back(
-        fmt::format("{} formulas have no value stored, and are taken as empty: open the workbook in a "
-                    "spreadsheet program, and save it",
+        fmt::format("{} formulas have no stored value and count as empty: open the workbook in a "
+                    "spreadsheet program and save it",
                     sheet.without_value));
   return notes;
 }
@@ -225,16 +225,17 @@ InputError WorkbookSheet::dated(const std::string& file, std::size_t row, std::s
                      .field = fmt::format("sheet {}, cell {}", in_quotes(name), cell_name(row, column)),
                      .expected = std::string(expected),
                      .found = fmt::format("the {} {}", what, shown_days(days, kind, dates_from_1904)),
-                     .remedy = "format the cell as a number and type it again, or delete the row"});
+                     .remedy = "format the cell as a number and type it again, or delete the row",
+                     .part = TablePart::cell});
 }
 
 InputError with_other_sheets(const InputError& error, const std::string& name, const std::vector<std::string>& sheets) {
-  if (sheets.size() < 2 || error.fault.expected.starts_with("a number")) return error;
+  if (sheets.size() < 2 || error.fault.part == TablePart::cell) return error;
   std::vector<std::string> others;
   for (const std::string& each : sheets)
     if (each != name) others.push_back(each);
   InputFault fault = error.fault;
-  fault.remedy += fmt::format("{}this is the sheet {}, and there {} {}: another is read with --sheet \"{}\"",
+  fault.remedy += fmt::format("{}this is the sheet {}, and there {} also {}: read another with --sheet \"{}\"",
                               fault.remedy.empty() ? "" : "; ", in_quotes(name), others.size() == 1 ? "is" : "are",
                               listed(others), others.front());
   return InputError(fault);

@@ -19,7 +19,7 @@ class InUnits : public Print {
 
   // [units of the case]
   std::string stiffness(double value) const {
-    return std::isfinite(value) ? own(value, kind::stiffness) : "no give at all";
+    return std::isfinite(value) ? own(value, kind::stiffness) : "infinite stiffness";
   }
   // A number of few digits, all of them; of inches and pounds, which turn few into many, six.
   std::string exactly(double value, const Kind& kind) const {
@@ -52,9 +52,9 @@ std::string drops_in_words(const DesignAnswer& answer, const InUnits& shown) {
                                  ? fmt::format("a record with a reading every {}", shown.length(answer.design.step))
                                  : "a continuous record";
   if (outcome.drops == 0)
-    return fmt::format("In {} the force never falls; the greatest is {}.", record, shown.force(outcome.greatest_force));
+    return fmt::format("In {} the force never falls; its maximum is {}.", record, shown.force(outcome.greatest_force));
   const std::string why =
-      outcome.snaps > outcome.drops ? " Some of the snaps lie between the same two readings and show as one fall."
+      outcome.snaps > outcome.drops ? " Some snaps lie between the same two readings and appear as one fall."
       : outcome.snaps == 0 && outcome.drops > 1 ? " These falls are not snaps: friction varies along the specimen, and "
                                                   "the force follows it on any load train."
                                                 : "";
@@ -69,15 +69,17 @@ std::string strain_text(double strain) { return fmt::format("{:.2g} %", 100 * st
 
 // How far the specimen is strained; nothing without a section.
 std::string strain_in_words(const DesignAnswer& answer) {
-  const std::string wraps = answer.wraps_nose ? " The specimen is bent more sharply than the nose, and wraps it: from "
-                                                "there on the nose is taken to be sharp."
+  const std::string wraps = answer.wraps_nose ? " The specimen is bent more sharply than the nose and wraps around it; "
+                                                "from there on the nose is taken to be sharp."
                                               : "";
   if (!answer.surface) return wraps;
   const double curvature = answer.outcome.greatest_curvature;
-  return fmt::format(
-      " Bending strains its surface by up to {}{}.{}", strain_text(answer.surface->strain(curvature)),
-      answer.input.reduced() ? "" : ", " + InUnits(answer).own(answer.surface->stress(curvature), kind::pressure),
-      wraps);
+  return fmt::format(" The bending strain at the surface reaches {}{}.{}",
+                     strain_text(answer.surface->strain(curvature)),
+                     answer.input.reduced()
+                         ? ""
+                         : fmt::format(" ({})", InUnits(answer).own(answer.surface->stress(curvature), kind::pressure)),
+                     wraps);
 }
 
 std::string snaps_in_words(const DesignAnswer& answer, const InUnits& shown) {
@@ -107,8 +109,8 @@ std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) 
     const bool varies = std::isfinite(answer.design.friction.smooth_scale()) || !answer.design.friction.knots().empty();
     return fmt::format("No load train, however soft, lets the specimen snap in this test. {}{}", yours,
                        varies ? ""
-                              : " Friction that is the same all along the specimen makes no teeth: state an amplitude "
-                                "and a wavelength, such as those of a fit, to see what its variation does.");
+                              : " Friction that is uniform along the specimen makes no sawtooth: state an amplitude "
+                                "and a wavelength, such as those of a fit, to see the effect of variation.");
   }
   if (!std::isfinite(answer.critical))
     return fmt::format(
@@ -118,14 +120,14 @@ std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) 
   const bool is_too_soft = answer.outcome.snaps == 0 && answer.design.rig.stiffness < answer.critical;
   const std::string why =
       is_too_soft
-          ? fmt::format(" That is softer, and yet there is no snap: this rig bends the specimen by no more than {}.",
+          ? fmt::format(" That is softer, but the specimen does not snap, as this rig bends it by no more than {}.",
                         shown.length(answer.outcome.w_reached))
           : "";
   const bool is_out_of_reach = critical * answer.input.support_compliance() >= 1;
   return fmt::format(
-      "The critical {} of this test is {}: at that stiffness or above, the specimen does not snap. {}{}{}", which,
+      "The critical {} of this test is {}, the smallest at and above which the specimen does not snap. {}{}{}", which,
       shown.stiffness(critical), yours, why,
-      is_out_of_reach ? " On these supports no load train reaches that, however stiff it is." : "");
+      is_out_of_reach ? " On these supports no load train reaches that, however stiff." : "");
 }
 
 std::string work_in_words(const DesignAnswer& answer, const InUnits& shown) {
@@ -140,19 +142,19 @@ std::string work_in_words(const DesignAnswer& answer, const InUnits& shown) {
 
 std::string pins_in_words(double limit) {
   return fmt::format(
-      "The rollers turn on their pins at a friction of {}. No more than that acts on the specimen, and where its own "
-      "friction is greater, its variation along the specimen does not count.",
+      "The rollers turn on their pins at a friction of {}. Friction on the specimen cannot exceed that; where the "
+      "specimen's own friction is greater, its variation has no effect.",
       readable(limit, kind::number));
 }
 
 std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const PhaseStudy& study = *answer.phases;
   const std::string_view known =
-      "The phase (where the waves of friction stand along the specimen) is seldom known before a test.";
+      "The phase (the position of the waves of friction along the specimen) is seldom known before a test.";
   const std::string least = shown.force(study.least_drop), most = shown.force(study.largest_drop);
   const std::string drops = !(study.largest_drop > 0) ? ""
                             : least == most           ? fmt::format(", and the largest drop is {}", most)
-                                            : fmt::format(", and the largest drop is between {} and {}", least, most);
+                                            : fmt::format(", and the largest drop lies between {} and {}", least, most);
   if (study.snapping == 0)
     return fmt::format("{} The specimen snaps with none of {} phases{}.", known, study.phases, drops);
   const std::string count = study.snapping == study.phases
@@ -160,10 +162,10 @@ std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
                                 : fmt::format("with {} of {} phases", study.snapping, study.phases);
   const std::string remedy =
       std::isfinite(study.critical)
-          ? fmt::format("On a load train{} of at least {} it never snaps, whichever of these phases holds",
+          ? fmt::format("With a load train{} of at least {}, it snaps with none of these phases",
                         answer.input.support_compliance() > 0 ? " and supports together" : "",
                         shown.stiffness(rounded_to_enough(answer.scales.physical_stiffness(study.critical))))
-          : "With some of these phases it snaps however stiff the load train is";
+          : "With some of these phases, it snaps however stiff the load train is";
   return fmt::format("{} The specimen snaps {}{}. {}.", known, count, drops, remedy);
 }
 
@@ -220,11 +222,12 @@ std::string what_remains(const DesignAnswer& answer, const DesignChange& change)
   const DesignOutcome& then = change.outcome;
   if (answer.outcome.snaps == 0 || then.drops == 0) return "";
   const double part = then.largest_drop / then.greatest_force;
-  return fmt::format(
-      " (smooth falls of {}{} remain{})", part < 0.001 ? "" : "up to ", share(then.largest_drop, then.greatest_force),
-      falls_no_less(then, answer.outcome)
-          ? fmt::format(", where it drops by {} now", share(answer.outcome.largest_drop, answer.outcome.greatest_force))
-          : "");
+  return fmt::format(" (smooth falls of {}{} remain{})", part < 0.001 ? "" : "up to ",
+                     share(then.largest_drop, then.greatest_force),
+                     falls_no_less(then, answer.outcome)
+                         ? fmt::format("; now the force drops by {}",
+                                       share(answer.outcome.largest_drop, answer.outcome.greatest_force))
+                         : "");
 }
 
 std::string answer_in_short(const DesignAnswer& answer) {
@@ -260,7 +263,7 @@ std::string design_in_short(const DesignAnswer& answer) {
     return fmt::format("The specimen will break at the stage position {}, at a bending strain of {}{}. Up to there: {}",
                        where, strain_text(answer.surface->strain(answer.outcome.greatest_curvature)),
                        answer.outcome.snaps == 0 ? ", before the first snap" : "", words);
-  return fmt::format("The specimen will slip through its supports, at the stage position {}. Up to there: {}",
+  return fmt::format("The specimen will slip through its supports at the stage position {}. Up to there: {}",
                      InUnits(answer).length(answer.outcome.stage_reached), words);
 }
 
@@ -271,10 +274,10 @@ std::vector<std::string> design_in_words(const DesignAnswer& answer) {
   if (const auto limit = answer.input.pin_limit()) paragraphs.push_back(pins_in_words(*limit));
   if (answer.phases) paragraphs.push_back(phases_in_words(answer, shown));
   if (const double from = friction_told_from(answer.design.rig.fibre); from > 0.5 * answer.outcome.w_reached)
-    paragraphs.push_back(
-        fmt::format("Friction can be read off a curve beyond a deflection of {} only, the larger of a twentieth of the "
-                    "span and twice the thickness; this loading gets to {}.",
-                    shown.length(from), shown.length(answer.outcome.w_reached)));
+    paragraphs.push_back(fmt::format(
+        "Friction can be read off the curve only beyond a deflection of {} (the larger of a twentieth of the "
+        "span and twice the thickness); this loading reaches {}.",
+        shown.length(from), shown.length(answer.outcome.w_reached)));
   return paragraphs;
 }
 
@@ -297,10 +300,11 @@ std::string design_text(const DesignAnswer& answer) {
                               snaps ? "keep it from snapping" : "make it snap");
   const std::string intention = snaps ? "keep it from snapping" : "make it snap";
   text += '\n';
-  text += wrapped(fmt::format("Any one of these changes would {}, all else left as it is. A change without \"or more\" "
-                              "or \"or less\" does so at just this value, and need not do so beyond it:",
-                              intention),
-                  "");
+  text +=
+      wrapped(fmt::format("Any one of these changes would {} if everything else stays the same. A change without \"or "
+                          "more\" or \"or less\" is known to do so only at this value:",
+                          intention),
+              "");
   for (const std::string& change : changes) text += wrapped(change, "    ", "  - ");
   return text;
 }

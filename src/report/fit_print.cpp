@@ -68,22 +68,22 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   const Print print(test);
   std::vector<ParameterRow> rows;
-  rows.push_back(row_of("mu0", "μ₀", "mean friction over the fibre seen", fit.mu0, 1, kind::number));
+  rows.push_back(row_of("mu0", "μ₀", "mean friction over the specimen seen", fit.mu0, 1, kind::number));
   if (fit.mu0_is_bound) {
     rows.back().value = mean_friction(fit);
-    rows.back().remark = "the record does not tell it from zero";
+    rows.back().remark = "cannot be distinguished from zero";
   }
   if (fit.model != ProfileModel::constant) {
-    rows.push_back(row_of("drift", "dμ/dS", "of the mean along the length", fit.drift, 1 / scales.span(),
+    rows.push_back(row_of("drift", "dμ/dS", "slope of the mean along the length", fit.drift, 1 / scales.span(),
                           print.as(kind::inverse_length)));
-    rows.push_back({"reference", "", "where mu0 and drift hold", print.length(fit.S_middle), "", ""});
+    rows.push_back({"reference", "", "length at which mu0 and drift hold", print.length(fit.S_middle), "", ""});
   }
   if (fit.model == ProfileModel::roughness) {
     rows.push_back(row_of("roughness", "σ", "standard deviation of μ about its mean", fit.roughness, 1, kind::number));
     if (const double none = weight_without_roughness(fit); none > 0.5)
-      rows.back().remark = fmt::format("if there is any: the evidence favours none, by {}", percent(none));
-    rows.push_back(row_of("correlation_length", "ℓ", "of the roughness along the fibre", fit.length, scales.span(),
-                          print.as(kind::length)));
+      rows.back().remark = fmt::format("if there is any: the evidence favours none ({})", percent(none));
+    rows.push_back(row_of("correlation_length", "ℓ", "correlation length of the roughness along the specimen",
+                          fit.length, scales.span(), print.as(kind::length)));
   }
   if (fit.wave_claimed)
     for (std::size_t i = 0; i < fit.waves.size(); ++i) {
@@ -91,23 +91,23 @@ std::vector<ParameterRow> parameter_rows(const FittedTest& test) {
       const std::string suffix = i == 0 ? "" : fmt::format("_{}", i + 1);
       const std::string which = i == 0 ? "" : fmt::format(", wave {}", i + 1);
       const auto symbol = [&](const char* letter) { return i == 0 ? std::string(letter) : ""; };
-      rows.push_back(row_of("amplitude" + suffix, symbol("A"), "of the wave, relative to μ₀" + which, wave.amplitude, 1,
-                            kind::number));
-      rows.push_back(row_of("wavelength" + suffix, symbol("λ"), "along the specimen" + which, wave.wavelength,
-                            scales.span(), print.as(kind::length)));
+      rows.push_back(row_of("amplitude" + suffix, symbol("A"), "amplitude of the wave, relative to μ₀" + which,
+                            wave.amplitude, 1, kind::number));
+      rows.push_back(row_of("wavelength" + suffix, symbol("λ"), "wavelength along the specimen" + which,
+                            wave.wavelength, scales.span(), print.as(kind::length)));
       const auto add_phase = [&](const std::string& name, const std::string& letter, const std::string& meaning,
                                  const Estimate& phase) {
         const bool is_determined = phase.high - phase.low <= 2 * std::numbers::pi;  // else it turns with λ
         if (is_determined)
           rows.push_back(row_of(name + suffix, letter, meaning + which, phase, 1, print.as(kind::angle)));
       };
-      add_phase("phase_at_middle", "", "in the middle of the fibre seen", wave.phase_at_middle);
-      add_phase("phase", symbol("φ"), "of the wave at the length 0, equation (4.25)", wave.phase);
+      add_phase("phase_at_middle", "", "phase in the middle of the specimen seen", wave.phase_at_middle);
+      add_phase("phase", symbol("φ"), "phase of the wave at the length 0, equation (4.25)", wave.phase);
     }
-  rows.push_back(row_of("bending_stiffness", "EI", "of the specimen", fit.bending_stiffness, scales.bending_stiffness(),
-                        print.as(kind::bending_stiffness)));
+  rows.push_back(row_of("bending_stiffness", "EI", "bending stiffness of the specimen", fit.bending_stiffness,
+                        scales.bending_stiffness(), print.as(kind::bending_stiffness)));
   rows.back().remark = fit.model == ProfileModel::constant
-                           ? "not fitted: with a constant friction, roughness would distort it"
+                           ? "not fitted: with constant friction, roughness would distort it"
                            : fmt::format("{} from that {}, ± {:.1f} %", signed_percent(fit.bending_stiffness.value - 1),
                                          stiffness_beforehand(test), 100 * test.analysis.bending_stiffness_error);
   if (test.section_moment && !test.reduced)

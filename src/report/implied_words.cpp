@@ -21,38 +21,40 @@ std::string what_would_do(const FittedTest& test) {
     const WaveEstimate& wave = fit.waves.front();
     const WantedImage wanted = wanted_image(unit * wave.wavelength.value, 2 * unit * wave.height.value);
     words = fmt::format(
-        "A wave of the surface {} high (half of crest to trough) every {} would show {}; by the paper's rule, ten "
-        "pixels "
-        "from crest to trough and ten waves in the field, an image with pixels of {} in a field of {} would show it. ",
+        "A wave of the surface with an amplitude of {} (half of crest to trough) and a wavelength of {} would explain "
+        "{}. By "
+        "the paper's rule (ten pixels from crest to trough, ten waves in the field), an image with pixels of {} in a "
+        "field of {} would show it. ",
         with_error(wave.height), with_error(wave.wavelength),
         fit.wave_claimed ? "the wave of friction" : "the likeliest wave of friction, which is only indicative",
         readable(wanted.pixel, length), readable(wanted.field, length));
   }
-  return words +
-         fmt::format(
-             "Slopes of {} (rms) and heights of {} (rms), of waves up to {}, would show all of the variation, on "
-             "a surface whose friction is {} where it is flat.",
-             readable(implied.rms_slope.value, implied.rms_slope.standard_error, kind::number),
-             with_error(implied.rms_height), readable(unit * implied.longest, length), significant(implied.base, 3));
+  return words + fmt::format(
+                     "Slopes of {} rms and heights of {} rms, of waves up to {}, would explain all of the variation, "
+                     "on a surface "
+                     "whose friction is {} where it is flat.",
+                     readable(implied.rms_slope.value, implied.rms_slope.standard_error, kind::number),
+                     with_error(implied.rms_height), readable(unit * implied.longest, length),
+                     significant(implied.base, 3));
 }
 
 std::string how_it_shows(const HeldSurface& held, const Kind& length) {
-  if (held.texture.drowned) return fmt::format("The trace {} is noise.", held.file);
+  if (held.texture.drowned) return fmt::format("The trace {} shows only noise.", held.file);
   std::string words =
-      fmt::format("The trace {} has slopes of {} (rms) of waves from {} to {}", held.file,
+      fmt::format("The trace {} has slopes of {} rms over wavelengths of {} to {}", held.file,
                   readable(held.texture.rms_slope.value, held.texture.rms_slope.standard_error, kind::number),
                   readable(held.texture.shortest, length), readable(held.texture.longest, length));
   if (!held.texture.waves.empty()) {
     const DominantWave& wave = held.texture.waves.front();
-    words += fmt::format("; its highest wave is {} high every {}",
+    words += fmt::format("; its highest wave has an amplitude of {} and a wavelength of {}",
                          readable(wave.amplitude.value, wave.amplitude.standard_error, length),
                          readable(wave.wavelength.value, wave.wavelength.standard_error, length));
   }
   if (held.wave) {
-    words += fmt::format("; a wave as long as that of friction would stand out of it from {}",
+    words += fmt::format("; a wave as long as that of friction would stand out from an amplitude of {} on",
                          readable(held.wave->least_by_spectrum, length));
     if (held.pixel > 0)
-      words += fmt::format(", by the paper's rule, with pixels of {}, from {}", readable(held.pixel, length),
+      words += fmt::format(", and by the paper's rule, with pixels of {}, from {} on", readable(held.pixel, length),
                            readable(held.wave->least_by_pixels, length));
   }
   return words + ".";
@@ -64,9 +66,9 @@ std::string where_it_fits(const HeldSurface& held, const Kind& length) {
   const std::string found = fmt::format("correlation {}, p = {} over {} places", significant(placement.correlation, 2),
                                         significant(placement.p_value, 2), placement.places);
   if (placement.p_value > by_chance)
-    return fmt::format("No place along the trace fits the friction better than chance would ({}).", found);
-  return fmt::format("Along the trace the friction fits best with the support at {} at first{} ({}).",
-                     readable(held.begin, length), placement.turned ? ", and the trace turned round" : "", found);
+    return fmt::format("No place along the trace fits the friction better than chance ({}).", found);
+  return fmt::format("The trace fits the friction best with the support at {} at first{} ({}).",
+                     readable(held.begin, length), placement.turned ? " and the trace reversed" : "", found);
 }
 
 }  // namespace
@@ -81,9 +83,8 @@ std::vector<std::string> implied_in_words(const FittedTest& test) {
   }
   if (test.cycles)
     all.emplace_back(
-        "On slopes the friction of both directions differs, high where the other is low; where it is the same at the "
-        "same "
-        "points, slopes are not what makes it vary.");
+        "Slopes make friction high in one direction where it is low in the other; where friction is the same in both "
+        "directions at the same points, slopes are not the reason why it varies.");
   return all;
 }
 

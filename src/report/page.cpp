@@ -175,7 +175,7 @@ void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error) return;
-  throw InputError({.file = folder, .expected = "a folder that can be made", .found = error.message()});
+  throw unwritable(folder, error.message());
 }
 
 }  // namespace flexslip

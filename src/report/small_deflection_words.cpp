@@ -51,70 +51,74 @@ PrintedTable small_deflection_table(const StandardTest& test) {
         fmt::format("{} (± {})", three_digits(numbers.chord->modulus, as(kind::pressure)),
                     percent_to_two_digits(numbers.chord->stiffness.standard_error / numbers.chord->stiffness.value)));
   if (numbers.modulus)
-    add(numbers.chord ? "the same, from the straight part, F L³/(48 I δ)" : "flexural modulus E_f = F L³/(48 I δ)",
+    add(numbers.chord ? "flexural modulus E_f, straight part, F L³/(48 I δ)" : "flexural modulus E_f = F L³/(48 I δ)",
         fmt::format("{} (± {})", three_digits(*numbers.modulus, as(kind::pressure)), percent_to_two_digits(relative)));
   if (const auto modulus = modulus_less_supports(test); modulus && supports_count(test))
-    add(fmt::format("the first of these, less what the supports add, {}", percent_to_two_digits(*test.supports_share)),
+    add(fmt::format("flexural modulus E_f without the {} that the supports add",
+                    percent_to_two_digits(*test.supports_share)),
         three_digits(modulus->value, as(kind::pressure)));
   add("greatest force", readable(numbers.greatest_force, as(kind::force)));
-  add("deflection there", readable(numbers.deflection, as(kind::length)));
-  if (numbers.stress) add("flexural stress there", three_digits(*numbers.stress, as(kind::pressure)));
-  if (numbers.strain) add("flexural strain there", percent_to_two_digits(*numbers.strain));
+  add("deflection at the greatest force", readable(numbers.deflection, as(kind::length)));
+  if (numbers.stress) add("flexural stress at the greatest force", three_digits(*numbers.stress, as(kind::pressure)));
+  if (numbers.strain) add("flexural strain at the greatest force", percent_to_two_digits(*numbers.strain));
   return table;
 }
 
 std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   if (numbers.status != SmallDeflectionStatus::ok)
-    return {"The record has no straight rising part of five points or more, so it tells no stiffness."};
+    return {"The record has no straight rising part of five points or more, so no stiffness can be read off."};
   const auto& measurement = test.measurement;
   const auto as = [&](const Kind& kind) { return kind_in(test.measurement.test, kind); };
   std::vector<std::string> list;
   list.push_back(
-      fmt::format("The straight part is rows {} to {}, from {:.0f} % to {:.0f} % of {}; extended to zero force it "
-                  "meets a deflection of {}, and deflection and strain count from there.",
+      fmt::format("The straight part is rows {} to {}, from {:.0f} % to {:.0f} % of {}. Extended to zero force, it "
+                  "meets a deflection of {}; deflection and strain are counted from there.",
                   file_row(measurement, numbers.first), last_file_row(measurement, numbers.last - 1),
                   100 * numbers.window.from, 100 * numbers.window.up_to,
                   readable(numbers.window_force, as(kind::force)), readable(numbers.origin, as(kind::length))));
   list.emplace_back(
-      "These numbers assume small deflections, no shear, and supports that do not hold the specimen back. The errors "
-      "are standard errors of the slope, not of the dimensions.");
+      "These numbers assume small deflections, no shear and no friction at the supports. The errors are standard "
+      "errors of the slope; they do not include errors of the dimensions.");
   if (!test.geometry.span)
-    list.emplace_back("No span is stated: state it for a bending stiffness.");
+    list.emplace_back("The span is not stated: state it to get a bending stiffness.");
   else if (!test.geometry.section)
-    list.emplace_back("No section is stated: state it for a modulus, a stress and a strain.");
+    list.emplace_back("The section is not stated: state it to get modulus, stress and strain.");
   if (supports_count(test))
     list.push_back(
         fmt::format("As the specimen bends, its contacts with the supports move inwards, which adds {} to the "
-                    "stiffness that is told "
-                    "here. Friction adds to it, too.",
+                    "stiffness given here. Friction adds to it as well.",
                     percent_to_two_digits(*test.supports_share)));
   if (numbers.chord && numbers.modulus) {
     constexpr double clearly = 3;  // errors
     const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
     if (const double apart = *numbers.modulus / numbers.chord->modulus - 1; apart > clearly * error)
       list.push_back(fmt::format(
-          "The modulus of the straight part is {} from that of the chord, beyond their errors: friction and "
-          "large deflection steepen it, and the chord less. Take the chord, or the modulus that fit finds.",
+          "The modulus of the straight part differs by {} from that of the chord, which is more than their errors: "
+          "friction "
+          "and large deflection steepen the straight part more than the chord. Use the chord, or the modulus that fit "
+          "finds.",
           signed_percent(apart)));
   }
   if (numbers.deflection_large)
-    list.push_back(
-        fmt::format("The greatest force is reached at a deflection of {:.0f} % of the span. Beyond 10 % the standards' "
-                    "stress and strain do not hold.",
-                    100 * numbers.deflection / *test.geometry.span));
+    list.push_back(fmt::format(
+        "The greatest force is reached at a deflection of {:.0f} % of the span. Beyond 10 %, the standards' "
+        "formulas for stress and strain do not hold.",
+        100 * numbers.deflection / *test.geometry.span));
   if (numbers.shear_share && *numbers.shear_share > shear_worth_a_word) {
     constexpr double asked_for = 16;
     const double slenderness = *test.geometry.span / depth(*test.geometry.section);
     list.push_back(fmt::format(
-        "The span is {:.3g} times the thickness{}. Shear is left out: it adds {} to a small deflection (Timoshenko's "
-        "beam, Poisson's ratio 0.3; more if the material is soft in shear), and the modulus appears too small.",
+        "The span is {:.3g} times the thickness{}. Shear, which is neglected, adds {} to a small deflection "
+        "(Timoshenko "
+        "beam, Poisson's ratio 0.3; more if the material is soft in shear), so the modulus appears too small.",
         slenderness, slenderness < asked_for ? ", less than the 16 that ISO 178 asks for" : "",
         percent_to_two_digits(*numbers.shear_share)));
   }
   if (test.geometry.section && is_thin_tube(*test.geometry.section))
     list.emplace_back(
-        "The wall of the tube is thin: the tube may become oval at the load, and the modulus then appears too small.");
+        "The wall of the tube is thin: the tube may become oval under the load, and the modulus then appears too "
+        "small.");
   return list;
 }
 
@@ -124,9 +128,9 @@ std::string small_deflection_and_fit(const FittedTest& test) {
   return fmt::format(
       "The bending stiffness of the straight part is {:.3f} times that of the fit{}", beside->ratio,
       beside->disagrees
-          ? ": their 95 % intervals do not meet. The fit takes friction and large deflection into account, the "
-            "straight part neither."
-          : "; their 95 % intervals meet.");
+          ? ": their 95 % intervals do not overlap. The fit takes friction and large deflection into account; the "
+            "straight part takes neither."
+          : "; their 95 % intervals overlap.");
 }
 
 }  // namespace flexslip

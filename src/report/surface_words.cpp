@@ -23,11 +23,12 @@ std::string line_of_surface(std::string_view label, const std::string& words) {
 std::string noise_in_words(const SurfaceStudy& study) {
   const Texture& texture = study.texture;
   if (study.options.texture.noise)
-    return texture.noise > 0 ? fmt::format("white, {} a height, as stated; it is taken out", told_length(texture.noise))
+    return texture.noise > 0 ? fmt::format("white, {} per height, as stated; it is removed", told_length(texture.noise))
                              : "none, as stated";
   if (texture.continuum.noise_found)
-    return fmt::format("white, {} a height, by the floor of the spectrum; it is taken out", told_length(texture.noise));
-  return "no floor in the spectrum: what noise there is counts as surface; state it with --noise";
+    return fmt::format("white, {} per height, from the floor of the spectrum; it is removed",
+                       told_length(texture.noise));
+  return "the spectrum has no floor: any noise counts as surface; state it with --noise";
 }
 
 std::string friction_in_words(const SurfaceStudy& study) {
@@ -35,14 +36,14 @@ std::string friction_in_words(const SurfaceStudy& study) {
   const double n = static_cast<double>(study.friction->mu.size());
   for (const double mu : study.friction->mu) sum += mu / n;
   for (const double mu : study.friction->mu) squares += (mu - sum) * (mu - sum) / n;
-  std::string words = fmt::format("{:.3f} ± {:.3f} (standard deviation along the trace) from {:g} on the flat", sum,
-                                  std::sqrt(squares), *study.options.friction);
+  std::string words = fmt::format("{:.3f} ± {:.3f} (standard deviation along the trace), from {:g} on the flat surface",
+                                  sum, std::sqrt(squares), *study.options.friction);
   if (study.options.edge_radius > 0)
-    words += fmt::format(", climbed by an edge of {}", told_length(study.options.edge_radius));
+    words += fmt::format(", climbed by an edge with a radius of {}", told_length(study.options.edge_radius));
   const double mu = *study.options.friction;
   if (!study.texture.waves.empty() && mu > 0) {
     const DominantWave& wave = study.texture.waves.front();
-    words += fmt::format("; its highest wave would show as A = {:.3f} every {}",
+    words += fmt::format("; the highest wave would appear as a wave of friction with A = {:.3f} and a wavelength of {}",
                          2 * std::numbers::pi * wave.amplitude.value / wave.wavelength.value * (1 + mu * mu) / mu,
                          told_length(wave.wavelength.value));
   }
@@ -61,22 +62,23 @@ std::string with_interval(const Estimate& estimate, const Kind& kind) {
 std::string surface_in_short(const SurfaceStudy& study) {
   const Texture& texture = study.texture;
   if (texture.drowned)
-    return fmt::format("Noise of {} a height hides the surface at all wavelengths from {} to {}.",
+    return fmt::format("Noise of {} per height hides the surface at all wavelengths from {} to {}.",
                        told_length(texture.noise), told_length(2 * study.trace.step), told_length(texture.longest));
-  return fmt::format("The slope of the surface is {} (rms, 95 %), told of wavelengths from {} to {}.",
-                     with_interval(texture.rms_slope, kind::number), told_length(texture.shortest),
-                     told_length(texture.longest));
+  const auto slope = matched_digits(texture.rms_slope, 1);
+  return fmt::format("The surface slope is {} rms (95 %: {} to {}) over wavelengths of {} to {}.", slope.value,
+                     slope.low, slope.high, roughly(texture.shortest, kind::length),
+                     roughly(texture.longest, kind::length));
 }
 
 std::vector<std::string> waves_in_words(const SurfaceStudy& study) {
   std::vector<std::string> all;
   for (const DominantWave& wave : study.texture.waves)
-    all.push_back(fmt::format("{} high every {}, {} (p {})",
+    all.push_back(fmt::format("amplitude {}, wavelength {}, {} (p {})",
                               readable(wave.amplitude.value, wave.amplitude.standard_error, kind::length),
                               readable(wave.wavelength.value, wave.wavelength.standard_error, kind::length),
-                              wave.coherent ? "with one phase all along" : "with a phase that wanders",
+                              wave.coherent ? "one phase along the whole trace" : "a phase that wanders",
                               wave.p_value < 1e-4 ? std::string("below 0.0001") : "= " + significant(wave.p_value, 2)));
-  if (all.empty()) all.emplace_back("none stands out of the spectrum");
+  if (all.empty()) all.emplace_back("none stands out from the spectrum");
   return all;
 }
 
@@ -85,20 +87,21 @@ std::vector<std::string> resolution_in_words(const SurfaceStudy& study) {
   for (const WaveResolution& wave : study.resolution) {
     std::string words = fmt::format("{}: ", told_length(wave.wavelength));
     if (!wave.is_sampled) {
-      all.push_back(words +
-                    fmt::format("not seen, {:.2g} heights a wave where two are the least", wave.heights_a_wave));
+      all.push_back(words + fmt::format("cannot be seen, with {:.2g} heights per wave where at least 2 are needed",
+                                        wave.heights_a_wave));
       continue;
     }
-    words +=
-        fmt::format("{:.3g} heights a wave, {:.3g} waves in the field{}; a coherent wave shows from an amplitude of {}",
-                    wave.heights_a_wave, wave.waves_in_field,
-                    wave.has_field ? "" : fmt::format(" where the paper asks for {:g}", periods_wanted),
-                    told_length(wave.least_by_spectrum));
+    words += fmt::format(
+        "{:.3g} heights per wave, {:.3g} waves in the field{}; a coherent wave shows from an amplitude of {} on",
+        wave.heights_a_wave, wave.waves_in_field,
+        wave.has_field ? "" : fmt::format(" (the paper asks for {:g})", periods_wanted),
+        told_length(wave.least_by_spectrum));
     if (wave.least_by_pixels > 0)
-      words += fmt::format("; by the paper's rule, {:g} pixels of {} from crest to trough, from {}", pixels_wanted,
+      words += fmt::format("; by the paper's rule ({:g} pixels of {} from crest to trough), from {} on", pixels_wanted,
                            told_length(study.pixel), told_length(wave.least_by_pixels));
     if (std::isfinite(wave.pixel_wanted))
-      words += fmt::format("; by that rule {} wants pixels of {} in a field of {}",
+      words += fmt::format("; by {} rule, {} needs pixels of {} in a field of {}",
+                           wave.least_by_pixels > 0 ? "that" : "the paper's",
                            study.options.amplitude ? "the wave asked for" : "the wave found",
                            told_length(wave.pixel_wanted), told_length(periods_wanted * wave.wavelength));
     all.push_back(words);
@@ -110,26 +113,26 @@ std::string surface_text(const SurfaceStudy& study) {
   const Texture& texture = study.texture;
   std::string text = wrapped(fmt::format("{}: {}", study.file.source, surface_in_short(study)), "") + "\n";
   std::string treatment =
-      fmt::format("{} every {}, a field of {}; ", counted(study.trace.height.size(), "height", "heights"),
+      fmt::format("{} at a distance of {}, in a field of {}; ", counted(study.trace.height.size(), "height", "heights"),
                   told_length(study.trace.step), told_length(study.trace.width()));
-  treatment += study.options.level == 0   ? "their mean taken off"
-               : study.options.level == 1 ? "levelled by a straight line"
-                                          : fmt::format("a polynomial of degree {} taken off", study.options.level);
+  treatment += study.options.level == 0   ? "their mean is subtracted"
+               : study.options.level == 1 ? "levelled with a straight line"
+                                          : fmt::format("a polynomial of degree {} is subtracted", study.options.level);
   if (study.options.cutoff)
-    treatment += fmt::format("; waves below {} filtered out", told_length(*study.options.cutoff));
+    treatment += fmt::format("; waves shorter than {} are filtered out", told_length(*study.options.cutoff));
   text += line_of_surface("trace", treatment);
   if (!texture.drowned) {
     text += line_of_surface(
-        "height", fmt::format("{}, rms of the same wavelengths; {} of the whole levelled trace",
+        "height", fmt::format("{} rms over the same wavelengths; {} for the whole levelled trace",
                               with_interval(texture.rms_height, kind::length), told_length(texture.total_height)));
   }
   if (study.rms_slope_of_path)
     text += line_of_surface(
-        "edge", fmt::format("the path of an edge of {} has a slope of {} (rms, from height to height)",
+        "edge", fmt::format("the path of an edge with a radius of {} has a slope of {} rms, from height to height",
                             told_length(study.options.edge_radius), significant(*study.rms_slope_of_path, 3)));
   if (texture.correlation_length)
-    text += line_of_surface("correlation",
-                            with_interval(*texture.correlation_length, kind::length) + ", where it has fallen to 1/e");
+    text += line_of_surface("correlation", with_interval(*texture.correlation_length, kind::length) +
+                                               ", the distance at which it has fallen to 1/e");
   text += line_of_surface("noise", noise_in_words(study));
   const auto waves = waves_in_words(study);
   for (std::size_t i = 0; i < waves.size(); ++i) text += line_of_surface(i == 0 ? "waves" : "", waves[i]);

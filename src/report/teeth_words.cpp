@@ -25,8 +25,8 @@ std::string build_up_in_words(const FittedTest& test, std::size_t sliding) {
   if (sliding == 0) return "";
   const auto& build_up = test.cycles ? test.cycles->build_up : std::nullopt;
   if (!build_up)
-    return " Friction that builds up over a length of sliding also imitates sliding, on rises that draw in less than "
-           "three such lengths. A reversal shows whether friction builds up: unload once.";
+    return " Friction that builds up over a length of sliding also imitates sliding, in rises that pull in less than "
+           "three such lengths. Unload once: a reversal shows whether friction builds up.";
   if (!build_up->is_told()) return "";
   const auto& teeth = test.analysis.teeth->teeth;
   const double least = recovered * build_up->length.value;
@@ -34,8 +34,9 @@ std::string build_up_in_words(const FittedTest& test, std::size_t sliding) {
     return tooth.verdict == ToothVerdict::sliding && tooth.advance.value < least;
   });
   return fmt::format(
-      " Friction builds up after the reversals of this record, and this also imitates sliding: {} of the rises that "
-      "slide draw in less than {}, three build-up lengths, and may only creep.",
+      " Friction builds up after the reversals of this record, which also imitates sliding: {} of the sliding rises "
+      "pull "
+      "in less than {} (three build-up lengths) and may only creep.",
       near, roughly(test.analysis.scales.physical_length(least), Print(test).as(kind::length)));
 }
 
@@ -43,11 +44,11 @@ std::string compliant_supports(const FittedTest& test, std::size_t sliding) {
   const Teeth& judged = *test.analysis.teeth;
   const auto& compliance = judged.compliance;
   if (compliance.status != ComplianceStatus::ok)
-    return " Supports that give way imitate sliding; these teeth do not tell how much the supports give way.";
+    return " Supports that yield imitate sliding; these teeth do not show how much the supports yield.";
   const auto rejected = static_cast<std::size_t>(std::count_if(
       judged.teeth.begin(), judged.teeth.end(), [](const Tooth& tooth) { return tooth.compliant_rejected; }));
   const std::string fitted = fmt::format(
-      " Supports that give way imitate sliding. A stuck specimen on supports with one compliance of {} (both "
+      " Supports that yield imitate sliding. A stuck specimen on supports with one compliance of {} (both "
       "together) ",
       compliance_in_words(compliance, test));
   if (compliance.p_value >= 1 - tooth_confidence)
@@ -58,7 +59,7 @@ std::string compliant_supports(const FittedTest& test, std::size_t sliding) {
                            : ".");
   const std::string beyond = compliance.p_value < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", compliance.p_value);
   if (rejected == 0)
-    return fitted + fmt::format("does not explain the teeth together ({}), though no single tooth rejects it.", beyond);
+    return fitted + fmt::format("does not explain all teeth together ({}), though no single tooth rejects it.", beyond);
   return fitted +
          fmt::format(
              "does not explain the teeth ({}): this explanation is rejected on {} of {}, each at {:.4g} % confidence.",
@@ -68,7 +69,8 @@ std::string compliant_supports(const FittedTest& test, std::size_t sliding) {
 }  // namespace
 
 std::string teeth_in_words(const FittedTest& test) {
-  if (!test.analysis.teeth) return "Fewer than two drops, or no load train: there are no teeth to judge.";
+  if (!test.analysis.teeth)
+    return "There are no teeth to judge: the record has fewer than two drops, or no load train is stated.";
   const Teeth& judged = *test.analysis.teeth;
   const ToothOptions& options = test.provenance.options.teeth;
   const auto count = [&](ToothVerdict verdict) {
@@ -87,18 +89,19 @@ std::string teeth_in_words(const FittedTest& test) {
   const auto n = static_cast<double>(judged.teeth.size());
   const std::size_t open = count(ToothVerdict::undecided);
   std::string words = fmt::format(
-      "Of {} between drops, {} sticking; {} cannot be told from sticking; {} undecided, each at {:.4g} % confidence. "
-      "If all were stuck, chance would let up to {:.2g} pass for sliding.",
+      "Of {} between drops, {} sticking, {} cannot be distinguished from sticking, and {} undecided, each at {:.4g} % "
+      "confidence. If all were stuck, up to {:.2g} would appear to slide by chance.",
       counted(judged.teeth.size(), "rise", "rises"), sliding == 1 ? "1 rejects" : fmt::format("{} reject", sliding),
       sticking, open == 1 ? "1 is" : fmt::format("{} are", open), 100 * tooth_confidence, (1 - tooth_confidence) * n);
   words += left_out;
   words += fmt::format(
-      " We call a specimen stuck when less than {:.0f} % of the stage's motion is drawn in. The limit is empirical: "
+      " We call a specimen stuck when less than {:.0f} % of the stage's motion is pulled in. The limit is empirical: "
       "even just after a reversal, where the specimen must stick, the authors' tests show 8 to 35 %.",
       100 * options.least_share);
   if (sticking > 0)
     words +=
-        " A rise that cannot be told from sticking need not be stuck: sliding is as steep where friction rises "
+        " A rise that cannot be distinguished from sticking need not be stuck: sliding is as steep where friction "
+        "rises "
         "steeply.";
   return words + compliant_supports(test, sliding) + build_up_in_words(test, sliding);
 }

@@ -105,20 +105,20 @@ TEST_CASE("table: friction beyond what is computed is refused with key, value, l
   CHECK(
       refusal_of(drifting("mu0 = 21\n")) ==
       "case.toml:10: [friction] mu0: expected friction of at most 20, its waves and drift included, found 21; write a "
-      "smaller one");
+      "smaller mu0");
   // 700 um are 0.548 spans: the specimen is at most 1 + 2.4 0.548^2 = 1.72 spans long.
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"40 1/mm\"\n")) ==
         "case.toml:11: [friction] drift: expected friction of at most 20, its waves and drift included, found 40 1/mm, "
-        "which brings it from 19 at 1.278 mm to 55.8075 at 2.198 mm; check its unit, or go less far");
+        "which takes friction from 19 at 1.278 mm to 55.8075 at 2.198 mm; check its unit, or bend less far");
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\n")) == "");
   CHECK(
       refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\nreference = \"1.4 mm\"\n")) ==
       "case.toml:11: [friction] drift: expected friction of at most 20, its waves and drift included, found -40 1/mm, "
-      "which brings it from 19 at 1.4 mm to 23.88 at 1.278 mm; check its unit, and that of reference");
+      "which takes friction from 19 at 1.4 mm to 23.88 at 1.278 mm; check its unit, and that of reference");
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"1 1/mm\"\nreference = \"2.5 mm\"\n")) == "");
   CHECK(
       refusal_of(drifting("mu0 = 0.3\nstatic_excess = 19.8\n")) ==
-      "case.toml:11: [friction] static_excess: expected static friction of at most 20, found 19.8, which brings it to "
+      "case.toml:11: [friction] static_excess: expected static friction of at most 20, found 19.8, which raises it to "
       "20.1; write a smaller one");
   CHECK(begins(refusal_of(drifting("mu0 = 0.3\ndrift = \"1 1/mm\"\nstatic_excess = 19\n")),
                "case.toml:12: [friction] static_excess: expected static friction of at most 20"));
@@ -137,7 +137,7 @@ TEST_CASE("table: a reference that is no length between the supports is refused"
         with_friction("model = \"constant\"\nmu0 = 0.3\ndrift = \"0.8 1/mm\"\nreference = \"" + reference + "\"\n"));
   };
   CHECK(refusal("1.4 um") ==
-        "case.toml:11: [friction] reference: expected a length between the supports, from the span, 1.278 mm, to 100 "
+        "case.toml:11: [friction] reference: expected a length between the supports, from the span of 1.278 mm to 100 "
         "spans, found 1.4 µm; check its unit");
   CHECK(begins(refusal("1.4 m"), "case.toml:11: [friction] reference: expected"));
   CHECK(refusal("1.277 mm") == "");  // the span, to four digits

@@ -102,9 +102,10 @@ TEST_CASE(
     "name") {
   DesignCase design = design_of(with("phase = 1.0", "drift = \"0.8 1/mm\"\nreference = \"1.4 mm\""));
   design.set(DesignParameter::span, 2e-3);
-  CHECK(message_of([&] { design.planned(); }) ==
-        "reference: expected a length between the supports, from the span, 2 mm, to 100 spans, found 1.4 mm; check its "
-        "unit");
+  CHECK(
+      message_of([&] { design.planned(); }) ==
+      "reference: expected a length between the supports, from the span of 2 mm to 100 spans, found 1.4 mm; check its "
+      "unit");
   DesignCase steep = design_of(with("phase = 1.0", "drift = \"1 1/mm\""));
   CHECK(message_of([&] { steep.planned(); }) == "");
   steep.set(DesignParameter::mu0, 1.5);

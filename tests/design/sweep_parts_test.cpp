@@ -73,7 +73,7 @@ TEST_CASE("table: another sweep is refused, and so is a folder that is none of a
   CHECK(message_of([&] { SweepParts(folder.path() / "parts"); }).find("a damaged sweep.json") != std::string::npos);
   folder.file("parts/sweep.json", R"({"layout":1,"version":"0.0.1","digest":"0","source":"some.toml","text":""})");
   CHECK(message_of([&] { SweepParts(folder.path() / "parts"); }).find("those of FlexSlip 0.0.1") != std::string::npos);
-  CHECK(message_of([&] { SweepParts(folder.file("file", "") + "/parts", some_sweep(9)); }).find("folder that can be") !=
+  CHECK(message_of([&] { SweepParts(folder.file("file", "") + "/parts", some_sweep(9)); }).find("cannot be written") !=
         std::string::npos);
 }
 

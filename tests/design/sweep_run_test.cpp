@@ -138,7 +138,7 @@ TEST_CASE("identity: a merge does not touch what another one is writing, and rep
     folder.file("map.h5.unfinished", "half");
     CHECK(message_of([&] {
             merge_sweep({&parts, 1}, path, {});
-          }).find("expected one program that writes it") != std::string::npos);
+          }).find("is being written by another program") != std::string::npos);
     CHECK(read_whole(writing.name()) == "half");
   }
   CHECK(!std::filesystem::exists(folder.path() / "map.h5.unfinished"));

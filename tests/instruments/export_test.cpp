@@ -508,7 +508,7 @@ TEST_CASE("export: what the file does not say is asked for with the flag that sa
       has(asks("Time [s],Extension [mm],Load [N]\n0.0,0.1,0.2\n0.1,0.2,0.3\n"), "--displacement crosshead|deflection"));
   CHECK(asks("Time [s],Extension [mm],Load [N]\n0.0,0.1,0.2\n", {.displacement = deflection}).empty());
   CHECK(has(asks("Stroke,Load [N]\n0.1,0.2\n0.2,0.3\n"), "--displacement-unit"));
-  CHECK(has(asks("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q': --force-unit"));
+  CHECK(has(asks("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q'? --force-unit"));
   CHECK(has(asks("Stroke [mm],Load A [N],Load B [N]\n0.1,0.2,0.5\n0.2,0.3,0.6\n"), "--force 2"));
   CHECK(has(asks("0.1,0.2\n0.2,0.3\n"), "--force COLUMN"));
 }
@@ -525,7 +525,7 @@ TEST_CASE(
     return std::string();
   };
   CHECK(has(refused("Stroke [mm],Load\n0.1,0.2\n0.2,0.3\n"), "found none; state it with --force-unit"));
-  CHECK(has(refused("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q', which is not known"));
+  CHECK(has(refused("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q', which is unknown"));
   CHECK(has(refused("Stroke [mm],Load [kg]\n0.1,0.2\n0.2,0.3\n"), "'kg'"));
   CHECK(has(refused("Stroke [mm],Load [N]\n0.1,0.2\n0.2,off\n0.3,0.4\n"), "e.csv:3: column 'Load'"));
   CHECK(refused("Stroke [mm],Load [N]\n0.1,0.2\n0.2,0.3\n").empty());

@@ -22,6 +22,11 @@ TEST_CASE("table: an error is one line made of its parts, and those that are not
   CHECK(std::string(InputError({.line = 3, .found = "nothing"}).what()) == "line 3: found nothing");
   CHECK(std::string(InputError({.field = "--span", .expected = "a length", .remedy = "add a unit"}).what()) ==
         "--span: expected a length; add a unit");
+  CHECK(
+      std::string(
+          InputError({.file = "a.toml", .line = 4, .field = "[rig] span", .remedy = "add it", .problem = "is missing"})
+              .what()) == "a.toml:4: [rig] span is missing; add it");
+  CHECK(std::string(unreadable("a.csv", "Permission denied").what()) == "a.csv cannot be read: Permission denied");
 }
 
 TEST_CASE("identity: locating an error fills in its place and changes nothing else") {

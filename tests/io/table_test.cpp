@@ -143,7 +143,7 @@ TEST_CASE("table: units that are missing, wrong or at odds are refused") {
         "t.csv:1: column 'w': expected a unit of length, found 'N', the unit of a force; such as \"nm\", \"um\", "
         "\"mm\" or \"m\"");
   CHECK(complaint("w [mm],F\n1,2\n", {{"w [m]", kind::length}}) ==
-        "t.csv:1: column 'w': expected one unit, found 'm' and 'mm'; the file and what you ask for must agree");
+        "t.csv:1: column 'w': expected one unit, found 'm' and 'mm'; the file and the title asked for must agree");
   CHECK(has(complaint("w,F\nmm,V\n1,2\n", {{"F", kind::force}}), "expected a unit, found 'V'"));
   CHECK(has(complaint("w [m],F\n1,2\n", {{"w", kind::number}}), "expected no unit, found 'm'"));
   CHECK(has(complaint("w,F\n1,2\n", {{"w [parsec]", kind::length}}), "expected a unit, found 'parsec'"));
@@ -184,7 +184,7 @@ TEST_CASE("table: what is no table is refused as what it is") {
 
 TEST_CASE("table: a column that is not there is refused with those that are") {
   CHECK(complaint("w_s_m,w0_m,F_N\n0,0,0\n", {{"F_M [N]", kind::force}}) ==
-        "t.csv:1: column 'F_M': expected one of the columns 'w_s_m', 'w0_m' and 'F_N', found none of this name; "
+        "t.csv:1: column 'F_M' is missing: the file has the columns 'w_s_m', 'w0_m' and 'F_N'; "
         "did you mean 'F_N'?");
   CHECK(has(complaint("x,x,y\n1,2,3\n"), "column 'x': expected one column, found 2 of this name"));
   CHECK(has(complaint("x,y\n1,2\n", {{"x", kind::number}, {"x", kind::number}}), "found the same one asked for twice"));
@@ -197,8 +197,7 @@ TEST_CASE("outside: files, folders and files that are not there") {
   CHECK(read_table(path, x_and_y).columns[1].values == Values{2});
   CHECK_THROWS_WITH_AS(read_table(folder.path.string(), x_and_y),
                        (folder.path.string() + ": expected a file, found a directory").c_str(), InputError);
-  CHECK_THROWS_WITH_AS(read_table(path + "x", x_and_y),
-                       (path + "x: expected a file that can be read, found No such file or directory").c_str(),
+  CHECK_THROWS_WITH_AS(read_table(path + "x", x_and_y), (path + "x cannot be read: No such file or directory").c_str(),
                        InputError);
   CHECK_THROWS_AS(write_table((folder.path / "none" / "b.csv").string(), {"x"}, rows_of({})), InputError);
 }

@@ -117,7 +117,7 @@ step = "2 um"
         process.send_signal(signal.SIGINT)
         out, err = process.communicate()
         self.assertEqual((process.returncode, out), (130, ""), err)
-        self.assertIn("the same command goes on from there", err)
+        self.assertIn("the same command continues from there", err)
         again = run("campaign", folder, "--report", report, "--no-figures")
         self.assertEqual(again.returncode, 0)
         self.assertIn("tests were kept by an earlier run", again.stderr)

@@ -2,6 +2,7 @@
 """outside: the commands' answers against the paper, closed forms and each other."""
 import json
 import math
+import re
 import subprocess
 import unittest
 
@@ -287,13 +288,13 @@ program = ["0 um", "900 um"]
         for command in "design", "equilibrium":
             self.refused(command, case, says=["[rig] rollers", "flexslip simulate"])
         for change in "friction.build_up_length=2 um", "friction.static_excess=0.1", "stage.snaps=overshoot":
-            self.refused("simulate", case, "--set", change, says=[change.split("=")[0], "fixed or on pins", '"loose"'])
+            self.refused("simulate", case, "--set", change, says=[change.split("=")[0], "fixed or pinned rollers", '"loose"'])
         self.refused("state", "--w", "0.1", "--q", "0.1", "--roller-radius", "0.05", "--loose", says=["--q", "leave it out"])
         self.refused("state", "--w", "0.1", "--loose", says=["--loose", "--roller-radius"])
 
     def test_supports_of_a_case_that_are_none_are_refused(self):
         for rig, said in (('rollers = "loose"', "add a radius, such as roller_radius = '5.12 mm'"), (self.PINNED.replace("pinned", "held"), '"fixed", "pinned" or "loose"'),
-                          (self.PINNED.replace('"pinned"', '"fixed"'), "rollers on pins beside it"), (self.PINNED.replace("1 mm", "6 mm"), "no more than the radius"),
+                          (self.PINNED.replace('"pinned"', '"fixed"'), "rollers on pins beside it"), (self.PINNED.replace("1 mm", "6 mm"), "at most the radius"),
                           (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"), (self.PINNED.replace("pin_friction = 0.1", ""), 'it beside rollers = "pinned"'),
                           (self.PINNED.replace('pin_radius = "1 mm"', ""), "such as pin_radius = '1 mm'"), (self.PINNED.replace("0.1", "7"), "over that of the pin")):
             self.refused("simulate", self.bar("p.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', rig=rig), says=[said])
@@ -319,7 +320,7 @@ program = ["0 um", "900 um"]
 
     def test_supports_of_invert_that_are_none_are_refused(self):
         points = self.file("points.csv", "w,F\n0.2,9\n")
-        self.refused("invert", points, "--roller-radius", "0.5", says=["--roller-radius", "less than 0.45 spans", "check their units"])
+        self.refused("invert", points, "--roller-radius", "0.5", says=["--roller-radius", "less than 0.45 spans", "check the units of both"])
         self.refused("invert", points, "--roller-radius", "-1", says=["--roller-radius"])
         for thickness in "1", "0.2":
             self.refused("invert", points, "--thickness", thickness, says=["--thickness", "less than 0.2 spans"])
@@ -328,7 +329,7 @@ program = ["0 um", "900 um"]
         self.refused("state", "--w", "0.1", "--q", "0", "--roller-radius", "5 mm", says=["--roller-radius = 5 mm is not a number"])
         result = run("invert", points, "--thickness", "0.12")
         self.assertEqual(result.returncode, 1)
-        self.assertIn("no friction from -2 to 2", result.stderr)
+        self.assertIn("no friction between -2 and 2", result.stderr)
 
     def test_rollers_that_leave_no_span_and_states_by_the_wrong_number_are_refused(self):
         self.refused("state", "--w", "0.1", "--q", "0", "--roller-radius", "0.4", "--thickness", "0.15", says=["--roller-radius", "less than 0.45 spans"])
@@ -339,7 +340,7 @@ program = ["0 um", "900 um"]
         self.refused("state", "--w", "0.1", "--q", "0", "--thickness", "0.1", "--slopes", says=["--slopes", "edges"])
         result = run("state", "--w", "1.9", "--q", "0", "--thickness", "0.1")
         self.assertEqual(result.returncode, 1)
-        self.assertIn("no state with a force found at w = 1.9", result.stderr)
+        self.assertIn("no state with a force exists at w = 1.9", result.stderr)
 
     def test_identity_slopes_balance_energy(self):
         # dU = F dw - q P_n dS
@@ -585,6 +586,20 @@ class Program(InFolder):
         for command in ("fit", "campaign", "read", "modulus", "invert", "simulate", "equilibrium", "state", "completions", "cite"):
             self.assertIn(f"\n  {command} ", text)
             self.assertIn("Examples:\n  ", self.succeeds(command, "--help"))
+            self.assertEqual(self.succeeds("help", command), self.succeeds(command, "--help"))
+        self.assertEqual(self.succeeds("help"), text)
+        self.refused("help", "fot", says=["did you mean 'fit'?"])
+
+    def test_short_help_shows_the_options_that_people_use(self):
+        for command, few in ("fit", 12), ("modulus", 12), ("surface", 11):
+            short, whole = self.succeeds(command, "-h"), self.succeeds(command, "--help")
+            options = [re.findall(r"^  (?:-\w,)?(--?[\w-]+)", text, re.MULTILINE) for text in (short, whole)]
+            self.assertLessEqual(len(options[0]), few, options[0])
+            self.assertLess(set(options[0]) - {"-h"}, set(options[1]))
+            self.assertIn("Examples:\n  ", short)
+            self.assertIn(f"flexslip {command} --help explains all options", short)
+        for command in ("", "keys", "cite", "help"):
+            self.assertIn("--help explains more", self.succeeds(*filter(None, [command]), "-h"))
 
     def test_a_reader_that_has_seen_enough_is_no_error(self):
         command = f"'{PROGRAM}' equilibrium '{SOURCE}/examples/simulated/truth.toml' --points 100000 | head -n 1"

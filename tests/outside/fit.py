@@ -199,7 +199,7 @@ file = "straight.csv"
 ''')
         done = run("fit", case, "--draws", self.folder / "draws.csv")
         self.assertIn("No answer", done.stdout)
-        self.assertIn("there is no fit to draw them from", " ".join(done.stderr.split()))
+        self.assertIn("there is no fit to draw profiles from", " ".join(done.stderr.split()))
         self.assertFalse((self.folder / "draws.csv").exists())
 
     def test_draws_run_on_a_stiffer_rig(self):

@@ -278,7 +278,7 @@ class BadProgrammes(InFolder):
         self.refuses_run("t,w_s\n0,0\ninf,1\n", "run.csv:3", "'t'", "finite number")
 
     def test_time_running_back(self):
-        self.refuses_run("t,w_s\n0,0\n2,0.1\n1,0.2\n", "run.csv:4", "'t'", "not before that of the row before", "sort the rows")
+        self.refuses_run("t,w_s\n0,0\n2,0.1\n1,0.2\n", "run.csv:4", "'t'", "no earlier than in the previous row", "sort the rows")
 
     def test_columns_and_files_that_are_not_there(self):
         self.refuses_run("t,ws\n0,0\n1,0.1\n", "w_s", "did you mean 'ws'?")
@@ -287,7 +287,7 @@ class BadProgrammes(InFolder):
 
     def test_contradictions(self):
         self.refuses(RUN + "step = 0.1\n", "case.toml:10", "[stage] step", "the rows of the file are the steps")
-        self.refuses(RUN + "program = [0, 1]\n", "case.toml:10", "[stage] program", "either a program or the file")
+        self.refuses(RUN + "program = [0, 1]\n", "case.toml:10", "[stage] program", "either a program or a file")
         self.refuses('[stage]\nprogram = [0, 1]\nsnaps = "away"\n', "case.toml:9", "nearest", "overshoot", "'away'")
 
     def test_a_rig_too_soft_to_bend_the_specimen(self):
@@ -304,7 +304,7 @@ class Nose(InFolder):
     def test_limit_it_is_wrapped_from_where_the_curvature_exceeds_its_own(self):
         path = self.file("case.toml", self.RECORD)
         result = run("simulate", path, "--json")
-        self.assertIn("wraps it", result.stderr)
+        self.assertIn("wraps around it", result.stderr)
         answer = json.loads(result.stdout)
         states = "S,q\n" + "".join(f"{point['length']!r},{point['q']!r}\n" for point in answer["path"])
         curvatures = numbers(self.succeeds("state", self.file("states.csv", states)), "curvature")
@@ -320,7 +320,7 @@ class Nose(InFolder):
         for radius, wraps in ("400 um", True), ("20 um", False):
             case = section + rig.replace("RADIUS", radius) + friction + stage
             self.assertEqual(self.json("design", self.file("design.toml", case))["wraps_nose"], wraps)
-            self.assertEqual("wraps it" in self.succeeds("design", self.file("design.toml", case)), wraps)
+            self.assertEqual("wraps around it" in self.succeeds("design", self.file("design.toml", case)), wraps)
         run("simulate", self.file("truth.toml", case), "--output", self.folder / "test.csv", "--noise", "10 uN")
         for radius, wraps in ("400 um", True), ("20 um", False):
             case = section + rig.replace("RADIUS", radius) + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n'
@@ -425,17 +425,17 @@ class TwoSupports(InFolder):
 
     def test_refused(self):
         for friction, stage, says in (
-            (WAVY + "static_excess = 0.1\n" + OTHER, LOOP, ["[friction] static_excess", "not alike"]),
-            (WAVY + OTHER, LOOP + 'snaps = "overshoot"\n', ["[stage] snaps", "not alike"]),
+            (WAVY + "static_excess = 0.1\n" + OTHER, LOOP, ["[friction] static_excess", "the two supports differ"]),
+            (WAVY + OTHER, LOOP + 'snaps = "overshoot"\n', ["[stage] snaps", "the two supports differ"]),
             (WAVY + OTHER.replace("0.52", "20"), LOOP, ["[friction.other] mu0", "at most 20"]),
             (WAVY + OTHER.replace("0.0154", "1e-9"), LOOP, ["[friction.other] wavelength", "periods"]),
             (WAVY + OTHER + "static_excess = 0.1\n", LOOP, ["[friction.other] static_excess", "delete it"]),
             (WAVY + "other = 1\n", LOOP, ["[friction.other]", "the number 1"]),
-            (WAVY + "[friction.other]\n", LOOP, ["[friction.other] model", "nothing", "add model = "]),
-            (WAVY + '[friction.other]\nmodel = "roughness"\n', LOOP, ["[friction.other] model", "which is fitted"]),
+            (WAVY + "[friction.other]\n", LOOP, ["[friction.other] model", "is missing", "add model = "]),
+            (WAVY + '[friction.other]\nmodel = "roughness"\n', LOOP, ["[friction.other] model", "can only be fitted"]),
             (WAVY + OTHER.replace("other", "othr"), LOOP, ["did you mean 'other'?"]),
             (WAVY + '[friction.other]\nmodel = "constant"\n', LOOP, ["[friction.other] mu0", "add mu0 = 0.5"]),
-            (RIG + '[friction]\nmodel = "roughness"\n' + OTHER, LOOP, ["[friction.other]", "that is fitted", "write a model to compute with"]),
+            (RIG + '[friction]\nmodel = "roughness"\n' + OTHER, LOOP, ["[friction.other]", "a model to fit", "write a model to compute with"]),
         ):
             with self.subTest(says=says):
                 self.refused("simulate", self.file("case.toml", friction + stage), says=says)

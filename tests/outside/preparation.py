@@ -117,7 +117,7 @@ class Steps(InFolder):
         self.refused("fit", DATA, *FLAGS, "--sign", "flip", says=["--sign", '"reverse"'])
         self.refused("fit", DATA, *FLAGS, "--zero", "3 um", says=["--zero", "a force"])
         self.refused("fit", DATA, *FLAGS, "--displacement", "crosshead", says=["--displacement", "both stage and displacement"])
-        self.refused("fit", DATA, *FLAGS, "--inner-diameter", "40 um", says=["--inner-diameter", "less than the outer"])
+        self.refused("fit", DATA, *FLAGS, "--inner-diameter", "40 um", says=["--inner-diameter", "below the outer"])
         self.refused("fit", DATA, *FLAGS, "--until", "x", says=["--until"])
 
 
@@ -176,7 +176,7 @@ class Bar(InFolder):
         path = self.file("bar.csv", bluehill(bar_test()))
         text = self.succeeds("modulus", path, *BAR, "--displacement", "crosshead", "--stiffness", f"{LOAD_TRAIN} N/m")
         self.assertRegex(text, r"flexural modulus .* 2\.\d\d GPa \(±")
-        self.assertRegex(text, r"flexural stress there +\d\.?\d\.?\d? MPa")
+        self.assertRegex(text, r"flexural stress at the greatest force +\d\.?\d\.?\d? MPa")
 
     def test_outside_a_tube_against_the_formula(self):
         flags = ["--displacement", "deflection", "--span", "64 mm", "--diameter", "6 mm"]

@@ -144,7 +144,7 @@ class Remedies(InFolder):
 
     def test_a_record_steeper_than_its_load_train_is_told_by_how_much(self):
         said = self.says(READINGS, stiffness="20 N/m")
-        self.assertIn("which 12.68 mN bends by 634.2 µm, but the stage moved 536 µm", said)
+        self.assertIn("which yields by 634.2 µm under 12.68 mN, but the stage moved 536 µm", said)
         self.assertIn("the stage moved 536 nm", self.says([(a / 1000, b) for a, b in READINGS]))
 
     def test_a_span_in_the_wrong_unit_is_told_by_the_deflection(self):
@@ -153,7 +153,7 @@ class Remedies(InFolder):
     def test_what_read_proposes_to_do_again_names_the_file_and_works(self):
         export = SOURCE / "tests/instruments/fixtures/undecidable.txt"
         said = run("read", export, "--thousands", "none", "--decimal", ",", "--separator", "tab").stderr
-        again = said.split("the same again: flexslip ")[-1].splitlines()[0]
+        again = said.split("the same way again: flexslip ")[-1].splitlines()[0]
         self.assertIn(str(export), again)
 
     def test_a_workbook_that_was_cut_off_is_told(self):

@@ -140,7 +140,7 @@ class Studio(InFolder):
         opener.unlink()
         result = self.studio(path=str(self.folder / "tools"))
         self.assertEqual(result.returncode, 0)
-        self.assertIn("open it in one", result.stderr)
+        self.assertIn("open the page in one", result.stderr)
         self.assertTrue(re.search(rf"{NAME}$", result.stdout.strip()))
 
 

@@ -235,7 +235,7 @@ class Sweep(InFolder):
         process.send_signal(signal.SIGINT)
         out, err = process.communicate()
         self.assertEqual((process.returncode, out), (130, ""), err)
-        self.assertIn("the same command goes on from there", err)
+        self.assertIn("the same command continues from there", err)
         self.assertFalse(output.exists())
         self.assertTrue(list(self.folder.glob("map.h5.parts/part-??????")))
 
@@ -267,7 +267,7 @@ class Sweep(InFolder):
 
         result = run("merge", parts)
         self.assertEqual((result.returncode, result.stdout), (1, ""))
-        for words in ("of 13 parts, 1 are missing and 2 damaged", f"{flipped}, rows 65 to 128: damaged",
+        for words in ("of 13 parts, 1 are missing and 2 are damaged", f"{flipped}, rows 65 to 128: damaged",
                       f"{truncated}, rows 257 to 320: damaged", f"{deleted}, rows 769 to 800: missing",
                       f"flexslip sweep {case} --output {output}"):
             self.assertIn(words, result.stderr)
@@ -295,7 +295,7 @@ class Sweep(InFolder):
         result = subprocess.run([PROGRAM, "sweep", case, "--output", output], capture_output=True, text=True, check=False,
                                 env={**os.environ, "ASAN_OPTIONS": "detect_leaks=0"})
         self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
-        self.assertIn("map.h5.unfinished: expected a file that can be written, found No space left on device", result.stderr)
+        self.assertIn("map.h5.unfinished cannot be written: No space left on device", result.stderr)
         self.assertEqual(run("sweep", case, "--output", output).stdout, f"{output}: 400 designs (400 ok)\n")
         self.assertEqual(output.read_bytes(), whole)
 
@@ -309,7 +309,7 @@ class Sweep(InFolder):
             file["written"] = numpy.arange(1000)
             file.flush()
             before = unfinished.read_bytes()
-            self.refused("merge", f"{output}.parts", says=["map.h5", "one program that writes it", "another --output"])
+            self.refused("merge", f"{output}.parts", says=["map.h5", "is being written by another program", "another --output"])
             self.assertEqual(unfinished.read_bytes(), before)
         # What is left of a merge that was killed is replaced; also where HDF5 is told to lock what is locked already.
         subprocess.run([PROGRAM, "merge", f"{output}.parts"], check=True, stdout=subprocess.DEVNULL,
@@ -337,11 +337,11 @@ class Sweep(InFolder):
         case = self.file("map.toml", grid(5, 4))
         for option in ("--output", "--slurm"):
             self.refused("sweep", case, option, case, says=[option if option == "--slurm" else "map.toml"])
-        self.refused("design", case, "--output", case, says=["--output", "another file than is read"])
+        self.refused("design", case, "--output", case, says=["--output", "an output other than"])
         self.assertEqual(case.read_text(encoding="utf-8"), grid(5, 4))
         self.succeeds("sweep", case, "--output", self.folder / "map.h5", "--shard", "1/1")
         self.refused("merge", self.folder / "map.h5.parts", "--output", self.folder / "map.h5.parts" / "part-result.h5",
-                     says=["--output", "a file beside the parts"])
+                     says=["--output", "a file outside the folder of parts"])
         self.refused("sweep", case, "--output", "", says=["--output", "a file"])
         self.refused("sweep", case, "--output", "-", says=["--output", "a file"])
 
@@ -382,7 +382,7 @@ class Sweep(InFolder):
         self.succeeds("sweep", case, "--output", output, "--shard", "1/1")
         self.refused("sweep", other, "--output", output, says=["map.h5.parts", "those of another one", "another --output"])
         self.succeeds("merge", f"{output}.parts")
-        self.refused("sweep", other, "--output", output, says=["map.h5", "that of another sweep", "another --output"])
+        self.refused("sweep", other, "--output", output, says=["map.h5", "the file of another sweep", "another --output"])
         mine = self.file("mine.h5", "my notes")
         self.refused("sweep", case, "--output", mine, says=["mine.h5", "another file", "another --output"])
         self.assertEqual(mine.read_text(), "my notes")
@@ -411,7 +411,7 @@ class Sweep(InFolder):
         self.refused("sweep", "-", stdin=grid(5, 4), says=["--output"])
         self.refused("merge", self.folder / "none.parts", says=["none.parts", "no such folder"])
         self.refused("merge", self.folder, says=["--output"])
-        self.refused("sweep", case, "--output", case / "map.h5", says=["map.h5.parts", "a folder that can be written to"])
+        self.refused("sweep", case, "--output", case / "map.h5", says=["map.h5.parts", "cannot be written"])
 
     @unittest.skipUnless(os.environ.get("FLEXSLIP_CONFIG", "Release") == "Release", "sanitizers keep memory")
     def test_memory_does_not_grow_with_the_designs(self):

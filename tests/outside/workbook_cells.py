@@ -184,7 +184,7 @@ class Cells(InFolder):
         out, said = self.read(self.book(rows), "--crosshead", "1")
         self.assertEqual(numbers(out, "Load [N]"), [round(force, 4) for _, force in READINGS])
         self.assertEqual(numbers(out, "Extension [mm]"), [extension for extension, _ in READINGS])
-        again = said.split("the same again: flexslip read ")[1].split(" --", 1)[1].strip()
+        again = said.split("the same way again: flexslip read ")[1].split(" --", 1)[1].strip()
         self.assertIn("--decimal ,", again)
 
     def test_the_remedy_of_a_decimal_comma_works_in_a_workbook(self):
@@ -220,7 +220,7 @@ class Cells(InFolder):
         first = [["Temperature", "Humidity"], *([20 + i, 50 - i] for i in range(10))]
         self.book(first, Run=[["stage [mm]", "force [mN]"], *READINGS])
         case = self.file("case.toml", CASE.format(file="test.xlsx", more=""))
-        self.refused("fit", case, says=["none of this name", "this is the sheet 'Data'", "'Run'", '--sheet "Run"'])
+        self.refused("fit", case, says=["is missing", "this is the sheet 'Data'", "'Run'", '--sheet "Run"'])
         self.assertNotIn("none of this name", run("fit", case, "--sheet", "Run").stderr)
         self.assertEqual(run("invert", case, "--set", "record.sheet=Run").returncode, 0)
 

@@ -225,7 +225,7 @@ class Workbooks(InFolder):
 
     def test_formulas_that_were_never_computed_are_told(self):
         path = self.workbook({"a": [["Extension (mm)", "Load (N)"], *([i, f"=A{i + 2}*2"] for i in range(8)), *([8 + i, i] for i in range(12))]})
-        self.assertIn("8 formulas have no value stored", run("read", path, "--crosshead", "1").stderr)
+        self.assertIn("8 formulas have no stored value", run("read", path, "--crosshead", "1").stderr)
 
     def test_other_files_are_told_by_name_with_a_remedy(self):
         ods = io.BytesIO()
@@ -240,7 +240,7 @@ class Workbooks(InFolder):
         self.refused_as(old, "Excel 97 to 2003 (.xls)", REMEDY_OF_OTHERS)
         self.refused_as(old + "EncryptedPackage".encode("utf-16le") + bytes(64), "a workbook with a password", "save it without a password")
         self.refused_as(raw({"a": NUMBERS}, main="xl/workbook.bin"), "a binary workbook (.xlsb)", REMEDY_OF_OTHERS)
-        self.refused_as(plain.getvalue(), "an archive that holds no workbook", "unpack it")
+        self.refused_as(plain.getvalue(), "an archive without a workbook", "unpack it")
         self.refused_as(raw({"a": rows_of([["just", "words"]])}), "rows of numbers", "none on the sheet 'a'")
         self.refused_as(raw({"a": ""}), "rows of numbers", "none on the sheet 'a'")
 

@@ -38,13 +38,14 @@ TEST_CASE("surface words, table: what a wave, a question and a friction come to"
   std::string text = surface_text(study);
   for (auto at = text.find("\n  "); at != std::string::npos; at = text.find("\n  "))  // where lines are broken
     text.replace(at, text.find_first_not_of(" \n", at) - at, " ");
-  CHECK(has(text, "trace.csv: The slope of the surface is"));
-  CHECK(has(waves_in_words(study).front(), "with one phase all along (p below 0.0001)"));
-  CHECK(has(resolution_in_words(study)[0], "10.9 µm: 109 heights a wave, 18.3 waves in the field"));
-  CHECK(has(resolution_in_words(study)[0], "10 pixels of 290 nm from crest to trough, from 1.45 µm"));
-  CHECK(has(resolution_in_words(study)[0], "wants pixels of 22 nm in a field of 109 µm"));
-  CHECK(has(resolution_in_words(study)[1], "150 nm: not seen, 1.5 heights a wave where two are the least"));
-  CHECK(has(text, "its highest wave would show as A = 0.1"));  // 2π 0.11/10.9 (1 + 0.25)/0.5 = 0.16
+  CHECK(has(text, "trace.csv: The surface slope is"));
+  CHECK(has(waves_in_words(study).front(), "one phase along the whole trace (p below 0.0001)"));
+  CHECK(has(resolution_in_words(study)[0], "10.9 µm: 109 heights per wave, 18.3 waves in the field"));
+  CHECK(has(resolution_in_words(study)[0], "(10 pixels of 290 nm from crest to trough), from 1.45 µm"));
+  CHECK(has(resolution_in_words(study)[0], "needs pixels of 22 nm in a field of 109 µm"));
+  CHECK(has(resolution_in_words(study)[1],
+            "150 nm: cannot be seen, with 1.5 heights per wave where at least 2 are needed"));
+  CHECK(has(text, "with A = 0.1"));  // 2π 0.11/10.9 (1 + 0.25)/0.5 = 0.16
   const Figure figure = surface_figure(study);
   CHECK(figure.data.size() == 5);
   CHECK(has(figure.script, "Friction"));
@@ -56,7 +57,7 @@ TEST_CASE("surface words, limit: a friction on which it would slide by itself is
   const std::string message = message_of([&] { study_surface(some_trace(0.11e-6, 10.9e-6), options); });
   CHECK(has(message, "trace.csv: expected slopes between -0.01"));
   CHECK(has(message, "at the position"));
-  CHECK(has(message, "times the limit; is it noise?"));
+  CHECK(has(message, "times the limit; if it is noise"));
 }
 
 }  // namespace flexslip

@@ -1,0 +1,101 @@
+#include "cli/help.h"
+
+#include <algorithm>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "io/input_error.h"
+#include "io/text_file.h"
+
+namespace flexslip {
+namespace {
+
+// The options that -h shows of commands that have more than fit a glance; of all others it shows all.
+struct Everyday {
+  std::string_view command;
+  std::vector<std::string_view> options;
+};
+
+const std::vector<Everyday>& everyday() {
+  static const std::vector<Everyday> commands{
+      {"fit",
+       {"--report", "--full", "--json", "--set", "--span", "--stiffness", "--diameter", "--modulus", "--stage",
+        "--force"}},
+      {"campaign", {"--common", "--report", "--share", "--set", "--jobs", "--json"}},
+      {"read", {"--output", "--json", "--specimen", "--sheet", "--crosshead", "--deflection", "--force", "--decimal"}},
+      {"modulus",
+       {"--json", "--set", "--span", "--stiffness", "--diameter", "--width", "--height", "--stage", "--force",
+        "--displacement"}},
+      {"invert", {"--output", "--json", "--set", "--roller-radius", "--thickness"}},
+      {"surface",
+       {"--friction", "--edge-radius", "--wavelength", "--amplitude", "--level", "--cutoff", "--step", "--figure",
+        "--json"}},
+      {"design", {"--over", "--figure", "--set", "--output", "--json"}},
+      {"simulate", {"--output", "--noise", "--seed", "--figure", "--set", "--json"}},
+      {"sweep", {"--output", "--threads", "--set", "--shard", "--slurm"}},
+      {"state", {"--S", "--w", "--q", "--roller-radius", "--thickness", "--output", "--json"}}};
+  return commands;
+}
+
+std::string name_in_usage(const CLI::App& command) {
+  return command.get_parent() ? "flexslip " + command.get_name() : command.get_name();
+}
+
+std::string whole_help(CLI::App& command) {
+  return command.get_formatter()->make_help(&command, name_in_usage(command), CLI::AppFormatMode::Normal);
+}
+
+// Changes the command, which is not run any more: what is left out goes into no group, and the footer is its examples.
+std::string short_help(CLI::App& command) {
+  const auto known = std::find_if(everyday().begin(), everyday().end(),
+                                  [&](const Everyday& each) { return each.command == command.get_name(); });
+  if (known != everyday().end()) {
+    std::vector<const CLI::Option*> shown{command.get_help_ptr()};
+    for (const std::string_view name : known->options) shown.push_back(command.get_option(std::string(name)));
+    for (CLI::Option* option : command.get_options())
+      if (!option->get_positional() && std::find(shown.begin(), shown.end(), option) == shown.end()) option->group("");
+  }
+  const std::string footer = command.get_footer();
+  const std::size_t begin = std::min(footer.find("Examples:"), footer.size());
+  const std::string examples = footer.substr(begin, footer.find("\n\n", begin) - begin);
+  command.footer(fmt::format("{}{}{} --help explains {}.", examples, examples.empty() ? "" : "\n\n",
+                             name_in_usage(command), known != everyday().end() ? "all options" : "more"));
+  return whole_help(command);
+}
+
+}  // namespace
+
+void add_short_help(CLI::App& command) {
+  command.add_flag_function(
+      "-h", [&command](std::int64_t /*times*/) { throw ShortHelp{short_help(command)}; },
+      "Print the options that people use, and exit");
+}
+
+void add_help_command(CLI::App& app) {
+  const auto wanted = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("help", "Explain a command, as its --help does");
+  command->add_option("command", *wanted, "Command to explain; without it, the whole program")->type_name("COMMAND");
+  command->footer(
+      "Examples:\n"
+      "  flexslip help\n"
+      "  flexslip help fit");
+  command->callback([wanted, &app] {
+    if (wanted->empty()) return write_text("-", whole_help(app));
+    std::vector<std::string> names;
+    for (CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) {
+      if (each->get_name() == *wanted) return write_text("-", whole_help(*each));
+      names.push_back(each->get_name());
+    }
+    const std::string meant = nearest(*wanted, names);
+    throw InputError({.field = "COMMAND",
+                      .expected = "one of the commands " + listed(names),
+                      .found = in_quotes(*wanted),
+                      .remedy = meant.empty() ? "" : fmt::format("did you mean {}?", in_quotes(meant))});
+  });
+}
+
+}  // namespace flexslip
