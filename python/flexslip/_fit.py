@@ -104,7 +104,7 @@ class Fit(FitFields):
             drops. Of a test that unloads: its force there and back; its loops in length and friction, and friction of both directions below. Those that
             the report has: without slips there are no teeth. Of a record that no friction explains: "record".
         ax : matplotlib Axes, optional
-            Where to draw; of "force", two of them, or one for the force alone; of "boxes", one and one for each of up to four loops.
+            Where to draw: as many as the figure has panels ("force" has two; "boxes" one and one for each of up to four loops), or one for the first of them.
 
         Returns
         -------

@@ -63,7 +63,7 @@ py::list figures(const Campaign& campaign) {
       out.append(plain(distribution_figure(campaign)));
       break;
     }
-  for (const Figure& page : atlas_pages(campaign)) out.append(plain(page));
+  for (const Plot& page : atlas_pages(campaign)) out.append(plain(page));
   return out;
 }
 

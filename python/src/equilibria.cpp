@@ -11,7 +11,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/equilibrium_figure.h"
+#include "report/model_figures.h"
 
 namespace flexslip::python {
 namespace {
@@ -41,7 +41,7 @@ void add_equilibria(py::module_& module) {
       .def("told", told)
       .def("figures", [](const EquilibriumStudy& study) {
         py::list out;
-        out.append(plain(figure_of(study)));
+        out.append(plain(equilibrium_figure(study)));
         return out;
       });
   module.def("equilibrium", [](const Case& input, bool region, int points, int levels, const std::string& longest) {

@@ -5,25 +5,28 @@
 
 #include <pybind11/numpy.h>
 
+#include "plain.h"
+#include "report/plot_json.h"
+
 namespace flexslip::python {
 
 namespace py = pybind11;
 
-py::dict plain(const Figure& figure) {
+py::object plain(const Plot& plot) {
   py::dict data;
-  for (const FigureData& each : figure.data) {
+  for (const PlotTable& table : plot.data) {
     py::dict columns;
-    for (std::size_t column = 0; column < each.titles.size(); ++column) {
-      py::array_t<double> values(static_cast<py::ssize_t>(each.rows.size()));
-      std::transform(each.rows.begin(), each.rows.end(), values.mutable_data(),
+    for (std::size_t column = 0; column < table.titles.size(); ++column) {
+      py::array_t<double> values(static_cast<py::ssize_t>(table.rows.size()));
+      std::transform(table.rows.begin(), table.rows.end(), values.mutable_data(),
                      [column](const std::vector<double>& row) { return column < row.size() ? row[column] : NAN; });
-      columns[py::str(each.titles[column])] = values;
+      columns[py::str(table.titles[column])] = values;
     }
-    data[py::str(each.name)] = columns;
+    data[py::str(table.name)] = columns;
   }
-  return py::dict(py::arg("name") = figure.name, py::arg("title") = figure.title,
-                  py::arg("description") = figure.description, py::arg("width") = figure.width,
-                  py::arg("height") = figure.height, py::arg("data") = data, py::arg("script") = figure.script);
+  py::object out = plain(json_of(plot));
+  out["data"] = data;
+  return out;
 }
 
 }  // namespace flexslip::python

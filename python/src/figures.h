@@ -1,13 +1,13 @@
-// The figures of a report as data of Python: what is drawn where, for other hands to draw.
+// The figures of a report as data of Python, for other hands to draw.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
-#include "report/figure.h"
+#include "report/plot.h"
 
 namespace flexslip::python {
 
-// {"name", "title", "description", "width", "height", "data": {name: {title: array}}, "script"}; an empty row is one of NaN.
-pybind11::dict plain(const Figure& figure);
+// As json_of (report/plot_json.h), with "data": {table: {title: array}}; an empty row is one of NaN.
+pybind11::object plain(const Plot& plot);
 
 }  // namespace flexslip::python

@@ -48,7 +48,7 @@ py::list figures(Test test) {
   py::list all;
   for (const Chapter& chapter : document_of(test))
     for (const Block& block : chapter.blocks)
-      if (const auto* picture = std::get_if<Picture>(&block)) all.append(plain(picture->plate().figure));
+      if (const auto* picture = std::get_if<Picture>(&block)) all.append(plain(picture->plot()));
   return all;
 }
 

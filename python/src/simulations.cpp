@@ -16,7 +16,7 @@
 #include "io/input_error.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/simulated_figures.h"
+#include "report/model_figures.h"
 
 namespace flexslip::python {
 namespace {

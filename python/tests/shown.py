@@ -79,28 +79,41 @@ class Figures(unittest.TestCase):
 
     def test_identity_what_is_drawn_of_teeth_and_loops_is_the_data_of_the_report(self):
         fit = flexslip.fit(case("cyclic"))
-        data = {figure["name"]: figure["data"] for figure in fit._part("figures")}
+        figures = {figure["name"]: figure for figure in fit._part("figures")}
+        data = {name: figure["data"] for name, figure in figures.items()}
         drawn = [line.get_xydata() for line in fit.plot("loops").lines]
         for which in "loading", "unloading":
             wanted = np.column_stack(list(data["loops"][which].values()))
             self.assertTrue(any(each.shape == wanted.shape and np.array_equal(each, wanted, equal_nan=True) for each in drawn), which)
         axes = fit.plot("boxes")
-        self.assertEqual(len(axes), 1 + sum(name.startswith("in_") for name in data["boxes"]))
+        self.assertEqual(len(axes), 1 + len(fit.cycles.loops))
         slides = sum(tooth.verdict == "sliding" for tooth in fit.teeth.teeth) if fit.teeth else 0
         points = [line for line in fit.plot("teeth").lines if line.get_label() == "slides"]
-        self.assertEqual(len(points[0].get_xdata()) if points else 0, slides)
+        self.assertEqual(np.isfinite(points[0].get_xdata()).sum() if points else 0, slides)
+
+    def test_identity_ranges_titles_and_colours_are_those_of_the_report(self):
+        fit = flexslip.fit(case("simulated"))
+        for figure in fit._part("figures"):
+            axes = np.atleast_1d(np.asarray(fit.plot(figure["name"]), dtype=object)).ravel()
+            titles = [mark["title"] for panel in figure["panels"] for mark in panel["marks"] if mark["kind"] != "label" and mark["title"]]
+            self.assertEqual(len([text for legend in axes[0].figure.legends for text in legend.get_texts()]), len(titles))
+            for panel, ax in zip(figure["panels"], axes):
+                self.assertEqual((*ax.get_xlim(), *ax.get_ylim()), (panel["x"]["from"], panel["x"]["to"], panel["y"]["from"], panel["y"]["to"]))
+                lines = [mark for mark in panel["marks"] if mark["kind"] in ("line", "points", "horizontal", "vertical")]
+                self.assertEqual([line.get_color() for line in ax.lines], [mark["style"]["colour"] for mark in lines])
+                self.assertEqual([line.get_linewidth() for line in ax.lines], [mark["style"]["width"] for mark in lines])
 
     def test_outside_units_on_the_axes_are_those_of_the_report(self):
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet", "--report", folder], check=True, capture_output=True)
             script = pathlib.Path(folder, "figures/force.gp").read_text(encoding="utf-8")
-        units = re.findall(r"set [xy]label '[^']*\(([^)]*)\)'", script)
+        units = re.findall(r"\(([^)']*)\)' at screen", script)
         axes = flexslip.fit(case("simulated")).plot()
-        self.assertEqual(sorted(re.findall(r"\(([^)]*)\)$", label)[0] for label in (axes[0].get_ylabel(), axes[1].get_xlabel())), sorted(units))
+        self.assertEqual(sorted(re.findall(r"\(([^)]*)\)$", label)[0] for label in (axes[0].get_ylabel(), axes[1].get_xlabel(), axes[1].get_ylabel())), sorted(units))
 
     def test_identity_measured_points_are_those_of_the_curves(self):
         fit = flexslip.fit(case("simulated"))
-        line = next(line for line in fit.plot()[0].lines if line.get_label() == "Measured")
+        line = fit.plot()[0].lines[-1]  # on top of all others
         np.testing.assert_allclose(line.get_xdata(), 1e6 * fit.curves.deflection, rtol=1e-12)  # µm; the products round
         np.testing.assert_allclose(line.get_ydata(), 1e3 * fit.curves.force, rtol=1e-12)
 

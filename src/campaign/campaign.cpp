@@ -1,7 +1,11 @@
 #include "campaign/campaign.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
+#include "bending_test/portrait.h"
 #include "finding/answer.h"
 
 namespace flexslip {
@@ -12,6 +16,7 @@ CampaignCurves curves_of(const TestAnalysis& analysis) {
   CampaignCurves curves{.span = scales.span(),
                         .bending_stiffness = scales.bending_stiffness(),
                         .load_train_stiffness = scales.physical_stiffness(analysis.rig.stiffness),
+                        .supports = analysis.rig.fibre.supports(),
                         .stage = analysis.record.stage,
                         .deflection = analysis.record.deflection,
                         .force = analysis.record.force,
@@ -35,6 +40,20 @@ std::vector<std::string> remarks_of(const Answer& answer) {
 }
 
 }  // namespace
+
+ForceCurve frictionless_curve(const CampaignCurves& curves, double bending_stiffness) {
+  ForceCurve curve;
+  if (curves.deflection.empty()) return curve;
+  const double deepest = *std::max_element(curves.deflection.begin(), curves.deflection.end());
+  if (!(deepest > 0)) return curve;
+  constexpr int points = 60;
+  const Scales scales(curves.span, bending_stiffness);
+  for (const auto& point : frictionless_up_to(scales.reduced_length(deepest), points, Fibre(curves.supports))) {
+    curve.deflection.push_back(scales.physical_length(point.w));
+    curve.force.push_back(scales.physical_force(point.F));
+  }
+  return curve;
+}
 
 CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
   const Answer answer = answer_of(test);

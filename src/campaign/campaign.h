@@ -9,6 +9,7 @@
 
 #include "case/fitted.h"
 #include "data/literature_friction.h"
+#include "fibre/supported_state.h"
 #include "inference/campaign.h"
 
 namespace flexslip {
@@ -18,6 +19,7 @@ struct CampaignCurves {
   double span;                                   // [m]
   double bending_stiffness;                      // [N m^2] nominal
   double load_train_stiffness;                   // [N/m]
+  Supports supports;                             // [span]
   std::vector<double> stage, deflection, force;  // [m], [m], [N] measured
   std::vector<double> model_deflection,
       model_force;                 // [m], [N] the mean of the fit at the stage positions, snaps included
@@ -36,6 +38,13 @@ struct CampaignTest {
   std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
   std::optional<Materials> materials{};  // in contact, if its case states both
 };
+
+// The curve without friction of a specimen of some bending stiffness [N m^2] on the supports of the test, from the straight specimen to its greatest
+// deflection or beyond; SI. Empty if it was not bent.
+struct ForceCurve {
+  std::vector<double> deflection, force;  // [m], [N]
+};
+ForceCurve frictionless_curve(const CampaignCurves& curves, double bending_stiffness);
 
 // The test in a line and in curves.
 CampaignTest campaign_test_of(const FittedTest& test, const std::string& file);

@@ -80,9 +80,12 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"surface_height", &TestSummary::surface_height},
                                            Part{"surface_slope", &TestSummary::surface_slope}};
 template <>
+constexpr std::tuple parts_of<Supports>{Part{"radius", &Supports::radius}, Part{"half_depth", &Supports::half_depth}};
+template <>
 constexpr std::tuple parts_of<CampaignCurves>{Part{"span", &CampaignCurves::span},
                                               Part{"bending_stiffness", &CampaignCurves::bending_stiffness},
                                               Part{"load_train_stiffness", &CampaignCurves::load_train_stiffness},
+                                              Part{"supports", &CampaignCurves::supports},
                                               Part{"stage", &CampaignCurves::stage},
                                               Part{"deflection", &CampaignCurves::deflection},
                                               Part{"force", &CampaignCurves::force},

@@ -57,4 +57,8 @@ EquilibriumStudy study_equilibria(const Case& input, const EquilibriumChoice& ch
   return study;
 }
 
+EquilibriumPortrait portrait_of(const EquilibriumStudy& study) {
+  return portrait_of(study.friction, study.fibre, study.longest);
+}
+
 }  // namespace flexslip

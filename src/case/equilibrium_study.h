@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bending_test/equilibrium.h"
+#include "bending_test/portrait.h"
 #include "case/case_file.h"
 #include "contact/friction.h"
 #include "data/scales.h"
@@ -37,5 +37,8 @@ struct EquilibriumStudy {
 // Fails:      InputError for a case without span, bending stiffness or friction, as scales_of and friction_of; for `longest`, naming the flag, unless
 //             it is a length beyond the span.
 EquilibriumStudy study_equilibria(const Case& input, const EquilibriumChoice& choice);
+
+// As a picture shows them.
+EquilibriumPortrait portrait_of(const EquilibriumStudy& study);
 
 }  // namespace flexslip

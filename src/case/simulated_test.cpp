@@ -199,4 +199,18 @@ SimulatedTest simulate(const Case& input, const SimulationOptions& options, doub
           std::move(why)};
 }
 
+SimulatedPortrait portrait_of(const SimulatedTest& test, const std::vector<Crack>& cracks) {
+  const FollowedTest& followed = test.followed.value();
+  History history =
+      followed.in_steps ? follow_continuously(followed.bending_test, followed.stages, 2, cracks) : followed.history;
+  std::vector<Leg> legs = legs_of(history, followed.legs);
+  SlidingLimits limits = limits_of(followed.bending_test, history);
+  return {std::move(history), std::move(legs), std::move(limits)};
+}
+
+OverallPortrait overall_portrait(const SimulatedTest& test, std::span<const double> stages) {
+  const BendingTest& bending_test = test.followed.value().bending_test;
+  return overall_portrait(bending_test.friction.kinetic, bending_test.rig, stages);
+}
+
 }  // namespace flexslip

@@ -3,10 +3,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "bending_test/history.h"
+#include "bending_test/portrait.h"
 #include "case/case_file.h"
 #include "case/problem.h"
 #include "case/simulation.h"
@@ -44,5 +45,17 @@ struct SimulatedTest {
 // Fails:      InputError as bending_test_of; for a path that does not fit into a gigabyte; on rollers that roll loose also for cracks, and for a
 //             friction of the other support.
 SimulatedTest simulate(const Case& input, const SimulationOptions& options, double farthest = 0);
+
+// The test as a picture shows it: of a stage in steps also between its readings.
+// Domain:     a test that was followed. So for the next.
+struct SimulatedPortrait {
+  History history;
+  std::vector<Leg> legs;  // of its path
+  SlidingLimits limits;
+};
+SimulatedPortrait portrait_of(const SimulatedTest& test, const std::vector<Crack>& cracks);
+
+// Its overall equilibria at some stage positions [L].
+OverallPortrait overall_portrait(const SimulatedTest& test, std::span<const double> stages);
 
 }  // namespace flexslip

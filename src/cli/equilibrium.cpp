@@ -10,7 +10,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/quantity.h"
-#include "report/equilibrium_figure.h"
+#include "report/model_figures.h"
 
 namespace flexslip {
 namespace {
@@ -31,7 +31,7 @@ void run_equilibrium(const EquilibriumRequest& request) {
                                               study.reduced     ? kind::number
                                               : study.in_inches ? in_inches(kind::length)
                                                                 : kind::length)));
-  if (!request.figure.empty()) draw_for(request.output, figure_of(study), request.figure);
+  if (!request.figure.empty()) draw_for(request.output, equilibrium_figure(study), request.figure);
   const Equilibria told = told_of(study);
   const EquilibriumColumns columns = columns_of(study);
   const Frame frame{study.scales, study.reduced};

@@ -38,8 +38,8 @@ void add_figure_option(CLI::App& command, std::string& path) {
       });
 }
 
-void draw_for(const Output& output, const Figure& figure, const std::string& path) {
-  if (draw(figure, path) == DrawStatus::no_gnuplot)
+void draw_for(const Output& output, const Plot& plot, const std::string& path) {
+  if (draw(plot, path) == DrawStatus::no_gnuplot)
     note(output, "gnuplot is not installed: the script and data of the figure are written, but no picture");
 }
 

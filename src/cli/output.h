@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "report/figure.h"
+#include "report/draw.h"
 #include "report/fit_screen.h"
 #include "result/json.h"
 #include "result/table.h"
@@ -29,7 +29,7 @@ void add_output_options(CLI::App& command, Output& output);
 void add_figure_option(CLI::App& command, std::string& path);
 
 // Draws a figure; without gnuplot a remark says that only its script and data are there.
-void draw_for(const Output& output, const Figure& figure, const std::string& path);
+void draw_for(const Output& output, const Plot& plot, const std::string& path);
 
 // As wide as the terminal, and in colour on one, unless NO_COLOR is set; of results that go into a file, as a file has them.
 ScreenStyle screen_style(const Output& output);

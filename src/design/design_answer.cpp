@@ -196,4 +196,11 @@ DesignAnswer answer_of(const DesignCase& input) {
   return answer;
 }
 
+DesignCurves curves_of(const DesignAnswer& answer) {
+  const Design& design = answer.design;
+  const bool breaks = answer.outcome.status == DesignStatus::breaks;
+  return {record_of({design.friction, design.rig}, breaks ? answer.outcome.stage_reached : design.travel, design.step),
+          folds_up_to(design.friction, design.travel, design.rig.fibre)};
+}
+
 }  // namespace flexslip

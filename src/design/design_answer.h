@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "bending_test/readings.h"
 #include "design/design_result.h"
 
 namespace flexslip {
@@ -50,5 +51,12 @@ struct DesignAnswer {
 //             begin at 1/900 of the greatest value; from infinity none are made.
 // Cost:       some 40 outcomes, and 700 traces to the first snap.
 DesignAnswer answer_of(const DesignCase& input);
+
+// The same as curves, close enough to be drawn as lines: the record as it will be, and the folds up to the travel.
+struct DesignCurves {
+  std::vector<RecordedForce> record;
+  std::vector<FoldPoint> folds;
+};
+DesignCurves curves_of(const DesignAnswer& answer);
 
 }  // namespace flexslip

@@ -31,7 +31,7 @@ struct DesignParameterName {
   std::string_view name;         // "mu0", as in files and on the command line
   Kind kind;                     // of the quantity; a plain number in reduced cases
   std::string_view description;  // "mean friction coefficient"
-  std::string_view symbol;       // in gnuplot's markup
+  std::string_view symbol;       // in the markup of figures (report/plot.h)
   Range range;
   double most;  // [units of the case] the greatest value within the range
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "contact/build_up.h"
 #include "fibre/elementary.h"
 #include "fibre/limits.h"
 
@@ -120,6 +121,10 @@ std::optional<BuildUpLength> measure_build_up(std::span<const Leg> legs, std::sp
   const double between = std::max((n - 1) * (squares / n - sum * sum / (n * n)), 0.0);
   result.length = normal_estimate(found.length, std::sqrt(between + std::pow(0.5 * (grid - 1) * found.length, 2)));
   return result;
+}
+
+double share_read(const BuildUpLength& build_up, double wavelength) {
+  return share_after_build_up(build_up.length.value, wavelength);
 }
 
 }  // namespace flexslip

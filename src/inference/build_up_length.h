@@ -20,6 +20,9 @@ struct BuildUpLength {
   bool is_told() const { return length.value > least && length.value > 2 * length.standard_error; }
 };
 
+// [1] What is left, in the friction read, of the height of a wave of a length [L] along the specimen.
+double share_read(const BuildUpLength& build_up, double wavelength);
+
 // None without a reversal after which six points or more are seen from the first on.
 // Domain:     points in the order of the record, of these legs.
 // Method:     after each reversal q = a + b exp(-s/σ), a and b its own, s the way slid since the second row of its leg (before the first the stage may

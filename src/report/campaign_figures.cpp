@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -15,24 +16,28 @@
 
 #include <fmt/format.h>
 
-#include "bending_test/equilibrium.h"
-#include "fibre/limits.h"
 #include "io/text.h"
 #include "io/text_table.h"
 #include "report/campaign_words.h"
+#include "report/marks.h"
+#include "report/plot_layout.h"
+#include "report/plot_units.h"
 #include "result/table.h"
 
 namespace flexslip {
 namespace {
 
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
 struct CategoryLook {
   SawtoothCategory category;
   std::string_view title;
-  int point, size_percent;  // of gnuplot
+  Symbol symbol;
+  double size;  // [pt]
 };
-constexpr std::array<CategoryLook, 3> looks{{{SawtoothCategory::clear, "clear sawtooth", 3, 75},
-                                             {SawtoothCategory::nominal, "nominal sawtooth", 9, 80},
-                                             {SawtoothCategory::none, "almost no sawtooth", 7, 55}}};
+constexpr std::array<CategoryLook, 3> looks{{{SawtoothCategory::clear, "clear sawtooth", Symbol::star, 4.5},
+                                             {SawtoothCategory::nominal, "nominal sawtooth", Symbol::triangle, 4.8},
+                                             {SawtoothCategory::none, "almost no sawtooth", Symbol::disc, 3.3}}};
 
 // The last number in a name: 14 of "SS14 b".
 std::optional<double> number_named_in(std::string_view name) {
@@ -63,51 +68,6 @@ TestNumbers numbers_of(const Campaign& campaign) {
   return numbers;
 }
 
-double at_screen(double millimetres, double whole) { return millimetres / whole; }
-
-// The margins of a panel of a multiplot, from millimetres from the left and from the top.
-std::string margins(const Figure& figure, double left, double right, double top, double bottom) {
-  return fmt::format(
-      "  set lmargin at screen {:.5f}; set rmargin at screen {:.5f}; set tmargin at screen {:.5f}; set bmargin at "
-      "screen {:.5f}\n",
-      at_screen(left, figure.width), at_screen(right, figure.width), 1 - at_screen(top, figure.height),
-      1 - at_screen(bottom, figure.height));
-}
-
-// A legend laid out in millimetres from the left and the top: gnuplot's own key has another width in each kind of picture.
-struct LegendEntry {
-  double left, top;       // [mm]
-  std::string_view mark;  // of an arrow, or of a point
-  bool is_point;
-  std::string words;
-};
-
-constexpr int first_tag = 20;  // of the labels and arrows of a legend; those below are for others
-
-std::string legend(const Figure& figure, const std::vector<LegendEntry>& entries) {
-  constexpr double mark_width = 7, space = 1.5;  // [mm]
-  std::string script;
-  int tag = first_tag;
-  for (const auto& entry : entries) {
-    const double y = 1 - at_screen(entry.top, figure.height);
-    const auto x = [&](double after) { return at_screen(entry.left + after, figure.width); };
-    script += entry.is_point
-                  ? fmt::format("  set label {} '' at screen {:.5f},{:.5f} point {}\n", tag++, x(mark_width / 2), y,
-                                entry.mark)
-                  : fmt::format("  set arrow {} from screen {:.5f},{:.5f} to screen {:.5f},{:.5f} nohead {}\n", tag++,
-                                x(0), y, x(mark_width), y, entry.mark);
-    script +=
-        fmt::format("  set label {} '{}' at screen {:.5f},{:.5f} left\n", tag++, entry.words, x(mark_width + space), y);
-  }
-  return script;
-}
-
-// A legend is drawn with the first panel only: once more over it would be bolder.
-std::string no_legend(std::size_t entries) {
-  const int end = first_tag + 2 * static_cast<int>(entries);
-  return fmt::format("  do for [tag={}:{}] {{ unset label tag; unset arrow tag }}\n", first_tag, end - 1);
-}
-
 const CategorySummary* summary_of(const Campaign& campaign, std::optional<SawtoothCategory> category) {
   const auto found = std::find_if(campaign.categories.begin(), campaign.categories.end(),
                                   [&](const CategorySummary& summary) { return summary.category == category; });
@@ -116,33 +76,135 @@ const CategorySummary* summary_of(const Campaign& campaign, std::optional<Sawtoo
 
 double mean_of(const CategorySummary* summary, Spread CategorySpread::*spread) {
   return summary && (summary->without_suspects.*spread).count > 0 ? (summary->without_suspects.*spread).mean
-                                                                  : not_a_number;
+                                                                  : not_known;
 }
 
-std::string mean_in_words(double mean, double factor, int digits) {
-  return std::isfinite(mean) ? fmt::format("mean {:.{}f}", factor * mean, digits) : "no mean";
+constexpr Style mean_look{.width = 1.4}, all_look{.colour = Colour::grey};
+
+}  // namespace
+
+Plot distribution_figure(const Campaign& campaign) {
+  if (std::none_of(campaign.tests.begin(), campaign.tests.end(),
+                   [](const auto& test) { return test.summary.has_value(); }))
+    throw std::invalid_argument("distribution_figure: no test has a summary");
+  const TestNumbers numbers = numbers_of(campaign);
+  std::vector<double> wavelengths;
+  for (const auto& test : campaign.tests)
+    if (test.summary && test.summary->wavelength) wavelengths.push_back(test.summary->wavelength->value);
+  const TableUnit best = best_unit_of(wavelengths, kind::length);
+  const PlotUnit length{typeset(best.name), best.factor};
+
+  PlotTable tests{"tests",
+                  {"test", "category (0 clear; 1 nominal; 2 none)", "suspect", "mu0", "mu0 low", "mu0 high",
+                   length.column("wavelength"), length.column("low"), length.column("high"), "wave claimed"}};
+  double first = INFINITY, last = -INFINITY, shortest = INFINITY, longest = 0, highest = 1;
+  for (std::size_t i = 0; i < campaign.tests.size(); ++i) {
+    if (!campaign.tests[i].summary) continue;
+    const TestSummary& test = *campaign.tests[i].summary;
+    const bool has_wave = test.category != SawtoothCategory::none && test.wavelength && test.amplitude;
+    const double mu0 = test.mu0_is_bound ? not_known : test.mu0.value;  // a limit is a line without a mark
+    const Estimate wave = has_wave ? *test.wavelength : Estimate{not_known, not_known, not_known, not_known};
+    tests.rows.push_back({numbers.of_test[i], static_cast<double>(test.category), test.suspect ? 1.0 : 0.0, mu0,
+                          test.mu0.low, test.mu0.high, length(wave.value), length(wave.low), length(wave.high),
+                          test.wave_claimed ? 1.0 : 0.0});
+    first = std::min(first, numbers.of_test[i]);
+    last = std::max(last, numbers.of_test[i]);
+    shortest = std::fmin(shortest, length(wave.value));
+    longest = std::fmax(longest, length(wave.value));
+    highest = std::fmax(highest, test.mu0.high);
+  }
+  const double space = std::max(1.0, 0.07 * (last - first));
+  const bool logarithmic = shortest > 0 && longest > 8 * shortest;
+  const Axis x{numbers.of_names ? "Test number" : "Test, counted in the order of the table", "", first - space,
+               last + space};
+  const Axis wavelength{"Wavelength *λ*", length.unit, logarithmic ? shortest / 1.5 : 0,
+                        longest > 0 ? (logarithmic ? 1.5 : 1.12) * longest : 1, logarithmic};
+  const Axis friction{"Mean friction *μ*_0", "", -0.035 * highest, 1.06 * highest};
+
+  // Of the tests of a category; without suspects, or only these.
+  const auto of = [](const CategoryLook& look, std::vector<Condition> more) {
+    more.push_back({1, static_cast<double>(look.category)});
+    return more;
+  };
+  const auto symbols = [](const CategoryLook& look, Colour colour) {
+    return Style{colour, 1, Dash::solid, look.symbol, look.size};
+  };
+  std::vector<Panel> panels;
+  for (const auto& look : {looks[0], looks[1]}) {
+    const double mean = length(mean_of(summary_of(campaign, look.category), &CategorySpread::wavelength));
+    Panel panel{
+        .title = fmt::format(
+            "{}{}\n{}", panels.empty() ? "A: " : "", look.title,
+            std::isfinite(mean) ? fmt::format("mean {:.{}f} {}", mean, mean < 100 ? 1 : 0, length.unit) : "no mean"),
+        .x = x,
+        .y = wavelength,
+        .marks = {marks::only(marks::bars("tests", {0, 7, 8}, {Colour::grey, 0.8}), of(look, {})),
+                  marks::only(marks::points("tests", {0, 6}, symbols(look, Colour::black)), of(look, {{2, 0}, {9, 1}})),
+                  marks::only(marks::points("tests", {0, 6}, symbols(look, Colour::grey)), of(look, {{2, 0}, {9, 0}})),
+                  marks::only(marks::points("tests", {0, 6}, styles::suspect), of(look, {{2, 1}}))}};
+    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal(mean, mean_look));
+    panels.push_back(std::move(panel));
+  }
+  const double all = mean_of(summary_of(campaign, std::nullopt), &CategorySpread::mu0);
+  const auto literature = literature_of(campaign);
+  for (const auto& look : looks) {
+    const double mean = mean_of(summary_of(campaign, look.category), &CategorySpread::mu0);
+    Panel panel{.title = fmt::format("{}{}\n{}", panels.size() == 2 ? "B: " : "", look.title,
+                                     std::isfinite(mean) ? fmt::format("mean {:.3f}", mean) : "no mean"),
+                .x = x,
+                .y = friction,
+                .marks = {}};
+    if (literature)
+      panel.marks.push_back(
+          marks::rectangle({-marks::edge, marks::edge, literature->low, literature->high}, styles::literature));
+    if (std::isfinite(all)) panel.marks.push_back(marks::horizontal(all, all_look));
+    panel.marks.push_back(marks::only(marks::bars("tests", {0, 4, 5}, {.width = 0.7}), of(look, {})));
+    panel.marks.push_back(
+        marks::only(marks::points("tests", {0, 3}, symbols(look, Colour::black)), of(look, {{2, 0}})));
+    panel.marks.push_back(marks::only(marks::points("tests", {0, 3}, styles::suspect), of(look, {{2, 1}})));
+    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal(mean, mean_look));
+    panels.push_back(std::move(panel));
+  }
+  std::vector<Mark> entries{
+      marks::key_points(styles::suspect, "Suspect"), marks::key_line(mean_look, "Mean, suspects left out"),
+      marks::key_points({Colour::grey, 1, Dash::solid, Symbol::square, 3.5}, "Wave only indicative"),
+      marks::key_line(all_look,
+                      std::isfinite(all) ? fmt::format("Mean of all, likewise: {:.3f}", all) : "Mean of all, likewise"),
+      marks::key_line({.width = 0.7}, "95 %; without a mark: limits")};
+  if (literature)
+    entries.push_back(marks::key_fill(
+        styles::literature, as_it_is(fmt::format("{} on {}, {:g}–{:g}", literature->specimen, literature->support,
+                                                 literature->low, literature->high))));
+  panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
+  const std::string in_literature = literature ? fmt::format("{} on {}, {:g} to {:g}", literature->specimen,
+                                                             literature->support, literature->low, literature->high)
+                                               : "";
+  return {
+      .name = "distributions",
+      .title = "Wavelength and mean friction of all tests",
+      .description = fmt::format("A: wavelength of the friction along the specimen, by test, for tests with a clear "
+                                 "and with a nominal sawtooth. "
+                                 "B: mean friction by test, with its mean without suspects ({}){}.",
+                                 std::isfinite(all) ? fmt::format("mean {:.3f}", all) : "no mean",
+                                 literature ? " and the literature's range for " + in_literature : ""),
+      .caption = fmt::format(
+          "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
+          "where the wave is only indicative. B: mean friction, with its 95 % interval. Black lines: means of a "
+          "category, grey line: mean of all. Red-orange "
+          "crosses: suspect tests, which the means leave out.{}",
+          literature ? fmt::format(" Green: what the literature gives for {}.", in_literature) : ""),
+      .width = two_columns,
+      .height = 84,
+      .data = {std::move(tests)},
+      .panels = std::move(panels),
+      .columns = 5};
 }
 
-struct CurveExtent {
-  double low, high;
-};
+namespace {
 
-std::string mean_line(double mean, const CurveExtent& along, std::string_view looks_like) {
-  if (!std::isfinite(mean)) return "";
-  return fmt::format("  set arrow 1 from {:.6g},{:.6g} to {:.6g},{:.6g} nohead front {}\n", along.low, mean, along.high,
-                     mean, looks_like);
-}
-
-// --- The atlas ----------------------------------------------------------------------------------------------------------
-
-constexpr std::size_t panels_across = 4;
-constexpr std::size_t panels_down = 5;
+constexpr std::size_t panels_across = 4, panels_down = 5;
 constexpr std::size_t panels_on_page = panels_across * panels_down;
-constexpr double panel_width = 36, panel_height = 35;   // [mm] of the axes
-constexpr double panel_across = 44.5, panel_down = 46;  // [mm] from one to the next
-constexpr double page_left = 13.5, page_top = 19;       // [mm] to the axes of the first
-constexpr double page_foot = 13;                        // [mm] below the axes of the last row
-constexpr std::size_t longest_name = 22;                // [characters] above a panel
+constexpr std::size_t longest_name = 20;  // [characters] above a panel
 
 std::string clipped(const std::string& name) {
   std::size_t characters = 0;
@@ -152,324 +214,109 @@ std::string clipped(const std::string& name) {
   return name;
 }
 
-double largest(const std::vector<double>& values) {
+double greatest_of(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-// Its friction, in lines of gnuplot's markup.
-std::vector<std::string> parameter_lines(const TestSummary& test, const PlotUnit& wavelength) {
-  if (!is_trusted(test.standing)) return {};
-  std::vector<std::string> lines{fmt::format("{{/*0.92 {{/:Italic μ}}_0 {} {:.3f}}}", test.mu0_is_bound ? "≤" : "=",
-                                             test.mu0_is_bound ? test.mu0.high : test.mu0.value)};
-  if (test.wave_claimed && test.wavelength && test.amplitude) {
-    lines.push_back(fmt::format("{{/*0.92 {{/:Italic A}} = {:.3f}}}", test.amplitude->value));
-    lines.push_back(fmt::format("{{/*0.92 {{/:Italic λ}} = {:.3g}\u00a0{}}}",
-                                wavelength.factor * test.wavelength->value, wavelength.unit));
-  }
+// Its friction, a line each.
+std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {
+  if (!is_trusted(test.standing)) return "";
+  std::string lines =
+      fmt::format("*μ*_0 {} {:.3f}", test.mu0_is_bound ? "≤" : "=", test.mu0_is_bound ? test.mu0.high : test.mu0.value);
+  if (test.wave_claimed && test.wavelength && test.amplitude)
+    lines += fmt::format("\n*A* = {:.3f}\n*λ* = {:.3g} {}", test.amplitude->value, wavelength(test.wavelength->value),
+                         wavelength.unit);
   return lines;
 }
 
-class AtlasPage {
- public:
-  AtlasPage(const std::vector<const CampaignTest*>& tests, std::string name, const std::string& title) {
-    const std::size_t rows = (tests.size() + panels_across - 1) / panels_across;
-    figure_ = {.name = std::move(name),
-               .title = title,
-               .description = {},
-               .width = page_left + static_cast<double>(panels_across - 1) * panel_across + panel_width + 1.5,
-               .height = page_top + static_cast<double>(rows - 1) * panel_down + panel_height + page_foot,
-               .data = {},
-               .script = {}};
-    double deepest = 0, strongest = 0, longest = 0;
-    for (const auto* test : tests) {
-      deepest = std::max(deepest, largest(test->curves->deflection));
-      strongest = std::max(strongest, largest(test->curves->force));
-      longest = std::max(longest, 0.01 * test->curves->span);
-    }
-    length_ = plot_unit(deepest, kind::length, false, "");
-    force_ = plot_unit(strongest, kind::force, false, "");
-    wavelength_ = plot_unit(longest, kind::length, false, "");
-    const std::string w = fmt::format("deflection [{}]", length_.unit);
-    const std::string F = fmt::format("force [{}]", force_.unit);
-    measured_ = {"measured", {"panel", w, F}, {}};
-    model_ = {"model", {"panel", w, F}, {}};
-    references_ = {"references", {"panel", w, "Euler-Bernoulli " + F, "frictionless " + F}, {}};
-    drops_ = {"drops", {"panel", w, F}, {}};
-    begin(title);
-    std::string names;
-    for (std::size_t i = 0; i < tests.size(); ++i) {
-      add(*tests[i], i);
-      names += (i == 0 ? "" : ", ") + printable(tests[i]->name);
-    }
-    figure_.script += "  unset multiplot; unset label; set xtics auto; set ytics auto\n";
-    figure_.description = fmt::format(
-        "A panel a test ({}): measured force against deflection at midspan, the model, the Euler-Bernoulli line, the "
-        "model without friction, and load lines at the drops of the force.",
-        names);
-    figure_.data = {std::move(measured_), std::move(model_), std::move(references_), std::move(drops_)};
+Plot atlas_page(const std::vector<const CampaignTest*>& tests, std::string name, std::string title) {
+  double deepest = 0, strongest = 0, longest = 0;
+  for (const auto* test : tests) {
+    deepest = std::max(deepest, greatest_of(test->curves->deflection));
+    strongest = std::max(strongest, greatest_of(test->curves->force));
+    longest = std::max(longest, 0.01 * test->curves->span);
   }
-  Figure figure() && { return std::move(figure_); }
-
- private:
-  void begin(const std::string& title) {
-    figure_.script += fmt::format(
-        R"(  set multiplot
-  set format x '{{/*0.86 %g}}'; set format y '{{/*0.86 %g}}'
-  set xtics offset 0,0.35; set ytics offset 0.5,0
-  set label 1 {title} at screen {left:.5f},{top:.5f} left
-  set label 2 '{length}' at screen 0.5,{foot:.5f} center
-  set label 3 '{force}' at screen {side:.5f},0.5 center rotate by 90
-)",
-        fmt::arg("title", in_script(title)), fmt::arg("left", at_screen(page_left, figure_.width)),
-        fmt::arg("top", 1 - at_screen(3.2, figure_.height)), fmt::arg("foot", at_screen(3, figure_.height)),
-        fmt::arg("side", at_screen(3, figure_.width)),
-        fmt::arg("length", axis_label("Deflection at midspan", "{/:Italic w}_0", length_)),
-        fmt::arg("force", axis_label("Force", "{/:Italic F}", force_)));
-    constexpr double top = 8, step = 34;  // [mm]
-    const auto at = [](int entry) { return page_left + step * entry; };
-    // No neighbours of one colour: the SVG terminal would give both the dashes of the first.
-    const std::vector<LegendEntry> entries{{at(0), top, "dt solid lw 1.1 lc rgb blue", false, "Measured"},
-                                           {at(1), top, "dt solid lw 0.9 lc rgb 'black'", false, "Model"},
-                                           {at(2), top, "dt (9,5) lw 0.9 lc rgb brown", false, "Euler–Bernoulli"},
-                                           {at(3), top, "dt (5,4) lw 0.6 lc rgb grey", false, "Load lines"},
-                                           {at(4), top, "dt solid lw 0.9 lc rgb brown", false, "No friction"}};
-    figure_.script += legend(figure_, entries);
-    after_first_panel_ = "  unset label 1; unset label 2; unset label 3\n" + no_legend(entries.size());
-  }
-
-  void add(const CampaignTest& test, std::size_t index) {
-    const CampaignCurves& curves = *test.curves;
-    const TestSummary& summary = *test.summary;
-    const auto panel = static_cast<double>(index + 1);
-    const double x = length_.factor;
-    const double y = force_.factor;
-    const double w_max = largest(curves.deflection);
-    const double F_max = largest(curves.force);
-    const auto line = [&](const std::vector<double>& w, const std::vector<double>& F) {
+  const PlotUnit w = plot_unit(deepest, kind::length, false, ""), F = plot_unit(strongest, kind::force, false, "");
+  const PlotUnit wavelength = plot_unit(longest, kind::length, false, "");
+  const std::vector<std::string> titles{"panel", w.column("deflection"), F.column("force")};
+  PlotTable measured{"measured", titles}, model{"model", titles}, beam{"beam", titles},
+      frictionless{"frictionless", titles}, drops{"drops", titles};
+  std::vector<Panel> panels;
+  std::string names;
+  for (const auto* test : tests) {
+    const CampaignCurves& curves = *test->curves;
+    const TestSummary& summary = *test->summary;
+    const auto panel = static_cast<double>(panels.size() + 1);
+    const double w_max = greatest_of(curves.deflection), F_max = greatest_of(curves.force);
+    const auto add = [&](PlotTable& table, const std::vector<std::vector<double>>& rows) {
+      for (const auto& row : rows) table.rows.push_back(row.empty() ? row : std::vector{panel, row[0], row[1]});
+      table.rows.emplace_back();
+    };
+    const auto line = [&](const std::vector<double>& deflection, const std::vector<double>& force) {
       std::vector<std::vector<double>> rows;
-      rows.reserve(w.size());
-      for (std::size_t i = 0; i < std::min(w.size(), F.size()); ++i) rows.push_back({x * w[i], y * F[i]});
+      for (std::size_t i = 0; i < std::min(deflection.size(), force.size()); ++i)
+        rows.push_back({w(deflection[i]), F(force[i])});
       return rows;
     };
-    const auto numbered = [&](std::vector<std::vector<double>> rows) {
-      for (auto& row : rows) row.insert(row.begin(), panel);
-      return rows;
-    };
-    for (auto& row : numbered(line(curves.deflection, curves.force))) measured_.rows.push_back(std::move(row));
-    measured_.rows.emplace_back();
-    for (auto& row : numbered(thinned(line(curves.model_deflection, curves.model_force), x * w_max, y * F_max)))
-      model_.rows.push_back(std::move(row));
-    model_.rows.emplace_back();
-
-    const double reduced_deepest = w_max / curves.span;
-    const double stiffness = summary.bending_stiffness.value;
-    const double per_force = y * stiffness / (curves.span * curves.span);
-    constexpr int points = 60;
-    if (reduced_deepest > 0)
-      for (const auto& point : sliding_up_to(reduced_deepest, 0, points))
-        references_.rows.push_back({panel, x * curves.span * point.w, per_force * 48 * point.w, per_force * point.F});
-    references_.rows.emplace_back();
-
+    add(measured, line(curves.deflection, curves.force));
+    add(model, thinned(line(curves.model_deflection, curves.model_force), w(w_max), F(F_max)));
+    const ForceCurve smooth = frictionless_curve(curves, summary.bending_stiffness.value);
+    add(frictionless, line(smooth.deflection, smooth.force));
+    const double initial = 48 * summary.bending_stiffness.value / std::pow(curves.span, 3);
+    add(beam, line({0, w_max}, {0, initial * w_max}));
     // Load lines reach a little beyond the drops on both sides.
     for (const std::size_t before : curves.drops) {
       if (before + 1 >= curves.force.size()) continue;
-      const auto on_line = [&](double F) {
-        return curves.deflection[before] - (F - curves.force[before]) / curves.load_train_stiffness;
+      const double from = curves.force[before] + 0.06 * F_max,
+                   to = std::max(curves.force[before + 1] - 0.16 * F_max, 0.0);
+      const auto on_line = [&](double force) {
+        return curves.deflection[before] - (force - curves.force[before]) / curves.load_train_stiffness;
       };
-      const double above = curves.force[before] + 0.06 * F_max;
-      const double below = std::max(curves.force[before + 1] - 0.16 * F_max, 0.0);
-      for (const double F : {above, below}) drops_.rows.push_back({panel, x * on_line(F), y * F});
-      drops_.rows.emplace_back();
+      add(drops, line({on_line(from), on_line(to)}, {from, to}));
     }
-
-    // A label a line: the distance of lines within a label is another in each kind of picture.
-    std::string parameters = "  unset label 6; unset label 7; unset label 8\n";
-    const auto lines = parameter_lines(summary, wavelength_);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      parameters += fmt::format("  set label {} '{}' at graph 0.945,{:.3f} right front\n", 6 + i, lines[i],
-                                0.075 + 0.1 * static_cast<double>(lines.size() - 1 - i));
-    const double left = page_left + static_cast<double>(index % panels_across) * panel_across;
-    const std::size_t row = index / panels_across;
-    const double top = page_top + static_cast<double>(row) * panel_down;
-    const double x_max = std::max(x * w_max * 1.04, 1e-9);
-    const double y_max = std::max(y * F_max * 1.15, 1e-9);
-    figure_.script += margins(figure_, left, left + panel_width, top, top + panel_height);
-    figure_.script += fmt::format(
-        R"(  set xrange [0:{x_max:.6g}]; set yrange [0:{y_max:.6g}]
-  set xtics {x_step:.6g}; set ytics {y_step:.6g}
-  set label 4 {name} at graph {name_at},1.065 left noenhanced
-  set label 5 '{cross}' at graph 0,1.07 left textcolor rgb vermillion
-{parameters}  plot drops using {panel}:3 with lines lw 0.6 dt (5,4) lc rgb grey, \
-       references using {panel}:3 with lines lw 0.9 dt (9,5) lc rgb brown, \
-       references using {panel}:4 with lines lw 0.9 lc rgb brown, \
-       measured using {panel}:3 with lines lw 1.1 lc rgb blue, \
-       model using {panel}:3 with lines lw 0.9 lc rgb 'black'
-)",
-        fmt::arg("x_max", x_max), fmt::arg("y_max", y_max), fmt::arg("x_step", tick_within(x_max / 2)),
-        fmt::arg("y_step", tick_within(y_max / 2)), fmt::arg("name", in_script(clipped(printable(test.name)))),
-        fmt::arg("name_at", summary.suspect ? 0.085 : 0.0), fmt::arg("cross", summary.suspect ? "{/:Bold ×}" : ""),
-        fmt::arg("parameters", parameters), fmt::arg("panel", fmt::format("($1=={}?$2:NaN)", index + 1)));
-    if (index == 0) figure_.script += after_first_panel_;
+    const auto of_test = [&](const char* table, Style style) {
+      return marks::only(marks::line(table, {1, 2}, style), {{0, panel}});
+    };
+    panels.push_back({.title = (summary.suspect ? "× " : "") + as_it_is(clipped(printable(test->name))),
+                      .x = w.axis(deflection_label, 0, std::max(1.04 * w_max, 1e-9 / w.factor)),
+                      .y = F.axis(force_label, 0, std::max(1.15 * F_max, 1e-9 / F.factor)),
+                      .marks = {of_test("drops", styles::drop), of_test("beam", styles::euler),
+                                of_test("frictionless", styles::frictionless), of_test("model", styles::fit),
+                                of_test("measured", styles::measured),
+                                marks::label(marks::edge, -marks::edge, parameters_of(summary, wavelength))}});
+    names += (names.empty() ? "" : ", ") + printable(test->name);
   }
-
-  Figure figure_;
-  std::string after_first_panel_;
-  PlotUnit length_, force_, wavelength_;
-  FigureData measured_, model_, references_, drops_;
-};
+  const std::vector<Mark> entries{marks::key_line(styles::measured, "Measured"), marks::key_line(styles::fit, "Model"),
+                                  marks::key_line(styles::euler, "Euler–Bernoulli"),
+                                  marks::key_line(styles::frictionless, "No friction"),
+                                  marks::key_line(styles::drop, "Load lines")};
+  panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
+  const std::size_t rows = (tests.size() + panels_across - 1) / panels_across;
+  return {
+      .name = std::move(name),
+      .title = title,
+      .description = fmt::format(
+          "A panel a test ({}): measured force against deflection at midspan, the model, the Euler-Bernoulli line, the "
+          "model without friction, and load lines at the drops of the force.",
+          names),
+      .caption = title +
+                 ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the fit "
+                 "run forward. In the corner: the "
+                 "mean friction of the fit, and A and λ where a wave is claimed. Orange: Euler–Bernoulli (dashed) and "
+                 "the model without friction, with "
+                 "the bending stiffness of the fit. Grey: load lines at the drops of the force, with the stiffness of "
+                 "the load train as slope. ×: suspect.",
+      .width = 183,
+      .height = 16 + 46 * static_cast<double>(rows),
+      .data = {std::move(measured), std::move(model), std::move(beam), std::move(frictionless), std::move(drops)},
+      .panels = std::move(panels),
+      .columns = panels_across};
+}
 
 }  // namespace
 
-Figure distribution_figure(const Campaign& campaign) {
-  if (std::none_of(campaign.tests.begin(), campaign.tests.end(),
-                   [](const auto& test) { return test.summary.has_value(); }))
-    throw std::invalid_argument("distribution_figure: no test has a summary");
-  const TestNumbers numbers = numbers_of(campaign);
-  std::vector<double> wavelengths;
-  for (const auto& test : campaign.tests)
-    if (test.summary && test.summary->wavelength) wavelengths.push_back(test.summary->wavelength->value);
-  const TableUnit unit = best_unit_of(wavelengths, kind::length);
-  const std::string length = typeset(unit.name);
-
-  FigureData tests{"tests",
-                   {"test", "category (0 clear, 1 nominal, 2 none)", "suspect", "mu0", "mu0 low", "mu0 high",
-                    fmt::format("wavelength [{}]", length), fmt::format("low [{}]", length),
-                    fmt::format("high [{}]", length), "wave claimed"},
-                   {}};
-  CurveExtent along{not_a_number, not_a_number}, waves{not_a_number, not_a_number};
-  double highest = 1;
-  for (std::size_t i = 0; i < campaign.tests.size(); ++i) {
-    if (!campaign.tests[i].summary) continue;
-    const TestSummary& test = *campaign.tests[i].summary;
-    const bool has_wave = test.category != SawtoothCategory::none && test.wavelength && test.amplitude;
-    const double mu0 = test.mu0_is_bound ? not_a_number : test.mu0.value;  // a limit is a line without a mark
-    const double wavelength = has_wave ? unit.factor * test.wavelength->value : not_a_number;
-    const double low = has_wave ? unit.factor * test.wavelength->low : not_a_number;
-    const double high = has_wave ? unit.factor * test.wavelength->high : not_a_number;
-    tests.rows.push_back({numbers.of_test[i], static_cast<double>(test.category), test.suspect ? 1.0 : 0.0, mu0,
-                          test.mu0.low, test.mu0.high, wavelength, low, high, test.wave_claimed ? 1.0 : 0.0});
-    along = {std::fmin(along.low, numbers.of_test[i]), std::fmax(along.high, numbers.of_test[i])};
-    waves = {std::fmin(waves.low, wavelength), std::fmax(waves.high, wavelength)};
-    highest = std::fmax(highest, test.mu0.high);
-  }
-  const double space = std::max(1.0, 0.07 * (along.high - along.low));
-  along = {along.low - space, along.high + space};
-  const bool has_waves = std::isfinite(waves.low);
-  const bool logarithmic = has_waves && waves.low > 0 && waves.high > 8 * waves.low;
-  if (!has_waves) waves = {0, 1};
-  waves = logarithmic ? CurveExtent{waves.low / 1.5, waves.high * 1.5} : CurveExtent{0, 1.12 * waves.high};
-
-  Figure figure{.name = "distributions",
-                .title = "Wavelength and mean friction of all tests",
-                .description = {},
-                .width = two_columns,
-                .height = 84,
-                .data = {std::move(tests)}};
-  constexpr double top = 19, bottom = 72.5;                // [mm] of the axes
-  constexpr double first = 12.5, panel = 26, gap = 2.5;    // [mm]
-  constexpr double second = first + 2 * panel + gap + 17;  // [mm] where (B) begins
-  const double step = std::max(1.0, tick_within((along.high - along.low) / 2.2));
-  figure.script = fmt::format(
-      R"(  set multiplot
-  set xrange [{low:.6g}:{high:.6g}]
-  set xtics {first_tick:.6g},{step:.6g},{last_tick:.6g}; set format x '{{/*0.9 %g}}'
-  set label 2 '{{/:Bold A}}' at screen 0.008,0.845 left
-  set label 3 '{{/:Bold B}}' at screen {b_at:.5f},0.845 left
-  set label 4 '{tests}' at screen 0.5,0.035 center
-)",
-      fmt::arg("low", along.low), fmt::arg("high", along.high), fmt::arg("b_at", (second - 11) / figure.width),
-      fmt::arg("step", step), fmt::arg("first_tick", step * std::ceil(along.low / step)),
-      fmt::arg("last_tick", along.high - 0.2 * step),  // or its number meets the first one of the next panel
-      fmt::arg("tests", numbers.of_names ? "Test number" : "Test, counted in the order of the table"));
-  const double all = mean_of(summary_of(campaign, std::nullopt), &CategorySpread::mu0);
-  constexpr double row1 = 3.5, row2 = 8, column1 = first, column2 = first + 43, column3 = first + 102;  // [mm]
-  const auto literature = literature_of(campaign);
-  std::vector<LegendEntry> entries{
-      {column1, row1, "pt 2 ps 0.8 lw 1.6 lc rgb vermillion", true, "Suspect"},
-      {column1, row2, "pt 5 ps 0.6 lc rgb grey", true, "Wave only indicative"},
-      {column2, row1, "dt solid lw 1.4 lc rgb 'black'", false, "Mean, suspects left out"},
-      {column2, row2, "dt solid lw 1 lc rgb grey", false,
-       fmt::format("Mean of all, likewise{}", std::isfinite(all) ? fmt::format(": {:.3f}", all) : "")},
-      {column3, row2, "dt solid lw 0.7 lc rgb 'black'", false, "95 % intervals; without a mark: limits"}};
-  if (literature)
-    entries.push_back({column3, row1, "dt solid lw 8 lc rgb '#D6EFE7'", false,
-                       fmt::format("Literature: {} on {}, {:g}–{:g}", literature->specimen, literature->support,
-                                   literature->low, literature->high)});
-  figure.script += legend(figure, entries);
-  std::string after_first_panel = no_legend(entries.size());
-  const auto panel_script = [&](double left, const CategoryLook& look, double mean, const std::string& words,
-                                std::string_view body) {
-    figure.script += margins(figure, left, left + panel, top, bottom);
-    figure.script += fmt::format(
-        "  set label 1 '{{/*0.9 {}}}' at graph 0.5,1.11 center\n  set label 5 '{{/*0.9 {}}}' at graph 0.5,1.045 "
-        "center\n",
-        look.title, words);
-    figure.script += mean_line(mean, along, "lw 1.4 lc rgb 'black'");
-    figure.script += body;
-    figure.script += std::exchange(after_first_panel, "");
-    figure.script += "  unset arrow 1; unset label; set format y ''; unset ylabel\n";
-  };
-  const auto index_of = [](const CategoryLook& look) { return static_cast<int>(look.category); };
-
-  // (A)
-  figure.script += logarithmic
-                       ? fmt::format("  set logscale y; set ytics ({})\n", logarithmic_tics(waves.low, waves.high))
-                       : std::string();
-  figure.script +=
-      fmt::format("  set yrange [{:.6g}:{:.6g}]\n  set label 6 '{}' at screen 0.012,0.46 center rotate by 90\n",
-                  waves.low, waves.high, axis_label("Wavelength", "{/:Italic λ}", {length, unit.factor}));
-  for (const auto& look : {looks[0], looks[1]}) {
-    const double mean = unit.factor * mean_of(summary_of(campaign, look.category), &CategorySpread::wavelength);
-    const int k = index_of(look);
-    panel_script(
-        first + (k == 0 ? 0 : panel + gap), look, mean,
-        std::isfinite(mean) ? fmt::format("mean {:.{}f} {}", mean, mean < 100 ? 1 : 0, length) : "no mean",
-        fmt::format(R"(  plot tests using 1:($2=={k}?$8:NaN):(0):($9-$8) with vectors nohead lw 0.8 lc rgb grey, \
-       tests using ($2=={k}&&$3==0&&$10==1?$1:NaN):7 with points pt {pt} ps {ps} lw 1 lc rgb 'black', \
-       tests using ($2=={k}&&$3==0&&$10==0?$1:NaN):7 with points pt {pt} ps {ps} lw 1 lc rgb grey, \
-       tests using ($2=={k}&&$3==1?$1:NaN):7 with points pt 2 ps 0.8 lw 1.6 lc rgb vermillion
-)",
-                    fmt::arg("k", k), fmt::arg("pt", look.point), fmt::arg("ps", look.size_percent / 100.0)));
-  }
-  // (B)
-  figure.script += fmt::format(
-      R"(  unset logscale y; set format y '%g'; set ytics auto; set mytics 2
-  set yrange [{bottom:.6g}:{top:.6g}]
-  set ylabel 'Mean friction {{/:Italic μ}}_0' offset 0.2
-)",
-      fmt::arg("bottom", -0.035 * highest), fmt::arg("top", 1.06 * highest));
-  if (literature)
-    figure.script += fmt::format(
-        "  set object 1 rectangle from graph 0, first {} to graph 1, first {} behind fc rgb green fs transparent solid "
-        "0.16 noborder\n",
-        literature->low, literature->high);
-  if (std::isfinite(all))
-    figure.script += fmt::format("  set arrow 2 from {:.6g},{:.6g} to {:.6g},{:.6g} nohead back lw 1 lc rgb grey\n",
-                                 along.low, all, along.high, all);
-  for (const auto& look : looks) {
-    const double mean = mean_of(summary_of(campaign, look.category), &CategorySpread::mu0);
-    const int k = index_of(look);
-    panel_script(
-        second + k * (panel + gap), look, mean, mean_in_words(mean, 1, 3),
-        fmt::format(R"(  plot tests using 1:($2=={k}?$5:NaN):(0):($6-$5) with vectors nohead lw 0.7 lc rgb 'black', \
-       tests using ($2=={k}&&$3==0?$1:NaN):4 with points pt {pt} ps {ps} lw 1 lc rgb 'black', \
-       tests using ($2=={k}&&$3==1?$1:NaN):4 with points pt 2 ps 0.8 lw 1.6 lc rgb vermillion
-)",
-                    fmt::arg("k", k), fmt::arg("pt", look.point), fmt::arg("ps", look.size_percent / 100.0)));
-  }
-  figure.script += "  unset multiplot; unset object 1; unset arrow 2; unset label 1; set format; set xtics auto\n";
-  figure.description = fmt::format(
-      "A: wavelength of the friction along the specimen, by test, for tests with a clear and with a nominal sawtooth. "
-      "B: mean friction by test, with its mean without suspects ({}){}.",
-      mean_in_words(all, 1, 3),
-      literature ? fmt::format(" and the literature's range for {} on {}, {:g} to {:g}", literature->specimen,
-                               literature->support, literature->low, literature->high)
-                 : "");
-  return figure;
-}
-
-std::vector<Figure> atlas_pages(const Campaign& campaign) {
-  std::vector<Figure> pages;
+std::vector<Plot> atlas_pages(const Campaign& campaign) {
+  std::vector<Plot> pages;
   const auto add_pages = [&](const std::string& key, const std::string& title,
                              const std::function<bool(const TestSummary&)>& belongs) {
     std::vector<const CampaignTest*> tests;
@@ -479,20 +326,16 @@ std::vector<Figure> atlas_pages(const Campaign& campaign) {
     for (std::size_t page = 0; page < count; ++page) {
       const auto begin = tests.begin() + static_cast<std::ptrdiff_t>(page * panels_on_page);
       const auto end = tests.begin() + static_cast<std::ptrdiff_t>(std::min((page + 1) * panels_on_page, tests.size()));
-      pages.push_back(AtlasPage({begin, end}, fmt::format("atlas-{}-{}", key, page + 1),
-                                count == 1 ? title : fmt::format("{}, page {} of {}", title, page + 1, count))
-                          .figure());
+      pages.push_back(atlas_page({begin, end}, fmt::format("atlas-{}-{}", key, page + 1),
+                                 count == 1 ? title : fmt::format("{}, page {} of {}", title, page + 1, count)));
     }
   };
-  for (const auto& look : looks)
-    add_pages(
-        std::string(name_of(look.category)),
-        [&] {
-          std::string title(look.title);
-          title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-          return title;
-        }(),
-        [&](const TestSummary& test) { return test.category == look.category; });
+  for (const auto& look : looks) {
+    std::string title(look.title);
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    add_pages(std::string(name_of(look.category)), title,
+              [&](const TestSummary& test) { return test.category == look.category; });
+  }
   add_pages("suspect", "Suspect tests", [](const TestSummary& test) { return test.suspect; });
   return pages;
 }

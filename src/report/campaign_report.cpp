@@ -55,19 +55,6 @@ std::vector<std::string> links_to_tests(const std::string& folder, const Campaig
   return links;
 }
 
-std::string caption_of(const Figure& figure) {
-  if (figure.name == "distributions")
-    return "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
-           "where the wave is only indicative. B: mean friction, with its 95 % interval. Red crosses: suspect tests, "
-           "which the means leave out. Green: what the literature gives for the materials, where all tests state the "
-           "same ones.";
-  return figure.title +
-         ". Blue: measured force. Black: the mean of the fit run forward. In the corner: the mean friction of the fit, "
-         "and A and λ where a wave is claimed. Brown: Euler–Bernoulli (dashed) and the model without friction, with "
-         "the bending stiffness of the fit. Grey: load lines at the drops of the force, with the stiffness of the load "
-         "train as slope. Red crosses: suspect tests.";
-}
-
 // What lies beside report.html.
 struct TableFile {
   const char *name, *holds;
@@ -96,10 +83,10 @@ std::string file_list() {
 const std::vector<std::string> picture_formats{"svg", "pdf", "png"};
 
 // All of them, two at a time: gnuplot keeps to one core.
-DrawStatus draw_all(const std::vector<Plate>& plates, const std::string& folder) {
+DrawStatus draw_all(const std::vector<Plot>& plots, const std::string& folder) {
   const auto draw_every_second = [&](std::size_t first) {
     DrawStatus drawn = DrawStatus::drawn;
-    for (std::size_t i = first; i < plates.size(); i += 2) drawn = draw(plates[i].figure, folder, picture_formats);
+    for (std::size_t i = first; i < plots.size(); i += 2) drawn = draw(plots[i], folder, picture_formats);
     return drawn;
   };
   auto others = std::async(std::launch::async, draw_every_second, 1);
@@ -147,18 +134,14 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   remove_from(figures, is_old_figure);
   const bool answered = std::any_of(campaign.tests.begin(), campaign.tests.end(),
                                     [](const CampaignTest& test) { return test.summary.has_value(); });
-  std::vector<Plate> plates;
-  const auto add = [&](Figure figure) {
-    std::string caption = caption_of(figure);
-    plates.push_back({std::move(figure), std::move(caption)});
-  };
-  if (answered) add(distribution_figure(campaign));
-  for (auto& page : atlas_pages(campaign)) add(std::move(page));
-  const DrawStatus drawn = draw_all(plates, figures);
+  std::vector<Plot> plots;
+  if (answered) plots.push_back(distribution_figure(campaign));
+  for (auto& page : atlas_pages(campaign)) plots.push_back(std::move(page));
+  const DrawStatus drawn = draw_all(plots, figures);
   std::vector<std::string> pictures;
-  pictures.reserve(plates.size());
-  for (const auto& plate : plates)
-    pictures.push_back(html_figure(folder, plate, drawn, static_cast<int>(pictures.size()) + 1));
+  pictures.reserve(plots.size());
+  for (const auto& plot : plots)
+    pictures.push_back(html_figure(folder, plot, drawn, static_cast<int>(pictures.size()) + 1));
 
   std::string body;
   if (answered) {

@@ -6,7 +6,7 @@
 #include "campaign/campaign.h"
 #include "campaign/campaign_run.h"
 #include "io/call_files.h"
-#include "report/figure.h"
+#include "report/draw.h"
 
 namespace flexslip {
 

@@ -2,28 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "report/marks.h"
+#include "report/plot_units.h"
+#include "report/track_arrows.h"
 
 namespace flexslip {
 namespace {
 
-FigureData titled(std::string name, const std::vector<std::string>& titles) { return {std::move(name), titles, {}}; }
-
-void require_rows(FigureData& data) {
-  if (data.rows.empty()) data.rows.emplace_back(data.titles.size(), NAN);
-}
-
-// Of a leg, where its deflection passes a share of its greatest: its index, for an arrow.
-std::size_t passing(const std::vector<double>& deflection, const Leg& leg, double share) {
-  const auto first = deflection.begin() + static_cast<std::ptrdiff_t>(leg.first);
-  const auto last = deflection.begin() + static_cast<std::ptrdiff_t>(leg.last);
-  const double wanted = share * *std::max_element(first, last);
-  const bool rises = leg.direction == Direction::loading;
-  const auto at = std::find_if(first, last, [=](double w) { return rises ? w >= wanted : w <= wanted; });
-  return static_cast<std::size_t>((at == last ? first : at) - deflection.begin());
-}
+constexpr std::size_t most_drawn_loops = 4;
 
 // A share of the values lies below.
 double quantile(std::vector<double> values, double share) {
@@ -31,11 +25,6 @@ double quantile(std::vector<double> values, double share) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
-}
-
-double tick_for(double range) {
-  const double decade = std::pow(10, std::floor(std::log10(range / 3)));
-  return (range / 3 >= 5 * decade ? 5 : range / 3 >= 2 * decade ? 2 : 1) * decade;
 }
 
 }  // namespace
@@ -46,194 +35,164 @@ bool has_loops(const FittedTest& test) {
   return status == CyclesStatus::ok || status == CyclesStatus::no_mirror;
 }
 
-Figure loops_figure(const FittedTest& test) {
+Plot loops_figure(const FittedTest& test) {
   const auto& cycles = *test.cycles;
-  const auto& scales = test.analysis.scales;
   const Record& record = *test.measurement.cycles;
-  const double w_max = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const double F_max = *std::max_element(record.force.begin(), record.force.end());
-  const PlotUnit length = plot_unit(w_max, kind_in(test.measurement.test, kind::length), test.reduced, "L");
-  const PlotUnit force = plot_unit(F_max, kind_in(test.measurement.test, kind::force), test.reduced, "EI/L^2");
-  const std::vector<std::string> titles{fmt::format("deflection [{}]", length.unit),
-                                        fmt::format("force [{}]", force.unit)};
-  FigureData loading = titled("loading", titles), unloading = titled("unloading", titles),
-             forward = titled("forward", titles);
-  FigureData arrows = titled("arrows", {titles[0], titles[1], "to " + titles[0], "to " + titles[1], "unloading"});
-  const auto plotted = [&](std::size_t i) {
-    return std::vector<double>{length.factor * record.deflection[i], force.factor * record.force[i]};
-  };
+  const PlotUnits units = plot_units(test);
+  const Scales& scales = units.scales;
+  const double w_max = scales.reduced_length(*std::max_element(record.deflection.begin(), record.deflection.end()));
+  const double F_max = scales.reduced_force(*std::max_element(record.force.begin(), record.force.end()));
+  const PlotUnit w = units.length(w_max), F = units.force(F_max);
+  const Axis x = w.axis(deflection_label, 0, 1.03 * w_max), y = F.axis(force_label, 0, 1.06 * F_max);
+  const std::vector<std::string> titles{w.column("deflection"), F.column("force")};
+
+  std::vector<std::vector<double>> rows;
+  std::vector<Spot> spots;
+  for (std::size_t i = 0; i < record.force.size(); ++i) {
+    rows.push_back({w(scales.reduced_length(record.deflection[i])), F(scales.reduced_force(record.force[i]))});
+    spots.push_back({rows[i][0] / x.to, rows[i][1] / y.to});
+  }
+  PlotTable loading{"loading", titles}, unloading{"unloading", titles}, forward{"forward", titles};
+  const std::vector<std::string> to_tip{titles[0], titles[1], w.column("tip at deflection"), F.column("tip at force")};
+  PlotTable arrows_in{"arrows_in", to_tip}, arrows_out{"arrows_out", to_tip};
+  std::vector<Arrow> placed;
   std::size_t loads = 0;
   for (const Leg& leg : cycles.friction.legs) {
     const bool is_loading = leg.direction == Direction::loading;
+    loads += is_loading ? 1 : 0;
+    const std::size_t first = leg.first > 0 ? leg.first - 1 : 0;  // the turning point belongs to both
     auto& data = is_loading ? loading : unloading;
-    // The turning point belongs to both.
-    for (std::size_t i = leg.first > 0 ? leg.first - 1 : 0; i < leg.last; ++i) data.rows.push_back(plotted(i));
+    for (std::size_t i = first; i < leg.last; ++i) data.rows.push_back(rows[i]);
     data.rows.emplace_back();
-    // Arrows of several loops beside, not over one another.
-    if (is_loading) ++loads;
-    const double share = (is_loading ? 0.66 : 0.54) - 0.08 * static_cast<double>((loads + 2) % 3);
-    const double beyond = is_loading ? 0.05 : -0.05;
-    const auto from = plotted(passing(record.deflection, leg, share));
-    const auto to = plotted(passing(record.deflection, leg, share + beyond));
-    arrows.rows.push_back({from[0], from[1], to[0], to[1], is_loading ? 0.0 : 1.0});
-  }
-  for (std::size_t i = 0; i < cycles.replay.force.size(); ++i) {
-    const double F = scales.physical_force(cycles.replay.force[i]);
-    if (std::isfinite(F)) {
-      // At the stage position imposed, so that the load train gives the deflection that goes with this force.
-      const double w =
-          record.deflection[i] - (F - record.force[i]) / scales.physical_stiffness(test.analysis.rig.stiffness);
-      forward.rows.push_back({length.factor * w, force.factor * F});
-    } else if (!forward.rows.empty() && !forward.rows.back().empty()) {
-      forward.rows.emplace_back();
+    if (const auto arrow = arrow_on(spots, first, leg.last - 1, placed)) {
+      placed.push_back(*arrow);
+      (is_loading ? arrows_in : arrows_out)
+          .rows.push_back({arrow->from.x * x.to, arrow->from.y * y.to, arrow->to.x * x.to, arrow->to.y * y.to});
     }
   }
-  const bool is_replayed = !forward.rows.empty();
-  for (FigureData* data : {&loading, &unloading, &forward, &arrows}) require_rows(*data);
-  const std::string script = fmt::format(
-      R"(  set lmargin at screen 0.095; set rmargin at screen 0.985; set tmargin at screen 0.905; set bmargin at screen 0.135
-  set xrange [0:{x_max:.6g}]
-  set yrange [0:{y_max:.6g}]
-  set xlabel '{length}' offset 0,0.4
-  set ylabel '{force}' offset 0.8
-  set key at screen 0.535,0.985 center top vertical Left reverse maxrows 1 samplen 2.2 width -6
-  set style arrow 1 head filled size screen 0.016,16 lw 1.4 lc rgb blue
-  set style arrow 2 head filled size screen 0.016,16 lw 1.4 lc rgb vermillion
-  plot loading using 1:2 with lines lw 1.3 lc rgb blue title 'Loading', \
-       unloading using 1:2 with lines lw 1.3 lc rgb vermillion title 'Unloading', \
-       forward using 1:2 with lines lw 0.7 lc rgb 'black'{forward}, \
-       arrows using 1:2:($3-$1):($5 == 0 ? $4-$2 : NaN) with vectors arrowstyle 1, \
-       arrows using 1:2:($3-$1):($5 == 1 ? $4-$2 : NaN) with vectors arrowstyle 2
-)",
-      fmt::arg("x_max", length.factor * w_max * 1.03), fmt::arg("y_max", force.factor * F_max * 1.06),
-      fmt::arg("force", axis_label("Force", "{/:Italic F}", force)),
-      fmt::arg("length", axis_label("Deflection at midspan", "{/:Italic w}_0", length)),
-      fmt::arg("forward", is_replayed ? " title 'Profile, run forward'" : ""));
+  for (std::size_t i = 0; i < cycles.replay.force.size(); ++i) {
+    const double force = cycles.replay.force[i];
+    if (!std::isfinite(force)) {
+      if (!forward.rows.empty() && !forward.rows.back().empty()) forward.rows.emplace_back();
+      continue;
+    }
+    // At the stage position imposed, so that the load train gives the deflection that goes with this force.
+    const double fall = scales.reduced_force(record.force[i]) - force;
+    forward.rows.push_back(
+        {w(scales.reduced_length(record.deflection[i]) + fall / test.analysis.rig.stiffness), F(force)});
+  }
   return {
       .name = "loops",
       .title = "Loading and unloading: " + test.name,
       .description = fmt::format("Measured force against deflection at midspan in {} loadings and the unloadings after "
                                  "them, and the force that one friction profile gives.",
                                  loads),
+      .caption =
+          "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange), in the "
+          "direction of the "
+          "arrows. Black: one friction profile for all loops and both directions, run forward over the stage "
+          "positions.",
       .width = two_columns,
-      .height = 100,
-      .data = {std::move(loading), std::move(unloading), std::move(forward), std::move(arrows)},
-      .script = script};
+      .height = 96,
+      .data = {std::move(loading), std::move(unloading), std::move(forward), std::move(arrows_in),
+               std::move(arrows_out)},
+      .panels = {{.x = x,
+                  .y = y,
+                  .marks = {marks::line("loading", {0, 1}, {Colour::blue, 1.8}, "Loading"),
+                            marks::line("unloading", {0, 1}, {Colour::vermillion, 1.8}, "Unloading"),
+                            marks::line("forward", {0, 1}, {Colour::black, 0.6}, "Profile, run forward"),
+                            marks::arrows("arrows_in", {Colour::blue, 1.4}),
+                            marks::arrows("arrows_out", {Colour::vermillion, 1.4})}}}};
 }
 
-Figure boxes_figure(const FittedTest& test) {
+Plot boxes_figure(const FittedTest& test) {
   const CyclicFriction& friction = test.cycles->friction;
-  const auto& scales = test.analysis.scales;
-  const PlotUnit unit =
-      plot_unit(0.02 * scales.span(), kind_in(test.measurement.test, kind::length), test.reduced, "L");
-  const auto drawn_in = [&](double S) { return unit.factor * scales.physical_length(S - 1) / 2; };
-  const std::string length = fmt::format("drawn in over one support [{}]", unit.unit);
-
-  FigureData in = titled("in", {length, "q"}), out = titled("out", {length, "q"}),
-             stuck = titled("stuck", {length, "q"});
-  FigureData path = titled("path", {length, "q"});
-  std::vector<double> sizes;
-  double x_max = 0;
-  const CyclicPoint* before = nullptr;
+  const PlotUnit unit = plot_units(test).slid();
+  const auto slid = [&](double S) { return unit((S - 1) / 2); };
   const auto loop_of = [&](std::size_t leg) {
     return std::find_if(friction.loops.begin(), friction.loops.end(),
                         [&](const FrictionLoop& loop) { return loop.loading == leg || loop.unloading == leg; }) -
            friction.loops.begin();
   };
+  PlotTable points{
+      "points",
+      {unit.column("slid over one support"), "q", "mu", "mu low", "mu high", "motion (0 in; 1 out; 2 stuck)", "loop"}};
+  PlotTable path{"path", {points.titles[0], "q"}}, profile{"profile", {points.titles[0], "mu"}};
+  std::vector<double> sizes;
+  double x_max = 0;
+  const CyclicPoint* before = nullptr;
   for (const CyclicPoint& point : friction.points) {
-    const double x = drawn_in(point.S);
+    const double x = slid(point.S), error = 1.96 * point.standard_error;  // 95 %
+    const double mu = point.motion == LegMotion::in ? point.q : point.motion == LegMotion::out ? -point.q : NAN;
+    const double motion = point.motion == LegMotion::in ? 0 : point.motion == LegMotion::out ? 1 : 2;
+    points.rows.push_back(
+        {x, point.q, mu, mu - error, mu + error, motion, static_cast<double>(loop_of(point.leg) + 1)});
     x_max = std::max(x_max, x);
     sizes.push_back(std::abs(point.q));
-    (point.motion == LegMotion::in ? in : point.motion == LegMotion::out ? out : stuck).rows.push_back({x, point.q});
     if (before && loop_of(before->leg) != loop_of(point.leg)) path.rows.emplace_back();
     path.rows.push_back({x, point.q});
     before = &point;
   }
+  for (std::size_t i = 0; i < friction.table.S.size(); ++i)
+    profile.rows.push_back({slid(friction.table.S[i]), friction.table.mu[i]});
+  // Bands are drawn along the length, loop by loop.
+  PlotTable along{"bands", points.titles};
+  along.rows = points.rows;
+  std::stable_sort(along.rows.begin(), along.rows.end(), [](const auto& a, const auto& b) {
+    return std::tuple(a[6], a[5], a[0]) < std::tuple(b[6], b[5], b[0]);
+  });
   // What the noise throws far off where deflection begins would flatten all else.
   const double top = rounded_up(std::max(1.2 * quantile(sizes, 0.98), 1e-3));
 
-  const std::size_t panels = std::min(friction.loops.size(), most_drawn_loops);
-  std::vector<FigureData> data;
-  std::string plots;
-  const double height = 62 + 32 * static_cast<double>(panels) + 12;
-  const double box_top = 1 - 9 / height;
-  const double box_bottom = 1 - 59 / height;
-  const auto profile_of = [&](std::string name, const FrictionLoop& loop, LegMotion motion) {
-    FigureData profile = titled(std::move(name), {length, "mu", "standard error"});
-    for (const CyclicPoint& point : friction.points)
-      if (point.motion == motion && (point.leg == loop.loading || point.leg == loop.unloading))
-        profile.rows.push_back({drawn_in(point.S), motion == LegMotion::in ? point.q : -point.q, point.standard_error});
-    std::stable_sort(profile.rows.begin(), profile.rows.end(),
-                     [](const auto& a, const auto& b) { return a[0] < b[0]; });
-    require_rows(profile);
-    return profile;
+  const Axis x{slid_label, unit.unit, 0, 1.02 * x_max};
+  const auto dots = [](Colour colour) { return Style{colour, 0.5, Dash::solid, Symbol::disc, 1.4}; };
+  const auto moving = [&](double motion, std::size_t column, Style style, std::string title) {
+    return marks::only(marks::points("points", {0, column}, style, std::move(title)), {{5, motion}});
   };
-  for (std::size_t i = 0; i < panels; ++i) {
-    const FrictionLoop& loop = friction.loops[i];
-    const double panel_top = 1 - (62 + 32 * static_cast<double>(i)) / height;
-    data.push_back(profile_of(fmt::format("in_{}", i + 1), loop, LegMotion::in));
-    data.push_back(profile_of(fmt::format("out_{}", i + 1), loop, LegMotion::out));
-    plots += fmt::format(
-        R"(  set tmargin at screen {top:.4f}; set bmargin at screen {bottom:.4f}
-  {x_axis}
-  set label 1 '{name}' at graph 0.985, graph 0.86 right
-  plot in_{n} using 1:($2-1.96*$3):($2+1.96*$3) with filledcurves lc rgb blue fs transparent solid 0.2 noborder, \
-       out_{n} using 1:($2-1.96*$3):($2+1.96*$3) with filledcurves lc rgb vermillion fs transparent solid 0.2 noborder, \
-       in_{n} using 1:2 with points pt 7 ps 0.22 lc rgb blue, \
-       out_{n} using 1:2 with points pt 7 ps 0.22 lc rgb vermillion, \
-       profile using 1:2 with lines lw 0.9 lc rgb 'black'
-)",
-        fmt::arg("top", panel_top), fmt::arg("bottom", panel_top - 29 / height), fmt::arg("n", i + 1),
-        fmt::arg("name", friction.loops.size() == 1 ? std::string() : fmt::format("loop {}", i + 1)),
-        fmt::arg("x_axis", i + 1 < panels
-                               ? std::string("set format x ''; unset xlabel")
-                               : fmt::format("set format x '%g'; set xlabel '{}' offset 0,0.4", drawn_in_label(unit))));
+  constexpr Style profile_look{.width = 0.9};
+  std::vector<Panel> panels{
+      {.x = x,
+       .y = {"Mobilised friction *q*", "", -top, top},
+       .marks = {marks::horizontal(0, {.width = 0.75}), marks::line("path", {0, 1}, {Colour::silver, 0.4}),
+                 moving(0, 1, dots(Colour::blue), "In: *q* = *μ*"),
+                 moving(1, 1, dots(Colour::vermillion), "Out: *q* = −*μ*"),
+                 moving(2, 1, {Colour::black, 0.7, Dash::solid, Symbol::circle, 2}, "Stuck"),
+                 marks::key_fill({.colour = Colour::grey, .opacity = 0.3}, "95 %"),
+                 marks::key_line(profile_look, "All loops")},
+       .share = 1.7}};
+  const std::size_t drawn = std::min(friction.loops.size(), most_drawn_loops);
+  for (std::size_t i = 0; i < drawn; ++i) {
+    const Condition loop{6, static_cast<double>(i + 1)};
+    Panel panel{.x = x, .y = {friction_label, "", 0, top}, .marks = {}};
+    for (const auto& [motion, colour] : {std::pair{0.0, Colour::blue}, std::pair{1.0, Colour::vermillion}})
+      panel.marks.push_back(
+          marks::only(marks::band("bands", {0, 3, 4}, {.colour = colour, .opacity = 0.2}), {{5, motion}, loop}));
+    for (const auto& [motion, colour] : {std::pair{0.0, Colour::blue}, std::pair{1.0, Colour::vermillion}})
+      panel.marks.push_back(marks::only(marks::points("points", {0, 2}, dots(colour)), {{5, motion}, loop}));
+    panel.marks.push_back(marks::line("profile", {0, 1}, profile_look));
+    if (friction.loops.size() > 1)
+      panel.marks.push_back(marks::label(marks::edge, marks::edge, fmt::format("loop {}", i + 1)));
+    panels.push_back(std::move(panel));
   }
-  FigureData profile = titled("profile", {length, "mu"});
-  for (std::size_t i = 0; i < friction.table.S.size(); ++i)
-    profile.rows.push_back({drawn_in(friction.table.S[i]), friction.table.mu[i]});
-  for (FigureData* each : {&in, &out, &stuck, &path, &profile}) {
-    require_rows(*each);
-    data.push_back(std::move(*each));
-  }
-  const std::string script = fmt::format(
-      R"(  set multiplot
-  set lmargin at screen 0.095; set rmargin at screen 0.985
-  set xrange [0:{x_max:.6g}]
-  # The boxes
-  set tmargin at screen {box_top:.4f}; set bmargin at screen {box_bottom:.4f}
-  set yrange [-{top:.6g}:{top:.6g}]
-  set ytics {tick:.6g}
-  set format x ''; unset xlabel
-  set ylabel 'Mobilised friction {{/:Italic q}}' offset 0.8
-  set key at screen 0.535,0.992 center top vertical Left reverse maxrows 1 samplen 1.8 width -2
-  set xzeroaxis lw 0.75 lt 1 lc rgb 'black'
-  plot path using 1:2 with lines lw 0.4 lc rgb '#b4b4b4', \
-       in using 1:2 with points pt 7 ps 0.22 lc rgb blue title 'In: q = μ', \
-       out using 1:2 with points pt 7 ps 0.22 lc rgb vermillion title 'Out: q = −μ', \
-       stuck using 1:2 with points pt 6 ps 0.3 lw 0.7 lc rgb 'black' title 'Stuck', \
-       keyentry with filledcurves lc rgb grey fs transparent solid 0.3 noborder title '95 %', \
-       keyentry with lines lw 0.9 lc rgb 'black' title 'All loops'
-  # Friction in both directions, loop by loop
-  unset key; unset xzeroaxis
-  set yrange [0:{top:.6g}]
-  set ytics {panel_tick:.6g}
-  set ylabel 'Friction {{/:Italic μ}}' offset 0.8
-{plots}  unset multiplot; unset label 1; set ytics auto
-)",
-      fmt::arg("x_max", x_max * 1.02), fmt::arg("box_top", box_top), fmt::arg("box_bottom", box_bottom),
-      fmt::arg("top", top), fmt::arg("tick", tick_for(2 * top)), fmt::arg("panel_tick", tick_for(top)),
-      fmt::arg("plots", plots));
-  return {
-      .name = "boxes",
-      .title = "Friction in both directions: " + test.name,
-      .description = fmt::format("Mobilised friction against the length drawn in, a box for each of {} loops; below, "
-                                 "friction in loading and in unloading on one axis, with 95 % bands.",
-                                 friction.loops.size()),
-      .width = two_columns,
-      .height = height,
-      .data = std::move(data),
-      .script = script};
+  return {.name = "boxes",
+          .title = "Friction in both directions: " + test.name,
+          .description = fmt::format(
+              "Mobilised friction against the length slid over one support, a box for each of {} loops; below, "
+              "friction in loading and in unloading on one axis, with 95 % bands.",
+              friction.loops.size()),
+          .caption = fmt::format("Top: mobilised friction against the length slid over one support; each loop is a "
+                                 "box. The specimen slides in along its upper "
+                                 "side (blue), sticks while the stage turns back (circles), and slides out along its "
+                                 "lower side (red-orange). Below{}: friction of "
+                                 "both directions at the same points of the specimen. Bands: 95 % intervals from "
+                                 "noise, bending stiffness and contact; the last two "
+                                 "move a whole band. Black: one profile for all loops. Points that noise throws beyond "
+                                 "the axis are not shown.",
+                                 friction.loops.size() > drawn ? fmt::format(", the first {} loops", drawn) : ""),
+          .width = two_columns,
+          .height = 64 + 31 * static_cast<double>(drawn),
+          .data = {std::move(points), std::move(along), std::move(path), std::move(profile)},
+          .panels = std::move(panels)};
 }
 
 }  // namespace flexslip

@@ -12,7 +12,6 @@
 
 #include "answers/cycles_fields.h"
 #include "answers/fit_fields.h"
-#include "contact/build_up.h"
 #include "data/names.h"
 #include "fibre/limits.h"
 #include "io/quantity.h"
@@ -198,7 +197,7 @@ std::string smoothing_in_words(const FittedTest& test) {
     return roughly(test.analysis.scales.physical_length(reduced), Print(test).as(kind::length));
   };
   const auto larger_by = [&](double wavelength) {
-    return fmt::format("{:.0f} %", 100 * (1 / share_after_build_up(length, wavelength) - 1));
+    return fmt::format("{:.0f} %", 100 * (1 / share_read(*test.cycles->build_up, wavelength) - 1));
   };
   std::string words = fmt::format(
       "The reversals show that friction builds up over {} of sliding. This smooths the friction read off: variation "

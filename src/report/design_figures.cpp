@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,87 +13,44 @@
 
 #include <fmt/format.h>
 
-#include "bending_test/readings.h"
-#include "fibre/limits.h"
 #include "io/quantity.h"
+#include "report/marks.h"
+#include "report/plot_units.h"
 #include "result/frame.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double nan = not_a_number;
+constexpr double stiffness_of_straight_fibre = 48;  // [EI/L^3]
 
-FigureData line_of(std::string name, const std::vector<RecordedForce>& readings, double x, double y,
-                   bool falling_only) {
-  FigureData data{std::move(name), {"stage", "force"}, {}};
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    const bool falls = i > 0 && readings[i].F < readings[i - 1].F;
-    if (falling_only && !falls) continue;
-    if (falling_only && (i < 2 || !(readings[i - 1].F < readings[i - 2].F))) {
-      if (!data.rows.empty()) data.rows.emplace_back();
-      data.rows.push_back({x * readings[i - 1].stage, y * readings[i - 1].F});
-    }
-    data.rows.push_back({x * readings[i].stage, y * readings[i].F});
-  }
-  if (data.rows.empty()) data.rows.push_back({nan, nan});
-  return data;
-}
+// A parameter that goes through values, as an axis.
+struct ParameterAxis {
+  PlotUnit unit;
+  Axis axis;
+  bool logarithmic;
 
-std::string capitalised(std::string_view words) {
-  std::string text(words);
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text;
-}
-
-// An axis of a map: what is drawn of its values, logarithms if it is logarithmic, because gnuplot's pixels are all of one size.
-class Drawn {
- public:
-  Drawn(const DesignCase& input, const DesignAxis& axis) {
-    const auto& range = std::get<AxisRange>(axis.values);
-    logarithmic_ = range.spacing == Spacing::logarithmic;
-    const DesignParameterName& parameter = axis.parameter;
+  ParameterAxis(const DesignCase& input, const DesignAxis& over) {
+    const auto& range = std::get<AxisRange>(over.values);
+    const DesignParameterName& parameter = over.parameter;
     const Kind kind = input.shown_as(parameter.kind);
     const auto [least, most] = std::minmax(range.from, range.to);
-    unit_ = kind.units.empty()
-                ? PlotUnit{"", 1}
-                : plot_unit(logarithmic_ ? std::sqrt(least * most) : std::max(std::abs(least), std::abs(most)), kind,
-                            input.reduced(), typeset(unit_of(kind, true)));
-    label_ = axis_label(capitalised(parameter.description), parameter.symbol, unit_);
-    low_ = unit_.factor * least;
-    high_ = unit_.factor * most;
+    logarithmic = range.spacing == Spacing::logarithmic;
+    unit = kind.units.empty()
+               ? PlotUnit{"", 1}
+               : plot_unit(logarithmic ? std::sqrt(least * most) : std::max(std::abs(least), std::abs(most)), kind,
+                           input.reduced(), typeset(unit_of(kind, true)));
+    std::string words(parameter.description);
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    const std::string symbol(parameter.symbol);
+    axis = unit.axis(symbol.empty() ? words : words + " " + symbol, least, most);
+    axis.logarithmic = logarithmic;
   }
 
-  double operator()(double value) const {
-    return logarithmic_ ? std::log10(unit_.factor * value) : unit_.factor * value;
-  }
-  const std::string& label() const { return label_; }
-
-  // The commands that set range and tics of the axis "x" or "y", with a margin on both sides [1] of the range.
-  std::string set(char name, double margin) const {
-    const double from = logarithmic_ ? std::log10(low_) : low_;
-    const double to = logarithmic_ ? std::log10(high_) : high_;
-    std::string script =
-        fmt::format("  set {}range [{:.8g}:{:.8g}]\n", name, from - margin * (to - from), to + margin * (to - from));
-    if (!logarithmic_) return script;
-    std::string tics;
-    const auto digits = to - from < 2.2   ? std::vector{1.0, 2.0, 5.0}
-                        : to - from < 3.2 ? std::vector{1.0, 3.0}
-                                          : std::vector{1.0};
-    for (int decade = static_cast<int>(std::floor(from)); decade <= to; ++decade)
-      for (const double digit : digits)
-        if (const double tic = decade + std::log10(digit); tic >= from - 1e-9 && tic <= to + 1e-9)
-          tics += fmt::format("{}'{:g}' {:.8g}", tics.empty() ? "" : ", ", digit * std::pow(10, decade), tic);
-    return script + fmt::format("  set {}tics ({})\n", name, tics);
-  }
-
- private:
-  bool logarithmic_;
-  PlotUnit unit_;
-  std::string label_;
-  double low_, high_;
+  double operator()(double value) const { return unit(value); }
+  // Along which the values are evenly spaced, and back.
+  double even(double plotted) const { return logarithmic ? std::log10(plotted) : plotted; }
+  double plotted(double even) const { return logarithmic ? std::pow(10, even) : even; }
 };
-
-constexpr double stiffness_of_straight_fibre = 48;  // [EI/L^3]
 
 double drop_share(const DesignOutcome& outcome) { return 100 * outcome.largest_drop / outcome.greatest_force; }
 
@@ -101,66 +60,61 @@ std::optional<double> first_deflection(const DesignResult& result) {
   return snap ? std::optional(result.units->scales.physical_length(snap->w)) : std::nullopt;
 }
 
-Figure curve_figure(const DesignCase& input, const DesignAxis& axis, const std::vector<MapPoint>& points) {
-  const Drawn drawn(input, axis);
+Plot curve_figure(const DesignCase& input, const DesignAxis& over, const std::vector<MapPoint>& points) {
+  const ParameterAxis x(input, over);
   double deepest = 0;
-  double most = 1;
   for (const auto& point : points)
-    if (const auto& outcome = point.result.outcome) {
-      most = std::max({most, drop_share(*outcome), 100 * friction_share(*outcome)});
-      deepest = std::max(deepest, first_deflection(point.result).value_or(0));
-    }
+    if (point.result.outcome) deepest = std::max(deepest, first_deflection(point.result).value_or(0));
   const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, input.shown_as(kind::length), input.reduced(), "L");
-  FigureData data{
-      "designs", {"parameter", "largest drop [%]", "mean drop [%]", "friction and snaps [%]", "first snap"}, {}};
+  PlotTable designs{"designs",
+                    {x.unit.column(over.parameter.name), "largest drop [%]", "mean drop [%]", "friction and snaps [%]",
+                     length.column("first snap")}};
   for (const auto& point : points) {
     if (!point.result.outcome) {
-      data.rows.emplace_back();
+      designs.rows.emplace_back();
       continue;
     }
     const DesignOutcome& outcome = *point.result.outcome;
-    data.rows.push_back({drawn(point.values[0]), drop_share(outcome), 100 * outcome.mean_drop / outcome.greatest_force,
-                         100 * friction_share(outcome), length.factor * first_deflection(point.result).value_or(nan)});
+    designs.rows.push_back({x(point.values[0]), drop_share(outcome), 100 * outcome.mean_drop / outcome.greatest_force,
+                            100 * friction_share(outcome), length(first_deflection(point.result).value_or(NAN))});
   }
-  const std::string script = fmt::format(
-      R"(  set multiplot
-  set tmargin at screen 0.88; set bmargin at screen 0.16
-  set key at screen 0.28,0.985 center top vertical Left reverse maxrows 1 width 1 samplen 2
-  set lmargin at screen 0.095; set rmargin at screen 0.48
-  set xlabel '{0}' offset 0,0.3
-{1}  set yrange [0:{2:.6g}]
-  set ylabel 'Share (%)' offset 1
-  set label 1 '(A)' at graph 0.03, 0.94 font ',9'
-  plot designs using 1:2 with lines lw 1.6 lc rgb 'black' title 'Largest drop', \
-       designs using 1:3 with lines lw 1.2 dt (6,4) lc rgb 'black' title 'Mean drop', \
-       designs using 1:4 with lines lw 1.6 lc rgb vermillion title 'Friction and snaps'
-  unset key
-  set lmargin at screen 0.58; set rmargin at screen 0.97
-  set yrange [0:{3:.6g}]
-  set ylabel '{4}' offset 0.6
-  set label 1 '(B)'
-  set label 2 '{5}' at graph 0.5, 0.5 center
-  plot designs using 1:5 with points pt 7 ps 0.3 lc rgb blue
-  unset multiplot; unset label 1; unset label 2
-)",
-      drawn.label(), drawn.set('x', 0), 1.15 * most, deepest > 0 ? 1.15 * length.factor * deepest : 1,
-      axis_label("First snap at deflection", "{/:Italic w}_0", length), deepest > 0 ? "" : "None snaps");
+  Panel shares{.title = "A",
+               .x = x.axis,
+               .y = {"Share", "%", 0},
+               .marks = {marks::line("designs", {0, 1}, {.width = 1.6}, "Largest drop"),
+                         marks::line("designs", {0, 2}, {.width = 1.2, .dash = Dash::dashed}, "Mean drop"),
+                         marks::line("designs", {0, 3}, {Colour::vermillion, 1.6}, "Friction and snaps")}};
+  Panel first{.title = "B",
+              .x = x.axis,
+              .y = length.axis("First snap at *w*_0", 0),
+              .marks = {marks::points("designs", {0, 4}, {Colour::blue, 0.5, Dash::solid, Symbol::disc, 1.8})}};
+  if (!(deepest > 0))
+    first.marks.push_back(marks::label(x.plotted((x.even(x.axis.from) + x.even(x.axis.to)) / 2), 0.5, "None snaps"));
   return {.name = "designs",
           .title = "What a test shows over a range",
           .description = fmt::format("Two panels over the {}: the largest and the mean drop of the force, as shares of "
                                      "the greatest force, and the share of friction in "
                                      "the work; and the deflection of the first snap.",
-                                     axis.parameter.name),
+                                     over.parameter.name),
+          .caption = fmt::format("What a test shows over the {}: (A) the largest drop of the force (black) and the "
+                                 "mean one (dashed), as shares of "
+                                 "the greatest force, and the share of friction and snaps in the work (red-orange); "
+                                 "(B) the deflection at which "
+                                 "the specimen first snaps.",
+                                 over.parameter.description),
           .width = two_columns,
           .height = 66,
-          .data = {std::move(data)},
-          .script = script};
+          .data = {std::move(designs)},
+          .panels = {std::move(shares), std::move(first)},
+          .columns = 2};
 }
 
+using Grid = std::vector<MapPoint>;  // the second axis fastest
+
 // Where the margin vanishes: on the edges of the grid's cells, and straight between them.
-FigureData border_of(const std::vector<MapPoint>& points, std::size_t rows, std::size_t columns, const Drawn& x,
-                     const Drawn& y) {
-  FigureData border{"border", {"x", "y"}, {}};
+PlotTable border_of(const Grid& points, std::size_t rows, std::size_t columns, const ParameterAxis& x,
+                    const ParameterAxis& y) {
+  PlotTable border{"border", {"x", "y"}};
   const auto at = [&](std::size_t i, std::size_t j) -> const MapPoint& { return points[i * columns + j]; };
   for (std::size_t i = 0; i + 1 < rows; ++i)
     for (std::size_t j = 0; j + 1 < columns; ++j) {
@@ -170,39 +124,34 @@ FigureData border_of(const std::vector<MapPoint>& points, std::size_t rows, std:
         const double a = corners[c]->margin;
         const double b = corners[c + 1]->margin;
         if (std::isnan(a) || std::isnan(b) || (a > 0) == (b > 0)) continue;
-        const double share = a / (a - b);
-        const auto between = [&](const Drawn& axis, std::size_t k) {
-          const double from = axis(corners[c]->values[k]);
-          return from + share * (axis(corners[c + 1]->values[k]) - from);
+        const auto between = [&](const ParameterAxis& axis, std::size_t k) {
+          const double from = axis.even(axis(corners[c]->values[k])), to = axis.even(axis(corners[c + 1]->values[k]));
+          return axis.plotted(from + a / (a - b) * (to - from));
         };
         crossings.push_back({between(x, 0), between(y, 1)});
       }
-      for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
-        border.rows.push_back(crossings[c]);
-        border.rows.push_back(crossings[c + 1]);
-        border.rows.emplace_back();
-      }
+      for (std::size_t c = 0; c + 1 < crossings.size(); c += 2)
+        border.rows.insert(border.rows.end(), {crossings[c], crossings[c + 1], {}});
     }
-  if (border.rows.empty()) border.rows.push_back({nan, nan});
   return border;
 }
 
 // The cell of a map where the test itself lies, or that is nearest to it.
-std::size_t cell_of(const std::vector<double>& own, const std::vector<MapPoint>& points, const Drawn& x,
-                    const Drawn& y) {
-  const auto away = [&](const MapPoint& point) {
-    return std::abs(std::log(x(point.values[0]) / own[0])) + std::abs(y(point.values[1]) - own[1]) / std::abs(own[1]);
+std::size_t cell_of(const std::vector<double>& own, const Grid& points, const ParameterAxis& x,
+                    const ParameterAxis& y) {
+  const auto away = [&](const ParameterAxis& axis, const MapPoint& point, std::size_t k) {
+    return std::abs(axis.even(axis(point.values[k])) - axis.even(own[k])) /
+           (axis.even(axis.axis.to) - axis.even(axis.axis.from));
   };
-  const auto nearest = std::min_element(points.begin(), points.end(),
-                                        [&](const MapPoint& a, const MapPoint& b) { return away(a) < away(b); });
+  const auto nearest = std::min_element(points.begin(), points.end(), [&](const MapPoint& a, const MapPoint& b) {
+    return away(x, a, 0) + away(y, a, 1) < away(x, b, 0) + away(y, b, 1);
+  });
   return static_cast<std::size_t>(nearest - points.begin());
 }
 
-// The command for a label where the points of a side are farthest from others, from the test itself and from the frame; none if there is
-// no room.
+// Where the points of a side are farthest from others, from the test itself and from the frame; none if there is no room for a word.
 template <class Belongs>
-std::string side_label(int tag, std::string_view words, const std::vector<MapPoint>& points, std::size_t columns,
-                       const Drawn& x, const Drawn& y, std::size_t taken, Belongs belongs) {
+std::optional<std::size_t> middle_of(const Grid& points, std::size_t columns, std::size_t taken, Belongs belongs) {
   constexpr int room = 3;  // [cells]
   const std::size_t rows = points.size() / columns;
   std::vector<int> depth(points.size(), 0);  // [cells] to the nearest that does not belong
@@ -213,143 +162,132 @@ std::string side_label(int tag, std::string_view words, const std::vector<MapPoi
   for (std::size_t n = points.size(); n-- > 0;)
     depth[n] = std::min(depth[n], 1 + std::min(at(n / columns + 1, n % columns), at(n / columns, n % columns + 1)));
   const auto deepest = std::max_element(depth.begin(), depth.end());
-  if (*deepest < room) return "";
-  const MapPoint& there = points[static_cast<std::size_t>(deepest - depth.begin())];
-  return fmt::format("  set label {} '{}' at {:.8g}, {:.8g} center front boxed\n", tag, words, x(there.values[0]),
-                     y(there.values[1]));
+  if (*deepest < room) return std::nullopt;
+  return static_cast<std::size_t>(deepest - depth.begin());
 }
 
-Figure plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points) {
-  const Drawn x(input, axes[0]);
-  const Drawn y(input, axes[1]);
-  FigureData data{"designs", {"x", "y", "largest drop [%]"}, {}};
-  for (const MapPoint& point : points)
-    data.rows.push_back(
-        {x(point.values[0]), y(point.values[1]), point.result.outcome ? drop_share(*point.result.outcome) : nan});
-  FigureData own{
-      "own", {"x", "y"}, {{x(input.value(axes[0].parameter.parameter)), y(input.value(axes[1].parameter.parameter))}}};
-  const std::size_t taken = cell_of(own.rows.front(), points, x, y), columns = points_of(axes[1]);
-  const std::string sides =
-      side_label(2, "snaps", points, columns, x, y, taken, [](double margin) { return margin < 0; }) +
-      side_label(3, "no snap", points, columns, x, y, taken, [](double margin) { return margin > 0; });
-  FigureData border = border_of(points, points_of(axes[0]), columns, x, y);
-  const bool has_border = border.rows.size() > 1;
-  const std::string script = fmt::format(
-      R"(  set lmargin at screen 0.13; set rmargin at screen 0.80; set tmargin at screen 0.89; set bmargin at screen 0.145
-  set key at screen 0.465,0.985 center top vertical Left reverse maxrows 1 samplen 2.2
-  set xlabel '{0}' offset 0,0.3; set ylabel '{1}' offset 0.8
-{2}{3}  set cblabel 'Largest drop (% of the greatest force)' offset 0.5
-  set cbrange [0:*]
-  set palette defined (0 '#FFFFFF', 0.005 '#EAF2F8', 0.3 '#9CC9E6', 0.65 '#2F83BE', 1 '#08306B')
-  set colorbox user origin screen 0.83, 0.145 size screen 0.03, 0.745
-  set tics front
-  set style textbox opaque noborder margins 0.6, 0.6
-{4}  plot designs using 1:2:3 with image pixels notitle, \
-       {5}own using 1:2 with points pt 7 ps 0.7 lc rgb 'black' title 'This test'
-)",
-      x.label(), y.label(), x.set('x', 0.5 / static_cast<double>(points_of(axes[0]) - 1)),
-      y.set('y', 0.5 / static_cast<double>(points_of(axes[1]) - 1)), sides,
-      has_border ? "border using 1:2 with lines lw 2 lc rgb vermillion title 'Border of snapping', \\\n       " : "");
-  return {.name = "designs",
-          .title = "Where a test shows a sawtooth",
-          .description = fmt::format(
-              "The largest drop of the force over {} and {}, with the border beyond which the specimen does not snap.",
-              axes[0].parameter.name, axes[1].parameter.name),
-          .width = 110,
-          .height = 85,
-          .data = {std::move(data), std::move(border), std::move(own)},
-          .script = script};
+Plot plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, const Grid& points) {
+  ParameterAxis x(input, axes[0]), y(input, axes[1]);
+  const std::size_t rows = points_of(axes[0]), columns = points_of(axes[1]);
+  // The edges of a cell, half a step on either side.
+  const auto edges = [](const ParameterAxis& axis, double value, std::size_t count) {
+    const double half = 0.5 * (axis.even(axis.axis.to) - axis.even(axis.axis.from)) / static_cast<double>(count - 1);
+    const double middle = axis.even(axis(value));
+    return std::pair{axis.plotted(middle - half), axis.plotted(middle + half)};
+  };
+  PlotTable designs{"designs",
+                    {x.unit.column(axes[0].parameter.name), "low", "high", y.unit.column(axes[1].parameter.name), "low",
+                     "high", "largest drop [%]"}};
+  double most = 0;
+  for (const MapPoint& point : points) {
+    const auto [left, right] = edges(x, point.values[0], rows);
+    const auto [low, high] = edges(y, point.values[1], columns);
+    const double share = point.result.outcome ? drop_share(*point.result.outcome) : NAN;
+    designs.rows.push_back({x(point.values[0]), left, right, y(point.values[1]), low, high, share});
+    most = std::fmax(most, share);
+  }
+  const std::vector<double> own{x(input.value(axes[0].parameter.parameter)),
+                                y(input.value(axes[1].parameter.parameter))};
+  std::vector<Mark> marks{
+      marks::of_table(MarkKind::pixels, "designs", {1, 2, 4, 5, 6}, {}),
+      marks::line("border", {0, 1}, {Colour::vermillion, 2}, "Border of snapping"),
+      marks::points("own", {0, 1}, {Colour::black, 0.5, Dash::solid, Symbol::disc, 4}, "This test")};
+  const std::size_t taken = cell_of(own, points, x, y);
+  const auto name_side = [&](const char* words, auto belongs) {
+    if (const auto there = middle_of(points, columns, taken, belongs))
+      marks.push_back(marks::label(designs.rows[*there][0], designs.rows[*there][3], words));
+  };
+  name_side("snaps", [](double margin) { return margin < 0; });
+  name_side("no snap", [](double margin) { return margin > 0; });
+  std::tie(x.axis.from, x.axis.to) = std::pair{designs.rows.front()[1], designs.rows.back()[2]};
+  std::tie(y.axis.from, y.axis.to) = std::pair{designs.rows.front()[4], designs.rows.back()[5]};
+  for (Axis* axis : {&x.axis, &y.axis})
+    if (axis->from > axis->to) std::swap(axis->from, axis->to);
+  PlotTable border = border_of(points, rows, columns, x, y);
+  return {
+      .name = "designs",
+      .title = "Where a test shows a sawtooth",
+      .description = fmt::format(
+          "The largest drop of the force over {} and {}, with the border beyond which the specimen does not snap.",
+          axes[0].parameter.name, axes[1].parameter.name),
+      .caption = fmt::format("The largest drop of the force (blue, the darker the larger) over the {} and the {}. "
+                             "Red-orange: the border of "
+                             "snapping. Disc: the test as the case states it. White: no drop, or not to be computed.",
+                             axes[0].parameter.description, axes[1].parameter.description),
+      .width = 110,
+      .height = 85,
+      .data = {std::move(designs), std::move(border), {"own", {x.unit.column("x"), y.unit.column("y")}, {own}}},
+      .panels = {{.x = x.axis,
+                  .y = y.axis,
+                  .marks = std::move(marks),
+                  .colour = {"Largest drop, of the greatest force", "%", 0, most > 0 ? most : 1}}}};
+}
+
+// The falls of a record, each from its top on.
+PlotTable falls_of(const PlotTable& record) {
+  PlotTable falls{"drops", record.titles};
+  const auto& rows = record.rows;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (!(rows[i][1] < rows[i - 1][1])) continue;
+    if (i < 2 || !(rows[i - 1][1] < rows[i - 2][1])) {
+      if (!falls.rows.empty()) falls.rows.emplace_back();
+      falls.rows.push_back(rows[i - 1]);
+    }
+    falls.rows.push_back(rows[i]);
+  }
+  return falls;
 }
 
 }  // namespace
 
-Figure design_figure(const DesignAnswer& answer) {
+Plot design_figure(const DesignAnswer& answer) {
   const Design& design = answer.design;
-  const Scales& scales = answer.scales;
-  const bool reduced = answer.input.reduced();
   const DesignOutcome& outcome = answer.outcome;
-  const PlotUnit length =
-      plot_unit(scales.physical_length(design.travel), answer.input.shown_as(kind::length), reduced, "L");
-  const PlotUnit force =
-      plot_unit(scales.physical_force(outcome.greatest_force), answer.input.shown_as(kind::force), reduced, "EI/L²");
-  const double x = scales.physical_length(length.factor);
-  const double y = scales.physical_force(force.factor);
-
-  const bool breaks = outcome.status == DesignStatus::breaks;
-  const auto readings =
-      record_of({design.friction, design.rig}, breaks ? outcome.stage_reached : design.travel, design.step);
-  const auto folds = folds_up_to(design.friction, design.travel, design.rig.fibre);
-  double top = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : 0;
-  for (const auto& fold : folds) top = std::max(top, std::min(fold.stiffness, 1e6));
+  const double own = design.rig.stiffness;
+  const bool breaks = outcome.status == DesignStatus::breaks, is_finite = std::isfinite(own);
+  const DesignCurves curves = curves_of(answer);
+  double top = is_finite ? own : 0;
+  for (const auto& fold : curves.folds) top = std::max(top, std::min(fold.stiffness, 1e6));
   if (std::isfinite(answer.critical)) top = std::max(top, answer.critical);
   if (top == 0) top = stiffness_of_straight_fibre;  // displacement control, and no rig snaps
   // The rig may be far from where it matters.
   constexpr double wide = 20;
-  const double own = std::isfinite(design.rig.stiffness) ? design.rig.stiffness : top;
-  const double least = answer.critical > 0 ? std::min(own, answer.critical) : own;
+  const double likely = is_finite ? own : top;
+  const double least = answer.critical > 0 ? std::min(likely, answer.critical) : likely;
   const bool is_wide = top > wide * least;
-  const PlotUnit stiffness =
-      plot_unit(scales.physical_stiffness(top), answer.input.shown_as(kind::stiffness), reduced, "EI/L³");
-  const double z = scales.physical_stiffness(stiffness.factor);
 
+  const PlotUnits units{answer.scales, answer.input.reduced(), is_in_inches(answer.input.given())};
+  const PlotUnit w = units.length(design.travel), F = units.force(outcome.greatest_force), k = units.stiffness(top);
+  Axis stiffness = k.axis("", is_wide ? least / 3 : 0, (is_wide ? 2 : 1.12) * top);
+  stiffness.logarithmic = is_wide;
+  // Supports that give way make a rig of the load train.
+  const bool gives = answer.input.support_compliance() > 0;
+  stiffness.label = gives ? "Stiffness of the rig *k*" : "Load-train stiffness *k*";
+
+  PlotTable record{"record", {w.column("stage"), F.column("force")}};
+  for (const auto& reading : curves.record) record.rows.push_back({w(reading.stage), F(reading.F)});
   // On a rig softer than F/(travel - w) the loading ends before this deflection.
-  FigureData curve{"folds", {"deflection", "stiffness", "softest that gets there"}, {}};
-  for (const auto& fold : folds)
-    curve.rows.push_back({x * fold.w, z * fold.stiffness, z * fold.F / (design.travel - fold.w)});
-  if (curve.rows.empty()) curve.rows.push_back({nan, nan, nan});
-  FigureData end{"breaks", {"stage", "force", "deflection", "stiffness"}, {}};
-  end.rows.push_back(breaks ? std::vector{x * outcome.stage_reached,
-                                          y * (outcome.stage_reached - outcome.w_reached) * design.rig.stiffness,
-                                          x * outcome.w_reached, 10 * z * top}
-                            : std::vector(4, nan));
-  FigureData first{"first", {"deflection", "stiffness", "stage", "force"}, {}};
-  if (outcome.first_snap)
-    first.rows.push_back({x * outcome.first_snap->w, z * std::min(design.rig.stiffness, top),
-                          x * outcome.first_snap->stage, y * outcome.first_snap->F_before});
-  else
-    first.rows.push_back({nan, nan, nan, nan});
+  PlotTable folds{
+      "folds",
+      {w.column("deflection"), k.column("stiffness"), "edge of the axis", k.column("softest that gets there")}};
+  for (const auto& fold : curves.folds)
+    folds.rows.push_back(
+        {w(fold.w), std::max(k(fold.stiffness), stiffness.from), stiffness.from, k(fold.F / (design.travel - fold.w))});
+  PlotTable end{"breaks", {w.column("stage"), F.column("force")}};
+  if (breaks) end.rows.push_back({w(outcome.stage_reached), F((outcome.stage_reached - outcome.w_reached) * own)});
+  PlotTable first{"first", {w.column("deflection"), k.column("stiffness"), w.column("stage"), F.column("force")}};
+  if (const auto& snap = outcome.first_snap)
+    first.rows.push_back({w(snap->w), k(std::min(own, top)), w(snap->stage), F(snap->F_before)});
 
-  const double right = x * (folds.empty() ? design.travel : folds.back().w);
-  const bool gives =
-      answer.input.support_compliance() > 0;  // then the stiffness is that of load train and supports together
-  std::string lines;
-  if (std::isfinite(design.rig.stiffness))
-    lines += fmt::format("{:.8g} with lines lw 1.4 lc rgb 'black' title '{}', \\\n       ", z * design.rig.stiffness,
-                         gives ? "This rig" : "This load train");
+  constexpr Style snap_mark{Colour::vermillion, 1, Dash::solid, Symbol::circle, 4};
+  std::vector<Mark> marks{marks::band("folds", {0, 2, 1}, {.colour = Colour::sky, .opacity = 0.35}, "Unstable"),
+                          marks::line("folds", {0, 1}, {Colour::blue, 0.8}),
+                          marks::line("folds", {0, 3}, {.width = 1.2, .dash = Dash::dotted}, "End of travel")};
+  if (is_finite) marks.push_back(marks::horizontal(k(own), {.width = 1.4}, gives ? "This rig" : "This load train"));
   if (std::isfinite(answer.critical) && answer.critical > 0)
-    lines += fmt::format("{:.8g} with lines lw 1.4 dt (7,4) lc rgb green title 'Critical stiffness', \\\n       ",
-                         z * answer.critical);
-  const std::string script = fmt::format(
-      R"(  set multiplot
-  set tmargin at screen 0.825; set bmargin at screen 0.185
-  set lmargin at screen 0.075; set rmargin at screen 0.475
-  set key at screen 0.275,0.985 center top vertical Left reverse maxrows 1 width 0 samplen 1.6
-  set xrange [0:{0:.6g}]; set yrange [0:{1:.6g}]
-  set xlabel '{2}' offset 0,0.3; set ylabel '{3}' offset 0.9
-  set label 1 '(A)' at graph 0.03, 0.94 font ',9'
-  plot record using 1:2 with lines lw 1.1 lc rgb 'black' title 'Record', \
-       drops using 1:2 with lines lw 1.5 lc rgb vermillion {9}, \
-       breaks using 1:2 with points pt 2 ps 0.8 lw 1.6 lc rgb 'black' {13}, \
-       first using 3:4 with points pt 6 ps 0.7 lw 1 lc rgb vermillion {10}
-  set lmargin at screen 0.58; set rmargin at screen 0.985
-  set key at screen 0.79,0.985 center top vertical Left reverse maxrows 2 width 0 samplen 1.6
-  set xrange [0:{4:.6g}]; set yrange [{11}:{5:.6g}]{12}
-  set xlabel '{6}'; set ylabel '{7}' offset 0.6
-  set label 1 '(B)'
-  plot folds using 1:($2 > {11} ? $2 : {11}) with filledcurves above y1={11} fs solid 0.35 noborder lc rgb sky title 'Unstable', \
-       folds using 1:2 with lines lw 0.8 lc rgb blue notitle, \
-       folds using 1:3 with lines lw 1.2 dt (2,3) lc rgb 'black' title 'End of travel', \
-       {8}breaks using 3:4 with impulses lw 1.2 lc rgb 'black' notitle, \
-       first using 1:2 with points pt 6 ps 0.7 lw 1 lc rgb vermillion notitle
-  unset multiplot; unset label 1; unset logscale
-)",
-      1.02 * x * design.travel, 1.15 * y * outcome.greatest_force,
-      axis_label("Stage displacement", "{/:Italic w}_s", length), axis_label("Force", "{/:Italic F}", force), right,
-      (is_wide ? 2 : 1.12) * z * top, axis_label("Deflection", "{/:Italic w}_0", length),
-      axis_label(gives ? "Stiffness of the rig" : "Load-train stiffness", "{/:Italic k}", stiffness), lines,
-      outcome.drops > 0 ? "title 'Drops'" : "notitle", outcome.first_snap ? "title 'First snap'" : "notitle",
-      fmt::format("{:.6g}", is_wide ? z * least / 3 : 0), is_wide ? "; set logscale y" : "",
-      breaks ? "title 'Breaks'" : "notitle");
+    marks.push_back(marks::horizontal(k(answer.critical), {Colour::green, 1.4, Dash::dashed}, "Critical stiffness"));
+  if (breaks) marks.push_back(marks::vertical(w(outcome.w_reached), {.width = 1.2}));
+  marks.push_back(marks::points("first", {0, 1}, snap_mark));
   return {.name = "design",
           .title = "What a planned test will show",
           .description = fmt::format("Two panels: the record of force against stage displacement, with {} drops "
@@ -357,15 +295,34 @@ Figure design_figure(const DesignAnswer& answer) {
                                      "the specimen snaps, against deflection, with that of the rig, the critical one, "
                                      "and those with which the travel ends there.{}",
                                      outcome.drops, breaks ? " A cross, and a line, where the specimen breaks." : ""),
+          .caption = fmt::format(
+              "(A) The record as it will be, force against stage displacement, its drops in red-orange. (B) By "
+              "deflection, the stiffness {} below "
+              "which the specimen snaps (blue area), beside that of this test (black) and the critical one (green, "
+              "dashed), above which nothing "
+              "snaps; dotted: with a softer one the travel ends before that deflection. Circle: the first snap.{}",
+              gives ? "of the rig" : "of the load train",
+              breaks ? " Cross and upright line: where the specimen breaks." : ""),
           .width = two_columns,
           .height = 70,
-          .data = {line_of("record", readings, x, y, false), line_of("drops", readings, x, y, true), std::move(curve),
-                   std::move(first), std::move(end)},
-          .script = script};
+          .data = {record, falls_of(record), std::move(folds), std::move(first), std::move(end)},
+          .panels = {{.title = "A",
+                      .x = w.axis("Stage displacement *w*_s", 0, 1.02 * design.travel),
+                      .y = F.axis(force_label, 0, 1.12 * outcome.greatest_force),
+                      .marks = {marks::line("record", {0, 1}, {.width = 1.1}, "Record"),
+                                marks::line("drops", {0, 1}, {Colour::vermillion, 1.5}, "Drops"),
+                                marks::points("breaks", {0, 1}, {Colour::black, 1.6, Dash::solid, Symbol::cross, 5},
+                                              "Breaks"),
+                                marks::points("first", {2, 3}, snap_mark, "First snap")}},
+                     {.title = "B",
+                      .x = w.axis("Deflection *w*_0", 0, curves.folds.empty() ? design.travel : curves.folds.back().w),
+                      .y = stiffness,
+                      .marks = std::move(marks)}},
+          .columns = 2};
 }
 
-Figure design_map_figure(const DesignCase& input, const std::vector<DesignAxis>& axes,
-                         const std::vector<MapPoint>& points) {
+Plot design_map_figure(const DesignCase& input, const std::vector<DesignAxis>& axes,
+                       const std::vector<MapPoint>& points) {
   if (axes.size() == 1) return curve_figure(input, axes.front(), points);
   if (axes.size() == 2) return plane_figure(input, axes, points);
   throw std::invalid_argument("a map has one axis or two, not " + std::to_string(axes.size()));

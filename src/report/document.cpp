@@ -58,7 +58,7 @@ struct AsText {
 };
 
 struct AsHtml {
-  const std::function<std::string(const Plate&)>& figure;
+  const std::function<std::string(const Plot&)>& figure;
 
   std::string operator()(const std::string& words) const { return paragraph(words); }
   std::string operator()(const Bullets& list) const {
@@ -101,7 +101,7 @@ struct AsHtml {
                          bytes_of(file), file.sha256);
     return out + "</tbody></table></div>\n";
   }
-  std::string operator()(const Picture& picture) const { return figure(picture.plate()); }
+  std::string operator()(const Picture& picture) const { return figure(picture.plot()); }
   std::string operator()(const Verbatim& lines) const {
     return fmt::format("<pre>{}</pre>\n", html_escaped(lines.text));
   }
@@ -138,7 +138,7 @@ std::string in_text(const std::vector<Chapter>& chapters) {
   return out;
 }
 
-std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string(const Plate&)>& figure) {
+std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string(const Plot&)>& figure) {
   std::string out;
   for (const Chapter& each : chapters) {
     if (!each.title.empty()) out += section(each.title);

@@ -19,7 +19,7 @@ struct Bullets {
 
 // On a page alone; made when it is drawn.
 struct Picture {
-  std::function<Plate()> plate;
+  std::function<Plot()> plot;
 };
 
 // What a machine reads, line by line; on a page alone.
@@ -47,7 +47,7 @@ struct Chapter {
 // Without pictures and what a machine reads.
 std::string in_text(const std::vector<Chapter>& chapters);
 
-// Domain:     figure gives the HTML of a plate.
-std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string(const Plate&)>& figure);
+// Domain:     figure gives the HTML of a picture.
+std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string(const Plot&)>& figure);
 
 }  // namespace flexslip

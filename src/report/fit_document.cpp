@@ -12,9 +12,7 @@
 #include "report/fit_words.h"
 #include "report/implied_words.h"
 #include "report/plain_text.h"
-#include "report/record_figure.h"
 #include "report/small_deflection_words.h"
-#include "report/teeth_figure.h"
 #include "report/teeth_words.h"
 
 namespace flexslip {
@@ -25,72 +23,8 @@ std::string joined(const std::string& first, const std::string& second) {
   return first + (first.empty() || second.empty() ? "" : " ") + second;
 }
 
-Picture picture(Figure (*drawn)(const FittedTest&), const FittedTest& test, std::string caption) {
-  return {[drawn, &test, caption = std::move(caption)] { return Plate{drawn(test), caption}; }};
-}
-
-Picture record_picture(const FittedTest& test) {
-  return picture(record_figure, test,
-                 "Measured force (blue). Orange: Euler–Bernoulli (dashed) and the model without friction, both with "
-                 "the bending stiffness stated, or that of the initial slope.");
-}
-
-Picture force_picture(const FittedTest& test) {
-  return picture(
-      force_figure, test,
-      fmt::format("Measured force (blue) and the mean of the fit run forward (black; dashed where it snaps). Orange: "
-                  "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the "
-                  "fit. Grey: load lines (slope: the stiffness of the load train) through the {} drops found. Below: "
-                  "measured minus model, grey where the force tells too little of friction and the mean is continued "
-                  "as it begins.",
-                  test.analysis.drops.drops.size()));
-}
-
-Picture profile_picture(const FittedTest& test) {
-  const auto literature = literature_of(test);
-  return picture(
-      profile_figure, test,
-      fmt::format("Friction read off the curve point by point, at the bending stiffness of the fit. Bars: 95 % "
-                  "intervals from the noise of each point. Red-orange: the slips. Black: the mean of the fit; grey "
-                  "band: two standard deviations about the mean, with the errors of stiffness and contact.{}{}",
-                  test.analysis.fit.wave_claimed ? " Orange: the wave claimed." : "",
-                  literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
-                                           literature->support)
-                             : ""));
-}
-
-Picture wavelength_picture(const FittedTest& test) {
-  return picture(wavelength_figure, test,
-                 "How much a wave of friction adds to the logarithm of the evidence, against its wavelength. The "
-                 "roughness is kept as fitted without a wave; for ln B, wave and roughness are fitted anew. "
-                 "Dotted: 3, beyond which a wave is claimed.");
-}
-
-Picture teeth_picture(const FittedTest& test) {
-  return picture(teeth_figure, test,
-                 "Every rise between two drops, on a scale from sliding at constant friction (0) to sticking (1). "
-                 "Below 1 the specimen is drawn in; below 0 friction falls at the same time. Thin bars: noise, 95 %. "
-                 "Wide grey bars: stiffness and contact, 95 %, common to all rises. Orange: cannot be told from "
-                 "sticking; sliding against steeply rising friction looks the same. Crosses: a stuck specimen on "
-                 "supports that give way by the one compliance that fits best.");
-}
-
-Picture loops_picture(const FittedTest& test) {
-  return picture(loops_figure, test,
-                 "Force against deflection, loading (blue) and unloading (red); arrows show the direction. Black: "
-                 "one friction profile for all loops and both directions, run forward over the stage positions.");
-}
-
-Picture boxes_picture(const FittedTest& test) {
-  return picture(
-      boxes_figure, test,
-      fmt::format("Top: each loop is a box. The specimen slides in along its upper side, sticks while the stage turns "
-                  "back, and slides out along its lower side. Below{}: friction of both directions at the same points "
-                  "of the specimen. Bands: 95 % intervals from noise, bending stiffness and contact; the last two "
-                  "move a whole band. Points that noise throws beyond the axis are not shown.",
-                  test.cycles->friction.loops.size() > most_drawn_loops
-                      ? fmt::format(", the first {} loops", most_drawn_loops)
-                      : ""));
+Picture picture(Plot (*drawn)(const FittedTest&), const FittedTest& test) {
+  return {[drawn, &test] { return drawn(test); }};
 }
 
 // What a reader of numbers should know that are given all the same; empty where there is nothing.
@@ -116,7 +50,7 @@ Chapter wave_chapter(const FittedTest& test) {
   Chapter chapter{"Does it repeat along the specimen?"};
   chapter.say(joined(joined(wave_in_words(test), sides_in_words(test)), smoothing_in_words(test)))
       .say(implied_in_words(test));
-  if (!test.analysis.fit.scan.empty()) chapter.show(wavelength_picture(test));
+  if (has_waves(test)) chapter.show(picture(wavelength_figure, test));
   if (test.analysis.fit.explanations.size() > 1)
     chapter.say("The answer is an average over these explanations, weighted as listed:").show(explanation_table(test));
   return chapter;
@@ -137,14 +71,15 @@ std::vector<Chapter> slip_chapters(const FittedTest& test, const Answer& answer)
     chapters.push_back(Chapter{"Snaps of the fit's mean"}.say(snaps_in_words(test)).show(snap_table(test)));
   Chapter teeth{"Stick or slide"};
   teeth.say(teeth_in_words(test));
-  if (analysis.teeth && !analysis.teeth->teeth.empty()) teeth.show(teeth_picture(test)).show(tooth_table(test));
+  if (has_judged_teeth(test)) teeth.show(picture(teeth_figure, test));
+  if (analysis.teeth && !analysis.teeth->teeth.empty()) teeth.show(tooth_table(test));
   chapters.push_back(std::move(teeth));
   return chapters;
 }
 
 Chapter cycles_chapter(const FittedTest& test) {
   Chapter chapter{"Load and unload"};
-  if (has_loops(test)) chapter.show(loops_picture(test)).show(boxes_picture(test));
+  if (has_loops(test)) chapter.show(picture(loops_figure, test)).show(picture(boxes_figure, test));
   chapter.say(cycles_in_words(test));
   chapter.show(loop_table(test)).show(loop_energy_table(test));
   return chapter.say(reloading_in_words(test)).show(loading_table(test));
@@ -177,14 +112,14 @@ std::vector<Chapter> document_of(const FittedTest& test) {
   const AnalysisStatus status = test.analysis.status;
   if (status != AnalysisStatus::ok) {
     std::vector<Chapter> chapters;
-    if (status == AnalysisStatus::not_explained) chapters.push_back(Chapter{""}.show(record_picture(test)));
+    if (status == AnalysisStatus::not_explained) chapters.push_back(Chapter{""}.show(picture(record_figure, test)));
     chapters.push_back(preparation_chapter(test));
     chapters.push_back(provenance_chapter(test));
     return chapters;
   }
   const Answer answer = answer_of(test);
   const bool trusted = is_trusted(answer.standing);
-  std::vector<Chapter> chapters{Chapter{""}.show(force_picture(test)).show(profile_picture(test)),
+  std::vector<Chapter> chapters{Chapter{""}.show(picture(force_figure, test)).show(picture(profile_figure, test)),
                                 friction_chapter(test, answer)};
   if (trusted) chapters.push_back(wave_chapter(test));
   chapters.push_back(findings_chapter(answer));

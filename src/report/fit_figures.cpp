@@ -2,154 +2,118 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <utility>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "bending_test/equilibrium.h"
+#include "inference/analysis_curves.h"
 #include "inference/process_search.h"
+#include "report/fit_print.h"
 #include "report/fit_words.h"
+#include "report/marks.h"
+#include "report/plot_layout.h"
+#include "report/plot_units.h"
 
 namespace flexslip {
 namespace {
 
-// The units in which one test is plotted.
-struct TestUnits {
-  PlotUnit length, small_length, force;
-  double per_length, per_force;  // from reduced to plotted
-  double per_small_length;
-};
+constexpr double in_95_percent = 1.96;  // [1] standard deviations of a normal distribution
 
-TestUnits units_of(const FittedTest& test) {
-  const auto& record = test.analysis.record;
-  const auto& scales = test.analysis.scales;
-  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const double greatest = *std::max_element(record.force.begin(), record.force.end());
-  TestUnits units{plot_unit(deepest, kind_in(test.measurement.test, kind::length), test.reduced, "L"),
-                  plot_unit(0.02 * scales.span(), kind_in(test.measurement.test, kind::length), test.reduced, "L"),
-                  plot_unit(greatest, kind_in(test.measurement.test, kind::force), test.reduced, "EI/L^2"),
-                  0,
-                  0,
-                  0};
-  units.per_length = scales.physical_length(units.length.factor);
-  units.per_small_length = scales.physical_length(units.small_length.factor);
-  units.per_force = scales.physical_force(units.force.factor);
-  return units;
+double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+// Euler-Bernoulli and the model without friction: the references of every figure of force.
+std::vector<PlotTable> references(const TestAnalysis& analysis, const PlotUnit& w, const PlotUnit& F, double w_max) {
+  PlotTable beam{"beam",
+                 {w.column("deflection"), F.column("force")},
+                 {{0, 0}, {w(w_max), F(euler_bernoulli_force(analysis, w_max))}}};
+  PlotTable frictionless{"frictionless", beam.titles};
+  for (const auto& point : frictionless_curve(analysis)) frictionless.rows.push_back({w(point.w), F(point.F)});
+  return {std::move(beam), std::move(frictionless)};
 }
 
-// The mean of the fit, continuously, at its bending stiffness; forces in nominal units.
-History drawn_model(const FittedTest& test) {
-  constexpr int points = 1000;  // on each stable part: most are thinned out
-  const auto& fit = test.analysis.fit;
-  const double stiffening = fit.bending_stiffness.value;
-  const auto& stage = test.analysis.reduced.stage;
-  const double farthest = *std::max_element(stage.begin(), stage.end());
-  History history = follow_continuously(
-      {Friction::as_met(fit.mean), Rig{test.analysis.rig.stiffness / stiffening, test.analysis.rig.fibre}},
-      {&farthest, 1}, points);
-  for (auto& point : history.path) point.F *= stiffening;
-  return history;
+// The size that all but a hundredth of the numbers have at most.
+double most_of(std::vector<double> sizes) {
+  if (sizes.empty()) return 0;
+  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), at, sizes.end());
+  return *at;
 }
 
 }  // namespace
 
-Figure force_figure(const FittedTest& test) {
+Plot force_figure(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const auto& record = analysis.reduced;
   const auto& fit = analysis.fit;
-  const double stiffening = fit.bending_stiffness.value;
-  const TestUnits units = units_of(test);
-  const double x = units.per_length;
-  const double y = units.per_force;
-  const std::string length = fmt::format("deflection [{}]", units.length.unit);
-  const std::string force = fmt::format("force [{}]", units.force.unit);
-  const double w_max = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const double F_max = *std::max_element(record.force.begin(), record.force.end());
+  const double w_max = largest(record.deflection), F_max = largest(record.force);
+  const PlotUnits units = plot_units(test);
+  const PlotUnit w = units.length(w_max), F = units.force(F_max);
+  const std::vector<std::string> titles{w.column("deflection"), F.column("force")};
 
-  FigureData measured{
-      "measured", {length, force, fmt::format("residual [{}]", units.force.unit), "on the fibre that is fitted"}, {}};
-  double largest_residual = 0;
+  PlotTable measured{"measured", {titles[0], titles[1], F.column("residual"), "on the specimen that is fitted"}};
+  std::vector<double> sizes;
   for (std::size_t i = 0; i < fit.force.size(); ++i) {
     const double residual = record.force[i] - fit.force[i];
-    largest_residual = std::max(largest_residual, std::abs(residual));
+    if (std::isfinite(residual)) sizes.push_back(std::abs(residual));
     const bool seen = i < analysis.model.path.size() && analysis.model.path[i].S >= fit.S_begin;
-    measured.rows.push_back({x * record.deflection[i], y * record.force[i], y * residual, seen ? 1.0 : 0.0});
+    measured.rows.push_back({w(record.deflection[i]), F(record.force[i]), F(residual), seen ? 1.0 : 0.0});
   }
+  const double usual = most_of(sizes);
+  const double residual_end = F(usual > 0 ? 1.25 * usual : 1e-3 * F_max);
+  PlotTable beyond{"beyond", {titles[0], F.column("edge of the axis"), F.column("residual")}};
+  for (const auto& row : measured.rows)
+    if (std::abs(row[2]) > residual_end)
+      beyond.rows.push_back({row[0], std::copysign(0.93 * residual_end, row[2]), row[2]});
 
-  FigureData sliding{"sliding", {length, force}, {}};
-  FigureData snaps{"snaps", {length, force}, {}};
-  const auto history = drawn_model(test);
-  for (const auto& point : history.path) {
+  PlotTable sliding{"sliding", titles}, snaps{"snaps", titles};
+  for (const auto& point : mean_run_forward(analysis).path) {
+    const std::vector<double> here{w(point.w), F(point.F)};
     if (point.motion == Motion::snap && !sliding.rows.empty()) {
-      snaps.rows.push_back(sliding.rows.back());
-      snaps.rows.push_back({x * point.w, y * point.F});
-      snaps.rows.emplace_back();
+      snaps.rows.insert(snaps.rows.end(), {sliding.rows.back(), here, {}});
       sliding.rows.emplace_back();
     }
-    sliding.rows.push_back({x * point.w, y * point.F});
+    sliding.rows.push_back(here);
   }
-  sliding.rows = thinned(sliding.rows, x * w_max, y * F_max);
-  if (snaps.rows.empty()) snaps.rows.push_back({NAN, NAN});
-
-  FigureData references{"references", {length, "Euler-Bernoulli " + force, "frictionless " + force}, {}};
-  for (const auto& point : sliding_up_to(w_max, 0, 200, analysis.rig.fibre))
-    references.rows.push_back({x * point.w, y * stiffening * 48 * point.w, y * stiffening * point.F});
+  sliding.rows = thinned(sliding.rows, w(w_max), F(F_max));
 
   // Load lines reach a little beyond the drops on both sides.
-  FigureData drops{"drops", {length, force}, {}};
-  const double beyond = 0.07 * F_max;
+  PlotTable drops{"drops", titles};
+  const double reach = 0.07 * F_max;
   for (const auto& drop : analysis.drops.drops) {
-    const double above = record.force[drop.before] + 0.3 * beyond;
-    const double below = std::max(record.force[drop.after] - beyond, 0.0);
-    const auto on_line = [&](double F) {
-      return record.deflection[drop.before] - (F - record.force[drop.before]) / analysis.rig.stiffness;
-    };
-    drops.rows.push_back({x * on_line(above), y * above});
-    drops.rows.push_back({x * on_line(below), y * below});
+    const double F_before = record.force[drop.before];
+    for (const double force : {F_before + 0.3 * reach, std::max(record.force[drop.after] - reach, 0.0)})
+      drops.rows.push_back({w(record.deflection[drop.before] - (force - F_before) / analysis.rig.stiffness), F(force)});
     drops.rows.emplace_back();
   }
-  const bool has_drops = !drops.rows.empty();
-  if (!has_drops) drops.rows.push_back({NAN, NAN});
 
-  const std::string script = fmt::format(
-      R"(  set multiplot
-  set lmargin at screen 0.095; set rmargin at screen 0.985
-  set xrange [0:{x_max:.6g}]
-  # The curves
-  set tmargin at screen 0.895; set bmargin at screen 0.33
-  set yrange [0:{y_max:.6g}]
-  set format x ''; unset xlabel
-  set ylabel '{force}' offset 0.8
-  set key at screen 0.535,0.99 center top vertical Left reverse maxrows 2 samplen 2.2 width -2
-  plot keyentry with linespoints lw 0.6 pt 7 ps 0.25 lc rgb blue title 'Measured', \
-       drops using 1:2 with lines lw 0.6 dt (6,4) lc rgb grey{drops_title}, \
-       references using 1:2 with lines lw 1 dt (14,7) lc rgb orange title 'Euler–Bernoulli', \
-       references using 1:3 with lines lw 1 lc rgb orange title 'Model without friction', \
-       measured using 1:2 with linespoints lw 0.6 pt 7 ps 0.25 lc rgb blue, \
-       sliding using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
-       snaps using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{snaps_title}
-  # What the model leaves over
-  set tmargin at screen 0.305; set bmargin at screen 0.112
-  set yrange [{r_min:.6g}:{r_max:.6g}]
-  set ytics {r_step:.6g}; set mytics 2
-  set format x '%g'
-  set xlabel '{length}' offset 0,0.4
-  unset ylabel  # which would stand the farther left the longer the numbers are
-  set label 1 'Residual ({force_unit})' at screen 0.015,0.2085 center rotate by 90
-  set xzeroaxis lw 0.75 lt 1 lc rgb 'black'
-  plot measured using ($4==1?$1:NaN):3 with points pt 7 ps 0.25 lc rgb blue, \
-       measured using ($4==0?$1:NaN):3 with points pt 7 ps 0.25 lc rgb grey
-  unset multiplot; unset xzeroaxis; unset label 1; set ytics auto
-)",
-      fmt::arg("x_max", x * w_max * 1.03), fmt::arg("y_max", y * F_max * 1.12),
-      fmt::arg("force", axis_label("Force", "{/:Italic F}", units.force)),
-      fmt::arg("length", axis_label("Deflection at midspan", "{/:Italic w}_0", units.length)),
-      fmt::arg("force_unit", units.force.unit),
-      fmt::arg("drops_title", has_drops ? " title 'Drops, slope −{/:Italic k}_c'" : ""),
-      fmt::arg("snaps_title", history.snaps.empty() ? "" : " title 'Its snaps'"),
-      fmt::arg("r_min", -y * 1.15 * largest_residual), fmt::arg("r_max", y * 1.15 * largest_residual),
-      fmt::arg("r_step", tick_within(std::max(y * largest_residual, 1e-12))));
+  std::vector<PlotTable> data = references(analysis, w, F, w_max);
+  const Axis deflection = w.axis(deflection_label, 0, 1.03 * w_max);
+  Panel force{.x = deflection,
+              .y = F.axis(force_label, 0, 1.12 * F_max),
+              .marks = {marks::key_line(styles::measured, "Measured"),
+                        marks::line("drops", {0, 1}, styles::drop, "Drops, slope −*k*_c"),
+                        marks::line("beam", {0, 1}, styles::euler, "Euler–Bernoulli"),
+                        marks::line("frictionless", {0, 1}, styles::frictionless, "Model without friction"),
+                        marks::line("sliding", {0, 1}, styles::fit, "Mean of the fit"),
+                        marks::line("snaps", {0, 1}, styles::snap, "Its snaps"),
+                        marks::line("measured", {0, 1}, styles::measured)},
+              .share = 2.6};
+  const auto points = [](Colour colour, double seen) {
+    return marks::only(marks::points("measured", {0, 2}, {colour, 0.5, Dash::solid, Symbol::disc, 1.7}), {{3, seen}});
+  };
+  const auto triangles = [](Symbol symbol) { return Style{Colour::vermillion, 0.5, Dash::solid, symbol, 3.5}; };
+  std::vector<double> ends;
+  PlotTable above{"above", beyond.titles}, below{"below", beyond.titles};
+  for (auto& row : beyond.rows) (row[1] > 0 ? above : below).rows.push_back(std::move(row));
+  Panel residuals{.x = deflection,
+                  .y = {"Residual", F.unit, -residual_end, residual_end},
+                  .marks = {marks::horizontal(0, styles::zero), points(Colour::grey, 0), points(Colour::blue, 1),
+                            marks::points("above", {0, 1}, triangles(Symbol::triangle)),
+                            marks::points("below", {0, 1}, triangles(Symbol::down))}};
+  const bool has_snaps = !snaps.rows.empty(), has_beyond = !above.rows.empty() || !below.rows.empty();
+  for (PlotTable* table : {&measured, &sliding, &snaps, &drops, &above, &below}) data.push_back(std::move(*table));
   return {
       .name = "force",
       .title = "Force against deflection: " + test.name,
@@ -157,187 +121,261 @@ Figure force_figure(const FittedTest& test) {
           "Measured force against deflection at midspan with the mean of the fit run forward, the Euler-Bernoulli line "
           "and the model without friction; {} drops are marked by load lines. Below, measured force less model.",
           analysis.drops.drops.size()),
+      .caption = fmt::format(
+          "Force against deflection at midspan. Blue: measured. Black: the mean of the fit run forward{}. Orange: "
+          "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. {}"
+          "Below: measured force less that of the fit, grey where the force says too little about friction{}.",
+          has_snaps ? ", dashed where it snaps" : "",
+          analysis.drops.drops.empty()
+              ? ""
+              : fmt::format("Grey: load lines, whose slope is the stiffness of the load train, through {}. ",
+                            analysis.drops.drops.size() == 1
+                                ? "the drop"
+                                : fmt::format("the {} drops", analysis.drops.drops.size())),
+          has_beyond ? "; triangles: beyond the axis" : ""),
       .width = two_columns,
-      .height = 114,
-      .data = {std::move(measured), std::move(sliding), std::move(snaps), std::move(references), std::move(drops)},
-      .script = script};
+      .height = 108,
+      .data = std::move(data),
+      .panels = {std::move(force), std::move(residuals)}};
 }
 
-Figure profile_figure(const FittedTest& test) {
+Plot profile_figure(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const auto& fit = analysis.fit;
-  const TestUnits units = units_of(test);
-  const auto drawn_in = [&](double S) { return units.per_small_length * (S - 1) / 2; };
-  const std::string position = fmt::format("drawn in over one support [{}]", units.small_length.unit);
   const auto& profile = analysis.profile_at_fit;
+  const PlotUnit length = plot_units(test).slid();
+  const auto slid = [&](double S) { return length((S - 1) / 2); };
+  const std::string position = length.column("slid over one support");
 
-  FigureData measured{"profile", {position, "mu", "mu error of the point", "mu error common to all"}, {}};
-  double S_end = fit.S_end;
-  const auto literature = literature_of(test);
-  double highest = literature ? literature->high : 0.5;
-  double lowest = 0;
+  PlotTable measured{"profile",
+                     {position, "mu", "mu low", "mu high", "mu error of the point", "mu error common to all"}};
+  double S_end = fit.S_end, lowest = 0, highest = 0.5;
   for (const auto& point : profile.points) {
-    const double common = std::hypot(point.from_bending_stiffness, point.from_contact);
-    measured.rows.push_back({drawn_in(point.S), point.mu, point.from_force, common});
+    const double half = in_95_percent * point.from_force;
+    measured.rows.push_back({slid(point.S), point.mu, point.mu - half, point.mu + half, point.from_force,
+                             std::hypot(point.from_bending_stiffness, point.from_contact)});
     S_end = std::max(S_end, point.S);
+    if (point.S < fit.S_begin) continue;
     highest = std::max(highest, point.mu);
-    if (point.S > 1 + 0.2 * (profile.points.back().S - 1)) lowest = std::min(lowest, point.mu);
+    lowest = std::min(lowest, point.mu);
   }
-
-  FigureData slips{"slips", {position, "mu"}, {}};
-  const auto& slipped = analysis.slips;
-  for (const auto& slip : slipped) {
-    slips.rows.push_back({drawn_in(slip.S_before), slip.mu_before});
-    slips.rows.push_back({drawn_in(slip.S_after), slip.mu_after});
-    slips.rows.emplace_back();
+  PlotTable band{"band", {position, "mu", "mu low", "mu high"}};
+  for (std::size_t i = 0; i < fit.band.S.size(); ++i) {
+    const double mean = fit.band.mean[i], wide = 2 * fit.band.deviation[i];
+    band.rows.push_back({slid(fit.band.S[i]), mean, std::max(mean - wide, 0.0), mean + wide});
+    highest = std::max(highest, mean + wide);
   }
-  if (slipped.empty()) slips.rows.push_back({NAN, NAN});
-
-  FigureData imaged{"imaged", {position, "mu"}, {}};
+  PlotTable slips{"slips", {position, "mu"}};
+  for (const auto& slip : analysis.slips)
+    slips.rows.insert(slips.rows.end(),
+                      {{slid(slip.S_before), slip.mu_before}, {slid(slip.S_after), slip.mu_after}, {}});
+  PlotTable imaged{"imaged", slips.titles};
   if (test.imaged) {
     auto point = profile.points.begin();
     for (const auto& seen : test.imaged->points) {
       while (point->index < seen.index) ++point;
-      imaged.rows.push_back({drawn_in(1 + seen.imaged), point->mu});
+      imaged.rows.push_back({slid(1 + seen.imaged), point->mu});
     }
   }
-  const bool is_imaged = !imaged.rows.empty();
-  if (!is_imaged) imaged.rows.push_back({NAN, NAN});
+  PlotTable wave{"wave", slips.titles};
+  for (const auto& point : claimed_waves(analysis)) wave.rows.push_back({slid(point.S), point.mu});
 
-  FigureData band{"band", {position, "mu", "mu deviation"}, {}};
-  for (std::size_t i = 0; i < fit.band.S.size(); ++i)
-    band.rows.push_back({drawn_in(fit.band.S[i]), fit.band.mean[i], fit.band.deviation[i]});
-
-  // The wave claimed, about the mean and its drift.
-  FigureData wave{"wave", {position, "mu"}, {}};
-  if (fit.wave_claimed) {
-    constexpr double points_a_period = 24;
-    double shortest = fit.S_end - fit.S_begin;
-    for (const auto& each : fit.waves) shortest = std::min(shortest, 2 * each.wavelength.value);  // a period in S
-    const int points =
-        static_cast<int>(std::clamp(points_a_period * (fit.S_end - fit.S_begin) / shortest, 100.0, 20000.0));
-    for (int i = 0; i <= points; ++i) {
-      const double S = fit.S_begin + (fit.S_end - fit.S_begin) * i / points;
-      const double away = fit.between_contacts(S) - fit.S_middle;
-      double mu = fit.mu0.value + fit.drift.value * away;
-      for (const auto& each : fit.waves)
-        mu += fit.mu0.value * each.amplitude.value *
-              std::cos(std::numbers::pi * away / each.wavelength.value + each.phase_at_middle.value);
-      wave.rows.push_back({drawn_in(S), mu});
-    }
-  } else {
-    wave.rows.push_back({NAN, NAN});
+  constexpr Style band_look{.colour = Colour::grey, .opacity = 0.35};
+  constexpr Style point_look{Colour::blue, 0.5, Dash::solid, Symbol::disc, 1.7};
+  std::vector<Mark> marks;
+  const auto literature = literature_of(test);
+  if (literature) {
+    const std::string words = as_it_is(fmt::format("Literature: {} on {}", literature->specimen, literature->support));
+    highest = std::max(highest, literature->high);
+    marks.push_back(literature->low < literature->high
+                        ? marks::rectangle({-marks::edge, marks::edge, literature->low, literature->high},
+                                           styles::literature, words)
+                        : marks::horizontal(literature->low, {Colour::green, 1}, words));
   }
-
-  constexpr double step = 0.2;  // of the ticks of friction
-  const double top = std::min(step * std::ceil(1.05 * highest / step), 2.0);
-  const std::string script = fmt::format(
-      R"(  set lmargin at screen 0.095; set rmargin at screen 0.985; set tmargin at screen 0.86; set bmargin at screen 0.145
-  set xrange [0:{x_max:.6g}]
-  set yrange [{bottom:.6g}:{top:.6g}]
-  set xlabel '{label}' offset 0,0.4
-  set ylabel 'Coefficient of friction {{/:Italic μ}}' offset 0.8
-  set key at screen 0.535,0.985 center top vertical Left reverse maxrows 2 samplen 1.8 width -2
-{literature}  # 95 % of a normal distribution: 1.96 standard deviations
-  plot band using 1:($2-2*$3):($2+2*$3) with filledcurves lc rgb '#909090' fs transparent solid 0.35 noborder \
-            title 'Mean ± 2 deviations', \
-       band using 1:2 with lines lw 1.1 lc rgb 'black' title 'Mean of the fit', \
-       wave using 1:2 with lines lw 0.9 lc rgb orange{wave_title}, \
-       imaged using 1:2 with points pt 6 ps 0.3 lw 0.6 lc rgb '#606060'{imaged_title}, \
-       slips using 1:2 with lines lw 0.7 lc rgb vermillion{slips_title}, \
-       profile using 1:($2-1.96*$3):(0):(2*1.96*$3) with vectors nohead lw 0.5 lc rgb blue notitle, \
-       profile using 1:2 with points pt 7 ps 0.25 lc rgb blue title 'Measured, 95 %'{literature_title}
-  unset object 1
-)",
-      fmt::arg("x_max", drawn_in(S_end) * 1.02), fmt::arg("bottom", lowest < 0 ? -rounded_up(-lowest) : 0.0),
-      fmt::arg("top", top), fmt::arg("label", drawn_in_label(units.small_length)),
-      fmt::arg("literature",
-               literature
-                   ? fmt::format(
-                         "  set object 1 rectangle from graph 0, first {} to graph 1, first {} behind fc rgb green fs "
-                         "transparent solid 0.13 {}\n",
-                         literature->low, literature->high,
-                         literature->low < literature->high ? "noborder" : "border lc rgb green")
-                   : std::string()),
-      fmt::arg(
-          "literature_title",
-          literature
-              ? fmt::format(
-                    ", \\\n       keyentry with filledcurves lc rgb green fs transparent solid 0.13 noborder title "
-                    "'Literature: {} on {}'",
-                    literature->specimen, literature->support)
-              : std::string()),
-      fmt::arg("wave_title", fit.wave_claimed ? " title 'Wave'" : ""),
-      fmt::arg("imaged_title", is_imaged ? " title 'Length as imaged'" : " notitle"),
-      fmt::arg("slips_title", slipped.empty() ? "" : " title 'Slips'"));
-  return {.name = "profile",
-          .title = "Friction along the specimen: " + test.name,
-          .description = fmt::format(
-              "Coefficient of friction against the length drawn in over one support: {} measured points with "
-              "their 95 % intervals, {} slips, and the mean of the fit with a band of two standard deviations{}.",
-              profile.points.size(), slipped.size(), fit.wave_claimed ? ", and the wave claimed" : ""),
-          .width = two_columns,
-          .height = 78,
-          .data = {std::move(measured), std::move(slips), std::move(imaged), std::move(band), std::move(wave)},
-          .script = script};
+  const std::vector<Mark> of_test{
+      marks::band("band", {0, 2, 3}, band_look, "Mean ± 2 deviations"),
+      marks::line("band", {0, 1}, styles::fit, "Mean of the fit"),
+      marks::line("wave", {0, 1}, {Colour::orange, 0.9}, "Wave"),
+      marks::points("imaged", {0, 1}, {Colour::dark, 0.6, Dash::solid, Symbol::circle, 2.2}, "Length as imaged"),
+      marks::line("slips", {0, 1}, {Colour::vermillion, 0.8}, "Slips"),
+      marks::bars("profile", {0, 2, 3}, {Colour::blue, 0.5}),
+      marks::points("profile", {0, 1}, point_look, "Measured, 95 %")};
+  marks.insert(marks.end(), of_test.begin(), of_test.end());
+  return {
+      .name = "profile",
+      .title = "Friction along the specimen: " + test.name,
+      .description = fmt::format(
+          "Coefficient of friction against the length slid over one support: {} measured points with "
+          "their 95 % intervals, {} slips, and the mean of the fit with a band of two standard deviations{}.",
+          profile.points.size(), analysis.slips.size(), fit.wave_claimed ? ", and the wave claimed" : ""),
+      .caption = fmt::format(
+          "Friction along the specimen, at the bending stiffness of the fit. Blue: read off the force point by "
+          "point, with 95 % intervals from the noise of each point. {}Black: the mean of the fit; grey: two standard "
+          "deviations about it, "
+          "with the errors of stiffness and contact.{}{}{}",
+          analysis.slips.empty() ? "" : "Red-orange: the slips. ", fit.wave_claimed ? " Orange: the wave claimed." : "",
+          imaged.rows.empty() ? "" : " Circles: at the length that was imaged.",
+          literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
+                                   literature->support)
+                     : ""),
+      .width = two_columns,
+      .height = 74,
+      .data = {std::move(measured), std::move(slips), std::move(imaged), std::move(band), std::move(wave)},
+      .panels = {{.x = {slid_label, length.unit, 0, 1.02 * slid(S_end)},
+                  .y = {friction_label, "", lowest < 0 ? -rounded_up(-lowest) : 0, 1.05 * highest},
+                  .marks = std::move(marks)}}};
 }
 
-Figure wavelength_figure(const FittedTest& test) {
+bool has_waves(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
-  const TestUnits units = units_of(test);
-  const std::string wavelength = fmt::format("wavelength [{}]", units.small_length.unit);
-  FigureData gains{"gains", {wavelength, "gain of log-evidence"}, {}};
-  double highest = 1.5 * claiming_gain, lowest = 0;
-  for (const auto& at : fit.scan) {
-    gains.rows.push_back({units.per_small_length * at.wavelength, at.gain});
-    highest = std::max(highest, at.gain);
-    lowest = std::min(lowest, at.gain);
-  }
+  const auto listed = std::min(listed_explanations, fit.explanations.size());
+  return !fit.scan.empty() &&
+         (fit.wave_claimed ||
+          std::any_of(fit.explanations.begin(), fit.explanations.begin() + static_cast<std::ptrdiff_t>(listed),
+                      [](const Explanation& each) { return !each.wavelengths.empty(); }));
+}
+
+Plot wavelength_figure(const FittedTest& test) {
+  const auto& fit = test.analysis.fit;
+  const PlotUnit length = plot_units(test).slid();
+  PlotTable gains{"gains", {length.column("wavelength"), "gain of log-evidence"}};
+  for (const auto& at : fit.scan) gains.rows.push_back({length(at.wavelength), at.gain});
+  const auto likeliest =
+      *std::max_element(gains.rows.begin(), gains.rows.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  const double highest = std::max(1.5 * claiming_gain, likeliest[1]);
+  double lowest = 0;
+  for (const auto& row : gains.rows) lowest = std::min(lowest, row[1]);
   lowest = std::max(lowest, -highest);
-  const double top = 1.08 * highest;
-  FigureData likeliest{"likeliest", {wavelength, "gain of log-evidence"}, {}};
-  std::vector<double> marked;
-  if (fit.wave_claimed) {
-    for (const auto& wave : fit.waves) marked.push_back(wave.wavelength.value);
-  } else {
-    const auto waved = std::find_if(fit.explanations.begin(), fit.explanations.end(),
-                                    [](const auto& each) { return !each.wavelengths.empty(); });
-    if (waved != fit.explanations.end()) marked.push_back(waved->wavelengths.front());
-  }
-  for (const double at : marked) {
-    likeliest.rows.push_back({units.per_small_length * at, lowest});
-    likeliest.rows.push_back({units.per_small_length * at, top});
-    likeliest.rows.emplace_back();
-  }
-  if (marked.empty()) likeliest.rows.push_back({NAN, NAN});
-  const std::string script = fmt::format(
-      R"(  set lmargin at screen 0.15; set rmargin at screen 0.96; set tmargin at screen 0.9; set bmargin at screen 0.2
-  set logscale x
-  set xrange [*:*] noextend
-  set yrange [{bottom:.6g}:{top:.6g}]
-  set xlabel '{label}' offset 0,0.4
-  set ylabel 'Gain of log-evidence' offset 0.2
-  set key at screen 0.545,0.985 center top vertical Left reverse maxrows 1 samplen 1.8
-  set xtics ({tics})
-  plot likeliest using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{likeliest_title}, \
-       {claim} with lines lw 0.75 dt (2,3) lc rgb 'black' title 'claimed above', \
-       gains using 1:2 with lines lw 1 lc rgb blue
-  unset logscale x; set xtics auto
-)",
-      fmt::arg("bottom", lowest), fmt::arg("top", top), fmt::arg("claim", claiming_gain),
-      fmt::arg("tics", logarithmic_tics(gains.rows.front()[0], gains.rows.back()[0])),
-      fmt::arg("label", axis_label("Wavelength along the specimen", "{/:Italic λ}", units.small_length)),
-      fmt::arg("likeliest_title", marked.empty()     ? ""
-                                  : fit.wave_claimed ? " title 'the wave'"
-                                                     : " title 'the likeliest'"));
+
+  std::vector<Mark> marks{
+      marks::line("gains", {0, 1}, {Colour::blue, 1}),
+      marks::horizontal(claiming_gain, {Colour::black, 0.75, Dash::dotted}, "Claimed above"),
+      marks::points("likeliest", {0, 1}, {Colour::blue, 1, Dash::solid, Symbol::circle, 4}, "Likeliest")};
+  if (fit.wave_claimed)
+    for (const auto& wave : fit.waves)
+      marks.push_back(marks::vertical(length(wave.wavelength.value), {Colour::black, 1, Dash::dashed},
+                                      &wave == &fit.waves.front() ? "Wave of the fit" : ""));
   return {
       .name = "wavelengths",
       .title = "Wavelengths in the friction: " + test.name,
       .description = "Gain of log-evidence that a wave of friction brings beside roughness, against its wavelength.",
+      .caption = fmt::format(
+          "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness being "
+          "as "
+          "fitted without a wave. Circle: the likeliest, {:.3g} {}. Dotted: {:g}, beyond which a wave is claimed.{}",
+          likeliest[0], length.unit, claiming_gain,
+          fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),
       .width = one_column,
-      .height = 60,
-      .data = {std::move(gains), std::move(likeliest)},
-      .script = script};
+      .height = 58,
+      .data = {std::move(gains), {"likeliest", {length.column("wavelength"), "gain of log-evidence"}, {likeliest}}},
+      .panels = {{.x = {"Wavelength along the specimen *λ*", length.unit, length(fit.scan.front().wavelength),
+                        length(fit.scan.back().wavelength), true},
+                  .y = {"Gain of log-evidence", "", lowest, 1.08 * highest},
+                  .marks = std::move(marks)}}};
+}
+
+bool has_judged_teeth(const FittedTest& test) {
+  const auto& teeth = test.analysis.teeth;
+  return teeth && std::any_of(teeth->teeth.begin(), teeth->teeth.end(),
+                              [](const Tooth& tooth) { return tooth.verdict != ToothVerdict::undecided; });
+}
+
+Plot teeth_figure(const FittedTest& test) {
+  const Teeth& judged = test.analysis.teeth.value();
+  const PlotUnit length = plot_units(test).slid();
+  const auto slid = [&](double S) { return length((S - 1) / 2); };
+  PlotTable teeth{"teeth",
+                  {length.column("slid over one support"), length.column("begin"), length.column("end"), "position p",
+                   "low by noise", "high by noise", "low by what is common", "high by what is common", "p if compliant",
+                   "verdict (0 sliding; 1 as if stuck; 2 undecided)"}};
+  double lowest = -0.2, highest = 1.15;
+  for (const Tooth& tooth : judged.teeth) {
+    if (!std::isfinite(tooth.S_begin) || !std::isfinite(tooth.S_end)) continue;
+    const double p = tooth.position.value, noise = in_95_percent * tooth.position.standard_error,
+                 common = in_95_percent * tooth.position_systematic, all = std::hypot(noise, common) + 0.05;
+    lowest = std::min(lowest, p - all);
+    highest = std::max(highest, p + all);
+    const double begin = slid(tooth.S_begin), end = slid(tooth.S_end);
+    teeth.rows.push_back({0.5 * (begin + end), begin, end, p, p - noise, p + noise, p - common, p + common,
+                          tooth.compliant_position, static_cast<double>(tooth.verdict)});
+  }
+  const double stuck = 1 - test.provenance.options.teeth.least_share;
+  const auto verdict = [](ToothVerdict which, Style style, std::string title) {
+    return marks::only(marks::points("teeth", {0, 3}, style, std::move(title)), {{9, static_cast<double>(which)}});
+  };
+  const auto count = [&](ToothVerdict which) {
+    return std::count_if(teeth.rows.begin(), teeth.rows.end(),
+                         [&](const auto& row) { return row[9] == static_cast<double>(which); });
+  };
+  const std::string description = fmt::format(
+      "Position between sliding (0) and sticking (1) of {} rises between drops, along the specimen: {} slide, {} "
+      "are as if stuck, {} undecided.",
+      judged.teeth.size(), count(ToothVerdict::sliding), count(ToothVerdict::as_if_stuck),
+      count(ToothVerdict::undecided));
+  constexpr Style open{Colour::black, 1, Dash::solid, Symbol::circle, 3.5};
+  return {
+      .name = "teeth",
+      .title = "Stick or slide between the drops: " + test.name,
+      .description = description,
+      .caption =
+          "Every rise of the force between two drops, on a scale from sliding at constant friction (0) to sticking "
+          "(1). Below 1 "
+          "the specimen slides in; below 0 friction falls at the same time. Thin bars: noise, 95 %. Wide grey "
+          "bars: stiffness and contact, 95 %, common to all rises. Orange: not distinguishable from sticking; "
+          "sliding against steeply rising friction looks the same. Crosses: a stuck specimen on supports that "
+          "give way by the one compliance that fits best.",
+      .width = two_columns,
+      .height = 78,
+      .data = {std::move(teeth)},
+      .panels = {{.x = {slid_label, length.unit},
+                  .y = {"Position *p* (0: sliding, 1: stuck)", "", std::max(lowest, -1.5), std::min(highest, 2.0)},
+                  .marks = {marks::rectangle({-marks::edge, marks::edge, stuck, marks::edge},
+                                             {.colour = Colour::orange, .opacity = 0.16}),
+                            marks::horizontal(1, styles::zero), marks::horizontal(0, styles::zero),
+                            marks::label(-marks::edge, stuck, "as if stuck"),
+                            marks::bars("teeth", {0, 6, 7}, {Colour::silver, 4}, "95 %: common to all"),
+                            marks::bars("teeth", {0, 4, 5}, {Colour::black, 0.8}, "95 %: noise"),
+                            marks::of_table(MarkKind::spans, "teeth", {1, 2, 3}, {Colour::grey, 0.8}),
+                            verdict(ToothVerdict::sliding, {Colour::blue, 1, Dash::solid, Symbol::disc, 3.5}, "slides"),
+                            verdict(ToothVerdict::as_if_stuck,
+                                    {Colour::vermillion, 1, Dash::solid, Symbol::square, 3.5}, "as if stuck"),
+                            verdict(ToothVerdict::undecided, open, "undecided"),
+                            marks::points("teeth", {0, 8}, {Colour::green, 0.8, Dash::solid, Symbol::cross, 3},
+                                          "if stuck, compliant")}}}};
+}
+
+Plot record_figure(const FittedTest& test) {
+  const auto& analysis = test.analysis;
+  const auto& record = analysis.record;
+  const auto [least, greatest] = std::minmax_element(record.force.begin(), record.force.end());
+  const PlotUnits units = plot_units(test);
+  const auto reduced_force = [&](double force) { return units.scales.reduced_force(force); };
+  const double w_max = units.scales.reduced_length(largest(record.deflection));
+  const PlotUnit w = units.length(w_max),
+                 F = units.force(reduced_force(std::max(std::abs(*least), std::abs(*greatest))));
+  PlotTable measured{"measured", {w.column("deflection"), F.column("force")}};
+  for (std::size_t i = 0; i < record.force.size(); ++i)
+    measured.rows.push_back({w(units.scales.reduced_length(record.deflection[i])), F(reduced_force(record.force[i]))});
+  std::vector<PlotTable> data = references(analysis, w, F, w_max);
+  data.push_back(std::move(measured));
+  return {
+      .name = "record",
+      .title = "Force against deflection: " + test.name,
+      .description =
+          "Measured force against deflection at midspan, with the Euler-Bernoulli line and the model without "
+          "friction at the bending stiffness stated.",
+      .caption =
+          "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the "
+          "model without friction, both with the bending stiffness stated, or that of the initial slope.",
+      .width = two_columns,
+      .height = 78,
+      .data = std::move(data),
+      .panels = {{.x = w.axis(deflection_label, 0, 1.03 * w_max),
+                  .y = F.axis(force_label, std::min(0.0, 1.1 * reduced_force(*least)), 1.1 * reduced_force(*greatest)),
+                  .marks = {marks::key_line(styles::measured, "Measured"), marks::horizontal(0, styles::zero),
+                            marks::line("beam", {0, 1}, styles::euler, "Euler–Bernoulli"),
+                            marks::line("frictionless", {0, 1}, styles::frictionless, "Model without friction"),
+                            marks::line("measured", {0, 1}, styles::measured)}}}};
 }
 
 }  // namespace flexslip

@@ -123,8 +123,7 @@ PrintedTable explanation_table(const FittedTest& test) {
   PrintedTable table{{"Roughness", "Wave", "Weight", "ln evidence minus the best"}, {}};
   const Print print(test);
   const auto& explanations = test.analysis.fit.explanations;
-  constexpr std::size_t most = 8;
-  for (std::size_t i = 0; i < std::min(most, explanations.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(listed_explanations, explanations.size()); ++i) {
     const auto& each = explanations[i];
     std::string waves;
     for (const double wavelength : each.wavelengths) waves += (waves.empty() ? "" : ", ") + print.length(wavelength);

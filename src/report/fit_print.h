@@ -25,6 +25,7 @@ std::string_view stiffness_beforehand(const FittedTest& test);
 // Domain of all below: analysis.status is ok.
 std::vector<ParameterRow> parameter_rows(const FittedTest& test);
 
+inline constexpr std::size_t listed_explanations = 8;
 PrintedTable explanation_table(const FittedTest& test);  // what the answer averages over, likeliest first
 PrintedTable drop_table(const FittedTest& test);         // the drops measured, as slips
 PrintedTable snap_table(const FittedTest& test);         // the snaps of the mean run forward

@@ -3,432 +3,361 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "bending_test/equilibrium.h"
-#include "contact/over_rollers.h"
+#include "report/marks.h"
+#include "report/plot_units.h"
 #include "report/track_arrows.h"
 
 namespace flexslip {
 namespace {
 
-const Kind& shown_in(const DrawnIn& units, const Kind& kind) { return units.in_inches ? in_inches(kind) : kind; }
+constexpr const char* w_label = "Deflection *w*_0";
+constexpr const char* S_label = "Length *S*";
 
-// From reduced variables to the units of the axes.
-class Axes {
- public:
-  Axes(const DrawnIn& units, double deepest, double strongest)
-      : length_(plot_unit(units.scales.physical_length(deepest), shown_in(units, kind::length), units.reduced, "L")),
-        force_(plot_unit(units.scales.physical_force(strongest), shown_in(units, kind::force), units.reduced, "EI/L²")),
-        x_(units.scales.physical_length(length_.factor)),
-        y_(units.scales.physical_force(force_.factor)) {}
-
-  double x(double length) const { return x_ * length; }
-  double y(double force) const { return y_ * force; }
-  std::string deflection() const { return axis_label("Deflection", "{/:Italic w}_0", length_); }
-  std::string length() const { return axis_label("Length", "{/:Italic S}", length_); }
-  std::string force() const { return axis_label("Force", "{/:Italic F}", force_); }
-  std::string title(std::string_view name) const {
-    return fmt::format("{} [{}]", name, name == "force" ? force_.unit : length_.unit);
-  }
-
- private:
-  PlotUnit length_, force_;
-  double x_, y_;
-};
-
-// Enough points for every wave and every knot of the friction.
-int points_drawn_for(const Friction& friction, double S_max) {
-  constexpr double most = 20000;
-  const double waves = 16 * (S_max - 1) / friction.smooth_scale();
-  return static_cast<int>(std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, most));
-}
+constexpr Style curve_look{.colour = Colour::dark, .width = 1.3};
 
 struct Extent {
   double w = 0, F = 0;
 };
 
-Extent extent_of(const std::vector<EquilibriumPoint>& points) {
-  Extent extent;
+template <class Points>
+Extent extended(Extent extent, const Points& points) {
   for (const auto& point : points) extent = {std::max(extent.w, point.w), std::max(extent.F, point.F)};
   return extent;
 }
 
-FigureData curve_data(std::string name, const std::vector<EquilibriumPoint>& points, const Axes& axes) {
-  FigureData data{std::move(name), {axes.title("deflection"), axes.title("force"), axes.title("length")}, {}};
-  for (const auto& point : points) data.rows.push_back({axes.x(point.w), axes.y(point.F), axes.x(point.S)});
-  return data;
-}
+// The units and the tables of one model.
+struct Drawing {
+  PlotUnit length, force;
+  Extent extent;
 
-FigureData euler_bernoulli(double w_max, const Axes& axes) {
-  return {"beam", {axes.title("deflection"), axes.title("force")}, {{0, 0}, {axes.x(w_max), axes.y(48 * w_max)}}};
-}
+  Drawing(const PlotUnits& units, const Extent& largest)
+      : length(units.length(largest.w)), force(units.force(largest.F)), extent(largest) {}
 
-FigureData sliding_curve(const Friction& friction, const Fibre& fibre, double S_max, const Axes& axes) {
-  return curve_data(
-      "curve", equilibrium_curve(friction, Sliding::in, S_max, points_drawn_for(friction, S_max), fibre).points, axes);
-}
-
-constexpr std::string_view one_panel =
-    "  set lmargin at screen 0.145; set rmargin at screen 0.965; set tmargin at screen 0.845; set bmargin at screen "
-    "0.165\n"
-    "  set key at screen 0.555,0.985 center top vertical Left reverse maxrows 2\n";
-
-}  // namespace
-
-Figure region_figure(const Friction& friction, const Fibre& fibre, double S_max, const DrawnIn& units) {
-  const int n = points_drawn_for(friction, S_max);
-  const auto upper = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
-  auto lower = equilibrium_curve(friction, Sliding::out, S_max, n, fibre).points;
-  const auto extent = extent_of(upper);
-  const Axes axes(units, extent.w, extent.F);
-
-  auto boundary = upper;
-  boundary.insert(boundary.end(), lower.rbegin(), lower.rend());
-  // One length, at every friction it may have: seven tenths of the way into the figure.
-  const double S = 1 + 0.7 * (upper.back().S - 1);
-  const double most = met(friction, fibre, 1, S_max).at(S).mu, least = -met(friction, fibre, -1, S_max).at(S).mu;
-  FigureData locus{"locus", {axes.title("deflection"), axes.title("force"), axes.title("length")}, {}};
-  constexpr int levels = 60;
-  for (int i = 0; i <= levels; ++i) {
-    const FibreState state = fibre.state(S, least + (most - least) * i / levels);
-    if (state.status == FibreStatus::ok) locus.rows.push_back({axes.x(state.w), axes.y(state.F), axes.x(state.S)});
+  std::vector<double> row(double w, double F, double S) const { return {length(w), force(F), length(S)}; }
+  PlotTable table(std::string name) const {
+    return {std::move(name),
+            {length.column("deflection"), force.column("force"), length.column("length"), "mobilised friction"}};
   }
-  // Arrows along the curve, in the direction of growing length.
-  FigureData arrows{"arrows",
-                    {axes.title("deflection"), axes.title("force"), "step " + axes.title("deflection"),
-                     "step " + axes.title("force")},
-                    {}};
+  PlotTable curve(std::string name, const std::vector<EquilibriumPoint>& points) const {
+    PlotTable data = table(std::move(name));
+    for (const auto& p : points) data.rows.push_back({length(p.w), force(p.F), length(p.S), p.q});
+    return data;
+  }
+  Axis w(double to) const { return length.axis(w_label, 0, to); }
+  Axis F(double to) const { return force.axis(force_label, 0, to); }
+};
+
+std::vector<Mark> of_columns(std::vector<Mark> marks, std::size_t x, std::size_t y) {
+  for (Mark& each : marks) {
+    each.columns = {x, y};
+    each.title.clear();
+  }
+  return marks;
+}
+
+Plot region_figure(const EquilibriumStudy& study) {
+  EquilibriumPortrait portrait = portrait_of(study);
+  const Extent extent = extended({}, portrait.in);
+  const Drawing drawing({study.scales, study.reduced, study.in_inches}, extent);
+  std::vector<EquilibriumPoint> boundary = portrait.in;
+  boundary.insert(boundary.end(), portrait.out.rbegin(), portrait.out.rend());
+  // Arrows beside the curve, in the direction of growing length.
+  PlotTable arrows{"arrows",
+                   {drawing.length.column("deflection"), drawing.force.column("force"),
+                    drawing.length.column("tip at deflection"), drawing.force.column("tip at force")}};
+  const std::size_t n = portrait.in.size();
   for (const double share : {0.15, 0.42, 0.72}) {
-    const auto i = static_cast<std::size_t>(share * static_cast<double>(upper.size()));
-    const auto& from = upper[i];
-    const auto& to = upper[std::min(i + upper.size() / 12, upper.size() - 1)];
-    const double lift = 0.13 * extent.F;
-    arrows.rows.push_back({axes.x(from.w), axes.y(from.F + lift), axes.x(to.w - from.w), axes.y(to.F - from.F)});
+    const auto i = static_cast<std::size_t>(share * static_cast<double>(n));
+    const auto &from = portrait.in[i], &to = portrait.in[std::min(i + n / 12, n - 1)];
+    const double lift = 0.1 * extent.F;
+    arrows.rows.push_back(
+        {drawing.length(from.w), drawing.force(from.F + lift), drawing.length(to.w), drawing.force(to.F + lift)});
   }
-
-  const std::string panels = fmt::format(
-      R"(  set multiplot
-  set tmargin at screen 0.9; set bmargin at screen 0.2
-  unset key
-  set label 1 '(A)' at graph 0, 1.06 font ',9'
-  set lmargin at screen 0.078; set rmargin at screen 0.325
-  set xrange [0:*]; set yrange [0:{F_max:.6g}]
-  set xlabel '{w}' offset 0,0.3; set ylabel '{F}' offset 1.2
-  plot region using 1:2 with filledcurves closed lc rgb '#E2E2E2', curve using 1:2 with lines lw 1.3 lc rgb '#404040', \
-       locus using 1:2 with lines lw 1 dt (6,4) lc rgb 'black', arrows using 1:2:3:4 with vectors lw 0.8 lc rgb 'black' filled size screen 0.012,20
-  set label 1 '(B)'
-  set lmargin at screen 0.41; set rmargin at screen 0.657
-  set xrange [{S_min:.6g}:*]; set yrange [0:*]
-  set xlabel '{S}'; set ylabel '{w}'
-  plot region using 3:1 with filledcurves closed lc rgb '#E2E2E2', curve using 3:1 with lines lw 1.3 lc rgb '#404040'
-  set label 1 '(C)'
-  set lmargin at screen 0.738; set rmargin at screen 0.985
-  set yrange [0:{F_max:.6g}]
-  set ylabel '{F}'
-  plot region using 3:2 with filledcurves closed lc rgb '#E2E2E2', curve using 3:2 with lines lw 1.3 lc rgb '#404040'
-  unset multiplot; unset label 1
-)",
-      fmt::arg("F_max", axes.y(1.25 * extent.F)), fmt::arg("S_min", axes.x(1)), fmt::arg("w", axes.deflection()),
-      fmt::arg("F", axes.force()), fmt::arg("S", axes.length()));
-  return {.name = "region",
-          .title = "The equilibria of the specimen",
-          .description =
-              "Three panels: force against deflection, deflection against length between the supports, force against "
-              "length. "
-              "The region of equilibria is grey; its upper edge, on which the specimen slides in, is a dark curve.",
-          .width = two_columns,
-          .height = 58,
-          .data = {curve_data("region", boundary, axes), curve_data("curve", upper, axes), std::move(locus),
-                   std::move(arrows)},
-          .script = panels};
+  const std::vector<Mark> marks{
+      marks::of_table(MarkKind::area, "region", {}, {.colour = Colour::silver, .opacity = 0.5}),
+      marks::line("curve", {}, curve_look)};
+  std::vector<Mark> first = of_columns(marks, 0, 1);
+  first.push_back(marks::line("locus", {0, 1}, {.dash = Dash::dashed}));
+  first.push_back(marks::arrows("arrows", {.width = 0.8}));
+  const Axis S = drawing.length.axis(S_label, 1);
+  return {
+      .name = "region",
+      .title = "The equilibria of the specimen",
+      .description =
+          "Three panels: force against deflection, deflection against length between the supports, force against "
+          "length. The region of equilibria is grey; its upper edge, on which the specimen slides in, is a dark curve.",
+      .caption =
+          "All equilibria of the specimen: (A) force against deflection, (B) deflection and (C) force against the "
+          "length between the "
+          "supports. Grey: the region of equilibria. Dark: its upper edge, on which the specimen slides in, in the "
+          "direction of the "
+          "arrows. Dashed: one length with every friction that it may have.",
+      .width = two_columns,
+      .height = 56,
+      .data = {drawing.curve("region", boundary), drawing.curve("curve", portrait.in),
+               drawing.curve("locus", portrait.at_one_length), std::move(arrows)},
+      .panels = {{.title = "A",
+                  .x = drawing.length.axis(w_label, 0),
+                  .y = drawing.F(1.25 * extent.F),
+                  .marks = std::move(first)},
+                 {.title = "B", .x = S, .y = drawing.length.axis(w_label, 0), .marks = of_columns(marks, 2, 0)},
+                 {.title = "C", .x = S, .y = drawing.F(1.25 * extent.F), .marks = of_columns(marks, 2, 1)}},
+      .columns = 3};
 }
 
-Figure equilibrium_figure(const Friction& friction, const Fibre& fibre, double S_max, const DrawnIn& units) {
-  const int n = points_drawn_for(friction, S_max);
-  const auto sliding = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
-  const auto smooth = equilibrium_curve(Friction::constant(0), Sliding::in, S_max, n, fibre).points;
-  const auto extent = extent_of(sliding);
-  const Axes axes(units, extent.w, extent.F);
-  const double w_max = std::max(extent.w, extent_of(smooth).w);
-  const std::string script = fmt::format(
-      R"({}  set xrange [0:{:.6g}]; set yrange [0:{:.6g}]
-  set xlabel '{}' offset 0,0.4; set ylabel '{}' offset 0.8
-  plot beam using 1:2 with lines lw 1 dt (14,7) lc rgb orange title 'Euler–Bernoulli', \
-       frictionless using 1:2 with lines lw 1 lc rgb orange title 'No friction', \
-       curve using 1:2 with lines lw 1.3 lc rgb '#404040' title 'Equilibrium curve'
-)",
-      one_panel, axes.x(1.03 * w_max), axes.y(1.3 * extent.F), axes.deflection(), axes.force());
-  return {.name = "equilibrium",
-          .title = "The equilibrium curve",
-          .description =
-              "Force against deflection along the equilibrium curve, with that of no friction and the Euler-Bernoulli "
-              "line.",
-          .width = one_column,
-          .height = 66,
-          .data = {euler_bernoulli(w_max, axes), curve_data("frictionless", smooth, axes),
-                   curve_data("curve", sliding, axes)},
-          .script = script};
+Plot curve_figure(const EquilibriumStudy& study) {
+  const EquilibriumPortrait portrait = portrait_of(study);
+  const Extent extent = extended({}, portrait.in);
+  const double w_max = std::max(extent.w, extended({}, portrait.frictionless).w);
+  const Drawing drawing({study.scales, study.reduced, study.in_inches}, extent);
+  PlotTable beam = drawing.table("beam");
+  beam.rows = {drawing.row(0, 0, NAN), drawing.row(w_max, 48 * w_max, NAN)};
+  for (auto& row : beam.rows) row.push_back(NAN);
+  return {
+      .name = "equilibrium",
+      .title = "The equilibrium curve",
+      .description =
+          "Force against deflection along the equilibrium curve, with that of no friction and the Euler-Bernoulli "
+          "line.",
+      .caption =
+          "Force against deflection while the specimen slides in (dark), without friction (orange) and by "
+          "Euler–Bernoulli "
+          "(orange, dashed).",
+      .width = one_column,
+      .height = 64,
+      .data = {std::move(beam), drawing.curve("frictionless", portrait.frictionless),
+               drawing.curve("curve", portrait.in)},
+      .panels = {{.x = drawing.w(1.03 * w_max),
+                  .y = drawing.F(1.3 * extent.F),
+                  .marks = {marks::line("curve", {0, 1}, curve_look, "Equilibrium curve"),
+                            marks::line("frictionless", {0, 1}, {Colour::orange}, "No friction"),
+                            marks::line("beam", {0, 1}, {Colour::orange, 1, Dash::long_dashed}, "Euler–Bernoulli")}}}};
 }
 
-namespace {
+// What a test goes through, point by point, and in which direction the stage moved.
+struct TrackPoint {
+  PathPoint at;
+  Direction direction;
+};
 
-double longest_of(const History& history) {
-  double S_max = 1.01;
-  for (const auto& point : history.path) S_max = std::max(S_max, point.S);
-  for (const auto& snap : history.snaps) S_max = std::max({S_max, snap.before.S, snap.after.S});
-  return S_max;
-}
-
-// gnuplot refuses to plot data without a point.
-void fill_if_empty(FigureData& data) {
-  if (data.rows.empty()) data.rows.emplace_back(data.titles.size(), NAN);
-}
-
-// The pieces of a track that `belongs` chooses, thinned to what can be told apart in print.
-template <typename Predicate>
-FigureData pieces_of(std::string name, const std::vector<TrackPoint>& track, const Axes& axes, const Extent& extent,
-                     Predicate belongs) {
-  constexpr double finest = 0.002;  // of the figure: a sixth of a millimetre
-  FigureData data{
-      std::move(name), {axes.title("deflection"), axes.title("force"), axes.title("length"), "mobilised friction"}, {}};
-  const auto add = [&](const TrackPoint& p) { data.rows.push_back({axes.x(p.w), axes.y(p.F), axes.x(p.S), p.q}); };
-  const TrackPoint* kept = nullptr;
-  for (std::size_t i = 1; i < track.size(); ++i) {
-    if (!belongs(track[i])) continue;
-    if (i == 1 || !belongs(track[i - 1])) {
-      if (!data.rows.empty()) data.rows.emplace_back();
-      add(track[i - 1]);
-      kept = &track[i - 1];
-    }
-    const bool is_end = i + 1 == track.size() || !belongs(track[i + 1]);
-    const double step = std::hypot((track[i].w - kept->w) / extent.w, (track[i].F - kept->F) / extent.F);
-    if (!is_end && step < finest && std::abs(track[i].q - kept->q) < finest) continue;
-    add(track[i]);
-    kept = &track[i];
-  }
-  fill_if_empty(data);
-  return data;
+std::vector<TrackPoint> track_of(const SimulatedPortrait& portrait) {
+  std::vector<TrackPoint> track;
+  for (const Leg& leg : portrait.legs)
+    for (std::size_t i = leg.first; i < leg.last; ++i) track.push_back({portrait.history.path[i], leg.direction});
+  return track;
 }
 
 // Or a crack: what is too fast to be seen.
-bool is_snap(const TrackPoint& point) { return point.motion == Motion::snap || point.motion == Motion::crack; }
+bool is_snap(const TrackPoint& point) { return point.at.motion == Motion::snap || point.at.motion == Motion::crack; }
+bool is_sticking(const TrackPoint& point) { return point.at.motion == Motion::stick; }
 
-std::string_view title_of_snaps(const History& history) { return history.cracks.empty() ? "Snaps" : "Cracks, snaps"; }
-
-Figure loading_figure(const BendingTest& test, const History& history, std::span<const Leg> legs,
-                      const DrawnIn& units) {
-  const Fibre& fibre = test.rig.fibre;
-  const double S_max = longest_of(history);
-  const Friction& friction = test.friction.kinetic;
-  auto extent =
-      extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_drawn_for(friction, S_max), fibre).points);
-  const auto track = track_of(history, legs);
-  for (const auto& point : track) extent = {std::max(extent.w, point.w), std::max(extent.F, point.F)};
-  const Axes axes(units, extent.w, extent.F);
-  const bool snapped = !history.snaps.empty() || !history.cracks.empty();
-  const std::string script = fmt::format(
-      R"({}  set xrange [0:{:.6g}]; set yrange [0:{:.6g}]
-  set xlabel '{}' offset 0,0.4; set ylabel '{}' offset 0.8
-  plot curve using 1:2 with lines lw 1.6 lc rgb '#BDBDBD' title '{}', \
-       measured using 1:2 with lines lw 1.2 lc rgb 'black' title 'Measured curve', \
-       snaps using 1:2 with lines lw 1 dt (8,5) lc rgb 'black'{}
-)",
-      one_panel, axes.x(1.03 * extent.w), axes.y(1.25 * extent.F), axes.deflection(), axes.force(),
-      history.cracks.empty() ? "Equilibrium curve" : "Sound specimen",
-      snapped ? fmt::format(" title '{}'", title_of_snaps(history)) : "");
-  return {.name = "measured",
-          .title = "What the test measures",
-          .description = fmt::format(
-              "Force against deflection as measured, with {} snaps{}, over the equilibrium curve.",
-              history.snaps.size(), history.cracks.empty() ? "" : fmt::format(" and {} cracks", history.cracks.size())),
-          .width = one_column,
-          .height = 66,
-          .data = {sliding_curve(friction, fibre, S_max, axes),
-                   pieces_of("measured", track, axes, extent, [](const auto& point) { return !is_snap(point); }),
-                   pieces_of("snaps", track, axes, extent, is_snap)},
-          .script = script};
-}
-
-FigureData arrow_data(std::string name, const std::vector<Arrow>& arrows, const Panel& panel, double x_unit,
-                      double y_unit) {
-  FigureData data{std::move(name), {"x", "y", "step x", "step y"}, {}};
-  const double x = panel.x * x_unit;
-  const double y = panel.y * y_unit / panel.aspect;
-  for (const auto& [from, to] : arrows)
-    data.rows.push_back({x * from.x, y * from.y, x * (to.x - from.x), y * (to.y - from.y)});
-  fill_if_empty(data);
+// The pieces of a track that `belongs` chooses, thinned to what can be told apart in print.
+template <typename Predicate>
+PlotTable pieces_of(std::string name, const std::vector<TrackPoint>& track, const Drawing& drawing, Predicate belongs) {
+  constexpr double finest = 0.002;  // of the figure: a sixth of a millimetre
+  PlotTable data = drawing.table(std::move(name));
+  const auto add = [&](const PathPoint& p) {
+    data.rows.push_back({drawing.length(p.w), drawing.force(p.F), drawing.length(p.S), p.q});
+  };
+  const PathPoint* kept = nullptr;
+  for (std::size_t i = 1; i < track.size(); ++i) {
+    if (!belongs(track[i])) continue;
+    const PathPoint& here = track[i].at;
+    if (i == 1 || !belongs(track[i - 1])) {
+      if (!data.rows.empty()) data.rows.emplace_back();
+      add(track[i - 1].at);
+      kept = &track[i - 1].at;
+    }
+    const bool is_end = i + 1 == track.size() || !belongs(track[i + 1]);
+    const double step = std::hypot((here.w - kept->w) / drawing.extent.w, (here.F - kept->F) / drawing.extent.F);
+    if (!is_end && step < finest && std::abs(here.q - kept->q) < finest) continue;
+    add(here);
+    kept = &here;
+  }
   return data;
 }
 
-Figure loops_figure(const BendingTest& test, const History& history, std::span<const Leg> legs, const DrawnIn& units) {
-  const Fibre& fibre = test.rig.fibre;
-  const double S_max = longest_of(history);
-  const Friction& friction = test.friction.kinetic;
-  const auto track = track_of(history, legs);
-  const int n = points_drawn_for(friction, S_max);
-  auto upper = equilibrium_curve(friction, Sliding::in, S_max, n, fibre).points;
-  auto lower = equilibrium_curve(friction, Sliding::out, S_max, n, fibre).points;
-  if (friction.depends_on_way()) lower.clear();  // it depends on where the specimen turns back
-  Extent extent = extent_of(upper);
-  double q_least = 0;
-  double q_most = 0;
-  for (const auto& point : track) {
-    extent = {std::max(extent.w, point.w), std::max(extent.F, point.F)};
-    q_least = std::min(q_least, point.q);
-    q_most = std::max(q_most, point.q);
-  }
-  const Axes axes(units, extent.w, extent.F);
-  const double q_range = 1.3 * std::max({q_most, -q_least, 0.05});
-  const double S_margin = 0.04 * (S_max - 1);
-  const double F_range = 1.1 * extent.F;
-  const double w_range = 1.04 * extent.w;
-  constexpr double aspect = 0.84;  // of the panels below
-  const Panel force_panel{w_range, F_range, aspect};
-  const Panel friction_panel{S_max - 1 + 2 * S_margin, 2 * q_range, aspect};
+std::string_view title_of_snaps(const History& history) { return history.cracks.empty() ? "Snaps" : "Cracks, snaps"; }
 
-  FigureData limits = curve_data("limits", upper, axes);
-  limits.titles.emplace_back("friction");
-  for (std::size_t i = 0; i < upper.size(); ++i) limits.rows[i].push_back(upper[i].q);
+Plot loading_figure(const SimulatedPortrait& portrait, const PlotUnits& units) {
+  const History& history = portrait.history;
+  const auto track = track_of(portrait);
+  const Drawing drawing(units, extended(extended({}, portrait.limits.in), history.path));
+  const std::string snaps(title_of_snaps(history));
+  return {
+      .name = "measured",
+      .title = "What the test measures",
+      .description = fmt::format("Force against deflection as measured, with {} snaps{}, over the equilibrium curve.",
+                                 history.snaps.size(),
+                                 history.cracks.empty() ? "" : fmt::format(" and {} cracks", history.cracks.size())),
+      .caption = fmt::format(
+          "Force against deflection as the test measures it (black; {} dashed), over the curve on which the {}specimen "
+          "slides in (grey).",
+          history.cracks.empty() ? "snaps" : "cracks and snaps", history.cracks.empty() ? "" : "sound "),
+      .width = one_column,
+      .height = 64,
+      .data = {drawing.curve("curve", portrait.limits.in),
+               pieces_of("measured", track, drawing, [](const auto& point) { return !is_snap(point); }),
+               pieces_of("snaps", track, drawing, is_snap)},
+      .panels = {{.x = drawing.w(1.03 * drawing.extent.w),
+                  .y = drawing.F(1.2 * drawing.extent.F),
+                  .marks = {marks::line("curve", {0, 1}, styles::below,
+                                        history.cracks.empty() ? "Equilibrium curve" : "Sound specimen"),
+                            marks::line("measured", {0, 1}, {.width = 1.2}, "Measured curve"),
+                            marks::line("snaps", {0, 1}, {.dash = Dash::dashed}, snaps)}}}};
+}
+
+// Arrows on each leg and on each long stretch of sticking, in the ranges of the axes of a panel.
+template <class Project>
+PlotTable arrows_of(std::string name, const std::vector<TrackPoint>& track, Direction direction, const Axis& x,
+                    const Axis& y, Project project) {
+  std::vector<Spot> spots;
+  for (const TrackPoint& point : track) {
+    const std::pair<double, double> at = project(point.at);
+    spots.push_back({(at.first - x.from) / (x.to - x.from), (at.second - y.from) / (y.to - y.from)});
+  }
+  std::vector<Arrow> arrows;
+  const auto mark_each = [&](auto belongs) {
+    for (std::size_t i = 1; i < track.size(); ++i) {
+      if (!belongs(track[i])) continue;
+      const std::size_t first = i - 1;
+      while (i + 1 < track.size() && belongs(track[i + 1])) ++i;
+      if (const auto arrow = arrow_on(spots, first, i, arrows)) arrows.push_back(*arrow);
+    }
+  };
+  mark_each(
+      [&](const TrackPoint& point) { return point.direction == direction && !is_snap(point) && !is_sticking(point); });
+  mark_each([&](const TrackPoint& point) { return point.direction == direction && is_sticking(point); });
+  PlotTable data{std::move(name), {"x", "y", "x of the tip", "y of the tip"}};
+  for (const auto& [from, to] : arrows)
+    data.rows.push_back({x.from + from.x * (x.to - x.from), y.from + from.y * (y.to - y.from),
+                         x.from + to.x * (x.to - x.from), y.from + to.y * (y.to - y.from)});
+  return data;
+}
+
+Plot loops_figure(const SimulatedPortrait& portrait, const PlotUnits& units) {
+  const History& history = portrait.history;
+  const auto track = track_of(portrait);
+  const Drawing drawing(units, extended(extended({}, portrait.limits.in), history.path));
+  double q_most = 0.05, S_max = portrait.limits.in.back().S;
+  for (const TrackPoint& point : track) q_most = std::max(q_most, std::abs(point.at.q));
+  const Axis w = drawing.w(1.04 * drawing.extent.w), F = drawing.F(1.1 * drawing.extent.F);
+  const double margin = 0.04 * (S_max - 1);
+  const Axis S = drawing.length.axis(S_label, 1 - margin, S_max + margin),
+             q{"Mobilised friction *q*", "", -1.2 * q_most, 1.2 * q_most};
+
+  PlotTable limits = drawing.curve("limits", portrait.limits.in);
+  const PlotTable out = drawing.curve("", portrait.limits.out);
   limits.rows.emplace_back();
-  for (const auto& point : lower) limits.rows.push_back({axes.x(point.w), axes.y(point.F), axes.x(point.S), point.q});
+  limits.rows.insert(limits.rows.end(), out.rows.begin(), out.rows.end());
   const auto part = [&](const char* name, Direction direction, bool sticking) {
-    return pieces_of(name, track, axes, extent, [=](const TrackPoint& point) {
+    return pieces_of(name, track, drawing, [=](const TrackPoint& point) {
       return !is_snap(point) && point.direction == direction && is_sticking(point) == sticking;
     });
   };
-  const auto arrows = [&](const char* name, Projection projection, const Panel& panel, Direction direction) {
-    const bool is_force = projection == in_force;
-    return arrow_data(name, arrows_on(track, projection, panel, direction), panel, axes.x(1), is_force ? axes.y(1) : 1);
+  const auto in_force = [&](const PathPoint& p) { return std::pair{drawing.length(p.w), drawing.force(p.F)}; };
+  const auto in_friction = [&](const PathPoint& p) { return std::pair{drawing.length(p.S), p.q}; };
+
+  constexpr Style stuck_in{Colour::blue, 1, Dash::dotted}, stuck_out{Colour::vermillion, 1, Dash::dotted};
+  constexpr Style sticking{Colour::black, 1, Dash::dotted};
+  const std::vector<Mark> lines{
+      marks::line("limits", {}, styles::below),    marks::line("snaps", {}, styles::snap),
+      marks::line("sticking_in", {}, stuck_in),    marks::line("sticking_out", {}, stuck_out),
+      marks::line("loading", {}, styles::loading), marks::line("unloading", {}, styles::unloading)};
+  const auto with_arrows = [&](std::vector<Mark> marks, const std::string& space) {
+    marks.push_back(marks::arrows("arrows_in_" + space, {Colour::blue, 1}));
+    marks.push_back(marks::arrows("arrows_out_" + space, {Colour::vermillion, 1}));
+    return marks;
   };
-  const auto panel_script = [&](std::string_view letter, std::string_view columns, std::string_view suffix) {
-    return fmt::format(
-        R"(  set label 1 '({0})' at graph 0.03, 0.945 font ',9'
-  plot limits using {1} with lines lw 2.2 lc rgb '#CFCFCF', \
-       snaps using {1} with lines lw 0.9 dt (7,4) lc rgb 'black', \
-       sticking_in using {1} with lines lw 1 dt (3,2) lc rgb blue, \
-       sticking_out using {1} with lines lw 1 dt (3,2) lc rgb vermillion, \
-       loading using {1} with lines lw 1.5 lc rgb blue, \
-       unloading using {1} with lines lw 1.5 lc rgb vermillion, \
-       arrows_in_{2} using 1:2:3:4 with vectors lw 1 lc rgb blue filled size screen 0.013,22,90, \
-       arrows_out_{2} using 1:2:3:4 with vectors lw 1 lc rgb vermillion filled size screen 0.013,22,90)",
-        letter, columns, suffix);
-  };
-  const std::string script = fmt::format(
-      R"(  set multiplot
-  set tmargin at screen 0.91; set bmargin at screen 0.155
-  set key at screen 0.53,0.99 center top vertical Left reverse maxrows 1 width 1 samplen 2
-  set lmargin at screen 0.075; set rmargin at screen 0.48
-  set xrange [0:{:.6g}]; set yrange [0:{:.6g}]
-  set xlabel '{}' offset 0,0.4; set ylabel '{}' offset 1.2
-{}, \
-       keyentry with lines lw 1.5 lc rgb blue title 'Loading', \
-       keyentry with lines lw 1.5 lc rgb vermillion title 'Unloading', \
-       keyentry with lines lw 1 dt (3,2) lc rgb 'black' title 'Sticking', \
-       {}keyentry with lines lw 2.2 lc rgb '#CFCFCF' title '{}'
-  unset key
-  set lmargin at screen 0.58; set rmargin at screen 0.985
-  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]; set xtics {:.6g}
-  set xlabel '{}'; set ylabel 'Mobilised friction {{/:Italic q}}' offset 0.6
-{}
-  unset multiplot; unset label 1; set xtics auto
-)",
-      axes.x(w_range), axes.y(F_range), axes.deflection(), axes.force(), panel_script("A", "1:2", "force"),
-      history.snaps.empty() && history.cracks.empty()
-          ? ""
-          : fmt::format("keyentry with lines lw 0.9 dt (7,4) lc rgb 'black' title '{}', ", title_of_snaps(history)),
-      friction.depends_on_way() ? "q = μ" : "q = ±μ", axes.x(1 - S_margin), axes.x(S_max + S_margin), -q_range, q_range,
-      tick_within(axes.x(0.3 * (S_max - 1))), axes.length(), panel_script("B", "3:4", "friction"));
+  std::vector<Mark> first{marks::key_line(styles::loading, "Loading"), marks::key_line(styles::unloading, "Unloading"),
+                          marks::key_line(sticking, "Sticking")};
+  if (!history.snaps.empty() || !history.cracks.empty())
+    first.push_back(marks::key_line(styles::snap, std::string(title_of_snaps(history))));
+  first.push_back(marks::key_line(styles::below, portrait.limits.out.empty() ? "*q* = *μ*" : "*q* = ±*μ*"));
+  for (Mark& each : with_arrows(of_columns(lines, 0, 1), "force")) first.push_back(std::move(each));
   return {
       .name = "measured",
       .title = "What the test measures",
       .description = fmt::format(
           "Two panels: force against deflection, and mobilised friction against the length between the supports, in {} "
           "loading and unloading legs with {} snaps. Arrows show the direction.",
-          legs.size(), history.snaps.size()),
+          portrait.legs.size(), history.snaps.size()),
+      .caption =
+          "(A) Force against deflection and (B) mobilised friction against the length between the supports, as the "
+          "specimen is loaded "
+          "(blue) and unloaded (red-orange), in the direction of the arrows. Dotted: it sticks. Dashed: it snaps. "
+          "Grey: where it slides.",
       .width = two_columns,
-      .height = 72,
-      .data = {std::move(limits), pieces_of("snaps", track, axes, extent, is_snap),
+      .height = 70,
+      .data = {std::move(limits), pieces_of("snaps", track, drawing, is_snap),
                part("sticking_in", Direction::loading, true), part("sticking_out", Direction::unloading, true),
                part("loading", Direction::loading, false), part("unloading", Direction::unloading, false),
-               arrows("arrows_in_force", in_force, force_panel, Direction::loading),
-               arrows("arrows_out_force", in_force, force_panel, Direction::unloading),
-               arrows("arrows_in_friction", in_friction, friction_panel, Direction::loading),
-               arrows("arrows_out_friction", in_friction, friction_panel, Direction::unloading)},
-      .script = script};
+               arrows_of("arrows_in_force", track, Direction::loading, w, F, in_force),
+               arrows_of("arrows_out_force", track, Direction::unloading, w, F, in_force),
+               arrows_of("arrows_in_friction", track, Direction::loading, S, q, in_friction),
+               arrows_of("arrows_out_friction", track, Direction::unloading, S, q, in_friction)},
+      .panels = {{.title = "A", .x = w, .y = F, .marks = std::move(first)},
+                 {.title = "B", .x = S, .y = q, .marks = with_arrows(of_columns(lines, 2, 3), "friction")}},
+      .columns = 2};
 }
+
+PlotUnits units_of(const SimulatedTest& test) { return {test.scales, test.reduced, test.in_inches}; }
 
 }  // namespace
 
-Figure measured_figure(const BendingTest& test, const History& history, std::span<const Leg> legs,
-                       const DrawnIn& units) {
-  return legs.size() < 2 ? loading_figure(test, history, legs, units) : loops_figure(test, history, legs, units);
+Plot equilibrium_figure(const EquilibriumStudy& study) {
+  return study.region ? region_figure(study) : curve_figure(study);
 }
 
-Figure overall_equilibria_figure(const Friction& friction, const Rig& rig, std::span<const double> stages,
-                                 const DrawnIn& units) {
-  const Fibre& fibre = rig.fibre;
-  const double farthest = *std::max_element(stages.begin(), stages.end());
-  const auto traced = trace_loading_curve(friction, rig, longest_at_stage(farthest));
-  double S_max = 1.01;
-  std::vector<std::vector<OverallEquilibrium>> at_stage;
-  for (const double stage : stages) {
-    at_stage.push_back(overall_equilibria(traced, stage));
-    for (const auto& equilibrium : at_stage.back()) S_max = std::max(S_max, equilibrium.point.S);
-  }
-  S_max = std::min(1 + 1.1 * (S_max - 1), traced.end.S);
-  const auto extent =
-      extent_of(equilibrium_curve(friction, Sliding::in, S_max, points_drawn_for(friction, S_max), fibre).points);
-  const Axes axes(units, extent.w, extent.F);
+Plot simulated_figure(const SimulatedTest& test, const std::vector<Crack>& cracks) {
+  const SimulatedPortrait portrait = portrait_of(test, cracks);
+  return portrait.legs.size() < 2 ? loading_figure(portrait, units_of(test)) : loops_figure(portrait, units_of(test));
+}
 
-  const std::vector<std::string> titles{axes.title("deflection"), axes.title("force")};
-  FigureData lines{"lines", titles, {}};
-  FigureData stable{"stable", titles, {}};
-  FigureData partial{"partial", titles, {}};
-  FigureData unstable{"unstable", titles, {}};
+Plot equilibria_figure(const SimulatedTest& test, std::span<const double> stages) {
+  const OverallPortrait portrait = overall_portrait(test, stages);
+  const double stiffness = test.followed.value().bending_test.rig.stiffness;
+  const Drawing drawing(units_of(test), extended({}, portrait.in));
+  const std::vector<std::string> titles{drawing.length.column("deflection"), drawing.force.column("force")};
+  PlotTable lines{"lines", titles}, stable{"stable", titles}, partial{"partial", titles}, unstable{"unstable", titles};
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    const double top = 1.2 * extent.F;
-    lines.rows.push_back({axes.x(stages[i] - top / rig.stiffness), axes.y(top)});
-    lines.rows.push_back({axes.x(stages[i]), 0});
-    lines.rows.emplace_back();
-    for (const auto& [point, stability] : at_stage[i]) {
-      auto& points = stability == Stability::stable ? stable : stability == Stability::unstable ? unstable : partial;
-      points.rows.push_back({axes.x(point.w), axes.y(point.F)});
-    }
+    const double top = 1.15 * drawing.extent.F;
+    lines.rows.insert(
+        lines.rows.end(),
+        {{drawing.length(stages[i] - top / stiffness), drawing.force(top)}, {drawing.length(stages[i]), 0}, {}});
+    for (const auto& [point, stability] : portrait.at_stage[i])
+      (stability == Stability::stable     ? stable
+       : stability == Stability::unstable ? unstable
+                                          : partial)
+          .rows.push_back({drawing.length(point.w), drawing.force(point.F)});
   }
-  std::string shown = "stable using 1:2 with points pt 7 ps 0.6 lc rgb 'black' title 'stable'";
-  for (const auto& [data, type, name] :
-       {std::tuple{&partial, 6, "partially stable"}, std::tuple{&unstable, 6, "unstable"}}) {
-    if (data->rows.empty()) continue;
-    shown += fmt::format(
-        ", \\\n       {} using 1:2 with points pt 7 ps 0.6 lc rgb 'white', \\\n       {} using 1:2 with points pt {} "
-        "ps 0.6 lw 0.8 lc rgb {} title '{}'",
-        data->name, data->name, type, data == &partial ? "vermillion" : "'black'", name);
-  }
-  for (auto* data : {&stable, &partial, &unstable})
-    if (data->rows.empty()) data->rows.push_back({NAN, NAN});
-  const std::string script = fmt::format(
-      R"({}  set xrange [0:{:.6g}]; set yrange [0:{:.6g}]
-  set xlabel '{}' offset 0,0.4; set ylabel '{}' offset 0.8
-  plot curve using 1:2 with lines lw 1.6 lc rgb '#BDBDBD' title 'Equilibrium curve', \
-       lines using 1:2 with lines lw 0.8 dt (8,5) lc rgb grey title 'Load lines', \
-       {}
-)",
-      one_panel, axes.x(1.03 * extent.w), axes.y(1.25 * extent.F), axes.deflection(), axes.force(), shown);
-  return {.name = "equilibria",
-          .title = "Overall equilibria",
-          .description = fmt::format(
-              "The overall equilibria at {} stage positions on the equilibrium curve, with the load lines of the rig.",
-              stages.size()),
-          .width = one_column,
-          .height = 66,
-          .data = {sliding_curve(friction, fibre, S_max, axes), std::move(lines), std::move(stable), std::move(partial),
-                   std::move(unstable)},
-          .script = script};
+  const auto symbols = [](Colour colour, Symbol symbol) { return Style{colour, 0.8, Dash::solid, symbol, 3.8}; };
+  return {
+      .name = "equilibria",
+      .title = "Overall equilibria",
+      .description = fmt::format(
+          "The overall equilibria at {} stage positions on the equilibrium curve, with the load lines of the rig.",
+          stages.size()),
+      .caption =
+          "The overall equilibria of specimen and rig, where load lines of the rig (dashed) cross the curve on "
+          "which the specimen slides "
+          "in (grey): filled if stable, open if unstable, red-orange if partially stable.",
+      .width = one_column,
+      .height = 64,
+      .data = {drawing.curve("curve", portrait.in), std::move(lines), std::move(stable), std::move(partial),
+               std::move(unstable)},
+      .panels = {
+          {.x = drawing.w(1.03 * drawing.extent.w),
+           .y = drawing.F(1.2 * drawing.extent.F),
+           .marks = {marks::line("curve", {0, 1}, styles::below, "Equilibrium curve"),
+                     marks::line("lines", {0, 1}, {Colour::grey, 0.8, Dash::dashed}, "Load lines"),
+                     marks::points("stable", {0, 1}, symbols(Colour::black, Symbol::disc), "Stable"),
+                     marks::points("partial", {0, 1}, symbols(Colour::vermillion, Symbol::circle), "Partially stable"),
+                     marks::points("unstable", {0, 1}, symbols(Colour::black, Symbol::circle), "Unstable")}}}};
 }
 
 }  // namespace flexslip

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view style = R"(
+constexpr std::string_view page_style = R"(
 :root { color-scheme: light dark; --text: #1b1b1b; --soft: #5b5b5b; --line: #d4d4d4; --back: #ffffff; --mark: #0072B2; }
 @media (prefers-color-scheme: dark) { :root { --text: #e8e8e8; --soft: #a8a8a8; --line: #444; --back: #16181b; --mark: #56B4E9; } }
 * { box-sizing: border-box; }
@@ -76,7 +76,7 @@ std::string cells(const std::vector<std::string>& row, std::string_view tag) {
 }
 
 // Several pictures in one page must not share the names of their parts.
-std::string inline_svg(const fs::path& path, const Figure& figure) {
+std::string inline_svg(const fs::path& path, const Plot& plot) {
   std::string svg = read_text(path.string()).value_or("");
   if (svg.find("<svg") == std::string::npos) throw std::runtime_error(fmt::format("no picture in {}", path.string()));
   svg.erase(0, svg.find("<svg"));
@@ -85,11 +85,11 @@ std::string inline_svg(const fs::path& path, const Figure& figure) {
       svg.replace(at, what.size(), by);
   };
   for (const std::string quote : {"'", "\""}) {
-    rename("id=" + quote, "id=" + quote + figure.name + "-");
-    rename("xlink:href=" + quote + "#", "xlink:href=" + quote + "#" + figure.name + "-");
+    rename("id=" + quote, "id=" + quote + plot.name + "-");
+    rename("xlink:href=" + quote + "#", "xlink:href=" + quote + "#" + plot.name + "-");
   }
-  rename("url(#", "url(#" + figure.name + "-");
-  svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escaped(figure.description)));
+  rename("url(#", "url(#" + plot.name + "-");
+  svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escaped(plot.description)));
   return svg;
 }
 
@@ -128,27 +128,26 @@ std::string html_word_table(const PrintedTable& table, const std::vector<std::st
   return out + "</tbody></table></div>\n";
 }
 
-std::string html_figure(const std::string& folder, const Plate& plate, DrawStatus drawn, int number) {
-  const auto& figure = plate.figure;
-  const std::string base = "figures/" + figure.name;
-  const bool narrow = figure.width < two_columns;
+std::string html_figure(const std::string& folder, const Plot& plot, DrawStatus drawn, int number) {
+  const std::string base = "figures/" + plot.name;
+  const bool narrow = plot.width < two_columns;
   const std::string picture = drawn == DrawStatus::drawn
-                                  ? inline_svg(fs::path(folder) / (base + ".svg"), figure)
+                                  ? inline_svg(fs::path(folder) / (base + ".svg"), plot)
                                   : fmt::format(
                                         "<p class=\"note\">Not drawn: gnuplot is not installed. Install it and run "
                                         "<code>gnuplot {}.gp</code> in the folder "
                                         "figures, or make the report again.</p>\n",
-                                        figure.name);
+                                        plot.name);
   std::string files;
   for (const std::string_view ending : {"svg", "pdf", "png", "gp"})
     if (drawn == DrawStatus::drawn || ending == "gp")
       files += fmt::format(" <a href=\"{}.{}\">{}</a>", base, ending, ending);
-  for (const auto& data : figure.data)
+  for (const auto& data : plot.data)
     files += fmt::format(" <a href=\"{}-{}.csv\">{}.csv</a>", base, data.name, data.name);
   return fmt::format(
       "<figure{}>\n<div class=\"plate\">{}</div>\n<figcaption><b>Figure {}.</b> {} <span "
       "class=\"files\">Files:{}</span></figcaption>\n</figure>\n",
-      narrow ? " class=\"narrow\"" : "", picture, number, html_escaped(plate.caption), files);
+      narrow ? " class=\"narrow\"" : "", picture, number, html_escaped(plot.caption), files);
 }
 
 std::string page(const std::string& title, const std::string& head, const std::string& body) {
@@ -158,7 +157,7 @@ std::string page(const std::string& title, const std::string& head, const std::s
       "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n"
       "{}{}</main>\n"
       "</body>\n</html>\n",
-      html_escaped(title), style, html_escaped(title), head, body);
+      html_escaped(title), page_style, html_escaped(title), head, body);
 }
 
 std::string answer_in_html(const std::string& words) {

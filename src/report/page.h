@@ -6,16 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "report/figure.h"
 #include "finding/printed.h"
+#include "report/draw.h"
+#include "report/plot.h"
 
 namespace flexslip {
-
-// A figure in a report, with the words below it.
-struct Plate {
-  Figure figure;
-  std::string caption;
-};
 
 inline constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
@@ -32,7 +27,7 @@ std::string html_table(const PrintedTable& table, std::size_t marked = no_row);
 std::string html_word_table(const PrintedTable& table, const std::vector<std::string>& links = {});
 
 // The picture itself, its caption and links to its files, which lie in <folder>/figures.
-std::string html_figure(const std::string& folder, const Plate& plate, DrawStatus drawn, int number);
+std::string html_figure(const std::string& folder, const Plot& plot, DrawStatus drawn, int number);
 
 // A page with the answer first. Head and body are HTML.
 std::string page(const std::string& title, const std::string& head, const std::string& body);

@@ -76,9 +76,9 @@ DrawStatus write_report(const std::string& folder, const FittedTest& test, const
                            "it, fit it again, in this browser.</p>\n",
                            html_escaped(studio));
   DrawStatus drawn = DrawStatus::drawn;
-  const std::string body = in_html(document_of(test), [&, number = 0](const Plate& plate) mutable {
-    drawn = draw(plate.figure, (base / "figures").string(), {"svg", "pdf", "png"});
-    return html_figure(folder, plate, drawn, ++number);
+  const std::string body = in_html(document_of(test), [&, number = 0](const Plot& plot) mutable {
+    drawn = draw(plot, (base / "figures").string(), {"svg", "pdf", "png"});
+    return html_figure(folder, plot, drawn, ++number);
   });
   write_text((base / "report.html").string(),
              page(test.name + ": friction in a bending test", head_of(test, answer_of(test)), link + body));

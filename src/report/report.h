@@ -5,7 +5,7 @@
 
 #include "case/fitted.h"
 #include "io/call_files.h"
-#include "report/figure.h"
+#include "report/draw.h"
 
 namespace flexslip {
 

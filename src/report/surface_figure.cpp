@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "report/marks.h"
+#include "report/plot_units.h"
 
 namespace flexslip {
 namespace {
@@ -29,52 +35,36 @@ std::vector<std::vector<double>> extremes(const std::vector<double>& x, const st
   return rows;
 }
 
-std::string power_of_ten_tics(double low, double high) {
-  const double decades = std::log10(high / low);
-  return fmt::format("set ytics {:g}; set format y '10^{{%T}}'", std::pow(10, std::max(1.0, std::ceil(decades / 5))));
-}
-
 }  // namespace
 
-Figure surface_figure(const SurfaceStudy& study) {
+Plot surface_figure(const SurfaceStudy& study) {
   const HeightTrace& trace = study.trace;
   const Texture& texture = study.texture;
-  const PlotUnit along = plot_unit(0.1 * trace.width(), kind::length, false, "");
   const auto [lowest, highest] = std::minmax_element(trace.height.begin(), trace.height.end());
+  const PlotUnit along = plot_unit(0.1 * trace.width(), kind::length, false, "");
   const PlotUnit up = plot_unit(std::max(std::abs(*lowest), std::abs(*highest)), kind::length, false, "");
-  const std::string position = fmt::format("position [{}]", along.unit), height = fmt::format("height [{}]", up.unit);
 
   std::vector<double> x, z, edge, middle;
   for (std::size_t i = 0; i < trace.height.size(); ++i) {
-    x.push_back(along.factor * trace.position(i));
-    middle.push_back(along.factor * (trace.position(i) + 0.5 * trace.step));
-    z.push_back(up.factor * trace.height[i]);
-    edge.push_back(up.factor * study.path[i]);
+    x.push_back(along(trace.position(i)));
+    middle.push_back(along(trace.position(i) + 0.5 * trace.step));
+    z.push_back(up(trace.height[i]));
+    edge.push_back(up(study.path[i]));
   }
-  FigureData heights{"heights", {position, height}, extremes(x, z)};
-  FigureData path{"edge", {position, height}, {}};
+  middle.pop_back();
   const bool is_rounded = study.options.edge_radius > 0;
+  PlotTable heights{"heights", {along.column("position"), up.column("height")}, extremes(x, z)};
+  PlotTable path{"edge", heights.titles}, friction{"friction", {heights.titles[0], "mu"}};
   if (is_rounded) path.rows = extremes(x, edge);
-  if (!is_rounded) path.rows.push_back({NAN, NAN});
-
-  FigureData friction{"friction", {position, "mu"}, {}};
-  double mu_low = 0, mu_high = 0;
-  if (study.friction) {
-    middle.pop_back();
-    friction.rows = extremes(middle, study.friction->mu);
-    const auto [low, high] = std::minmax_element(study.friction->mu.begin(), study.friction->mu.end());
-    mu_low = *low;
-    mu_high = *high;
-  } else {
-    friction.rows.push_back({NAN, NAN});
-  }
+  if (study.friction) friction.rows = extremes(middle, study.friction->mu);
 
   const double to_density = up.factor * up.factor * along.factor;
-  const std::string wavelength = fmt::format("wavelength [{}]", along.unit);
-  const std::string density = fmt::format("density [{}² {}]", up.unit, along.unit);
-  FigureData spectrum{"spectrum", {wavelength, density, "low", "high", "smooth part"}, {}};
+  const std::string density_unit = fmt::format("{}² {}", up.unit, along.unit);
+  PlotTable spectrum{
+      "spectrum",
+      {along.column("wavelength"), fmt::format("density [{}]", density_unit), "low", "high", "smooth part"}};
   const auto interval = density_interval(texture.spectrum.tapers);
-  double most = 0, least = 1e300, last = 0;
+  double most = 0, least = INFINITY, last = 0;
   for (std::size_t j = 1; j < texture.spectrum.density.size(); ++j) {
     const double f = texture.spectrum.frequency[j];
     if (f < 0.5 / trace.width() || (last > 0 && f < last * 1.002)) continue;  // finer than the picture
@@ -82,104 +72,45 @@ Figure surface_figure(const SurfaceStudy& study) {
     const double there = to_density * texture.spectrum.density[j];
     most = std::max(most, there);
     least = std::min(least, there);
-    spectrum.rows.push_back({along.factor / f, there, there * interval.low, there * interval.high,
+    spectrum.rows.push_back({along(1 / f), there, there * interval.low, there * interval.high,
                              to_density * texture.continuum.continuum(f)});
   }
   constexpr double decades_shown = 1e8;
-  const double bottom = std::max(0.3 * least, most / decades_shown), top = 4 * most;
-  FigureData waves{"waves", {wavelength, density}, {}};
+  const double bottom = std::max(0.3 * least, most / decades_shown);
+  PlotTable waves{"waves", {spectrum.titles[0], spectrum.titles[1]}};
   for (const DominantWave& wave : texture.waves)
-    waves.rows.push_back({along.factor * wave.wavelength.value,
+    waves.rows.push_back({along(wave.wavelength.value),
                           to_density * texture.spectrum.density[texture.spectrum.at(1 / wave.wavelength.value)]});
-  if (waves.rows.empty()) waves.rows.push_back({NAN, NAN});
-  const double floor = to_density * texture.continuum.continuum.noise;
 
-  const bool shows_friction = study.friction.has_value();
-  const double tall = shows_friction ? 150 : 112;
-  const auto screen = [&](double from_top) { return 1 - from_top / tall; };
-  const double reach = std::max(1e-300, *std::max_element(z.begin(), z.end()) - *std::min_element(z.begin(), z.end()));
-  std::string script = fmt::format(
-      R"(  set multiplot
-  set lmargin at screen 0.105; set rmargin at screen 0.985
-  set xrange [{x0:.8g}:{x1:.8g}]
-  # The heights
-  set tmargin at screen {top1:.4f}; set bmargin at screen {bottom1:.4f}
-  set yrange [{z0:.6g}:{z1:.6g}]
-  {no_label}
-  set ylabel '{height}' offset 0.8
-  set key at screen 0.545,0.995 center top vertical Left reverse maxrows 1 samplen 1.8 width -1
-  plot edge using 1:2 with lines lw 2 lc rgb orange{edge_title}, \
-       heights using 1:2 with lines lw 0.6 lc rgb blue title 'Heights, levelled'
-)",
-      fmt::arg("x0", x.front()), fmt::arg("x1", x.back()), fmt::arg("top1", screen(7)),
-      fmt::arg("bottom1", screen(shows_friction ? 45 : 47)),
-      fmt::arg("z0", *std::min_element(z.begin(), z.end()) - 0.08 * reach),
-      fmt::arg("z1", *std::max_element(edge.begin(), edge.end()) + 0.08 * reach),
-      fmt::arg("no_label", shows_friction
-                               ? "set format x ''; unset xlabel"
-                               : fmt::format("set xlabel '{}' offset 0,0.4",
-                                             axis_label("Position along the surface", "{/:Italic s}", along))),
-      fmt::arg("height", axis_label("Height", "{/:Italic z}", up)),
-      fmt::arg("edge_title", is_rounded ? fmt::format(" title 'Path of an edge of {}'",
-                                                      readable(study.options.edge_radius, kind::length))
-                                        : " notitle"));
-  if (shows_friction)
-    script += fmt::format(
-        R"(  # The friction that a support shows which climbs them
-  set tmargin at screen {top:.4f}; set bmargin at screen {bottom:.4f}
-  set yrange [{low:.6g}:{high:.6g}]
-  set format x '%g'; set xlabel '{label}' offset 0,0.4
-  set ylabel 'Friction {{/:Italic μ}}' offset 0.8
-  set ytics {step:.6g}
-  set key off
-  plot friction using 1:2 with lines lw 0.7 lc rgb green notitle, {base:.6g} with lines lw 0.8 dt (8,5) lc rgb 'black' notitle
-  set key on
-)",
-        fmt::arg("top", screen(49)), fmt::arg("bottom", screen(83)), fmt::arg("low", mu_low - 0.1 * (mu_high - mu_low)),
-        fmt::arg("high", mu_high + 0.1 * (mu_high - mu_low)),
-        fmt::arg("label", axis_label("Position along the surface", "{/:Italic s}", along)),
-        fmt::arg("step", tick_within(0.4 * std::max(mu_high - mu_low, 1e-6))),
-        fmt::arg("base", *study.options.friction));
-  script += fmt::format(
-      R"(  # The spectrum
-  set tmargin at screen {top:.4f}; set bmargin at screen {bottom:.4f}
-  set ytics auto; set logscale xy
-  set xrange [{l0:.6g}:{l1:.6g}] noextend
-  set yrange [{d0:.6g}:{d1:.6g}]
-  {tics_y}
-  set xtics ({tics}); set format x '%g'
-  set xlabel '{wavelength}' offset 0,0.4
-  set ylabel '{density}' offset 0.8
-  set key at graph 0.015,0.97 left top vertical Left reverse maxrows 6 samplen 1.8
-  # What height and slope are told of
-  set object 1 rectangle from {band0:.6g}, graph 0 to {band1:.6g}, graph 1 behind fc rgb '#909090' fs transparent solid 0.10 noborder
-  plot spectrum using 1:3:4 with filledcurves lc rgb blue fs transparent solid 0.22 noborder title '95 %', \
-       spectrum using 1:2 with lines lw 0.9 lc rgb blue title 'Spectrum', \
-       spectrum using 1:5 with lines lw 1 dt (8,5) lc rgb 'black' title 'Smooth part', \
-       waves using 1:2 with points pt 6 ps 0.9 lw 1.1 lc rgb vermillion{waves_title}{floor}
-  unset object 1; unset logscale; unset multiplot; set xtics auto; set ytics auto; set format '%g'
-)",
-      fmt::arg("top", screen(shows_friction ? 99 : 61)), fmt::arg("bottom", 11 / tall),
-      fmt::arg("l0", spectrum.rows.back()[0]), fmt::arg("l1", spectrum.rows.front()[0]), fmt::arg("d0", bottom),
-      fmt::arg("d1", top), fmt::arg("tics_y", power_of_ten_tics(bottom, top)),
-      fmt::arg("tics",
-               [&] {
-                 std::string tics;
-                 const double low = spectrum.rows.back()[0], high = spectrum.rows.front()[0];
-                 for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
-                   for (const double digit : {1, 2, 5})
-                     if (const double tic = digit * std::pow(10, decade); tic >= low && tic <= high)
-                       tics += fmt::format("{}{:g}", tics.empty() ? "" : ",", tic);
-                 return tics;
-               }()),
-      fmt::arg("wavelength", axis_label("Wavelength", "{/:Italic λ}", along)),
-      fmt::arg("density", fmt::format("Density\u00a0({}²\u00a0{})", up.unit, along.unit)),
-      fmt::arg("band0", along.factor * texture.shortest), fmt::arg("band1", along.factor * texture.longest),
-      fmt::arg("waves_title", texture.waves.empty() ? " notitle" : " title 'Waves'"),
-      fmt::arg("floor",
-               floor > bottom
-                   ? fmt::format(", \\\n       {:.6g} with lines lw 0.75 dt (2,3) lc rgb 'black' title 'Noise'", floor)
-                   : std::string()));
+  const Axis position{"Position along the surface *s*", along.unit, x.front(), x.back()};
+  std::vector<Panel> panels{
+      {.x = position,
+       .y = {"Height *z*", up.unit},
+       .marks = {marks::line("edge", {0, 1}, {Colour::orange, 2},
+                             fmt::format("Path of an edge of {}", readable(study.options.edge_radius, kind::length))),
+                 marks::line("heights", {0, 1}, {Colour::blue, 0.6}, "Heights, levelled")},
+       .share = 1}};
+  if (study.friction)
+    panels.push_back({.x = position,
+                      .y = {friction_label},
+                      .marks = {marks::line("friction", {0, 1}, {Colour::green, 0.7}, "Friction shown on the slopes"),
+                                marks::horizontal(*study.options.friction, {.width = 0.8, .dash = Dash::dashed},
+                                                  "Of the flat surface")},
+                      .share = 0.9});
+  const double floor = to_density * texture.continuum.continuum.noise;
+  Panel densities{
+      .x = {"Wavelength *λ*", along.unit, spectrum.rows.back()[0], spectrum.rows.front()[0], true},
+      .y = {"Density", density_unit, bottom, 4 * most, true},
+      .marks = {marks::rectangle({along(texture.shortest), along(texture.longest), -marks::edge, marks::edge},
+                                 {.colour = Colour::grey, .opacity = 0.12}),
+                marks::band("spectrum", {0, 2, 3}, {.colour = Colour::blue, .opacity = 0.22}, "95 %"),
+                marks::line("spectrum", {0, 1}, {Colour::blue, 0.9}, "Spectrum"),
+                marks::line("spectrum", {0, 4}, {.dash = Dash::dashed}, "Smooth part"),
+                marks::points("waves", {0, 1}, {Colour::vermillion, 1.1, Dash::solid, Symbol::circle, 5}, "Waves")},
+      .share = 1.7};
+  if (floor > bottom)
+    densities.marks.push_back(marks::horizontal(floor, {.width = 0.75, .dash = Dash::dotted}, "Noise"));
+  panels.push_back(std::move(densities));
   return {
       .name = "surface",
       .title = "A surface: " + study.file.source,
@@ -187,11 +118,19 @@ Figure surface_figure(const SurfaceStudy& study) {
           "Height against position along the surface, {} heights{}{}; below, the power spectral density against the "
           "wavelength with its 95 % interval, its smooth part and {} waves that stand out.",
           trace.height.size(), is_rounded ? ", with the path of a rounded edge" : "",
-          shows_friction ? "; the friction that a support shows which climbs it" : "", texture.waves.size()),
+          study.friction ? "; the friction that a support shows which climbs it" : "", texture.waves.size()),
+      .caption = fmt::format(
+          "Heights along the surface, levelled{}{}. Below: their power spectral density with its 95 % interval; "
+          "dashed: its smooth part; circles: "
+          "the waves that stand out of it. The grey wavelengths are those that height and slope are stated for.",
+          is_rounded ? " (blue), and the path of a rounded edge over them (orange)" : "",
+          study.friction
+              ? "; the friction that a support shows as it climbs them, beside that of the flat surface (dashed)"
+              : ""),
       .width = two_columns,
-      .height = tall,
+      .height = study.friction ? 152.0 : 114.0,
       .data = {std::move(heights), std::move(path), std::move(friction), std::move(spectrum), std::move(waves)},
-      .script = script};
+      .panels = std::move(panels)};
 }
 
 }  // namespace flexslip

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "case/surface_study.h"
-#include "report/figure.h"
+#include "report/plot.h"
 
 namespace flexslip {
 
-Figure surface_figure(const SurfaceStudy& study);
+Plot surface_figure(const SurfaceStudy& study);
 
 }  // namespace flexslip

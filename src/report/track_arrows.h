@@ -1,44 +1,23 @@
-// The track of a test through a figure, and arrows on it that say which way it goes.
+// Arrows on a line that say which way it goes.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "bending_test/history.h"
-#include "data/legs.h"
-
 namespace flexslip {
 
-struct TrackPoint {
-  double w, F, S, q;
-  Motion motion;        // by which it was reached
-  Direction direction;  // of the stage
-};
-
-inline bool is_sticking(const TrackPoint& point) { return point.motion == Motion::stick; }
-
-std::vector<TrackPoint> track_of(const History& history, std::span<const Leg> legs);
-
-struct Panel {
-  double x, y;    // reduced extents of the axes
-  double aspect;  // height over width
-};
-
 struct Spot {
-  double x, y;  // [width of the panel]
+  double x, y;  // [1] of the ranges of the axes
 };
 
-// Where a point of the track stands in a panel: of force over deflection, and of mobilised friction over length.
-using Projection = Spot (*)(const TrackPoint& point, const Panel& panel);
-Spot in_force(const TrackPoint& point, const Panel& panel);
-Spot in_friction(const TrackPoint& point, const Panel& panel);
-
+// A short arrow on the part of a line from one spot to another: where the line is straight for its length, so that the arrow lies on it and crosses no
+// teeth; the nearer to the middle the better, and away from other arrows. None if there is no such place.
 struct Arrow {
   Spot from, to;
 };
-
-// On each leg of one direction of the stage, and on each long stretch of sticking, none too near to another.
-std::vector<Arrow> arrows_on(const std::vector<TrackPoint>& track, Projection projection, const Panel& panel,
-                             Direction direction);
+std::optional<Arrow> arrow_on(std::span<const Spot> line, std::size_t first, std::size_t last,
+                              const std::vector<Arrow>& others);
 
 }  // namespace flexslip

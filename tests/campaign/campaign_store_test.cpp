@@ -55,6 +55,7 @@ CampaignTest some_test() {
   test.curves = CampaignCurves{.span = 1278e-6,
                                .bending_stiffness = 2e-12,
                                .load_train_stiffness = std::numeric_limits<double>::infinity(),
+                               .supports = {0.08, 0.0125},
                                .stage = {0, 0.1, 0.2},
                                .deflection = {0, 0.1, 0.15},
                                .force = {0, 1, 2},
@@ -75,6 +76,8 @@ TEST_CASE("identity: a kept test comes back to the last bit, and its text to the
   CHECK(!back->summary->amplitude);
   CHECK(back->summary->category == SawtoothCategory::nominal);
   CHECK(std::isinf(back->curves->load_train_stiffness));
+  CHECK(back->curves->supports.radius == 0.08);
+  CHECK(back->curves->supports.half_depth == 0.0125);
   CHECK(back->curves->force == some_test().curves->force);
   CHECK(back->remarks == some_test().remarks);
   CHECK(back->verdict == "CHECK INPUT");

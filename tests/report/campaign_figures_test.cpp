@@ -4,16 +4,20 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 
+#include "report/draw.h"
+#include "report/marks.h"
 #include "tests/report/some_campaign.h"
 
 using namespace flexslip;
 namespace fs = std::filesystem;
 
 TEST_CASE("paper: Fig. 9 has the wavelengths of tests with a sawtooth, and the friction of all") {
-  const Figure figure = distribution_figure(some_campaign());
+  const Plot figure = distribution_figure(some_campaign());
   REQUIRE(figure.data.size() == 1);
   const auto& rows = figure.data[0].rows;
   REQUIRE(rows.size() == 5);
@@ -22,7 +26,9 @@ TEST_CASE("paper: Fig. 9 has the wavelengths of tests with a sawtooth, and the f
   CHECK(rows[0][5] == 0.6 + 0.0241);                          // the upper end of its interval
   CHECK(std::isnan(rows[3][6]));                              // no sawtooth
   CHECK(rows[4][2] == 1);                                     // suspect
-  CHECK(figure.script.find("first 0.5 to graph 1, first 0.721") != std::string::npos);
+  const Mark& literature = figure.panels.back().marks.front();
+  CHECK(literature.kind == MarkKind::rectangle);
+  CHECK(literature.at == std::vector<double>{-marks::edge, marks::edge, 0.5, 0.721});
   const auto numbered = campaign_of(
       {some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6), some_test("SS13", SawtoothCategory::none, 0.3, {})});
   CHECK(distribution_figure(numbered).data[0].rows[1][0] == 13);
@@ -47,29 +53,38 @@ TEST_CASE("paper: Figs. 10 to 13 have a panel a test, 20 on a page, the suspects
   CHECK(pages[3].name == "atlas-suspect-1");
   CHECK(pages[1].height <= 277);  // A4 less margins of 10 mm
   CHECK(pages[1].width <= 190);
-  const auto panels = [](const Figure& page) {
-    double last = 0;
-    for (const auto& row : page.data[0].rows)
-      if (!row.empty()) last = std::max(last, row[0]);
-    return last;
-  };
-  CHECK(panels(pages[1]) == 20);
-  CHECK(panels(pages[2]) == 1);
+  CHECK(pages[1].panels.size() == 20);
+  CHECK(pages[2].panels.size() == 1);
 }
 
 TEST_CASE("limit: load lines have the slope of the load train, the references those of small deflections") {
   const auto pages = atlas_pages(campaign_of({some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6)}));
   REQUIRE(pages.size() == 1);
-  REQUIRE(pages[0].data.size() == 4);
-  const auto& drops = pages[0].data[3].rows;
+  const auto& drops = table_of(pages[0], "drops").rows;
   REQUIRE(drops.size() == 6);                                                      // two lines and what parts them
   const double slope = (drops[1][2] - drops[0][2]) / (drops[1][1] - drops[0][1]);  // [mN/µm]
   CHECK(slope == doctest::Approx(-90.6e-3).epsilon(1e-9));                         // differences of the decimals kept
-  const auto& reference = pages[0].data[2].rows[1];
-  const double initial = 48 * 2.13e-9 / std::pow(1278e-6, 3) * 1e-3;              // [mN/µm]
-  CHECK(reference[2] / reference[1] == doctest::Approx(initial).epsilon(1e-12));  // a few roundings
-  CHECK(reference[3] / reference[1] ==
-        doctest::Approx(initial).epsilon(1e-2));  // F = 48 w (1 - O(w²)), w = 0.005 there
+  const double initial = 48 * 2.13e-9 / std::pow(1278e-6, 3) * 1e-3;               // [mN/µm]
+  const auto& beam = table_of(pages[0], "beam").rows[1];
+  CHECK(beam[2] / beam[1] == doctest::Approx(initial).epsilon(1e-12));  // a few roundings
+  const auto& smooth = table_of(pages[0], "frictionless").rows[1];
+  CHECK(smooth[2] / smooth[1] == doctest::Approx(initial).epsilon(1e-2));  // F = 48 w (1 - O(w²)), w = 0.005 there
+}
+
+TEST_CASE("identity: the atlas draws the curve without friction on the supports of the test") {
+  // [EI/L^2] at a deflection of 0.3 spans, as `flexslip state --w 0.3 --q 0` prints it.
+  for (const auto& [supports, force] :
+       {std::pair{Supports{0, 0}, 6.33}, std::pair{Supports{0, 0.0125}, 6.58}, std::pair{Supports{0.08, 0}, 8.01}}) {
+    CampaignTest test = some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6);
+    test.curves->supports = supports;
+    const auto pages = atlas_pages(campaign_of({test}));
+    const auto& rows = table_of(pages.at(0), "frictionless").rows;
+    const double w = 0.3 * 1278, per_force = 1e3 * 2.13e-9 / std::pow(1278e-6, 2);  // [µm], [mN]
+    std::size_t i = 1;
+    while (rows.at(i)[1] < w) ++i;
+    const double at_w = std::lerp(rows[i - 1][2], rows[i][2], (w - rows[i - 1][1]) / (rows[i][1] - rows[i - 1][1]));
+    CHECK(at_w / per_force == doctest::Approx(force).epsilon(0.003));  // three digits, and straight between the points
+  }
 }
 
 TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
@@ -85,6 +100,6 @@ TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
     CHECK(fs::file_size(fs::path(folder.path) / (figure.name + ".pdf")) > 5000);
   }
   const std::string svg = text_of(folder.path + "/atlas-clear-1.svg");
-  CHECK(svg.find("A &lt;b&gt; &amp; 50%_ü") != std::string::npos);
-  CHECK(svg.find("it's {/=50 big}^2 \\n") != std::string::npos);
+  CHECK(svg.find("A\u00a0&lt;b&gt;\u00a0&amp;\u00a050%_ü") != std::string::npos);
+  CHECK(svg.find("it's\u00a0{/=50\u00a0big}^2") != std::string::npos);
 }

@@ -12,9 +12,9 @@ namespace {
 std::vector<Chapter> small_document() {
   Chapter first{""};
   first.show(Picture{[] {
-    Plate plate{};
-    plate.caption = "A caption.";
-    return plate;
+    Plot plot{};
+    plot.caption = "A caption.";
+    return plot;
   }});
   Chapter second{"Friction & wear"};
   second.say("It is -0.5.")
@@ -34,7 +34,7 @@ TEST_CASE("by hand: a terminal shows words, tables and lists, no pictures and no
 }
 
 TEST_CASE("by hand: a page shows the same and the pictures") {
-  const std::string html = in_html(small_document(), [](const Plate& plate) { return "(" + plate.caption + ")"; });
+  const std::string html = in_html(small_document(), [](const Plot& plot) { return "(" + plot.caption + ")"; });
   for (const char* part : {"(A caption.)<h2>Friction &amp; wear</h2>", "<p>It is \u22120.5.</p>", "<th>Fall</th>",
                            "<td>0.2</td>", "<li>one</li>\n<li>a &lt; b</li>", "<pre>[rig]\n\nspan = '1 mm'\n</pre>"})
     CHECK(has(html, part));
@@ -53,7 +53,7 @@ TEST_CASE("by hand: rows of parameters, of steps and of files in both layouts") 
         "force "
         "counts from there (-3 mN; rows 1 to 40); to change this: [record] zero\n" +
             laid_out({{"File", "Bytes", "SHA-256"}, {{"run -2.csv", "12", "ab"}, {"-", "", ""}}}));
-  const std::string html = in_html({chapter}, [](const Plate&) { return ""; });
+  const std::string html = in_html({chapter}, [](const Plot&) { return ""; });
   for (const char* part :
        {"<td>μ₀</td><td><code>mu0</code>, mean friction</td><td class=\"value\">0.50 ± 0.01</td>", "\u22121</td>",
         "<td class=\"value\">\u22123 mN</td><td class=\"value\">1 to 40</td><td><code>[record] zero</code></td>",

@@ -55,6 +55,7 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                     .curves = CampaignCurves{.span = scales.span(),
                                              .bending_stiffness = scales.bending_stiffness(),
                                              .load_train_stiffness = 90.6,
+                                             .supports = {0, 0},
                                              .stage = {},
                                              .deflection = {},
                                              .force = {},

@@ -46,9 +46,9 @@ TEST_CASE("surface words, table: what a wave, a question and a friction come to"
   CHECK(has(resolution_in_words(study)[1],
             "150 nm: cannot be seen, with 1.5 heights per wave where at least 2 are needed"));
   CHECK(has(text, "with A = 0.1"));  // 2π 0.11/10.9 (1 + 0.25)/0.5 = 0.16
-  const Figure figure = surface_figure(study);
+  const Plot figure = surface_figure(study);
   CHECK(figure.data.size() == 5);
-  CHECK(has(figure.script, "Friction"));
+  CHECK(figure.panels.size() == 3);
 }
 
 TEST_CASE("surface words, limit: a friction on which it would slide by itself is refused with its place") {

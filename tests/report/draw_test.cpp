@@ -1,16 +1,19 @@
-#include "report/figure.h"
+#include "report/draw.h"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <stdexcept>
 #include <string>
 
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
 #include "io/input_error.h"
+#include "io/text.h"
+#include "report/marks.h"
+#include "report/plot_layout.h"
 
 using namespace flexslip;
 namespace fs = std::filesystem;
@@ -32,14 +35,15 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Figure line() {
+Plot line() {
   return {.name = "line",
           .title = "A <line> & more",
           .description = "It rises.",
+          .caption = "",
           .width = one_column,
           .height = 50,
           .data = {{"points", {"x", "y"}, {{0, 1}, {}, {0.1, 2}}}},
-          .script = "  plot points using 1:2 with lines\n"};
+          .panels = {{.x = {"*x*"}, .y = {"*y*"}, .marks = {marks::line("points", {0, 1}, {})}}}};
 }
 
 }  // namespace
@@ -73,10 +77,12 @@ TEST_CASE("outside: gnuplot shows a text as it is, whatever it holds") {
        {"'begins", "ends'", "12'' rod", "'", "''", "'''", "a'b''c'''d", "\"12\"", "'\"`id`\"'", "back\\slash'n", "\\n",
         "{brace}'", "'}", "{", "# @x $y `id`", "'# no remark", "é ü '", "%d 100 %"}) {
     INFO(text);
-    Figure figure = line();
-    figure.script = fmt::format("  set label 4 {} at graph 0,1.06 left noenhanced\n{}", in_script(text), line().script);
-    if (draw(figure, folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
-    CHECK(text_of(fs::path(folder.path) / "line.svg").find(">" + text + "</text>") != std::string::npos);
+    Plot plot = line();
+    plot.panels[0].title = as_it_is(text);
+    if (draw(plot, folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
+    const std::string svg = text_of(fs::path(folder.path) / "line.svg");
+    const std::string with_hard_spaces = html_escaped(std::regex_replace(text, std::regex(" "), "\u00a0"));
+    CHECK(svg.find(">" + with_hard_spaces + "</tspan></text>") != std::string::npos);
   }
 }
 
@@ -85,11 +91,11 @@ TEST_CASE("outside: a picture that cannot be drawn again stays, and nothing lies
   if (draw(line(), folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
   const fs::path picture = fs::path(folder.path) / "line.svg";
   const std::string before = text_of(picture);
-  Figure broken = line();
-  broken.script += "  plot nonsense\n";
+  Plot broken = line();
+  broken.data[0].name = broken.panels[0].marks[0].table = "no-name";
   CHECK_THROWS_AS(draw(broken, folder.path, {"svg"}), std::runtime_error);
   CHECK(text_of(picture) == before);
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 3);
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 4);
 }
 
 TEST_CASE("limit: no picture of that kind") {
@@ -99,18 +105,11 @@ TEST_CASE("limit: no picture of that kind") {
   CHECK_THROWS_AS(draw(line(), folder.path + "/li\nne.svg"), InputError);
 }
 
-TEST_CASE("identity: an axis shows a quantity in the unit that reads best") {
-  const auto force = plot_unit(0.012, kind::force, false, "EI/L²");
-  CHECK(force.unit == "mN");
-  CHECK(force.factor * 0.012 == doctest::Approx(12).epsilon(1e-15));  // one rounding each
-  CHECK(axis_label("Force", "{/:Italic F}", force) == "Force\u00a0{/:Italic F}\u00a0(mN)");
-  CHECK(plot_unit(0.012, kind::force, true, "EI/L²").factor == 1);
-}
-
-TEST_CASE("axes, by hand: they end at a round number, not below the greatest value") {
-  CHECK(rounded_up(1) == 1);
-  CHECK(rounded_up(1.01) == 1.5);
-  CHECK(rounded_up(9.6) == 10);
-  CHECK(rounded_up(96) == 100);
-  CHECK(rounded_up(0.0213) == doctest::Approx(0.025));
+TEST_CASE("outside: a picture for print says how finely it is drawn") {
+  const Folder folder;
+  if (draw(line(), folder.path, {"png"}) == DrawStatus::no_gnuplot) return;
+  const std::string png = text_of(fs::path(folder.path) / "line.png");
+  const auto at = png.find("pHYs");
+  REQUIRE(at == 37);                                                             // right after the header
+  CHECK(png.substr(at + 4, 9) == std::string("\0\0\x3d\x84\0\0\x3d\x84\1", 9));  // 400 dpi: 15748 a metre
 }
