@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "data/names.h"
+#include "finding/finding.h"
 
 namespace flexslip {
 namespace {
@@ -106,9 +107,11 @@ Fields<DropOf> drop_fields() {
       .number("false_alarms", "number of equally significant drops expected in a test of this length without slips",
               [](D drop) { return drop.slip.drop.false_alarms; })
       .words("slip",
-             "whether the drop can be a slip: possible; too_short to judge; or not, as unexplained by any friction, "
-             "implausible friction before, negative friction after, or moves_out (length let out)",
+             "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or "
+             "moves_out",
              [](D drop) { return name_of(drop.slip.verdict); })
+      .words("reading", "the same in words, as tables and page print it",
+             [](D drop) { return reading_of(drop.slip.verdict); })
       .estimate("pulled_in", kind::length, "length pulled in (both supports) if the drop is a slip",
                 [](D drop) { return normal_estimate(drop.slip.S_after - drop.slip.S_before, drop.slip.advance_error); })
       .number("mu_before", "friction before the drop, if it is a slip", [](D drop) { return drop.slip.mu_before; })

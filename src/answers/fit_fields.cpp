@@ -15,9 +15,9 @@
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "case/analysis_fields.h"
+#include "data/names.h"
 #include "finding/answer.h"
 #include "finding/fit_findings.h"
-#include "data/names.h"
 #include "result/mechanics.h"
 
 namespace flexslip {
@@ -222,7 +222,8 @@ Fields<FittedTest> every_fit_field() {
       .words("model", "fitted friction model: roughness, constant, drift, sinusoid or sinusoids",
              [](T test) { return name_of(test.analysis.fit.model); })
       .anywhere()
-      .group("verdict", "what the test comes to", verdict_of_fit_fields(), [](T test) { return answer_of(test).verdict; })
+      .group("verdict", "what the test comes to", verdict_of_fit_fields(),
+             [](T test) { return answer_of(test).verdict; })
       .list("answer", "the rows of the screen", answer_row_fields(), [](T test) { return answer_of(test).rows; })
       .list("findings", "all that was found out, the weightiest first", finding_fields(), findings_of)
       .words("next", "the one step that would tell most; empty where there is none",
@@ -230,9 +231,7 @@ Fields<FittedTest> every_fit_field() {
       .words("category", "how clear the sawtooth is: clear, nominal or none",
              [](T test) { return name_of(test.analysis.category); })
       .yes_no("suspect", "judgement.standing is suspect or untrusted, or no sliding explains the record",
-              [](T test) {
-                return standing_of(findings_of(test)) >= Standing::suspect;
-              })
+              [](T test) { return standing_of(findings_of(test)) >= Standing::suspect; })
       .number("stiffness_over_initial_slope", "bending stiffness used divided by that of the initial slope",
               analysis(&TestAnalysis::stiffness_over_slope))
       .group(

@@ -109,27 +109,6 @@ Fields<FittedTest> band_fields() {
                    [](T test) { return test.analysis.fit.band.deviation; });
 }
 
-std::string_view remedy_of(const Check& check) {
-  if (check.outcome != CheckOutcome::failed) return "";
-  switch (check.kind) {
-    case CheckKind::residuals:
-      return "check modulus, section, span and units";
-    case CheckKind::drops:
-      return "see whether they can be cracks";
-    case CheckKind::whiteness:
-      return "something is not in the model; a simulated record without noise fails here, too";
-    case CheckKind::nesting:
-      return "its best fit was not found: compare fit --model constant and drift";
-    case CheckKind::friction:
-      return "bend farther, or state the bending stiffness more exactly";
-    case CheckKind::stiffness:
-      return "check modulus, section, span, units, contact and the radius of the supports";
-    case CheckKind::stability:
-      break;
-  }
-  return check.numbers.empty() ? "check the record" : "do not trust its last digits";
-}
-
 Fields<Check> check_fields() {
   Fields<Check> fields;
   fields
@@ -141,11 +120,7 @@ Fields<Check> check_fields() {
                            ? std::nullopt
                            : std::optional(check.outcome == CheckOutcome::passed);
               })
-      .left_out_where_missing()
-      .words("remedy", "what to do if the check failed", [](const Check& check) {
-        const std::string_view remedy = remedy_of(check);
-        return remedy.empty() ? std::nullopt : std::optional(remedy);
-      });
+      .left_out_where_missing();
   struct Number {
     std::string_view name;
     const Kind& kind;

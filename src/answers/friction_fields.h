@@ -39,7 +39,4 @@ Fields<FittedTest> band_fields();
 
 Fields<Check> check_fields();
 
-// What to do about a check that failed, in a clause; "" of others.
-std::string_view remedy_of(const Check& check);
-
 }  // namespace flexslip

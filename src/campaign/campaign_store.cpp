@@ -95,13 +95,16 @@ constexpr std::tuple parts_of<CampaignCurves>{Part{"span", &CampaignCurves::span
 template <>
 constexpr std::tuple parts_of<Materials>{Part{"specimen", &Materials::specimen}, Part{"support", &Materials::support}};
 template <>
-constexpr std::tuple parts_of<CampaignTest>{
-    Part{"name", &CampaignTest::name},          Part{"status", &CampaignTest::status},
-    Part{"reason", &CampaignTest::reason},      Part{"file", &CampaignTest::file},
-    Part{"verdict", &CampaignTest::verdict},
-    Part{"summary", &CampaignTest::summary},    Part{"curves", &CampaignTest::curves},
-    Part{"remarks", &CampaignTest::remarks},    Part{"section_moment", &CampaignTest::section_moment},
-    Part{"materials", &CampaignTest::materials}};
+constexpr std::tuple parts_of<CampaignTest>{Part{"name", &CampaignTest::name},
+                                            Part{"status", &CampaignTest::status},
+                                            Part{"reason", &CampaignTest::reason},
+                                            Part{"file", &CampaignTest::file},
+                                            Part{"verdict", &CampaignTest::verdict},
+                                            Part{"summary", &CampaignTest::summary},
+                                            Part{"curves", &CampaignTest::curves},
+                                            Part{"remarks", &CampaignTest::remarks},
+                                            Part{"section_moment", &CampaignTest::section_moment},
+                                            Part{"materials", &CampaignTest::materials}};
 
 template <class T>
 constexpr bool is_optional = false;

@@ -28,9 +28,7 @@ const Finding* finding_in(const std::vector<Finding>& findings, std::string_view
 
 std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
 
-bool may_be_cracks(T test) {
-  return drops_of(test) > 0 && test.judgement->drops != CrackVerdict::not_by_cracks_alone;
-}
+bool may_be_cracks(T test) { return drops_of(test) > 0 && test.judgement->drops != CrackVerdict::not_by_cracks_alone; }
 
 bool has_reload(T test) { return test.judgement && std::isfinite(test.judgement->loss); }
 
@@ -64,10 +62,10 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     const Finding* softer = finding_in(findings, "softer_reload");
     if (!softer) softer = finding_in(findings, "changed_reload");
     if (softer) return {VerdictCode::crack, {softer->sentence, "no friction can be read off"}, softer->code};
-    std::vector<std::string> parts{
-        judgement.impossible == 0              ? drops
-        : judgement.impossible == drops_of(test) ? fmt::format("{}, none of them a slip", drops)
-                                                 : fmt::format("{}, {} of them no slip", drops, judgement.impossible)};
+    std::vector<std::string> parts{judgement.impossible == 0 ? drops
+                                   : judgement.impossible == drops_of(test)
+                                       ? fmt::format("{}, none of them a slip", drops)
+                                       : fmt::format("{}, {} of them no slip", drops, judgement.impossible)};
     constexpr double worth_saying = 0.03;
     if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
       parts.push_back(fmt::format("the stiffness falls by about {}", percent(lost)));
@@ -79,8 +77,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   if (const Finding* none = finding_in(findings, "no_sliding"))
     return {VerdictCode::no_answer, {none->sentence}, none->code};
   const FrictionFit& fit = test.analysis.fit;
-  const std::string friction =
-      fmt::format("friction {}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "");
+  const std::string friction = fmt::format("friction {}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "");
   const std::string work = work_in_short(test);
   Verdict verdict{VerdictCode::undecided, {}};
   if (drops_of(test) == 0) {
@@ -148,13 +145,12 @@ std::string slip_or_crack_in_words(T test) {
   const Judgement& judgement = *test.judgement;
   const SlipOrCrack& rises = analysis.slip_or_crack;
   const std::size_t drops = drops_of(test), possible = drops - judgement.impossible;
-  const std::string slips =
-      judgement.impossible == 0
-          ? (drops == 1   ? std::string("the drop can be a slip")
-             : drops == 2 ? std::string("both drops can be slips")
-                          : fmt::format("all {} drops can be slips", drops))
-          : fmt::format("{} of {} drops can be slips", possible == 0 ? std::string("none") : fmt::format("{}", possible),
-                        drops);
+  const std::string slips = judgement.impossible == 0
+                                ? (drops == 1   ? std::string("the drop can be a slip")
+                                   : drops == 2 ? std::string("both drops can be slips")
+                                                : fmt::format("all {} drops can be slips", drops))
+                                : fmt::format("{} of {} drops can be slips",
+                                              possible == 0 ? std::string("none") : fmt::format("{}", possible), drops);
   const std::string stiffer = fmt::format("{} of {} rises between them grow stiffer", rises.stiffer_rises, rises.rises);
   switch (judgement.drops) {
     case CrackVerdict::not_by_cracks_alone:
@@ -172,19 +168,19 @@ std::string slip_or_crack_in_words(T test) {
     case CrackVerdict::cannot_be_told:
       break;
   }
-  return rises.judged ? fmt::format("how the force rises between the drops does not tell: {} of {} rises grow stiffer; {}", rises.stiffer_rises, rises.rises, slips)
-                      : fmt::format("too few drops, or rows between them, to tell; {}", slips);
+  return rises.judged
+             ? fmt::format("how the force rises between the drops does not tell: {} of {} rises grow stiffer; {}",
+                           rises.stiffer_rises, rises.rises, slips)
+             : fmt::format("too few drops, or rows between them, to tell; {}", slips);
 }
 
 std::string friction_in_words(T test) {
   const FrictionFit& fit = test.analysis.fit;
   if (lost_stiffness(*test.judgement)) return "none can be read off a specimen that loses stiffness";
-  if (fit.mu0_is_bound)
-    return fmt::format("{} (95 %); it cannot be distinguished from zero", mean_friction(fit));
+  if (fit.mu0_is_bound) return fmt::format("{} (95 %); it cannot be distinguished from zero", mean_friction(fit));
   const double slid = 0.5 * (fit.S_end - fit.S_begin);
-  std::string words =
-      fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
-                  roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
+  std::string words = fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
+                                  roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
   if (drops_of(test) > 0 && !has_reload(test)) words += ", if no stiffness was lost";
   const FrictionRead& read = test.analysis.friction_read;
   if (std::isfinite(read.median)) words += fmt::format("; {:.2f} to {:.2f} along it", read.low80, read.high80);
@@ -222,15 +218,16 @@ std::string stiffness_in_words(T test, bool tells) {
   const Print print(test);
   const double EI = analysis.scales.bending_stiffness();
   const Kind stiffness = print.as(kind::bending_stiffness);
-  const std::string beforehand = fmt::format(
-      "{}: {}", source_of(test.stiffness), readable(EI, EI * analysis.bending_stiffness_error, stiffness));
+  const std::string beforehand =
+      fmt::format("{}: {}", source_of(test.stiffness), readable(EI, EI * analysis.bending_stiffness_error, stiffness));
   if (!tells) return "EI " + beforehand;
   const Estimate& fitted = analysis.fit.bending_stiffness;
   std::string words =
       fmt::format("EI {} ({})", readable(EI * fitted.value, EI * fitted.standard_error, stiffness), beforehand);
   if (test.section_moment)
-    words += fmt::format(", E {}", readable(EI * fitted.value / *test.section_moment,
-                                            EI * fitted.standard_error / *test.section_moment, print.as(kind::pressure)));
+    words +=
+        fmt::format(", E {}", readable(EI * fitted.value / *test.section_moment,
+                                       EI * fitted.standard_error / *test.section_moment, print.as(kind::pressure)));
   const double curvature = greatest_curvature(analysis.profile_at_fit, analysis.rig.fibre);
   if (test.surface && std::isfinite(curvature)) {
     const double strain = test.surface->strain(curvature);
@@ -263,7 +260,8 @@ std::string assumed_in_words(T test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Measurement& measurement = test.measurement;
   const Print print(test);
-  std::vector<std::string> parts{supports.radius > 0 ? "rollers of radius " + print.length(supports.radius) : "knife edges"};
+  std::vector<std::string> parts{supports.radius > 0 ? "rollers of radius " + print.length(supports.radius)
+                                                     : "knife edges"};
   if (supports.half_depth == 0) parts.emplace_back("no thickness");
   if (test.stiffness != StiffnessSource::stated)
     parts.push_back(fmt::format("EI to {:.2g} %", 100 * test.analysis.bending_stiffness_error));

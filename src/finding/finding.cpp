@@ -12,18 +12,23 @@
 namespace flexslip {
 
 std::string_view name_of(Severity severity) {
-  return name_in_order<Severity::unjudged>(severity,
-                                           {"refusal", "suspicion", "doubt", "note", "passed", "unjudged"});
+  return name_in_order<Severity::unjudged>(severity, {"refusal", "suspicion", "doubt", "note", "passed", "unjudged"});
+}
+
+std::string_view reading_of(SlipVerdict verdict) {
+  return name_in_order<SlipVerdict::too_short>(
+      verdict, {"can be a slip", "no slip: no friction explains it", "no slip: too much friction before",
+                "no slip: friction would be negative", "no slip: length would be let out", "too short to judge"});
 }
 
 std::string_view name_of(VerdictCode code) {
-  return name_in_order<VerdictCode::no_answer>(
-      code, {"slip", "undecided", "crack", "no_drops", "check_input", "no_answer"});
+  return name_in_order<VerdictCode::no_answer>(code,
+                                               {"slip", "undecided", "crack", "no_drops", "check_input", "no_answer"});
 }
 
 std::string_view word_of(VerdictCode code) {
-  return name_in_order<VerdictCode::no_answer>(
-      code, {"SLIP", "UNDECIDED", "CRACK", "NO DROPS", "CHECK INPUT", "NO ANSWER"});
+  return name_in_order<VerdictCode::no_answer>(code,
+                                               {"SLIP", "UNDECIDED", "CRACK", "NO DROPS", "CHECK INPUT", "NO ANSWER"});
 }
 
 std::string sentence_of(const Verdict& verdict) {

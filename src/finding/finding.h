@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "inference/judgement.h"
+#include "inference/slips.h"
 #include "io/quantity.h"
 
 namespace flexslip {
@@ -37,6 +38,9 @@ struct Finding {
   std::string remedy{};      // what to do, a whole sentence; empty where there is nothing to do
   std::vector<FindingNumber> numbers{};
 };
+
+// What can be said of one drop: "can be a slip", "no slip: friction would be negative".
+std::string_view reading_of(SlipVerdict verdict);
 
 // What a test comes to in one word.
 enum class VerdictCode { slip, undecided, crack, no_drops, check_input, no_answer };

@@ -25,8 +25,7 @@ bool is_on_edges(T test) { return test.analysis.rig.fibre.supports().radius == 0
 
 const Check* check_of(T test, CheckKind kind) {
   const auto& checks = test.analysis.checks;
-  const auto found =
-      std::find_if(checks.begin(), checks.end(), [&](const Check& check) { return check.kind == kind; });
+  const auto found = std::find_if(checks.begin(), checks.end(), [&](const Check& check) { return check.kind == kind; });
   return found == checks.end() ? nullptr : &*found;
 }
 
@@ -146,11 +145,12 @@ Found too_few_rows(T test) {
   const std::size_t rows = test.analysis.record.force.size();
   if (test.analysis.status != AnalysisStatus::too_few_points || rows >= least_rows || too_deep(test) || no_force(test))
     return std::nullopt;
-  return Finding{.code = "too_few_rows",
-                 .severity = Severity::refusal,
-                 .sentence = fmt::format("The loading has {}; {} are needed.", counted(rows, "row", "rows"), least_rows),
-                 .short_form = "too few rows",
-                 .remedy = "Record more rows."};
+  return Finding{
+      .code = "too_few_rows",
+      .severity = Severity::refusal,
+      .sentence = fmt::format("The loading has {}; {} are needed.", counted(rows, "row", "rows"), least_rows),
+      .short_form = "too few rows",
+      .remedy = "Record more rows."};
 }
 
 Found too_few_points(T test) {
@@ -164,11 +164,12 @@ Found too_few_points(T test) {
                      "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and "
                      "twice the thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the "
                      "span of {}.",
-                     counted(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest),
-                     100 * deepest, Print(test).length(1)),
+                     counted(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
+                     Print(test).length(1)),
                  .short_form = "bent too little",
-                 .remedy = "If the deflection should be larger, check the units; if not, bend a thinner specimen, or "
-                           "bend farther.",
+                 .remedy =
+                     "If the deflection should be larger, check the units; if not, bend a thinner specimen, or "
+                     "bend farther.",
                  .numbers = {{"deflection_over_span", deepest}}};
 }
 
@@ -177,14 +178,16 @@ Found wrong_stiffness(T test) {
   const bool is_judged = is_fitted(test) || analysis.status == AnalysisStatus::not_explained;
   if (!is_judged || !analysis.stiffness_implausible) return std::nullopt;
   const double times = analysis.stiffness_over_slope;
-  return Finding{.code = "wrong_stiffness",
-                 .severity = Severity::refusal,
-                 .sentence = fmt::format("The bending stiffness stated is {} times that of the record's initial slope{}.",
-                                         roughly(times, kind::number), likely_slip_of_units(times)),
-                 .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
-                 .remedy = "Check the modulus, the section, the span, the load train, the columns and their units; "
-                           "modulus = \"fit\" takes the stiffness from the record.",
-                 .numbers = {{"stated_over_slope", times}}};
+  return Finding{
+      .code = "wrong_stiffness",
+      .severity = Severity::refusal,
+      .sentence = fmt::format("The bending stiffness stated is {} times that of the record's initial slope{}.",
+                              roughly(times, kind::number), likely_slip_of_units(times)),
+      .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
+      .remedy =
+          "Check the modulus, the section, the span, the load train, the columns and their units; "
+          "modulus = \"fit\" takes the stiffness from the record.",
+      .numbers = {{"stated_over_slope", times}}};
 }
 
 Found not_explained(T test) {
@@ -211,15 +214,17 @@ Found most_drops_impossible(T test) {
                                   ? Print(test).own(test.analysis.scales.physical_stiffness(train), kind::stiffness)
                                   : "infinite stiffness"),
       .short_form = fmt::format("{} of {} drops are no slips", impossible, drops),
-      .remedy = "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these "
-                "drops.",
+      .remedy =
+          "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these "
+          "drops.",
       .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
 }
 
 Found no_sliding(T test) {
   if (!test.analysis.model_implausible) return std::nullopt;
-  const std::string remedy = "Check the modulus, the section, the span, the contact and the load train. If they are "
-                             "right, the specimen gave way: unload and load once more.";
+  const std::string remedy =
+      "Check the modulus, the section, the span, the contact and the load train. If they are "
+      "right, the specimen gave way: unload and load once more.";
   return Finding{.code = "no_sliding",
                  .severity = Severity::refusal,
                  .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
@@ -276,20 +281,22 @@ Found implausible_friction(T test) {
       .severity = Severity::suspicion,
       .sentence = fmt::format("The record needs implausible friction, {}.", how),
       .short_form = fmt::format("friction above {:.2g}", most),
-      .remedy = analysis.fit.mu0.low > analysis.most_friction
-                    ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether they are stuck.",
-                                  analysis.most_friction)
-                : is_on_edges(test) ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges "
-                                      "read so."
-                                    : "Image the supports: the length pulled in shows whether the specimen slides."};
+      .remedy =
+          analysis.fit.mu0.low > analysis.most_friction
+              ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether they are stuck.",
+                            analysis.most_friction)
+          : is_on_edges(test) ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges "
+                                "read so."
+                              : "Image the supports: the length pulled in shows whether the specimen slides."};
 }
 
 Found misses_force(T test) {
   const Check* check = check_of(test, CheckKind::residuals);
   if (!check) return std::nullopt;
   const double share = number_of(*check, "residual_rms") / number_of(*check, "greatest_force");
-  const std::string misses = fmt::format("The fit, run forward, misses the force by {:.2g} % of its greatest (limit {:g} %).",
-                                         100 * share, 100 * most_residual);
+  const std::string misses =
+      fmt::format("The fit, run forward, misses the force by {:.2g} % of its greatest (limit {:g} %).", 100 * share,
+                  100 * most_residual);
   return checked("misses_force", *check, misses, misses, "the fit misses the force",
                  "Check the modulus, the section, the span and the units.");
 }
@@ -303,11 +310,12 @@ Found drops_differ(T test) {
     return unjudged(code, "The model has no profiles whose drops could be counted.");
   const auto number = [&](std::string_view name) { return number_of(*check, name); };
   const double low = number("draws_low"), high = number("draws_high");
-  const std::string sentence = fmt::format(
-      "Profiles drawn from the fit show {} drops, the record {:.0f}{}.",
-      low < high ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("{:.0f}", low), number("record"),
-      check->outcome == CheckOutcome::passed ? "" : ", more than chance allows");
-  return checked(code, *check, sentence, sentence, fmt::format("{:.0f} drops, fit {:.0f} to {:.0f}", number("record"), low, high),
+  const std::string sentence =
+      fmt::format("Profiles drawn from the fit show {} drops, the record {:.0f}{}.",
+                  low < high ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("{:.0f}", low),
+                  number("record"), check->outcome == CheckOutcome::passed ? "" : ", more than chance allows");
+  return checked(code, *check, sentence, sentence,
+                 fmt::format("{:.0f} drops, fit {:.0f} to {:.0f}", number("record"), low, high),
                  "See in the table of drops which ones can be cracks.");
 }
 
@@ -321,11 +329,11 @@ Found coloured_noise(T test) {
   const double p = number_of(*check, "p_value");
   const std::string probability =
       p < least_p_of_noise ? fmt::format("p < {:g}", least_p_of_noise) : fmt::format("p = {}", significant(p, 2));
-  return checked(code, *check,
-                 fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, least_p_of_noise),
-                 fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, least_p_of_noise),
-                 "residuals are not noise",
-                 "Something is not in the model; a simulated record without noise fails here, too.");
+  return checked(
+      code, *check,
+      fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, least_p_of_noise),
+      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, least_p_of_noise),
+      "residuals are not noise", "Something is not in the model; a simulated record without noise fails here, too.");
 }
 
 Found simpler_fits_better(T test) {
@@ -359,8 +367,9 @@ Found falling_friction(T test) {
   if (!test.judgement->friction_falls) return std::nullopt;
   return Finding{.code = "falling_friction",
                  .severity = Severity::doubt,
-                 .sentence = "Friction decreases along the record, as it would if stiffness were lost or if rollers were "
-                             "taken for edges.",
+                 .sentence =
+                     "Friction decreases along the record, as it would if stiffness were lost or if rollers were "
+                     "taken for edges.",
                  .short_form = "friction decreases",
                  .remedy = is_on_edges(test)
                                ? "State [rig] roller_radius if the supports are not edges; if they are, image them."
@@ -419,8 +428,9 @@ Found few_rows(T test) {
   if (!test.judgement->few_rows) return std::nullopt;
   return Finding{.code = "few_rows",
                  .severity = Severity::doubt,
-                 .sentence = "Most rises between drops have fewer than five rows: drops and waves of friction may be "
-                             "missed.",
+                 .sentence =
+                     "Most rises between drops have fewer than five rows: drops and waves of friction may be "
+                     "missed.",
                  .short_form = "few rows between drops",
                  .remedy = "Record more rows."};
 }
@@ -439,15 +449,15 @@ Found settling_contact(T test) {
   if (contact.status != ContactStatus::found || !contact.settles ||
       !(contact.offset.value > two_sided * contact.offset.standard_error))
     return std::nullopt;
-  return Finding{
-      .code = "settling_contact",
-      .severity = Severity::doubt,
-      .sentence = fmt::format(
-          "The curve bends where it begins: the contact may lie {} farther.",
-          readable(contact.offset.value, contact.offset.standard_error, Print(test).as(kind::length))),
-      .short_form = "the contact settles",
-      .remedy = "See whether the answer stays with contact = \"find\" under [record].",
-      .numbers = {{"offset", contact.offset.value, kind::length}, {"offset_error", contact.offset.standard_error, kind::length}}};
+  return Finding{.code = "settling_contact",
+                 .severity = Severity::doubt,
+                 .sentence = fmt::format(
+                     "The curve bends where it begins: the contact may lie {} farther.",
+                     readable(contact.offset.value, contact.offset.standard_error, Print(test).as(kind::length))),
+                 .short_form = "the contact settles",
+                 .remedy = "See whether the answer stays with contact = \"find\" under [record].",
+                 .numbers = {{"offset", contact.offset.value, kind::length},
+                             {"offset_error", contact.offset.standard_error, kind::length}}};
 }
 
 Found unexpected_stiffness(T test) {
@@ -456,15 +466,17 @@ Found unexpected_stiffness(T test) {
   constexpr std::string_view code = "unexpected_stiffness";
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged(code, "The bending stiffness is not fitted with a constant friction.");
-  const std::string sentence = fmt::format(
-      "The bending stiffness of the fit is {} from that {}, {:.1f} times its error (limit {:g}).",
-      signed_percent(number_of(*check, "fitted_over_nominal") - 1),
-      test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
-      most_stiffness_errors);
-  return checked(code, *check, sentence, sentence + late_beginning(test),
-                 fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
-                 find_contact_or_check(test, "the modulus, the section, the span, the units and the radius of the "
-                                       "supports."));
+  const std::string sentence =
+      fmt::format("The bending stiffness of the fit is {} from that {}, {:.1f} times its error (limit {:g}).",
+                  signed_percent(number_of(*check, "fitted_over_nominal") - 1),
+                  test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
+                  most_stiffness_errors);
+  return checked(
+      code, *check, sentence, sentence + late_beginning(test),
+      fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
+      find_contact_or_check(test,
+                            "the modulus, the section, the span, the units and the radius of the "
+                            "supports."));
 }
 
 // ---- What is worth knowing, and casts no doubt
@@ -495,14 +507,15 @@ Found jumps(T test) {
   const Judgement& judgement = *test.judgement;
   if (!std::isfinite(judgement.stiffness_for_all)) return std::nullopt;
   const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
-  return Finding{.code = "jumps",
-                 .severity = Severity::note,
-                 .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
-                                         percent(judgement.jumped)),
-                 .remedy = fmt::format("A stiffer rig shows more: on {} or more the force falls only smoothly with such a "
-                                       "mean friction.",
-                                       Print(test).own(least, kind::stiffness)),
-                 .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
+  return Finding{
+      .code = "jumps",
+      .severity = Severity::note,
+      .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
+                              percent(judgement.jumped)),
+      .remedy = fmt::format("A stiffer rig shows more: on {} or more the force falls only smoothly with such a "
+                            "mean friction.",
+                            Print(test).own(least, kind::stiffness)),
+      .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
 }
 
 Found imaged_length(T test) {
@@ -510,14 +523,13 @@ Found imaged_length(T test) {
   const ImagedLength& imaged = *test.imaged;
   const double unit = test.analysis.scales.span();
   const Kind length = Print(test).as(kind::length);
-  return Finding{
-      .code = "imaged_length",
-      .severity = Severity::note,
-      .sentence = fmt::format(
-          "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
-          readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
-          imaged.offset.value > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
-          roughly(unit * imaged.scatter, length))};
+  return Finding{.code = "imaged_length",
+                 .severity = Severity::note,
+                 .sentence = fmt::format(
+                     "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
+                     readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
+                     imaged.offset.value > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
+                     roughly(unit * imaged.scatter, length))};
 }
 
 // A rule that presumes an answer of the analysis, and one that does not.

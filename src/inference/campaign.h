@@ -41,7 +41,8 @@ struct TestSummary {
   Estimate bending_stiffness;   // [N m^2] EI
   double residual_rms;          // [N] of the fit's mean run forward
   std::size_t drops;
-  double spacing;  // [m] of the specimen, from one slip to the next, median; NaN with fewer than two, and where no friction is told
+  double
+      spacing;  // [m] of the specimen, from one slip to the next, median; NaN with fewer than two, and where no friction is told
   double
       friction_share;  // [1] of the measured work of fracture: friction and snaps; NaN of a limit, and of a test not trusted
   double work_of_fracture;  // [J]

@@ -24,9 +24,10 @@ std::string_view name_of(CheckKind kind);
 enum class CheckOutcome { passed, failed, not_possible };
 
 // What a check passes up to.
-inline constexpr double most_residual = 0.1;  // of the greatest force; empirical: the authors' sound tests reach 0.03, cracked ones 0.5
-inline constexpr double least_p_of_noise = 1e-4;       // a campaign of a hundred has one false alarm in a hundred
-inline constexpr double most_stiffness_errors = 2;     // of the bending stiffness beforehand
+inline constexpr double most_residual =
+    0.1;  // of the greatest force; empirical: the authors' sound tests reach 0.03, cracked ones 0.5
+inline constexpr double least_p_of_noise = 1e-4;    // a campaign of a hundred has one false alarm in a hundred
+inline constexpr double most_stiffness_errors = 2;  // of the bending stiffness beforehand
 
 struct CheckNumber {
   std::string_view name;

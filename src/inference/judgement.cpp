@@ -130,8 +130,8 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
     judgement.loss_error = elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
     judgement.softer_reload = reload->verdict == DamageVerdict::damaged;
     constexpr double relevant = 0.05;
-    judgement.changed_reload = !judgement.softer_reload &&
-                               std::abs(judgement.loss) > std::max(relevant, two_sided * judgement.loss_error);
+    judgement.changed_reload =
+        !judgement.softer_reload && std::abs(judgement.loss) > std::max(relevant, two_sided * judgement.loss_error);
   }
   judgement.drops = verdict_on(analysis, reload, judgement.loss_needed);
   judgement.drops_are_cracks = has_drops && !judgement.softer_reload && judgement.drops == CrackVerdict::cracks;

@@ -25,16 +25,17 @@ constexpr bool is_trusted(Standing standing) { return standing != Standing::untr
 
 // What the drops and a reload say of the specimen, all weighed together.
 struct Judgement {
-  CrackVerdict drops;            // by the rises, and by the reload where there is one
-  bool drops_are_cracks = false; // there are some, and they are
-  std::size_t impossible = 0;    // drops that cannot be slips
-  bool softer_reload = false;    // the last comparable one has lost stiffness
-  bool changed_reload = false;   // it is softer or stiffer by more than its error, and by a twentieth
+  CrackVerdict drops;                   // by the rises, and by the reload where there is one
+  bool drops_are_cracks = false;        // there are some, and they are
+  std::size_t impossible = 0;           // drops that cannot be slips
+  bool softer_reload = false;           // the last comparable one has lost stiffness
+  bool changed_reload = false;          // it is softer or stiffer by more than its error, and by a twentieth
   double loss = NAN, loss_error = NAN;  // [1] of stiffness, that it shows; NaN without
   double loss_needed = NAN;             // [1] of stiffness, by cracks alone to make the drops; NaN without a reload
-  bool friction_falls = false;   // along all that is seen, surely, by a third of its mean or more: as the force of a specimen that cracks would
-  bool few_rows = false;         // most rises between drops have fewer than five
-  double jumped = 0;             // [1] of the length seen, that passed in slips
+  bool friction_falls =
+      false;  // along all that is seen, surely, by a third of its mean or more: as the force of a specimen that cracks would
+  bool few_rows = false;  // most rises between drops have fewer than five
+  double jumped = 0;      // [1] of the length seen, that passed in slips
   // [EI/L^3] of a rig on which the mean of the fit does not snap, where more than half of the length seen passed in slips; NaN otherwise
   double stiffness_for_all = NAN;
 };

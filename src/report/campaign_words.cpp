@@ -88,9 +88,11 @@ std::string verdicts_in_words(const Campaign& campaign) {
     return std::count_if(campaign.tests.begin(), campaign.tests.end(),
                          [&](const CampaignTest& test) { return test.verdict == word_of(code); });
   };
-  std::string words = fmt::format("{} slip, {} undecided, {} crack, {} without drops", count(VerdictCode::slip),
-                                  count(VerdictCode::undecided), count(VerdictCode::crack), count(VerdictCode::no_drops));
-  if (const auto wrong = count(VerdictCode::check_input); wrong > 0) words += fmt::format(", {} to check the input of", wrong);
+  std::string words =
+      fmt::format("{} slip, {} undecided, {} crack, {} without drops", count(VerdictCode::slip),
+                  count(VerdictCode::undecided), count(VerdictCode::crack), count(VerdictCode::no_drops));
+  if (const auto wrong = count(VerdictCode::check_input); wrong > 0)
+    words += fmt::format(", {} to check the input of", wrong);
   if (const auto none = count(VerdictCode::no_answer); none > 0) words += fmt::format(", {} without an answer", none);
   return words;
 }
@@ -104,7 +106,9 @@ std::string work_in_words(const Campaign& campaign) {
   if (shares.empty()) return "";
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
   if (shares.size() == 1) return fmt::format(" {} of the work was friction.", percent(shares.front()));
-  return fmt::format(" {} of the work was friction ({} to {}).", percent(std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size())), percent(*least), percent(*most));
+  return fmt::format(" {} of the work was friction ({} to {}).",
+                     percent(std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size())),
+                     percent(*least), percent(*most));
 }
 
 // Friction over the tests that are not suspect, or over all if all are.
@@ -228,9 +232,10 @@ std::string with_error(const Estimate& estimate, double factor) {
 PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
   PrintedTable table{
-      {"Test", "Verdict", "Sawtooth", "Standing", "μ₀", titled("Spacing", units.wavelength), "σ", titled("ℓ", units.wavelength), "A", titled("λ", units.wavelength),
-       titled("Height", units.wavelength), "Slope", titled("EI", units.bending_stiffness),
-       titled("Residual", units.residual), "Drops", titled("Work", units.work), "Friction (%)", "Doubts"},
+      {"Test", "Verdict", "Sawtooth", "Standing", "μ₀", titled("Spacing", units.wavelength), "σ",
+       titled("ℓ", units.wavelength), "A", titled("λ", units.wavelength), titled("Height", units.wavelength), "Slope",
+       titled("EI", units.bending_stiffness), titled("Residual", units.residual), "Drops", titled("Work", units.work),
+       "Friction (%)", "Doubts"},
       {}};
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;

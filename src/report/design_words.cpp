@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "finding/printed.h"
 #include "inference/profile.h"
 #include "report/plain_text.h"
-#include "finding/printed.h"
 
 namespace flexslip {
 namespace {

@@ -6,10 +6,10 @@
 #include <variant>
 #include <vector>
 
+#include "finding/printed.h"
 #include "report/fit_print.h"
 #include "report/page.h"
 #include "report/preparation_words.h"
-#include "finding/printed.h"
 
 namespace flexslip {
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "answers/fit_fields.h"
-#include "io/quantity.h"
 #include "finding/digits.h"
+#include "io/quantity.h"
 #include "report/field_table.h"
 
 namespace flexslip {
@@ -144,14 +144,7 @@ PrintedTable drop_table(const FittedTest& test) {
                 {"Pulled in (both supports)", "pulled_in", 3},
                 {"μ before", "mu_before", 3},
                 {"μ after", "mu_after", 3},
-                {.heading = "Reading",
-                 .field = "slip",
-                 .in_words = {{"possible", "can be a slip"},
-                              {"unexplained", "no slip: no friction explains it"},
-                              {"implausible", "no slip: too much friction before"},
-                              {"negative", "no slip: friction would be negative"},
-                              {"moves_out", "no slip: length would be let out"},
-                              {"too_short", "too short to judge"}}}});
+                {"Reading", "reading"}});
 }
 
 PrintedTable snap_table(const FittedTest& test) {

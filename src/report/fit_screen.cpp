@@ -58,7 +58,8 @@ std::string fit_screen(const std::string& name, const Answer& answer, const Scre
                           doubts[i].sentence + (doubts[i].remedy.empty() ? "" : " " + doubts[i].remedy), style.width);
   std::string last = checks_in_words(answer);
   if (doubts.size() > most_doubts)
-    last += fmt::format("{}{}: --full.", last.empty() ? "" : " ", counted(doubts.size() - most_doubts, "more doubt", "more doubts"));
+    last += fmt::format("{}{}: --full.", last.empty() ? "" : " ",
+                        counted(doubts.size() - most_doubts, "more doubt", "more doubts"));
   if (const std::string next = next_in_words(answer); !next.empty()) last += (last.empty() ? "" : " ") + next;
   if (!last.empty()) text += wrapped(last, "", "", style.width);
   return text;

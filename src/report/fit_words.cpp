@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "inference/process_search.h"
-#include "io/quantity.h"
-#include "report/cycles_words.h"
 #include "finding/answer.h"
 #include "finding/digits.h"
 #include "finding/printed.h"
+#include "inference/process_search.h"
+#include "io/quantity.h"
+#include "report/cycles_words.h"
 
 namespace flexslip {
 namespace {

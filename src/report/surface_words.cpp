@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "finding/digits.h"
-#include "report/plain_text.h"
 #include "finding/printed.h"
+#include "report/plain_text.h"
 
 namespace flexslip {
 namespace {

@@ -96,7 +96,8 @@ std::vector<Situation> situations() {
     add(code, Severity::doubt,
         [kind = kind](FittedTest& test) { check_of(test, kind).outcome = CheckOutcome::failed; });
   add("unstable", Severity::doubt, [](FittedTest& test) {
-    test.analysis.checks.push_back({CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5}, {"same_explanation", 0}}});
+    test.analysis.checks.push_back(
+        {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5}, {"same_explanation", 0}}});
   });
   add("falling_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
   add("changed_reload", Severity::doubt, [](FittedTest& test) {
@@ -104,9 +105,8 @@ std::vector<Situation> situations() {
     test.judgement->loss = -0.2;
     test.judgement->loss_error = 0.01;
   });
-  add("coarse_force", Severity::doubt, [](FittedTest& test) {
-    test.analysis.drops.smallest_fall = 0.1 * test.analysis.record.force.back();
-  });
+  add("coarse_force", Severity::doubt,
+      [](FittedTest& test) { test.analysis.drops.smallest_fall = 0.1 * test.analysis.record.force.back(); });
   add("undecided_drops", Severity::doubt,
       [](FittedTest& test) { test.judgement->drops = CrackVerdict::cannot_be_told; });
   add("few_rows", Severity::doubt, [](FittedTest& test) { test.judgement->few_rows = true; });
@@ -167,10 +167,10 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
   for (const auto& [code, severity, test] : situations()) {
     INFO(code);
     const VerdictCode expected = code == "wrong_stiffness" || code == "most_drops_impossible" ? VerdictCode::check_input
-                                 : code == "softer_reload" || code == "cracks"                 ? VerdictCode::crack
-                                 : severity == Severity::refusal                               ? VerdictCode::no_answer
-                                 : code == "undecided_drops" || code == "impossible_drops"     ? VerdictCode::undecided
-                                                                                               : VerdictCode::slip;
+                                 : code == "softer_reload" || code == "cracks"                ? VerdictCode::crack
+                                 : severity == Severity::refusal                              ? VerdictCode::no_answer
+                                 : code == "undecided_drops" || code == "impossible_drops"    ? VerdictCode::undecided
+                                                                                              : VerdictCode::slip;
     CHECK(verdict(test) == expected);
   }
   CHECK(verdict(changed([](FittedTest& test) {
@@ -192,7 +192,8 @@ TEST_CASE("verdict: no friction is told of a specimen that lost stiffness, nor w
 }
 
 TEST_CASE("answer: rows have one order for every test, and the next step is that of the verdict") {
-  const std::vector<std::string_view> order{"drops", "slip or crack", "friction", "work", "reload", "stiffness", "assumed"};
+  const std::vector<std::string_view> order{"drops",  "slip or crack", "friction", "work",
+                                            "reload", "stiffness",     "assumed"};
   for (const auto& [code, severity, test] : situations()) {
     std::size_t last = 0;
     for (const AnswerRow& row : answer_of(test).rows) {

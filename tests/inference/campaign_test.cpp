@@ -130,7 +130,8 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
 
   auto without = analysis;
   without.status = AnalysisStatus::too_few_points;
-  CHECK(message_of([&] { summary_of("simulated", without, {}, Standing::sound); }) == "a test without a fit has no summary");
+  CHECK(message_of([&] { summary_of("simulated", without, {}, Standing::sound); }) ==
+        "a test without a fit has no summary");
 }
 
 }  // namespace

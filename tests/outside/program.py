@@ -40,6 +40,11 @@ def table(text):
     return {title: list(cells) for title, *cells in zip(*rows)}
 
 
+def against(fit):
+    """The codes of what was found against an answer (fit --json)."""
+    return [finding["code"] for finding in fit["findings"] if finding["severity"] in ("refusal", "suspicion", "doubt")]
+
+
 def numbers(text, title):
     return [float(cell) for cell in table(text)[title]]
 

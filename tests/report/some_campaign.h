@@ -1,11 +1,11 @@
 // A small campaign whose every number is known, with names that no format takes as they are.
 #pragma once
 
-#include <limits>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>

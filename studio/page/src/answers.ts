@@ -2,10 +2,10 @@
 
 export interface Estimate { value: number; standard_error: number; interval95: [number, number]; unit: string }
 export type ParameterName = "mu0" | "amplitude" | "wavelength" | "phase" | "phase_at_middle" | "drift" | "roughness" | "correlation_length" | "bending_stiffness" | "reference" | "contact_offset";
-export interface Check { name: string; passed: boolean | null; remedy?: string; [number: string]: number | string | boolean | null | undefined }
+export interface Finding { code: string; severity: "refusal" | "suspicion" | "doubt" | "note" | "passed" | "unjudged"; sentence: string; short_form: string; remedy: string }
 export interface Drop {
   row_before: number; row_after: number; stage: number; deflection_before: number; deflection_after: number; force_before: number; force_after: number; force_fall: number;
-  significance: number; slip: string; pulled_in: Estimate | null; mu_before: number | null; mu_after: number | null;
+  significance: number; slip: string; reading: string; pulled_in: Estimate | null; mu_before: number | null; mu_after: number | null;
 }
 export interface Step { step: string; changed: boolean; done: string; value: number | null; uncertainty: number | null; unit: string | null; rows: [number, number] | null; key: string | null; flag: string | null }
 export interface ProfilePoint { row: number; stage: number; deflection: number; force: number; length: number; drawn_in: number; mu: number; mu_error: number; mu_error_force: number; mu_error_bending_stiffness: number; mu_error_contact: number }
@@ -15,8 +15,9 @@ export interface FitAnswer {
   status: string; name: string; model: string; category: string; suspect: boolean;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
   friction_read: { median: number; low80: number; high80: number } | null;
-  residual_rms: number | null; checks: Check[]; wave: Wave | null;
-  judgement: { standing: string; drops: string | null; doubts: string[]; next_step: string; stiffness_lost: number | null; stiffness_lost_error: number | null; stiffness_for_no_snap: number | null } | null;
+  residual_rms: number | null; wave: Wave | null;
+  verdict: { code: string; sentence: string }; answer: { label: string; words: string }[]; findings: Finding[]; next: string;
+  judgement: { standing: string; drops: string | null; stiffness_lost: number | null; stiffness_lost_error: number | null; stiffness_for_no_snap: number | null } | null;
   slip_or_crack: { verdict: string; margin: number; rises: number; stiffer_rises: number } | null;
   drops: Drop[]; slips: { count: number; median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
   teeth: { sliding: number; as_if_stuck: number; undecided: number; too_short: number; compliance: { status: string; p_value: number | null } | null } | null;
