@@ -18,6 +18,9 @@ namespace flexslip {
 struct Rig {
   double stiffness;  // [EI/L^3] of whatever carries the load cell; infinity for displacement control; > 0
   Fibre fibre = {};  // on its supports
+
+  // The same in units of a bending stiffness that is so many times that of its own.
+  Rig in_units_of(double times) const { return {stiffness / times, fibre}; }
 };
 
 // A point of a sliding curve with the stage position that holds it.

@@ -102,7 +102,6 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
                               .load_train_stiffness = rig_stiffness_of(input),
                               .bending_stiffness = {},
                               .bending_stiffness_error = {},
-                              .points_before_failure = measurement.record.force.size(),
                               .contact_error = measurement.contact_error,
                               .fibre = fibre_of(input, Scales(span_of(input), 1))};
   if (states_stiffness(input)) {
@@ -125,7 +124,6 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
         const Estimate& contact = mirrored->loops.front().contact;
         move_contact(measurement, normal_estimate(scales.physical_length(contact.value),
                                                   scales.physical_length(contact.standard_error)));
-        description.points_before_failure = measurement.record.force.size();
         description.contact_error = measurement.contact_error;
       }
     }

@@ -13,12 +13,6 @@
 namespace flexslip {
 namespace {
 
-Record with_contact_at(Record record, double contact) {
-  for (auto& value : record.stage) value -= contact;
-  for (auto& value : record.deflection) value -= contact;
-  return record;
-}
-
 Replay replay_of(const TestAnalysis& analysis) {
   constexpr double from = friction_shows_from;
   Replay replay{.force = std::vector<double>(analysis.reduced.force.size(), not_a_number)};
@@ -60,7 +54,7 @@ AtFit at_fit(const TestAnalysis& analysis) {
   const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
   return {.stiffening = stiffness.value,
           .record = to_reduced(analysis.record, scales),
-          .rig = {analysis.rig.stiffness / stiffness.value, analysis.rig.fibre},
+          .rig = analysis.rig.in_units_of(stiffness.value),
           .errors = {.force = analysis.errors.force / stiffness.value,
                      .bending_stiffness = stiffness.standard_error / stiffness.value,
                      .contact = analysis.errors.contact}};
@@ -162,19 +156,11 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
 
 }  // namespace
 
-TestAnalysis analyse(const Record& all, const TestDescription& description, const AnalysisOptions& options) {
-  if (const auto check = check_record(all);
+TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options) {
+  if (const auto check = check_record(record);
       check.fault == RecordFault::lengths_differ || check.fault == RecordFault::not_finite)
     throw std::invalid_argument("the record has a fault at point " + std::to_string(check.index));
-  const Failure found = find_failure(all);
-  const Failure failure =
-      description.points_before_failure
-          ? Failure{FailureStatus::found, std::min(*description.points_before_failure, all.force.size())}
-          : found;
-  const Record whole = first_points(all, failure.points);
-  const Contact contact = find_contact(whole);
-  const Record record = with_contact_at(whole, description.contact);
-
+  const Contact contact = find_contact(record);
   const bool from_slope = !description.bending_stiffness;
   const double L = description.span;
   const auto slope = stiffness_from_slope(record, L);
@@ -197,7 +183,6 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
                         .stiffness_from_slope = from_slope,
                         .stiffness_over_slope = ratio,
                         .stiffness_implausible = ratio > farthest_ratio || ratio < 1 / farthest_ratio,
-                        .failure = failure,
                         .contact = contact,
                         .record = record,
                         .reduced = to_reduced(record, scales)};
@@ -251,7 +236,7 @@ TestAnalysis analyse(const Record& all, const TestDescription& description, cons
 
   // The mean in its own units: those of the estimated bending stiffness.
   const double stiffening = analysis.fit.bending_stiffness.value;
-  const Rig rig{analysis.rig.stiffness / stiffening, analysis.rig.fibre};
+  const Rig rig = analysis.rig.in_units_of(stiffening);
   const Friction friction = Friction::as_met(analysis.fit.mean);
   analysis.model = follow_in_steps({friction, rig}, advancing(analysis.reduced.stage));
   for (PathPoint& point : analysis.model.path) point.F *= stiffening;

@@ -28,12 +28,10 @@ namespace flexslip {
 struct TestDescription {
   double span;                  // [m]
   double load_train_stiffness;  // [N/m] with that of the supports, if they give way; infinite for displacement control
-  std::optional<double> bending_stiffness{};           // [N m^2] EI; not given: from the initial slope of the record
-  std::optional<double> bending_stiffness_error{};     // [1] standard deviation; not given: 3 %, or what the slope says
-  std::optional<std::size_t> points_before_failure{};  // not given: found
-  std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: as found
-  Fibre fibre{};                          // on its supports
-  double contact = 0;                     // [m] stage position of the contact, taken off stage and deflection
+  std::optional<double> bending_stiffness{};        // [N m^2] EI; not given: from the initial slope of the record
+  std::optional<double> bending_stiffness_error{};  // [1] standard deviation; not given: 3 %, or what the slope says
+  std::optional<double> contact_error{};            // [m] standard deviation of the contact point; not given: as found
+  Fibre fibre{};                                    // on its supports
 };
 
 struct AnalysisOptions {
@@ -88,9 +86,8 @@ struct TestAnalysis {
   bool model_implausible = false;
   OverFrictionless over_frictionless{};  // beforehand
   bool stiffness_implausible;            // they differ by more than 40 % and twice its error
-  Failure failure;
-  Contact contact;  // found; applied only if the description says so
-  Record record;    // up to failure, contact taken off
+  Contact contact;                       // found, not applied: the record counts from that of whoever prepared it
+  Record record;
   ReducedRecord reduced;
   double force_noise = NAN;    // [EI/L^2] of one reading
   MeasurementErrors errors{};  // as fitted with
@@ -113,8 +110,9 @@ struct TestAnalysis {
   SawtoothCategory category = SawtoothCategory::none;
 };
 
-// Domain:     a record without faults (check_record), span and stiffness positive; std::invalid_argument otherwise.
+// Domain:     one loading up to the failure, counted from the contact, without faults (check_record); span and stiffness positive;
+//             std::invalid_argument otherwise.
 // Cost:       that of the fit.
-TestAnalysis analyse(const Record& all, const TestDescription& description, const AnalysisOptions& options = {});
+TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
 
 }  // namespace flexslip

@@ -32,9 +32,8 @@ History mean_run_forward(const TestAnalysis& analysis) {
   constexpr int points = 1000;  // on each stretch: a figure thins them out
   const auto& stage = analysis.reduced.stage;
   const double farthest = *std::max_element(stage.begin(), stage.end()), stiffening = stiffening_of(analysis);
-  History history = follow_continuously(
-      {Friction::as_met(analysis.fit.mean), Rig{analysis.rig.stiffness / stiffening, analysis.rig.fibre}},
-      {&farthest, 1}, points);
+  History history = follow_continuously({Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening)},
+                                        {&farthest, 1}, points);
   for (auto& point : history.path) point.F *= stiffening;
   return history;
 }

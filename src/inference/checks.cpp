@@ -73,8 +73,7 @@ Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropO
   std::vector<double> numbers, means;
   for (std::size_t k = 0; k < fit.draws.size(); ++k) {
     const double stiffening = fit.draw_stiffness[k];
-    ReducedRecord drawn{
-        stages, {}, forces_of(fit.draws[k], {problem.rig.stiffness / stiffening, problem.rig.fibre}, stages)};
+    ReducedRecord drawn{stages, {}, forces_of(fit.draws[k], problem.rig.in_units_of(stiffening), stages)};
     double error = fit.noise.value * normal();
     for (std::size_t i = 0; i < stages.size(); ++i) {
       drawn.force[i] = stiffening * drawn.force[i] + error;

@@ -49,7 +49,7 @@ LoopReplay replay_of(const ReducedRecord& record, const Rig& rig, const CyclicFr
     for (std::size_t i = rows.first; i < rows.last; ++i)
       stages[i] = std::max(record.stage[i] - loop.contact.value, 0.0);
   }
-  replay.force = forces_of({Friction::as_met(friction.table), {rig.stiffness / stiffening, rig.fibre}}, stages, loops);
+  replay.force = forces_of({Friction::as_met(friction.table), rig.in_units_of(stiffening)}, stages, loops);
   for (double& force : replay.force) force *= stiffening;
   const double greatest = *std::max_element(record.force.begin(), record.force.end());
   for (const LoadingRange& rows : loops) {

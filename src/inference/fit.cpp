@@ -103,7 +103,7 @@ SearchOptions search_options(const FitOptions& options) {
 // The force at stage positions that the mean profile gives, in units of the nominal bending stiffness.
 std::vector<double> run_forward(const FrictionFit& fit, const Rig& rig, std::span<const double> stages) {
   const double stiffening = fit.bending_stiffness.value;
-  auto forces = forces_of(fit.mean, {rig.stiffness / stiffening, rig.fibre}, stages);
+  auto forces = forces_of(fit.mean, rig.in_units_of(stiffening), stages);
   for (double& force : forces) force *= stiffening;
   return forces;
 }

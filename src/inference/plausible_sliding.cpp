@@ -13,7 +13,7 @@ namespace flexslip {
 bool may_slide(const Record& record, const Scales& scales, const Rig& rig, double bending_stiffness_error) {
   const auto slides = [&](double stiffening) {
     const ReducedRecord reduced = to_reduced(record, {scales.span(), stiffening * scales.bending_stiffness()});
-    const FrictionProfile profile = measure_friction(reduced, {rig.stiffness / stiffening, rig.fibre}, {}, judged_from);
+    const FrictionProfile profile = measure_friction(reduced, rig.in_units_of(stiffening), {}, judged_from);
     const auto negative = static_cast<std::size_t>(std::count_if(
         profile.points.begin(), profile.points.end(), [](const auto& point) { return point.mu < least_friction; }));
     const std::size_t impossible = negative + profile.unexplained.size();

@@ -97,7 +97,7 @@ std::vector<Situation> situations() {
         [kind = kind](FittedTest& test) { check_of(test, kind).outcome = CheckOutcome::failed; });
   add("unstable", Severity::doubt, [](FittedTest& test) {
     test.analysis.checks.push_back(
-        {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5}, {"same_explanation", 0}}});
+        {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5, false}, {"same_explanation", 0, false}}});
   });
   add("falling_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
   add("changed_reload", Severity::doubt, [](FittedTest& test) {
@@ -126,7 +126,7 @@ std::vector<Situation> situations() {
     test.judgement->stiffness_for_all = 300;
   });
   add("imaged_length", Severity::note, [](FittedTest& test) {
-    test.imaged = ImagedLength{.offset = normal_estimate(0.001, 0.0001), .scatter = 0.002, .points = {{}, {}}};
+    test.imaged = ImagedLength{.points = {{}, {}}, .offset = normal_estimate(0.001, 0.0001), .scatter = 0.002};
   });
   return all;
 }
