@@ -113,6 +113,12 @@ def _columns(figure: Mapping[str, Any], mark: Mapping[str, Any]) -> list[Any]:
     return columns
 
 
+def _whole_rows(figure: Mapping[str, Any], mark: Mapping[str, Any]) -> list[Any]:
+    columns = _columns(figure, mark)
+    whole = np.isfinite(columns).all(axis=0)
+    return [column[whole] for column in columns]
+
+
 def _stroke(mark: Mapping[str, Any]) -> dict[str, Any]:
     style = mark["style"]
     return {"color": style["colour"], "lw": style["width"], "ls": _DASHES[style["dash"]]}
@@ -145,16 +151,16 @@ def _area(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
 
 
 def _bars(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    return ax.vlines(*_columns(figure, mark), **_stroke(mark), **order)
+    return ax.vlines(*_whole_rows(figure, mark), **_stroke(mark), **order)
 
 
 def _spans(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    low, high, y = _columns(figure, mark)
+    low, high, y = _whole_rows(figure, mark)
     return ax.hlines(y, low, high, **_stroke(mark), **order)
 
 
 def _arrows(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    for x, y, to_x, to_y in zip(*_columns(figure, mark)):
+    for x, y, to_x, to_y in zip(*_whole_rows(figure, mark)):
         ax.annotate("", (to_x, to_y), (x, y), arrowprops={"arrowstyle": "-|>", "color": mark["style"]["colour"], "lw": mark["style"]["width"], "shrinkA": 0, "shrinkB": 0}, **order)
 
 

@@ -142,7 +142,7 @@ Plot distribution_figure(const Campaign& campaign) {
                   marks::only(marks::points("tests", {0, 6}, symbols(look, Colour::black)), of(look, {{2, 0}, {9, 1}})),
                   marks::only(marks::points("tests", {0, 6}, symbols(look, Colour::grey)), of(look, {{2, 0}, {9, 0}})),
                   marks::only(marks::points("tests", {0, 6}, styles::suspect), of(look, {{2, 1}}))}};
-    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal(mean, mean_look));
+    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal({mean}, mean_look));
     panels.push_back(std::move(panel));
   }
   const double all = mean_of(summary_of(campaign, std::nullopt), &CategorySpread::mu0);
@@ -157,12 +157,12 @@ Plot distribution_figure(const Campaign& campaign) {
     if (literature)
       panel.marks.push_back(
           marks::rectangle({-marks::edge, marks::edge, literature->low, literature->high}, styles::literature));
-    if (std::isfinite(all)) panel.marks.push_back(marks::horizontal(all, all_look));
+    if (std::isfinite(all)) panel.marks.push_back(marks::horizontal({all}, all_look));
     panel.marks.push_back(marks::only(marks::bars("tests", {0, 4, 5}, {.width = 0.7}), of(look, {})));
     panel.marks.push_back(
         marks::only(marks::points("tests", {0, 3}, symbols(look, Colour::black)), of(look, {{2, 0}})));
     panel.marks.push_back(marks::only(marks::points("tests", {0, 3}, styles::suspect), of(look, {{2, 1}})));
-    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal(mean, mean_look));
+    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal({mean}, mean_look));
     panels.push_back(std::move(panel));
   }
   std::vector<Mark> entries{
@@ -182,11 +182,6 @@ Plot distribution_figure(const Campaign& campaign) {
   return {
       .name = "distributions",
       .title = "Wavelength and mean friction of all tests",
-      .description = fmt::format("A: wavelength of the friction along the specimen, by test, for tests with a clear "
-                                 "and with a nominal sawtooth. "
-                                 "B: mean friction by test, with its mean without suspects ({}){}.",
-                                 std::isfinite(all) ? fmt::format("mean {:.3f}", all) : "no mean",
-                                 literature ? " and the literature's range for " + in_literature : ""),
       .caption = fmt::format(
           "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
           "where the wave is only indicative. B: mean friction, with its 95 % interval. Black lines: means of a "
@@ -295,10 +290,6 @@ Plot atlas_page(const std::vector<const CampaignTest*>& tests, std::string name,
   return {
       .name = std::move(name),
       .title = title,
-      .description = fmt::format(
-          "A panel a test ({}): measured force against deflection at midspan, the model, the Euler-Bernoulli line, the "
-          "model without friction, and load lines at the drops of the force.",
-          names),
       .caption = title +
                  ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the fit "
                  "run forward. In the corner: the "
