@@ -32,7 +32,7 @@ def plot(figures: Sequence[Mapping[str, Any]], name: str | None, ax: Any) -> Any
     with matplotlib.rc_context(_SMALL):
         axes = _axes_of(figure, ax)
         for panel, each in zip(figure["panels"], axes):
-            _draw_panel(figure, panel, each, ax is None)
+            _draw_panel(figure, {**panel, "own": ax is None}, each)
         if ax is None and figure["x_label"]:
             axes[0].figure.supxlabel(_text(figure["x_label"]), fontsize=8, y=0.005)
         if ax is None and figure["y_label"]:
@@ -73,7 +73,8 @@ def _text(markup: str) -> str:
     return out + (f"${math}$" if math else "")
 
 
-def _draw_panel(figure: Mapping[str, Any], panel: Panel, ax: Any, own: bool) -> None:
+def _draw_panel(figure: Mapping[str, Any], panel: Panel, ax: Any) -> None:
+    own = panel["own"]
     for name, axis in (("x", panel["x"]), ("y", panel["y"])):
         if axis["logarithmic"]:
             getattr(ax, f"set_{name}scale")("log")
@@ -174,8 +175,9 @@ def _pixels(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
     colours = matplotlib.colors.LinearSegmentedColormap.from_list("report", [tuple(stop) for stop in figure["palette"]])
     shown = panel["colour"]
     image = ax.pcolormesh([*xs, right.max()], [*ys, high.max()], values, cmap=colours, vmin=shown["from"], vmax=shown["to"], rasterized=True, **order)
-    bar = ax.figure.colorbar(image, ax=ax, label=_text(shown["label"]))
-    bar.ax.tick_params(right=True)
+    beside = 3 / figure["width"]  # mm
+    place = ax.figure.add_axes((panel["left"] + panel["width"] + beside, panel["bottom"], beside, panel["height"])) if panel["own"] else None
+    ax.figure.colorbar(image, ax=ax, cax=place, label=_text(shown["label"]))
     return image
 
 

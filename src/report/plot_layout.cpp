@@ -12,12 +12,12 @@ namespace {
 
 // [mm] of type of this size.
 constexpr double key_height = 3.6,
-                 key_sample = 10;      // of a row of a key; of the line before its words, and what is left free
+                 key_sample = 10;     // of a row of a key; of the line before its words, and what is left free
 constexpr double longest_letter = 6;  // a title beside which a key stands
 constexpr double figure_edge = 1.2, joined_gap = 2.6, panel_gap = 3.4;
 constexpr double to_numbers = 1.3,
                  numbers_below = 4;  // from the frame to the numbers beside it, and to the lower end of those below
-constexpr double closest_x = 12, closest_y = 6, closest_log = 7;  // numbers of an axis
+constexpr double closest_x = 12, closest_y = 7, closest_log = 7;  // numbers of an axis
 
 // [mm] Wide rather than narrow: the machine at hand may not have Arial.
 double text_width(const std::string& markup) {
