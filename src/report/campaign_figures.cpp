@@ -172,9 +172,9 @@ Plot distribution_figure(const Campaign& campaign) {
                       std::isfinite(all) ? fmt::format("Mean of all, likewise: {:.3f}", all) : "Mean of all, likewise"),
       marks::key_line({.width = 0.7}, "95 %; without a mark: limits")};
   if (literature)
-    entries.push_back(marks::key_fill(
-        styles::literature, as_it_is(fmt::format("{} on {}, {:g}–{:g}", literature->specimen, literature->support,
-                                                 literature->low, literature->high))));
+    entries.push_back(marks::key_fill(styles::literature,
+                                      as_it_is(fmt::format("Literature, {} on {}: {:g}–{:g}", literature->specimen,
+                                                           literature->support, literature->low, literature->high))));
   panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
   const std::string in_literature = literature ? fmt::format("{} on {}, {:g} to {:g}", literature->specimen,
                                                              literature->support, literature->low, literature->high)
@@ -277,14 +277,14 @@ Plot atlas_page(const std::vector<const CampaignTest*>& tests, std::string name,
                       .y = F.axis(force_label, 0, std::max(1.15 * F_max, 1e-9 / F.factor)),
                       .marks = {of_test("drops", styles::drop), of_test("beam", styles::euler),
                                 of_test("frictionless", styles::frictionless), of_test("model", styles::fit),
-                                of_test("measured", styles::measured),
+                                of_test("measured", {Colour::blue, 0.9}),
                                 marks::label(marks::edge, -marks::edge, parameters_of(summary, wavelength))}});
     names += (names.empty() ? "" : ", ") + printable(test->name);
   }
-  const std::vector<Mark> entries{marks::key_line(styles::measured, "Measured"), marks::key_line(styles::fit, "Model"),
-                                  marks::key_line(styles::euler, "Euler–Bernoulli"),
-                                  marks::key_line(styles::frictionless, "No friction"),
-                                  marks::key_line(styles::drop, "Load lines")};
+  const std::vector<Mark> entries{
+      marks::key_line({Colour::blue, 0.9}, "Measured"), marks::key_line(styles::fit, "Model"),
+      marks::key_line(styles::euler, "Euler–Bernoulli"), marks::key_line(styles::frictionless, "No friction"),
+      marks::key_line(styles::drop, "Load lines")};
   panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
   const std::size_t rows = (tests.size() + panels_across - 1) / panels_across;
   return {

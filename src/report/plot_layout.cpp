@@ -12,11 +12,10 @@ namespace {
 
 // [mm] of type of this size.
 constexpr double key_height = 3.6,
-                 key_sample = 10;     // of a row of a key; of the line before its words, and what is left free
-constexpr double longest_letter = 6;  // a title beside which a key stands
+                 key_sample = 10;  // of a row of a key; of the line before its words, and what is left free
 constexpr double figure_edge = 1.2, joined_gap = 2.6, panel_gap = 3.4;
 constexpr double to_numbers = 1.3,
-                 numbers_below = 4;  // from the frame to the numbers beside it, and to the lower end of those below
+                 numbers_below = 5.2;  // from the frame to the numbers beside it, and to the lower end of those below
 constexpr double closest_x = 12, closest_y = 7, closest_log = 7;  // numbers of an axis
 
 // [mm] Wide rather than narrow: the machine at hand may not have Arial.
@@ -249,7 +248,7 @@ class Layout {
         title = std::max(title, line_height * static_cast<double>(1 + std::count(words.begin(), words.end(), '\n')));
     for (std::size_t i = last; i-- > first;) {
       const double letter = text_width(plot_.panels[i].title), left = left_of(i % columns_);
-      const bool is_letter = letter < longest_letter;
+      const bool is_letter = plot_.panels[i].title.size() <= 1;
       std::size_t entries = 0;
       double longest = 0;
       for (const Mark& mark : plot_.panels[i].marks) {
