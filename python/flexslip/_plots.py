@@ -32,7 +32,7 @@ def plot(figures: Sequence[Mapping[str, Any]], name: str | None, ax: Any) -> Any
     with matplotlib.rc_context(_SMALL):
         axes = _axes_of(figure, ax)
         for panel, each in zip(figure["panels"], axes):
-            _draw_panel(figure, panel, each, ax is None)
+            _draw_panel(figure, {**panel, "own": ax is None}, each)
         if ax is None and figure["x_label"]:
             axes[0].figure.supxlabel(_text(figure["x_label"]), fontsize=8, y=0.005)
         if ax is None and figure["y_label"]:
@@ -73,7 +73,8 @@ def _text(markup: str) -> str:
     return out + (f"${math}$" if math else "")
 
 
-def _draw_panel(figure: Mapping[str, Any], panel: Panel, ax: Any, own: bool) -> None:
+def _draw_panel(figure: Mapping[str, Any], panel: Panel, ax: Any) -> None:
+    own = panel["own"]
     for name, axis in (("x", panel["x"]), ("y", panel["y"])):
         if axis["logarithmic"]:
             getattr(ax, f"set_{name}scale")("log")
@@ -113,6 +114,12 @@ def _columns(figure: Mapping[str, Any], mark: Mapping[str, Any]) -> list[Any]:
     return columns
 
 
+def _whole_rows(figure: Mapping[str, Any], mark: Mapping[str, Any]) -> list[Any]:
+    columns = _columns(figure, mark)
+    whole = np.isfinite(columns).all(axis=0)
+    return [column[whole] for column in columns]
+
+
 def _stroke(mark: Mapping[str, Any]) -> dict[str, Any]:
     style = mark["style"]
     return {"color": style["colour"], "lw": style["width"], "ls": _DASHES[style["dash"]]}
@@ -145,16 +152,16 @@ def _area(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
 
 
 def _bars(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    return ax.vlines(*_columns(figure, mark), **_stroke(mark), **order)
+    return ax.vlines(*_whole_rows(figure, mark), **_stroke(mark), **order)
 
 
 def _spans(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    low, high, y = _columns(figure, mark)
+    low, high, y = _whole_rows(figure, mark)
     return ax.hlines(y, low, high, **_stroke(mark), **order)
 
 
 def _arrows(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    for x, y, to_x, to_y in zip(*_columns(figure, mark)):
+    for x, y, to_x, to_y in zip(*_whole_rows(figure, mark)):
         ax.annotate("", (to_x, to_y), (x, y), arrowprops={"arrowstyle": "-|>", "color": mark["style"]["colour"], "lw": mark["style"]["width"], "shrinkA": 0, "shrinkB": 0}, **order)
 
 
@@ -168,8 +175,9 @@ def _pixels(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
     colours = matplotlib.colors.LinearSegmentedColormap.from_list("report", [tuple(stop) for stop in figure["palette"]])
     shown = panel["colour"]
     image = ax.pcolormesh([*xs, right.max()], [*ys, high.max()], values, cmap=colours, vmin=shown["from"], vmax=shown["to"], rasterized=True, **order)
-    bar = ax.figure.colorbar(image, ax=ax, label=_text(shown["label"]))
-    bar.ax.tick_params(right=True)
+    beside = 3 / figure["width"]  # mm
+    place = ax.figure.add_axes((panel["left"] + panel["width"] + beside, panel["bottom"], beside, panel["height"])) if panel["own"] else None
+    ax.figure.colorbar(image, ax=ax, cax=place, label=_text(shown["label"]))
     return image
 
 

@@ -142,7 +142,7 @@ Plot distribution_figure(const Campaign& campaign) {
                   marks::only(marks::points("tests", {0, 6}, symbols(look, Colour::black)), of(look, {{2, 0}, {9, 1}})),
                   marks::only(marks::points("tests", {0, 6}, symbols(look, Colour::grey)), of(look, {{2, 0}, {9, 0}})),
                   marks::only(marks::points("tests", {0, 6}, styles::suspect), of(look, {{2, 1}}))}};
-    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal(mean, mean_look));
+    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal({mean}, mean_look));
     panels.push_back(std::move(panel));
   }
   const double all = mean_of(summary_of(campaign, std::nullopt), &CategorySpread::mu0);
@@ -157,12 +157,12 @@ Plot distribution_figure(const Campaign& campaign) {
     if (literature)
       panel.marks.push_back(
           marks::rectangle({-marks::edge, marks::edge, literature->low, literature->high}, styles::literature));
-    if (std::isfinite(all)) panel.marks.push_back(marks::horizontal(all, all_look));
+    if (std::isfinite(all)) panel.marks.push_back(marks::horizontal({all}, all_look));
     panel.marks.push_back(marks::only(marks::bars("tests", {0, 4, 5}, {.width = 0.7}), of(look, {})));
     panel.marks.push_back(
         marks::only(marks::points("tests", {0, 3}, symbols(look, Colour::black)), of(look, {{2, 0}})));
     panel.marks.push_back(marks::only(marks::points("tests", {0, 3}, styles::suspect), of(look, {{2, 1}})));
-    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal(mean, mean_look));
+    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal({mean}, mean_look));
     panels.push_back(std::move(panel));
   }
   std::vector<Mark> entries{
@@ -172,9 +172,9 @@ Plot distribution_figure(const Campaign& campaign) {
                       std::isfinite(all) ? fmt::format("Mean of all, likewise: {:.3f}", all) : "Mean of all, likewise"),
       marks::key_line({.width = 0.7}, "95 %; without a mark: limits")};
   if (literature)
-    entries.push_back(marks::key_fill(
-        styles::literature, as_it_is(fmt::format("{} on {}, {:g}–{:g}", literature->specimen, literature->support,
-                                                 literature->low, literature->high))));
+    entries.push_back(marks::key_fill(styles::literature,
+                                      as_it_is(fmt::format("Literature, {} on {}: {:g}–{:g}", literature->specimen,
+                                                           literature->support, literature->low, literature->high))));
   panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
   const std::string in_literature = literature ? fmt::format("{} on {}, {:g} to {:g}", literature->specimen,
                                                              literature->support, literature->low, literature->high)
@@ -182,11 +182,6 @@ Plot distribution_figure(const Campaign& campaign) {
   return {
       .name = "distributions",
       .title = "Wavelength and mean friction of all tests",
-      .description = fmt::format("A: wavelength of the friction along the specimen, by test, for tests with a clear "
-                                 "and with a nominal sawtooth. "
-                                 "B: mean friction by test, with its mean without suspects ({}){}.",
-                                 std::isfinite(all) ? fmt::format("mean {:.3f}", all) : "no mean",
-                                 literature ? " and the literature's range for " + in_literature : ""),
       .caption = fmt::format(
           "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
           "where the wave is only indicative. B: mean friction, with its 95 % interval. Black lines: means of a "
@@ -282,23 +277,19 @@ Plot atlas_page(const std::vector<const CampaignTest*>& tests, std::string name,
                       .y = F.axis(force_label, 0, std::max(1.15 * F_max, 1e-9 / F.factor)),
                       .marks = {of_test("drops", styles::drop), of_test("beam", styles::euler),
                                 of_test("frictionless", styles::frictionless), of_test("model", styles::fit),
-                                of_test("measured", styles::measured),
+                                of_test("measured", {Colour::blue, 0.9}),
                                 marks::label(marks::edge, -marks::edge, parameters_of(summary, wavelength))}});
     names += (names.empty() ? "" : ", ") + printable(test->name);
   }
-  const std::vector<Mark> entries{marks::key_line(styles::measured, "Measured"), marks::key_line(styles::fit, "Model"),
-                                  marks::key_line(styles::euler, "Euler–Bernoulli"),
-                                  marks::key_line(styles::frictionless, "No friction"),
-                                  marks::key_line(styles::drop, "Load lines")};
+  const std::vector<Mark> entries{
+      marks::key_line({Colour::blue, 0.9}, "Measured"), marks::key_line(styles::fit, "Model"),
+      marks::key_line(styles::euler, "Euler–Bernoulli"), marks::key_line(styles::frictionless, "No friction"),
+      marks::key_line(styles::drop, "Load lines")};
   panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
   const std::size_t rows = (tests.size() + panels_across - 1) / panels_across;
   return {
       .name = std::move(name),
       .title = title,
-      .description = fmt::format(
-          "A panel a test ({}): measured force against deflection at midspan, the model, the Euler-Bernoulli line, the "
-          "model without friction, and load lines at the drops of the force.",
-          names),
       .caption = title +
                  ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the fit "
                  "run forward. In the corner: the "

@@ -81,28 +81,24 @@ Plot loops_figure(const FittedTest& test) {
     forward.rows.push_back(
         {w(scales.reduced_length(record.deflection[i]) + fall / test.analysis.rig.stiffness), F(force)});
   }
-  return {
-      .name = "loops",
-      .title = "Loading and unloading: " + test.name,
-      .description = fmt::format("Measured force against deflection at midspan in {} loadings and the unloadings after "
-                                 "them, and the force that one friction profile gives.",
-                                 loads),
-      .caption =
-          "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange), in the "
-          "direction of the "
-          "arrows. Black: one friction profile for all loops and both directions, run forward over the stage "
-          "positions.",
-      .width = two_columns,
-      .height = 96,
-      .data = {std::move(loading), std::move(unloading), std::move(forward), std::move(arrows_in),
-               std::move(arrows_out)},
-      .panels = {{.x = x,
-                  .y = y,
-                  .marks = {marks::line("loading", {0, 1}, {Colour::blue, 1.8}, "Loading"),
-                            marks::line("unloading", {0, 1}, {Colour::vermillion, 1.8}, "Unloading"),
-                            marks::line("forward", {0, 1}, {Colour::black, 0.6}, "Profile, run forward"),
-                            marks::arrows("arrows_in", {Colour::blue, 1.4}),
-                            marks::arrows("arrows_out", {Colour::vermillion, 1.4})}}}};
+  return {.name = "loops",
+          .title = "Loading and unloading: " + test.name,
+          .caption =
+              "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange), in the "
+              "direction of the "
+              "arrows. Black: one friction profile for all loops and both directions, run forward over the stage "
+              "positions.",
+          .width = two_columns,
+          .height = 96,
+          .data = {std::move(loading), std::move(unloading), std::move(forward), std::move(arrows_in),
+                   std::move(arrows_out)},
+          .panels = {{.x = x,
+                      .y = y,
+                      .marks = {marks::line("loading", {0, 1}, {Colour::blue, 1.8}, "Loading"),
+                                marks::line("unloading", {0, 1}, {Colour::vermillion, 1.8}, "Unloading"),
+                                marks::line("forward", {0, 1}, {Colour::black, 0.6}, "Profile, run forward"),
+                                marks::arrows("arrows_in", {0, 1, 2, 3}, {Colour::blue, 1.4}),
+                                marks::arrows("arrows_out", {0, 1, 2, 3}, {Colour::vermillion, 1.4})}}}};
 }
 
 Plot boxes_figure(const FittedTest& test) {
@@ -153,7 +149,7 @@ Plot boxes_figure(const FittedTest& test) {
   std::vector<Panel> panels{
       {.x = x,
        .y = {"Mobilised friction *q*", "", -top, top},
-       .marks = {marks::horizontal(0, {.width = 0.75}), marks::line("path", {0, 1}, {Colour::silver, 0.4}),
+       .marks = {marks::horizontal({0}, {.width = 0.75}), marks::line("path", {0, 1}, {Colour::silver, 0.4}),
                  moving(0, 1, dots(Colour::blue), "In: *q* = *μ*"),
                  moving(1, 1, dots(Colour::vermillion), "Out: *q* = −*μ*"),
                  moving(2, 1, {Colour::black, 0.7, Dash::solid, Symbol::circle, 2}, "Stuck"),
@@ -176,10 +172,6 @@ Plot boxes_figure(const FittedTest& test) {
   }
   return {.name = "boxes",
           .title = "Friction in both directions: " + test.name,
-          .description = fmt::format(
-              "Mobilised friction against the length slid over one support, a box for each of {} loops; below, "
-              "friction in loading and in unloading on one axis, with 95 % bands.",
-              friction.loops.size()),
           .caption = fmt::format("Top: mobilised friction against the length slid over one support; each loop is a "
                                  "box. The specimen slides in along its upper "
                                  "side (blue), sticks while the stage turns back (circles), and slides out along its "

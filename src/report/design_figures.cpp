@@ -92,10 +92,6 @@ Plot curve_figure(const DesignCase& input, const DesignAxis& over, const std::ve
     first.marks.push_back(marks::label(x.plotted((x.even(x.axis.from) + x.even(x.axis.to)) / 2), 0.5, "None snaps"));
   return {.name = "designs",
           .title = "What a test shows over a range",
-          .description = fmt::format("Two panels over the {}: the largest and the mean drop of the force, as shares of "
-                                     "the greatest force, and the share of friction in "
-                                     "the work; and the deflection of the first snap.",
-                                     over.parameter.name),
           .caption = fmt::format("What a test shows over the {}: (A) the largest drop of the force (black) and the "
                                  "mean one (dashed), as shares of "
                                  "the greatest force, and the share of friction and snaps in the work (red-orange); "
@@ -136,34 +132,15 @@ PlotTable border_of(const Grid& points, std::size_t rows, std::size_t columns, c
   return border;
 }
 
-// The cell of a map where the test itself lies, or that is nearest to it.
-std::size_t cell_of(const std::vector<double>& own, const Grid& points, const ParameterAxis& x,
-                    const ParameterAxis& y) {
-  const auto away = [&](const ParameterAxis& axis, const MapPoint& point, std::size_t k) {
-    return std::abs(axis.even(axis(point.values[k])) - axis.even(own[k])) /
-           (axis.even(axis.axis.to) - axis.even(axis.axis.from));
-  };
-  const auto nearest = std::min_element(points.begin(), points.end(), [&](const MapPoint& a, const MapPoint& b) {
-    return away(x, a, 0) + away(y, a, 1) < away(x, b, 0) + away(y, b, 1);
-  });
-  return static_cast<std::size_t>(nearest - points.begin());
-}
-
-// Where the points of a side are farthest from others, from the test itself and from the frame; none if there is no room for a word.
-template <class Belongs>
-std::optional<std::size_t> middle_of(const Grid& points, std::size_t columns, std::size_t taken, Belongs belongs) {
-  constexpr int room = 3;  // [cells]
-  const std::size_t rows = points.size() / columns;
-  std::vector<int> depth(points.size(), 0);  // [cells] to the nearest that does not belong
-  const auto at = [&](std::size_t i, std::size_t j) { return i < rows && j < columns ? depth[i * columns + j] : 0; };
-  for (std::size_t n = 0; n < points.size(); ++n)  // indices below 0 are large
-    if (n != taken && belongs(points[n].margin))
-      depth[n] = 1 + std::min(at(n / columns - 1, n % columns), at(n / columns, n % columns - 1));
-  for (std::size_t n = points.size(); n-- > 0;)
-    depth[n] = std::min(depth[n], 1 + std::min(at(n / columns + 1, n % columns), at(n / columns, n % columns + 1)));
-  const auto deepest = std::max_element(depth.begin(), depth.end());
-  if (*deepest < room) return std::nullopt;
-  return static_cast<std::size_t>(deepest - depth.begin());
+// The point of a side of the border that is farthest from it, as far from the frame as a word needs; none if there is no such point.
+std::optional<std::size_t> middle_of(const Grid& points, std::size_t columns, double side) {
+  const auto is_inside = [](std::size_t i, std::size_t count) { return 6 * i > count && 6 * (i + 1) < 5 * count; };
+  std::optional<std::size_t> best;
+  for (std::size_t n = 0; n < points.size(); ++n)
+    if (is_inside(n / columns, points.size() / columns) && is_inside(n % columns, columns) &&
+        side * points[n].margin > 0 && (!best || side * points[n].margin > side * points[*best].margin))
+      best = n;
+  return best;
 }
 
 Plot plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, const Grid& points) {
@@ -176,8 +153,8 @@ Plot plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, 
     return std::pair{axis.plotted(middle - half), axis.plotted(middle + half)};
   };
   PlotTable designs{"designs",
-                    {x.unit.column(axes[0].parameter.name), "low", "high", y.unit.column(axes[1].parameter.name), "low",
-                     "high", "largest drop [%]"}};
+                    {x.unit.column(axes[0].parameter.name), "left", "right", y.unit.column(axes[1].parameter.name),
+                     "low", "high", "largest drop [%]"}};
   double most = 0;
   for (const MapPoint& point : points) {
     const auto [left, right] = edges(x, point.values[0], rows);
@@ -189,16 +166,12 @@ Plot plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, 
   const std::vector<double> own{x(input.value(axes[0].parameter.parameter)),
                                 y(input.value(axes[1].parameter.parameter))};
   std::vector<Mark> marks{
-      marks::of_table(MarkKind::pixels, "designs", {1, 2, 4, 5, 6}, {}),
+      marks::pixels("designs", {1, 2, 4, 5, 6}, {}),
       marks::line("border", {0, 1}, {Colour::vermillion, 2}, "Border of snapping"),
       marks::points("own", {0, 1}, {Colour::black, 0.5, Dash::solid, Symbol::disc, 4}, "This test")};
-  const std::size_t taken = cell_of(own, points, x, y);
-  const auto name_side = [&](const char* words, auto belongs) {
-    if (const auto there = middle_of(points, columns, taken, belongs))
+  for (const auto& [side, words] : {std::pair{-1.0, "snaps"}, std::pair{1.0, "no snap"}})
+    if (const auto there = middle_of(points, columns, side))
       marks.push_back(marks::label(designs.rows[*there][0], designs.rows[*there][3], words));
-  };
-  name_side("snaps", [](double margin) { return margin < 0; });
-  name_side("no snap", [](double margin) { return margin > 0; });
   std::tie(x.axis.from, x.axis.to) = std::pair{designs.rows.front()[1], designs.rows.back()[2]};
   std::tie(y.axis.from, y.axis.to) = std::pair{designs.rows.front()[4], designs.rows.back()[5]};
   for (Axis* axis : {&x.axis, &y.axis})
@@ -207,9 +180,6 @@ Plot plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, 
   return {
       .name = "designs",
       .title = "Where a test shows a sawtooth",
-      .description = fmt::format(
-          "The largest drop of the force over {} and {}, with the border beyond which the specimen does not snap.",
-          axes[0].parameter.name, axes[1].parameter.name),
       .caption = fmt::format("The largest drop of the force (blue, the darker the larger) over the {} and the {}. "
                              "Red-orange: the border of "
                              "snapping. Disc: the test as the case states it. White: no drop, or not to be computed.",
@@ -283,18 +253,13 @@ Plot design_figure(const DesignAnswer& answer) {
   std::vector<Mark> marks{marks::band("folds", {0, 2, 1}, {.colour = Colour::sky, .opacity = 0.35}, "Unstable"),
                           marks::line("folds", {0, 1}, {Colour::blue, 0.8}),
                           marks::line("folds", {0, 3}, {.width = 1.2, .dash = Dash::dotted}, "End of travel")};
-  if (is_finite) marks.push_back(marks::horizontal(k(own), {.width = 1.4}, gives ? "This rig" : "This load train"));
+  if (is_finite) marks.push_back(marks::horizontal({k(own)}, {.width = 1.4}, gives ? "This rig" : "This load train"));
   if (std::isfinite(answer.critical) && answer.critical > 0)
-    marks.push_back(marks::horizontal(k(answer.critical), {Colour::green, 1.4, Dash::dashed}, "Critical stiffness"));
-  if (breaks) marks.push_back(marks::vertical(w(outcome.w_reached), {.width = 1.2}));
+    marks.push_back(marks::horizontal({k(answer.critical)}, {Colour::green, 1.4, Dash::dashed}, "Critical stiffness"));
+  if (breaks) marks.push_back(marks::vertical({w(outcome.w_reached)}, {.width = 1.2}));
   marks.push_back(marks::points("first", {0, 1}, snap_mark));
   return {.name = "design",
           .title = "What a planned test will show",
-          .description = fmt::format("Two panels: the record of force against stage displacement, with {} drops "
-                                     "marked; and the load-train stiffnesses below which "
-                                     "the specimen snaps, against deflection, with that of the rig, the critical one, "
-                                     "and those with which the travel ends there.{}",
-                                     outcome.drops, breaks ? " A cross, and a line, where the specimen breaks." : ""),
           .caption = fmt::format(
               "(A) The record as it will be, force against stage displacement, its drops in red-orange. (B) By "
               "deflection, the stiffness {} below "

@@ -44,7 +44,7 @@ std::string finished_svg(std::string text, const Plot& plot) {
   const auto from = text.find("<desc>");
   const auto to = text.find("</desc>");
   if (from != std::string::npos && to != std::string::npos)
-    text.replace(from, to - from, "<desc>" + html_escaped(plot.description));
+    text.replace(from, to - from, "<desc>" + html_escaped(plot.caption));
   replace_all(text, "<text>", "<text xml:space=\"preserve\">");
   replace_all(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
   return text;

@@ -62,10 +62,10 @@ Plot force_figure(const FittedTest& test) {
   }
   const double usual = most_of(sizes);
   const double residual_end = F(usual > 0 ? 1.25 * usual : 1e-3 * F_max);
-  PlotTable beyond{"beyond", {titles[0], F.column("edge of the axis"), F.column("residual")}};
+  PlotTable beyond{"beyond", {titles[0], F.column("edge of the axis"), F.column("residual"), "above"}};
   for (const auto& row : measured.rows)
     if (std::abs(row[2]) > residual_end)
-      beyond.rows.push_back({row[0], std::copysign(0.93 * residual_end, row[2]), row[2]});
+      beyond.rows.push_back({row[0], std::copysign(0.93 * residual_end, row[2]), row[2], row[2] > 0 ? 1.0 : 0.0});
 
   PlotTable sliding{"sliding", titles}, snaps{"snaps", titles};
   for (const auto& point : mean_run_forward(analysis).path) {
@@ -103,40 +103,33 @@ Plot force_figure(const FittedTest& test) {
   const auto points = [](Colour colour, double seen) {
     return marks::only(marks::points("measured", {0, 2}, {colour, 0.5, Dash::solid, Symbol::disc, 1.7}), {{3, seen}});
   };
-  const auto triangles = [](Symbol symbol) { return Style{Colour::vermillion, 0.5, Dash::solid, symbol, 3.5}; };
-  std::vector<double> ends;
-  PlotTable above{"above", beyond.titles}, below{"below", beyond.titles};
-  for (auto& row : beyond.rows) (row[1] > 0 ? above : below).rows.push_back(std::move(row));
+  const auto triangles = [](Symbol symbol, double above) {
+    return marks::only(marks::points("beyond", {0, 1}, styles::symbols(Colour::vermillion, symbol, 3.5)), {{3, above}});
+  };
   Panel residuals{.x = deflection,
                   .y = {"Residual", F.unit, -residual_end, residual_end},
-                  .marks = {marks::horizontal(0, styles::zero), points(Colour::grey, 0), points(Colour::blue, 1),
-                            marks::points("above", {0, 1}, triangles(Symbol::triangle)),
-                            marks::points("below", {0, 1}, triangles(Symbol::down))}};
-  const bool has_snaps = !snaps.rows.empty(), has_beyond = !above.rows.empty() || !below.rows.empty();
-  for (PlotTable* table : {&measured, &sliding, &snaps, &drops, &above, &below}) data.push_back(std::move(*table));
-  return {
-      .name = "force",
-      .title = "Force against deflection: " + test.name,
-      .description = fmt::format(
-          "Measured force against deflection at midspan with the mean of the fit run forward, the Euler-Bernoulli line "
-          "and the model without friction; {} drops are marked by load lines. Below, measured force less model.",
-          analysis.drops.drops.size()),
-      .caption = fmt::format(
-          "Force against deflection at midspan. Blue: measured. Black: the mean of the fit run forward{}. Orange: "
-          "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. {}"
-          "Below: measured force less that of the fit, grey where the force says too little about friction{}.",
-          has_snaps ? ", dashed where it snaps" : "",
-          analysis.drops.drops.empty()
-              ? ""
-              : fmt::format("Grey: load lines, whose slope is the stiffness of the load train, through {}. ",
-                            analysis.drops.drops.size() == 1
-                                ? "the drop"
-                                : fmt::format("the {} drops", analysis.drops.drops.size())),
-          has_beyond ? "; triangles: beyond the axis" : ""),
-      .width = two_columns,
-      .height = 108,
-      .data = std::move(data),
-      .panels = {std::move(force), std::move(residuals)}};
+                  .marks = {marks::horizontal({0}, styles::zero), points(Colour::grey, 0), points(Colour::blue, 1),
+                            triangles(Symbol::triangle, 1), triangles(Symbol::down, 0)}};
+  const bool has_snaps = !snaps.rows.empty(), has_beyond = !beyond.rows.empty();
+  for (PlotTable* table : {&measured, &sliding, &snaps, &drops, &beyond}) data.push_back(std::move(*table));
+  return {.name = "force",
+          .title = "Force against deflection: " + test.name,
+          .caption = fmt::format(
+              "Force against deflection at midspan. Blue: measured. Black: the mean of the fit run forward{}. Orange: "
+              "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. {}"
+              "Below: measured force less that of the fit, grey where the force says too little about friction{}.",
+              has_snaps ? ", dashed where it snaps" : "",
+              analysis.drops.drops.empty()
+                  ? ""
+                  : fmt::format("Grey: load lines, whose slope is the stiffness of the load train, through {}. ",
+                                analysis.drops.drops.size() == 1
+                                    ? "the drop"
+                                    : fmt::format("the {} drops", analysis.drops.drops.size())),
+              has_beyond ? "; triangles: beyond the axis" : ""),
+          .width = two_columns,
+          .height = 108,
+          .data = std::move(data),
+          .panels = {std::move(force), std::move(residuals)}};
 }
 
 Plot profile_figure(const FittedTest& test) {
@@ -190,7 +183,7 @@ Plot profile_figure(const FittedTest& test) {
     marks.push_back(literature->low < literature->high
                         ? marks::rectangle({-marks::edge, marks::edge, literature->low, literature->high},
                                            styles::literature, words)
-                        : marks::horizontal(literature->low, {Colour::green, 1}, words));
+                        : marks::horizontal({literature->low}, {Colour::green, 1}, words));
   }
   const std::vector<Mark> of_test{
       marks::band("band", {0, 2, 3}, band_look, "Mean ± 2 deviations"),
@@ -204,10 +197,6 @@ Plot profile_figure(const FittedTest& test) {
   return {
       .name = "profile",
       .title = "Friction along the specimen: " + test.name,
-      .description = fmt::format(
-          "Coefficient of friction against the length slid over one support: {} measured points with "
-          "their 95 % intervals, {} slips, and the mean of the fit with a band of two standard deviations{}.",
-          profile.points.size(), analysis.slips.size(), fit.wave_claimed ? ", and the wave claimed" : ""),
       .caption = fmt::format(
           "Friction along the specimen, at the bending stiffness of the fit. Blue: read off the force point by "
           "point, with 95 % intervals from the noise of each point. {}Black: the mean of the fit; grey: two standard "
@@ -249,16 +238,15 @@ Plot wavelength_figure(const FittedTest& test) {
 
   std::vector<Mark> marks{
       marks::line("gains", {0, 1}, {Colour::blue, 1}),
-      marks::horizontal(claiming_gain, {Colour::black, 0.75, Dash::dotted}, "Claimed above"),
+      marks::horizontal({claiming_gain}, {Colour::black, 0.75, Dash::dotted}, "Claimed above"),
       marks::points("likeliest", {0, 1}, {Colour::blue, 1, Dash::solid, Symbol::circle, 4}, "Likeliest")};
   if (fit.wave_claimed)
     for (const auto& wave : fit.waves)
-      marks.push_back(marks::vertical(length(wave.wavelength.value), {Colour::black, 1, Dash::dashed},
+      marks.push_back(marks::vertical({length(wave.wavelength.value)}, {Colour::black, 1, Dash::dashed},
                                       &wave == &fit.waves.front() ? "Wave of the fit" : ""));
   return {
       .name = "wavelengths",
       .title = "Wavelengths in the friction: " + test.name,
-      .description = "Gain of log-evidence that a wave of friction brings beside roughness, against its wavelength.",
       .caption = fmt::format(
           "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness being "
           "as "
@@ -303,20 +291,10 @@ Plot teeth_figure(const FittedTest& test) {
   const auto verdict = [](ToothVerdict which, Style style, std::string title) {
     return marks::only(marks::points("teeth", {0, 3}, style, std::move(title)), {{9, static_cast<double>(which)}});
   };
-  const auto count = [&](ToothVerdict which) {
-    return std::count_if(teeth.rows.begin(), teeth.rows.end(),
-                         [&](const auto& row) { return row[9] == static_cast<double>(which); });
-  };
-  const std::string description = fmt::format(
-      "Position between sliding (0) and sticking (1) of {} rises between drops, along the specimen: {} slide, {} "
-      "are as if stuck, {} undecided.",
-      judged.teeth.size(), count(ToothVerdict::sliding), count(ToothVerdict::as_if_stuck),
-      count(ToothVerdict::undecided));
   constexpr Style open{Colour::black, 1, Dash::solid, Symbol::circle, 3.5};
   return {
       .name = "teeth",
       .title = "Stick or slide between the drops: " + test.name,
-      .description = description,
       .caption =
           "Every rise of the force between two drops, on a scale from sliding at constant friction (0) to sticking "
           "(1). Below 1 "
@@ -331,11 +309,11 @@ Plot teeth_figure(const FittedTest& test) {
                   .y = {"Position *p* (0: sliding, 1: stuck)", "", std::max(lowest, -1.5), std::min(highest, 2.0)},
                   .marks = {marks::rectangle({-marks::edge, marks::edge, stuck, marks::edge},
                                              {.colour = Colour::orange, .opacity = 0.16}),
-                            marks::horizontal(1, styles::zero), marks::horizontal(0, styles::zero),
+                            marks::horizontal({1}, styles::zero), marks::horizontal({0}, styles::zero),
                             marks::label(-marks::edge, stuck, "as if stuck"),
                             marks::bars("teeth", {0, 6, 7}, {Colour::silver, 4}, "95 %: common to all"),
                             marks::bars("teeth", {0, 4, 5}, {Colour::black, 0.8}, "95 %: noise"),
-                            marks::of_table(MarkKind::spans, "teeth", {1, 2, 3}, {Colour::grey, 0.8}),
+                            marks::spans("teeth", {1, 2, 3}, {Colour::grey, 0.8}),
                             verdict(ToothVerdict::sliding, {Colour::blue, 1, Dash::solid, Symbol::disc, 3.5}, "slides"),
                             verdict(ToothVerdict::as_if_stuck,
                                     {Colour::vermillion, 1, Dash::solid, Symbol::square, 3.5}, "as if stuck"),
@@ -361,9 +339,6 @@ Plot record_figure(const FittedTest& test) {
   return {
       .name = "record",
       .title = "Force against deflection: " + test.name,
-      .description =
-          "Measured force against deflection at midspan, with the Euler-Bernoulli line and the model without "
-          "friction at the bending stiffness stated.",
       .caption =
           "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the "
           "model without friction, both with the bending stiffness stated, or that of the initial slope.",
@@ -372,7 +347,7 @@ Plot record_figure(const FittedTest& test) {
       .data = std::move(data),
       .panels = {{.x = w.axis(deflection_label, 0, 1.03 * w_max),
                   .y = F.axis(force_label, std::min(0.0, 1.1 * reduced_force(*least)), 1.1 * reduced_force(*greatest)),
-                  .marks = {marks::key_line(styles::measured, "Measured"), marks::horizontal(0, styles::zero),
+                  .marks = {marks::key_line(styles::measured, "Measured"), marks::horizontal({0}, styles::zero),
                             marks::line("beam", {0, 1}, styles::euler, "Euler–Bernoulli"),
                             marks::line("frictionless", {0, 1}, styles::frictionless, "Model without friction"),
                             marks::line("measured", {0, 1}, styles::measured)}}}};

@@ -37,7 +37,6 @@ struct Drawing {
   Drawing(const PlotUnits& units, const Extent& largest)
       : length(units.length(largest.w)), force(units.force(largest.F)), extent(largest) {}
 
-  std::vector<double> row(double w, double F, double S) const { return {length(w), force(F), length(S)}; }
   PlotTable table(std::string name) const {
     return {std::move(name),
             {length.column("deflection"), force.column("force"), length.column("length"), "mobilised friction"}};
@@ -77,36 +76,31 @@ Plot region_figure(const EquilibriumStudy& study) {
     arrows.rows.push_back(
         {drawing.length(from.w), drawing.force(from.F + lift), drawing.length(to.w), drawing.force(to.F + lift)});
   }
-  const std::vector<Mark> marks{
-      marks::of_table(MarkKind::area, "region", {}, {.colour = Colour::silver, .opacity = 0.5}),
-      marks::line("curve", {}, curve_look)};
+  const std::vector<Mark> marks{marks::area("region", {}, {.colour = Colour::silver, .opacity = 0.5}),
+                                marks::line("curve", {}, curve_look)};
   std::vector<Mark> first = of_columns(marks, 0, 1);
   first.push_back(marks::line("locus", {0, 1}, {.dash = Dash::dashed}));
-  first.push_back(marks::arrows("arrows", {.width = 0.8}));
+  first.push_back(marks::arrows("arrows", {0, 1, 2, 3}, {.width = 0.8}));
   const Axis S = drawing.length.axis(S_label, 1);
-  return {
-      .name = "region",
-      .title = "The equilibria of the specimen",
-      .description =
-          "Three panels: force against deflection, deflection against length between the supports, force against "
-          "length. The region of equilibria is grey; its upper edge, on which the specimen slides in, is a dark curve.",
-      .caption =
-          "All equilibria of the specimen: (A) force against deflection, (B) deflection and (C) force against the "
-          "length between the "
-          "supports. Grey: the region of equilibria. Dark: its upper edge, on which the specimen slides in, in the "
-          "direction of the "
-          "arrows. Dashed: one length with every friction that it may have.",
-      .width = two_columns,
-      .height = 56,
-      .data = {drawing.curve("region", boundary), drawing.curve("curve", portrait.in),
-               drawing.curve("locus", portrait.at_one_length), std::move(arrows)},
-      .panels = {{.title = "A",
-                  .x = drawing.length.axis(w_label, 0),
-                  .y = drawing.F(1.25 * extent.F),
-                  .marks = std::move(first)},
-                 {.title = "B", .x = S, .y = drawing.length.axis(w_label, 0), .marks = of_columns(marks, 2, 0)},
-                 {.title = "C", .x = S, .y = drawing.F(1.25 * extent.F), .marks = of_columns(marks, 2, 1)}},
-      .columns = 3};
+  return {.name = "region",
+          .title = "The equilibria of the specimen",
+          .caption =
+              "All equilibria of the specimen: (A) force against deflection, (B) deflection and (C) force against the "
+              "length between the "
+              "supports. Grey: the region of equilibria. Dark: its upper edge, on which the specimen slides in, in the "
+              "direction of the "
+              "arrows. Dashed: one length with every friction that it may have.",
+          .width = two_columns,
+          .height = 56,
+          .data = {drawing.curve("region", boundary), drawing.curve("curve", portrait.in),
+                   drawing.curve("locus", portrait.at_one_length), std::move(arrows)},
+          .panels = {{.title = "A",
+                      .x = drawing.length.axis(w_label, 0),
+                      .y = drawing.F(1.25 * extent.F),
+                      .marks = std::move(first)},
+                     {.title = "B", .x = S, .y = drawing.length.axis(w_label, 0), .marks = of_columns(marks, 2, 0)},
+                     {.title = "C", .x = S, .y = drawing.F(1.25 * extent.F), .marks = of_columns(marks, 2, 1)}},
+          .columns = 3};
 }
 
 Plot curve_figure(const EquilibriumStudy& study) {
@@ -115,14 +109,10 @@ Plot curve_figure(const EquilibriumStudy& study) {
   const double w_max = std::max(extent.w, extended({}, portrait.frictionless).w);
   const Drawing drawing({study.scales, study.reduced, study.in_inches}, extent);
   PlotTable beam = drawing.table("beam");
-  beam.rows = {drawing.row(0, 0, NAN), drawing.row(w_max, 48 * w_max, NAN)};
-  for (auto& row : beam.rows) row.push_back(NAN);
+  beam.rows = {{0, 0, NAN, NAN}, {drawing.length(w_max), drawing.force(48 * w_max), NAN, NAN}};
   return {
       .name = "equilibrium",
       .title = "The equilibrium curve",
-      .description =
-          "Force against deflection along the equilibrium curve, with that of no friction and the Euler-Bernoulli "
-          "line.",
       .caption =
           "Force against deflection while the specimen slides in (dark), without friction (orange) and by "
           "Euler–Bernoulli "
@@ -191,9 +181,6 @@ Plot loading_figure(const SimulatedPortrait& portrait, const PlotUnits& units) {
   return {
       .name = "measured",
       .title = "What the test measures",
-      .description = fmt::format("Force against deflection as measured, with {} snaps{}, over the equilibrium curve.",
-                                 history.snaps.size(),
-                                 history.cracks.empty() ? "" : fmt::format(" and {} cracks", history.cracks.size())),
       .caption = fmt::format(
           "Force against deflection as the test measures it (black; {} dashed), over the curve on which the {}specimen "
           "slides in (grey).",
@@ -269,8 +256,8 @@ Plot loops_figure(const SimulatedPortrait& portrait, const PlotUnits& units) {
       marks::line("sticking_in", {}, stuck_in),    marks::line("sticking_out", {}, stuck_out),
       marks::line("loading", {}, styles::loading), marks::line("unloading", {}, styles::unloading)};
   const auto with_arrows = [&](std::vector<Mark> marks, const std::string& space) {
-    marks.push_back(marks::arrows("arrows_in_" + space, {Colour::blue, 1}));
-    marks.push_back(marks::arrows("arrows_out_" + space, {Colour::vermillion, 1}));
+    marks.push_back(marks::arrows("arrows_in_" + space, {0, 1, 2, 3}, {Colour::blue, 1}));
+    marks.push_back(marks::arrows("arrows_out_" + space, {0, 1, 2, 3}, {Colour::vermillion, 1}));
     return marks;
   };
   std::vector<Mark> first{marks::key_line(styles::loading, "Loading"), marks::key_line(styles::unloading, "Unloading"),
@@ -279,30 +266,25 @@ Plot loops_figure(const SimulatedPortrait& portrait, const PlotUnits& units) {
     first.push_back(marks::key_line(styles::snap, std::string(title_of_snaps(history))));
   first.push_back(marks::key_line(styles::below, portrait.limits.out.empty() ? "*q* = *μ*" : "*q* = ±*μ*"));
   for (Mark& each : with_arrows(of_columns(lines, 0, 1), "force")) first.push_back(std::move(each));
-  return {
-      .name = "measured",
-      .title = "What the test measures",
-      .description = fmt::format(
-          "Two panels: force against deflection, and mobilised friction against the length between the supports, in {} "
-          "loading and unloading legs with {} snaps. Arrows show the direction.",
-          portrait.legs.size(), history.snaps.size()),
-      .caption =
-          "(A) Force against deflection and (B) mobilised friction against the length between the supports, as the "
-          "specimen is loaded "
-          "(blue) and unloaded (red-orange), in the direction of the arrows. Dotted: it sticks. Dashed: it snaps. "
-          "Grey: where it slides.",
-      .width = two_columns,
-      .height = 70,
-      .data = {std::move(limits), pieces_of("snaps", track, drawing, is_snap),
-               part("sticking_in", Direction::loading, true), part("sticking_out", Direction::unloading, true),
-               part("loading", Direction::loading, false), part("unloading", Direction::unloading, false),
-               arrows_of("arrows_in_force", track, Direction::loading, w, F, in_force),
-               arrows_of("arrows_out_force", track, Direction::unloading, w, F, in_force),
-               arrows_of("arrows_in_friction", track, Direction::loading, S, q, in_friction),
-               arrows_of("arrows_out_friction", track, Direction::unloading, S, q, in_friction)},
-      .panels = {{.title = "A", .x = w, .y = F, .marks = std::move(first)},
-                 {.title = "B", .x = S, .y = q, .marks = with_arrows(of_columns(lines, 2, 3), "friction")}},
-      .columns = 2};
+  return {.name = "measured",
+          .title = "What the test measures",
+          .caption =
+              "(A) Force against deflection and (B) mobilised friction against the length between the supports, as the "
+              "specimen is loaded "
+              "(blue) and unloaded (red-orange), in the direction of the arrows. Dotted: it sticks. Dashed: it snaps. "
+              "Grey: where it slides.",
+          .width = two_columns,
+          .height = 70,
+          .data = {std::move(limits), pieces_of("snaps", track, drawing, is_snap),
+                   part("sticking_in", Direction::loading, true), part("sticking_out", Direction::unloading, true),
+                   part("loading", Direction::loading, false), part("unloading", Direction::unloading, false),
+                   arrows_of("arrows_in_force", track, Direction::loading, w, F, in_force),
+                   arrows_of("arrows_out_force", track, Direction::unloading, w, F, in_force),
+                   arrows_of("arrows_in_friction", track, Direction::loading, S, q, in_friction),
+                   arrows_of("arrows_out_friction", track, Direction::unloading, S, q, in_friction)},
+          .panels = {{.title = "A", .x = w, .y = F, .marks = std::move(first)},
+                     {.title = "B", .x = S, .y = q, .marks = with_arrows(of_columns(lines, 2, 3), "friction")}},
+          .columns = 2};
 }
 
 PlotUnits units_of(const SimulatedTest& test) { return {test.scales, test.reduced, test.in_inches}; }
@@ -339,9 +321,6 @@ Plot equilibria_figure(const SimulatedTest& test, std::span<const double> stages
   return {
       .name = "equilibria",
       .title = "Overall equilibria",
-      .description = fmt::format(
-          "The overall equilibria at {} stage positions on the equilibrium curve, with the load lines of the rig.",
-          stages.size()),
       .caption =
           "The overall equilibria of specimen and rig, where load lines of the rig (dashed) cross the curve on "
           "which the specimen slides "

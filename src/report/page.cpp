@@ -89,7 +89,7 @@ std::string inline_svg(const fs::path& path, const Plot& plot) {
     rename("xlink:href=" + quote + "#", "xlink:href=" + quote + "#" + plot.name + "-");
   }
   rename("url(#", "url(#" + plot.name + "-");
-  svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escaped(plot.description)));
+  svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escaped(plot.caption)));
   return svg;
 }
 

@@ -18,8 +18,8 @@ inline constexpr double two_columns = 170;  // [mm]
 
 // Rows of numbers; an empty row interrupts a line, and NaN is not drawn.
 struct PlotTable {
-  std::string name;  // of its file: <plot>-<name>.csv
-  std::vector<std::string> titles;
+  std::string name;                 // of its file: <plot>-<name>.csv
+  std::vector<std::string> titles;  // each another
   std::vector<std::vector<double>> rows{};
 };
 
@@ -92,11 +92,11 @@ struct Panel {
 // Panels stand in rows, from left to right. A key stands above the panel whose marks have titles, as wide as there is room. A neighbour with
 // the same axis shares its numbers and its label.
 struct Plot {
-  std::string name;         // of its files
-  std::string title;        // what it shows
-  std::string description;  // the same for those who cannot see it
-  std::string caption;      // the same with what stands for what: it is read without the text around it
-  double width, height;     // [mm]
+  std::string name;   // of its files
+  std::string title;  // what it shows
+  std::string
+      caption;  // the same with what stands for what: read without the text around it, also by those who cannot see
+  double width, height;  // [mm]
   std::vector<PlotTable> data;
   std::vector<Panel> panels;
   std::size_t columns = 1;  // of panels

@@ -67,10 +67,10 @@ Json json_of(const Plot& plot) {
     Json marks = Json::array();
     for (const Mark& mark : panel.marks) marks.push_back(json_of(plot, mark));
     panels.push_back({{"title", panel.title},
-                      {"left", laid.left},
-                      {"bottom", laid.bottom},
-                      {"width", laid.right - laid.left},
-                      {"height", laid.top - laid.bottom},
+                      {"left", laid.lower.x},
+                      {"bottom", laid.lower.y},
+                      {"width", laid.upper.x - laid.lower.x},
+                      {"height", laid.upper.y - laid.lower.y},
                       {"key_rows", laid.key_rows},
                       {"key_left", laid.key.x},
                       {"key_bottom", laid.key.y},
@@ -79,10 +79,9 @@ Json json_of(const Plot& plot) {
                       {"colour", laid.colour.ticks.empty() ? Json(nullptr) : json_of(laid.colour, panel.colour)},
                       {"marks", marks}});
   }
-  return {{"name", plot.name},       {"title", plot.title},       {"description", plot.description},
-          {"caption", plot.caption}, {"width", plot.width},       {"height", plot.height},
-          {"columns", plot.columns}, {"x_label", layout.x.label}, {"y_label", layout.y.label},
-          {"palette", stops},        {"panels", panels}};
+  return {{"name", plot.name},     {"title", plot.title},     {"caption", plot.caption}, {"width", plot.width},
+          {"height", plot.height}, {"columns", plot.columns}, {"x_label", layout.x},     {"y_label", layout.y},
+          {"palette", stops},      {"panels", panels}};
 }
 
 Json json_with_data(const Plot& plot) {

@@ -6,7 +6,7 @@
 
 namespace flexslip {
 
-// {"name", "title", "description", "caption", "width", "height", "columns", "palette", "x_label", "y_label", "panels": [{"title", "left", "bottom",
+// {"name", "title", "caption", "width", "height", "columns", "palette", "x_label", "y_label", "panels": [{"title", "left", "bottom",
 // "width", "height", "key_rows", "key_left", "key_bottom", "x", "y", "colour": {"label", "from", "to", "logarithmic", "shown", "numbers", "ticks", "texts"}, "marks": [{"kind",
 // "table", "columns", "at", "only", "title", "style"}]}]}. Places are shares of the figure; columns have the titles of the table; what is infinite is null.
 Json json_of(const Plot& plot);

@@ -1,9 +1,7 @@
 #include "report/plot_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -13,89 +11,73 @@ namespace flexslip {
 namespace {
 
 // [mm] of type of this size.
-constexpr double line_height = 3.4;
-constexpr double key_height = 3.6;                                // of a row of a key
-constexpr double key_sample = 9.5;                                // the line before the words, and what is left free
-constexpr double longest_letter = 6;                              // a title beside which a key stands
-constexpr double figure_edge = 1.2;                               // of the figure
-constexpr double to_numbers = 1.3;                                // from the frame to the numbers beside it
-constexpr double numbers_below = 4.0;                             // from the frame to the lower end of the numbers
-constexpr double joined_gap = 2.6;                                // between panels that share an axis
-constexpr double colour_bar_width = 3;                            // and what stands between it and the panel
-constexpr double closest_x = 12, closest_y = 6, closest_log = 7;  // ticks
+constexpr double key_height = 3.6,
+                 key_sample = 10;  // of a row of a key; of the line before its words, and what is left free
+constexpr double figure_edge = 1.2, joined_gap = 2.6, panel_gap = 3.4;
+constexpr double to_numbers = 1.3,
+                 numbers_below = 5.2;  // from the frame to the numbers beside it, and to the lower end of those below
+constexpr double closest_x = 12, closest_y = 7, closest_log = 7;  // numbers of an axis
 
 // [mm] Wide rather than narrow: the machine at hand may not have Arial.
 double text_width(const std::string& markup) {
   constexpr double em = font_size * 25.4 / 72;
   double ems = 0;
-  for (const TextPiece& piece : text_pieces(markup)) {
-    const double size = piece.style == TextPiece::below || piece.style == TextPiece::above ? 0.8 : 1;
+  for (const TextPiece& piece : text_pieces(markup))
     for (const char c : piece.text) {
       if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;
       const std::string_view narrow = "ijl.,:;'|!()[]fIt /", wide = "mwMW%@";
-      ems += size * (narrow.find(c) != narrow.npos ? 0.38 : wide.find(c) != wide.npos ? 0.9 : 0.62);
+      ems += narrow.find(c) != narrow.npos ? 0.38 : wide.find(c) != wide.npos ? 0.9 : 0.62;
     }
-  }
   return em * ems;
 }
 
 // Which columns of a mark lie along an axis.
-std::span<const std::size_t> columns_along(MarkKind kind, bool is_x) {
-  static constexpr std::array<std::size_t, 4> first{0, 1, 2, 3};
-  static constexpr std::array<std::size_t, 4> crossed{0, 2, 1, 3};
-  const std::span plain(first), mixed(crossed);
+std::vector<std::size_t> columns_along(MarkKind kind, bool is_x) {
+  using Columns = std::vector<std::size_t>;
   switch (kind) {
     case MarkKind::line:
     case MarkKind::points:
     case MarkKind::area:
-      return plain.subspan(is_x ? 0 : 1, 1);
+      return is_x ? Columns{0} : Columns{1};
     case MarkKind::band:
     case MarkKind::bars:
-      return is_x ? plain.subspan(0, 1) : plain.subspan(1, 2);
+      return is_x ? Columns{0} : Columns{1, 2};
     case MarkKind::spans:
-      return is_x ? plain.subspan(0, 2) : plain.subspan(2, 1);
+      return is_x ? Columns{0, 1} : Columns{2};
     case MarkKind::arrows:
-      return is_x ? mixed.subspan(0, 2) : mixed.subspan(2, 2);
+      return is_x ? Columns{0, 2} : Columns{1, 3};
     case MarkKind::pixels:
-      return is_x ? plain.subspan(0, 2) : plain.subspan(2, 2);
+      return is_x ? Columns{0, 1} : Columns{2, 3};
     default:
       return {};
   }
 }
 
-// Calls with each finite number that the marks of a panel have along an axis.
-template <class Call>
-void each_number(const Plot& plot, const Panel& panel, bool is_x, Call call) {
+std::pair<double, double> range_of(const Plot& plot, const Panel& panel, const Axis& axis, bool is_x) {
+  double low = INFINITY, high = -INFINITY;
   for (const Mark& mark : panel.marks) {
     if (mark.table.empty()) continue;
-    const PlotTable& table = table_of(plot, mark.table);
-    for (const auto& row : table.rows) {
-      if (!is_drawn(mark, row)) continue;
-      for (const std::size_t place : columns_along(mark.kind, is_x))
-        if (const double value = row.at(mark.columns.at(place)); std::isfinite(value)) call(value);
-    }
+    const auto columns = columns_along(mark.kind, is_x);
+    for (const auto& row : table_of(plot, mark.table).rows)
+      for (const std::size_t place : columns) {
+        if (!is_drawn(mark, row)) continue;
+        const double value = row.at(mark.columns.at(place));
+        if (!std::isfinite(value) || (axis.logarithmic && !(value > 0))) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
   }
-}
-
-std::pair<double, double> range_of(const Plot& plot, const Panel& panel, const Axis& axis, bool is_x) {
-  constexpr double space = 0.04;  // [1] of the range, at an end that the data decide
-  double low = INFINITY, high = -INFINITY;
-  if (!(std::isfinite(axis.from) && std::isfinite(axis.to)))
-    each_number(plot, panel, is_x, [&](double value) {
-      if (axis.logarithmic && !(value > 0)) return;
-      low = std::min(low, value);
-      high = std::max(high, value);
-    });
   if (!(low <= high)) low = axis.logarithmic ? 1 : 0, high = axis.logarithmic ? 10 : 1;
-  if (std::isfinite(axis.from)) low = axis.from;
-  if (std::isfinite(axis.to)) high = axis.to;
+  const bool from_data = !std::isfinite(axis.from), to_data = !std::isfinite(axis.to);
+  if (!from_data) low = axis.from;
+  if (!to_data) high = axis.to;
   if (!(low < high)) high = axis.logarithmic ? 10 * low : low + (low != 0 ? std::abs(low) : 1);
-  if (axis.logarithmic) {
-    const double factor = std::pow(high / low, space);
-    return {std::isfinite(axis.from) ? low : low / factor, std::isfinite(axis.to) ? high : high * factor};
-  }
-  const double margin = space * (high - low);
-  return {std::isfinite(axis.from) ? low : low - margin, std::isfinite(axis.to) ? high : high + margin};
+  constexpr double space = 0.04;  // [1] of the range, at an end that the data decide
+  const double margin = axis.logarithmic ? std::pow(high / low, space) : space * (high - low);
+  const auto away = [&](double end, double sign) {
+    return axis.logarithmic ? end * std::pow(margin, sign) : end + sign * margin;
+  };
+  return {from_data ? away(low, -1) : low, to_data ? away(high, 1) : high};
 }
 
 std::string number_text(double value) {
@@ -103,32 +85,24 @@ std::string number_text(double value) {
   if (const auto e = text.find('e'); e != std::string::npos)
     text = fmt::format("{}10^{{{}}}", text.substr(0, e) == "1" ? "" : text.substr(0, e) + "·",
                        std::stoi(text.substr(e + 1)));
-  if (const auto minus = text.find('-'); minus != std::string::npos) text.replace(minus, 1, "−");
+  for (auto minus = text.find('-'); minus != std::string::npos; minus = text.find('-')) text.replace(minus, 1, "−");
   return text;
 }
 
 std::vector<Tick> linear_ticks(double from, double to, double length, double closest) {
   std::vector<Tick> ticks;
-  const double step = round_step((to - from) * closest / length);
-  const double half = step / 2;
-  const double end = to + 1e-9 * (to - from);
-  for (double k = std::ceil((from - 1e-9 * (to - from)) / half); k * half <= end; ++k) {
-    const double at = k == 0 ? 0 : k * half;
-    ticks.push_back({at, std::fmod(std::abs(k), 2) == 0 ? number_text(at) : ""});
-  }
+  const double half = round_step((to - from) * closest / length) / 2, rounding = 1e-9 * (to - from);
+  for (double k = std::ceil((from - rounding) / half); k * half <= to + rounding; ++k)
+    ticks.push_back({k * half, std::fmod(k, 2) == 0 ? number_text(k == 0 ? 0 : k * half) : ""});
   return ticks;
 }
 
 std::vector<Tick> logarithmic_ticks(double from, double to, double length) {
   const double decades = std::log10(to / from);
-  const double per_decade = length / decades / closest_log;  // numbers that there is room for
-  constexpr double digits_1[] = {1}, digits_3[] = {1, 3}, digits_5[] = {1, 2, 5}, digits_8[] = {1, 2, 3, 4, 6, 8};
-  const std::span<const double> numbered = per_decade >= 8     ? std::span<const double>(digits_8)
-                                           : per_decade >= 3.4 ? std::span<const double>(digits_5)
-                                           : per_decade >= 2   ? std::span<const double>(digits_3)
-                                                               : std::span<const double>(digits_1);
-  const int every = std::max(1, static_cast<int>(std::ceil(1 / per_decade)));  // decades
-  const bool only_powers = numbered.size() == 1;
+  const double room = length / decades / closest_log;  // numbers in a decade
+  const std::string_view with_number = room >= 8 ? "123468" : room >= 3.4 ? "125" : room >= 2 ? "13" : "1";
+  const int every = std::max(1, static_cast<int>(std::ceil(1 / room)));  // decade
+  const bool as_powers = with_number.size() == 1 && (std::log10(to) > 4 || std::log10(from) < -3);
   std::vector<Tick> ticks;
   std::size_t numbers = 0;
   for (int decade = static_cast<int>(std::floor(std::log10(from))); decade <= std::log10(to) + 1e-9; ++decade)
@@ -136,20 +110,14 @@ std::vector<Tick> logarithmic_ticks(double from, double to, double length) {
       const double at = digit * std::pow(10, decade);
       if (at < from * (1 - 1e-9) || at > to * (1 + 1e-9)) continue;
       const bool has_number =
-          decade % every == 0 && std::find(numbered.begin(), numbered.end(), digit) != numbered.end();
+          decade % every == 0 && with_number.find(static_cast<char>('0' + digit)) != with_number.npos;
       if (!has_number && decades > 5 && digit != 1) continue;
       numbers += has_number ? 1 : 0;
-      const bool as_power = only_powers && (std::log10(to) > 4 || std::log10(from) < -3);
       ticks.push_back({at, !has_number ? ""
-                           : as_power  ? fmt::format("10^{{{}}}", number_text(decade))
+                           : as_powers ? fmt::format("10^{{{}}}", number_text(decade))
                                        : number_text(at)});
     }
   return numbers < 2 ? linear_ticks(from, to, length, closest_x) : ticks;
-}
-
-AxisLayout axis_of(const Plot& plot, const Panel& panel, const Axis& axis, bool is_x) {
-  const auto [from, to] = range_of(plot, panel, axis, is_x);
-  return {from, to, {}, true, label_of(axis)};
 }
 
 void place_ticks(AxisLayout& laid, const Axis& axis, double length, double closest) {
@@ -173,200 +141,184 @@ bool has_pixels(const Panel& panel) {
                      [](const Mark& mark) { return mark.kind == MarkKind::pixels; });
 }
 
-std::vector<std::string> key_of(const Plot& plot, const Panel& panel) {
-  std::vector<std::string> titles;
-  for (const Mark& mark : panel.marks)
-    if (mark.kind != MarkKind::label && !mark.title.empty() && has_something(plot, mark)) titles.push_back(mark.title);
-  return titles;
-}
-
-std::size_t count_lines(const std::string& title) {
-  return title.empty() ? 0 : 1 + static_cast<std::size_t>(std::count(title.begin(), title.end(), '\n'));
-}
-
-// The layout of a plot, part by part: in millimetres from the left and from the top until it is done.
+// The layout of a plot, part by part.
 class Layout {
  public:
   explicit Layout(const Plot& plot)
       : plot_(plot),
-        columns_(std::max<std::size_t>(1, std::min(plot.columns, plot.panels.size()))),
+        columns_(std::clamp<std::size_t>(plot.columns, 1, std::max<std::size_t>(1, plot.panels.size()))),
         rows_((plot.panels.size() + columns_ - 1) / columns_),
-        laid_(plot.panels.size()) {
-    for (std::size_t i = 0; i < laid_.size(); ++i) {
+        before_(columns_, 0) {
+    all_.panels.resize(plot.panels.size());
+    for (std::size_t i = 0; i < plot.panels.size(); ++i) {
       const Panel& panel = plot.panels[i];
-      laid_[i].x = axis_of(plot, panel, panel.x, true);
-      laid_[i].y = axis_of(plot, panel, panel.y, false);
+      const auto laid = [&](const Axis& axis, bool is_x) {
+        const auto [from, to] = range_of(plot, panel, axis, is_x);
+        return AxisLayout{from, to, {}, true, label_of(axis)};
+      };
+      all_.panels[i].x = laid(panel.x, true);
+      all_.panels[i].y = laid(panel.y, false);
+      all_.panels[i].colour = {panel.colour.from, panel.colour.to, {}, true, label_of(panel.colour)};
     }
     share_axes();
     across();
     down();
   }
 
-  PlotLayout done() && {
-    for (PanelLayout& panel : laid_) {
-      for (double* x : {&panel.left, &panel.right, &panel.x_label.x, &panel.y_label.x, &panel.colour_label.x,
-                        &panel.title.x, &panel.key.x})
-        *x /= plot_.width;
-      for (double* y : {&panel.bottom, &panel.top, &panel.x_label.y, &panel.y_label.y, &panel.colour_label.y,
-                        &panel.title.y, &panel.key.y})
-        *y = 1 - *y / plot_.height;
-    }
-    PlotLayout all{std::move(laid_), std::move(x_), std::move(y_), {}, {}};
-    double left = 1, right = 0, top = 0, bottom = 1;
-    for (const PanelLayout& panel : all.panels) {
-      left = std::min(left, panel.left);
-      right = std::max(right, panel.right);
-      top = std::max(top, panel.top);
-      bottom = std::min(bottom, panel.bottom);
-    }
-    all.x_label = {(left + right) / 2, (figure_edge + line_height / 2) / plot_.height};
-    all.y_label = {(figure_edge + line_height / 2) / plot_.width, (top + bottom) / 2};
-    return all;
-  }
+  PlotLayout done() && { return std::move(all_); }
 
  private:
   // What stands once for several panels.
   void share_axes() {
-    x_.label = y_.label = "";
-    const auto all_have = [&](AxisLayout PanelLayout::*axis) {
-      return std::all_of(laid_.begin(), laid_.end(),
-                         [&](const PanelLayout& panel) { return (panel.*axis).label == (laid_.front().*axis).label; });
+    auto& panels = all_.panels;
+    const auto once = [&](AxisLayout PanelLayout::*axis, bool wanted) {
+      return wanted && std::all_of(panels.begin(), panels.end(), [&](const PanelLayout& panel) {
+               return (panel.*axis).label == (panels.front().*axis).label;
+             });
     };
-    const bool same_x = columns_ > 1 && all_have(&PanelLayout::x);
-    const bool same_y = columns_ > 1 && rows_ > 1 && all_have(&PanelLayout::y);
-    for (std::size_t i = laid_.size(); i-- > 0;) {  // from the last, so that a neighbour still has its label
-      if (i % columns_ > 0 && is_same(laid_[i].y, laid_[i - 1].y))
-        laid_[i].y.label = "", laid_[i].y.has_numbers = false;
+    const bool same_x = once(&PanelLayout::x, columns_ > 1), same_y = once(&PanelLayout::y, columns_ > 1 && rows_ > 1);
+    if (same_x) all_.x = panels.back().x.label;
+    if (same_y) all_.y = panels.front().y.label;
+    // In an order in which a neighbour still has its label.
+    for (std::size_t i = panels.size(); i-- > 0;) {
+      AxisLayout& y = panels[i].y;
+      if (i % columns_ > 0 && is_same(y, panels[i - 1].y)) y.label = "", y.has_numbers = false;
     }
-    for (std::size_t i = 0; i + columns_ < laid_.size(); ++i)
-      if (is_same(laid_[i].x, laid_[i + columns_].x)) laid_[i].x.label = "", laid_[i].x.has_numbers = false;
-    if (same_x) x_.label = laid_.back().x.label;
-    if (same_y) y_.label = laid_.front().y.label;
-    for (PanelLayout& panel : laid_) {
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      AxisLayout& x = panels[i].x;
+      if (i + columns_ < panels.size() && is_same(x, panels[i + columns_].x)) x.label = "", x.has_numbers = false;
+    }
+    for (PanelLayout& panel : panels) {
       if (same_x) panel.x.label = "";
       if (same_y) panel.y.label = "";
     }
   }
 
   void across() {
-    const double roughly_high = 0.75 * plot_.height;
-    double shares = 0;
+    double shares = 0, after = 2.2 + figure_edge;  // [mm] of the last column
     for (std::size_t row = 0; row < rows_; ++row) shares += share_of(row);
-    for (std::size_t i = 0; i < laid_.size(); ++i)
-      place_ticks(laid_[i].y, plot_.panels[i].y, roughly_high * plot_.panels[i].share / shares, closest_y);
-    std::vector<double> before(columns_, 0);  // [mm] left of a column
-    double after = 2.2 + figure_edge;         // of the last
-    for (std::size_t i = 0; i < laid_.size(); ++i) {
-      const AxisLayout& y = laid_[i].y;
-      const std::size_t column = i % columns_;
-      const double numbers = widest_number(y), label = y.label.empty() ? 0 : line_height + 1.2;
-      const double gap = column == 0 ? figure_edge : y.has_numbers ? 3.4 : joined_gap;
-      before[column] = std::max(before[column], gap + label + (numbers > 0 ? numbers + to_numbers : 0));
-      if (has_pixels(plot_.panels[i])) {
-        laid_[i].colour = colour_axis(plot_.panels[i], roughly_high);
-        after = std::max(
-            after, 2 * colour_bar_width + to_numbers + widest_number(laid_[i].colour) + line_height + 2 * figure_edge);
-      }
+    for (std::size_t i = 0; i < all_.panels.size(); ++i) {
+      PanelLayout& laid = all_.panels[i];
+      const Panel& panel = plot_.panels[i];
+      const double roughly_high = 0.75 * plot_.height * panel.share / shares;
+      place_ticks(laid.y, panel.y, roughly_high, closest_y);
+      const double numbers = widest_number(laid.y), label = laid.y.label.empty() ? 0 : line_height + 1.6;
+      double& before = before_[i % columns_];
+      before = std::max(before, (i % columns_ == 0    ? left_edge()
+                                 : laid.y.has_numbers ? panel_gap
+                                                      : joined_gap) +
+                                    label + (numbers > 0 ? numbers + to_numbers : 0));
+      if (!has_pixels(panel)) continue;
+      place_ticks(laid.colour, panel.colour, roughly_high, closest_y);
+      after = 2 * colour_bar + to_numbers + widest_number(laid.colour) + line_height + 2 * figure_edge;
     }
-    if (!y_.label.empty()) before[0] += line_height + 0.8;
-    double free = plot_.width - after;
-    for (const double space : before) free -= space;
-    const double width = free / static_cast<double>(columns_);
-    for (std::size_t i = 0; i < laid_.size(); ++i) {
-      const std::size_t column = i % columns_;
-      double left = static_cast<double>(column) * width;
-      for (std::size_t c = 0; c <= column; ++c) left += before[c];
-      laid_[i].left = left;
-      laid_[i].right = left + width;
-      const double first = column == 0 ? (y_.label.empty() ? 0 : line_height + 0.8) : left - before[column];
-      laid_[i].y_label.x = first + (column == 0 ? figure_edge : 3.4) + line_height / 2;
-      laid_[i].title.x = left;
-      laid_[i].colour_label.x = plot_.width - figure_edge - line_height / 2;
-      place_ticks(laid_[i].x, plot_.panels[i].x, width, closest_x);
-      // The last number would meet the first one of the next panel.
-      const bool is_joined = column + 1 < columns_ && i + 1 < laid_.size() && !laid_[i + 1].y.has_numbers;
-      AxisLayout& x = laid_[i].x;
-      if (is_joined)
-        for (Tick& tick : x.ticks)
-          if ((x.to - tick.at) / (x.to - x.from) * width < text_width(tick.text)) tick.text = "";
-      if (laid_[i].x.label.empty()) continue;
-      laid_[i].x_label.x = left + width / 2;
+    width_ = plot_.width - after;
+    for (const double space : before_) width_ -= space;
+    width_ /= static_cast<double>(columns_);
+    for (std::size_t i = 0; i < all_.panels.size(); ++i) {
+      AxisLayout& x = all_.panels[i].x;
+      place_ticks(x, plot_.panels[i].x, width_, closest_x);
+      // The last number would meet the first one of a neighbour that is close.
+      const bool is_joined = i + 1 < all_.panels.size() && (i + 1) % columns_ > 0 && !all_.panels[i + 1].y.has_numbers;
+      for (Tick& tick : x.ticks)
+        if (is_joined && (x.to - tick.at) / (x.to - x.from) * width_ < text_width(tick.text)) tick.text = "";
     }
   }
 
-  AxisLayout colour_axis(const Panel& panel, double length) const {
-    AxisLayout axis{panel.colour.from, panel.colour.to, {}, true, label_of(panel.colour)};
-    place_ticks(axis, panel.colour, length, closest_y);
-    return axis;
+  double left_edge() const { return figure_edge + (all_.y.empty() ? 0 : line_height + 0.8); }  // [mm]
+  double left_of(std::size_t column) const {                                                   // [mm]
+    double left = static_cast<double>(column) * width_;
+    for (std::size_t c = 0; c <= column; ++c) left += before_[c];
+    return left;
   }
 
   double share_of(std::size_t row) const {
     double share = 0;
-    for (std::size_t i = row * columns_; i < std::min((row + 1) * columns_, laid_.size()); ++i)
+    for (std::size_t i = row * columns_; i < std::min((row + 1) * columns_, plot_.panels.size()); ++i)
       share = std::max(share, plot_.panels[i].share);
     return share;
   }
 
-  // A key is as wide as there is room to the right until the next one. It stands beside a letter, above a title.
-  double place_keys(std::size_t first, std::size_t last, double title_height) {
-    double height = title_height, end = plot_.width - figure_edge;
+  // The height above a row of panels [mm]. A key is as wide as there is room to the right until the next one; it stands beside a letter, above
+  // a title.
+  double above(std::size_t first, std::size_t last) {
+    double title = 0, height = 0, end = plot_.width - figure_edge, end_of_next = end;
+    for (std::size_t i = first; i < last; ++i)
+      if (const std::string& words = plot_.panels[i].title; !words.empty())
+        title = std::max(title, line_height * static_cast<double>(1 + std::count(words.begin(), words.end(), '\n')));
     for (std::size_t i = last; i-- > first;) {
-      const auto titles = key_of(plot_, plot_.panels[i]);
-      if (titles.empty()) continue;
+      const double letter = text_width(plot_.panels[i].title), left = left_of(i % columns_);
+      const bool is_letter = plot_.panels[i].title.size() <= 1;
+      std::size_t entries = 0;
       double longest = 0;
-      for (const auto& title : titles) longest = std::max(longest, text_width(title));
-      const double letter = text_width(plot_.panels[i].title);
-      const bool is_beside = letter < longest_letter;
-      laid_[i].key = {laid_[i].left + (is_beside && letter > 0 ? letter : 0), is_beside ? 0 : title_height};
-      const auto fit = std::max(1.0, std::floor((end - laid_[i].key.x) / (longest + key_sample)));
-      laid_[i].key_rows = static_cast<std::size_t>(std::ceil(static_cast<double>(titles.size()) / fit));
-      height = std::max(height, laid_[i].key.y + key_height * static_cast<double>(laid_[i].key_rows));
-      end = laid_[i].left - 2;
+      for (const Mark& mark : plot_.panels[i].marks) {
+        if (mark.kind == MarkKind::label || mark.title.empty() || !has_something(plot_, mark)) continue;
+        ++entries;
+        longest = std::max(longest, text_width(mark.title));
+      }
+      if (entries > 0 || (is_letter && letter > 0)) end_of_next = left - 2;
+      if (entries == 0) {
+        end = end_of_next;
+        continue;
+      }
+      PanelLayout& laid = all_.panels[i];
+      laid.key = is_letter ? Place{left + (letter > 0 ? letter + 1.5 : 0), 0} : Place{left, title};
+      laid.key_width = longest + key_sample;
+      const double fit = std::max(1.0, std::floor((end - laid.key.x) / laid.key_width));
+      laid.key_rows = static_cast<std::size_t>(std::ceil(static_cast<double>(entries) / fit));
+      height = std::max(height, laid.key.y + key_height * static_cast<double>(laid.key_rows));
+      end = end_of_next;
     }
-    return height;
+    return std::max(title, height);
   }
 
   void down() {
-    std::vector<double> above(rows_, 0), below(rows_, 0), title(rows_, 0);
+    std::vector<double> above_row(rows_), below(rows_, 0);
     double free = plot_.height, shares = 0;
     for (std::size_t row = 0; row < rows_; ++row) {
-      const std::size_t first = row * columns_, last = std::min(first + columns_, laid_.size());
-      std::size_t lines = 0;
+      const std::size_t first = row * columns_, last = std::min(first + columns_, all_.panels.size());
+      above_row[row] = above(first, last) + (row == 0 ? figure_edge + 1 : joined_gap / 2);
       for (std::size_t i = first; i < last; ++i) {
-        lines = std::max(lines, count_lines(plot_.panels[i].title));
-        const AxisLayout& x = laid_[i].x;
+        const AxisLayout& x = all_.panels[i].x;
         below[row] = std::max(below[row],
                               (x.has_numbers ? numbers_below : joined_gap / 2) + (x.label.empty() ? 0 : line_height));
       }
-      title[row] = line_height * static_cast<double>(lines);
-      above[row] = place_keys(first, last, title[row]) + (row == 0 ? figure_edge + 1 : joined_gap / 2);
-      if (row + 1 == rows_) below[row] += figure_edge + (x_.label.empty() ? 0 : line_height);
-      free -= above[row] + below[row];
+      if (row + 1 == rows_) below[row] += figure_edge + (all_.x.empty() ? 0 : line_height);
+      free -= above_row[row] + below[row];
       shares += share_of(row);
     }
-    double y = 0;
+    const auto place = [&](double x, double from_top) { return Place{x / plot_.width, 1 - from_top / plot_.height}; };
+    double y = 0, first_top = above_row.empty() ? 0 : above_row[0];
     for (std::size_t row = 0; row < rows_; ++row) {
       const double height = free * share_of(row) / shares;
-      y += above[row];
-      for (std::size_t i = row * columns_; i < std::min((row + 1) * columns_, laid_.size()); ++i) {
-        PanelLayout& panel = laid_[i];
-        panel.top = y;
-        panel.bottom = y + height;
-        panel.key.y = y - 0.8 - panel.key.y;
-        panel.title.y = y - 0.7 - line_height / 2;
-        panel.y_label.y = panel.colour_label.y = y + height / 2;
-        panel.x_label.y = y + height + numbers_below + line_height / 2;
-        place_ticks(panel.y, plot_.panels[i].y, height, closest_y);
-        if (has_pixels(plot_.panels[i])) panel.colour = colour_axis(plot_.panels[i], height);
+      y += above_row[row];
+      for (std::size_t i = row * columns_; i < std::min((row + 1) * columns_, all_.panels.size()); ++i) {
+        PanelLayout& laid = all_.panels[i];
+        const std::size_t column = i % columns_;
+        const double left = left_of(column);
+        laid.lower = place(left, y + height);
+        laid.upper = place(left + width_, y);
+        laid.title = place(left, y - 0.7 - line_height / 2);
+        laid.key = place(laid.key.x, y - 0.8 - laid.key.y);
+        laid.x_label = place(left + width_ / 2, y + height + numbers_below + line_height / 2);
+        laid.y_label =
+            place(left - before_[column] + (column == 0 ? left_edge() : panel_gap) + line_height / 2, y + height / 2);
+        laid.colour_label = place(plot_.width - figure_edge - line_height / 2, y + height / 2);
+        place_ticks(laid.y, plot_.panels[i].y, height, closest_y);
+        if (has_pixels(plot_.panels[i])) place_ticks(laid.colour, plot_.panels[i].colour, height, closest_y);
       }
       y += height + below[row];
     }
+    const double right = left_of(columns_ - 1) + width_, bottom = y - (below.empty() ? 0 : below.back());
+    all_.x_label = place((left_of(0) + right) / 2, plot_.height - figure_edge - line_height / 2);
+    all_.y_label = place(figure_edge + line_height / 2, (first_top + bottom) / 2);
   }
 
   const Plot& plot_;
   std::size_t columns_, rows_;
-  std::vector<PanelLayout> laid_;
-  AxisLayout x_{}, y_{};
+  std::vector<double> before_;  // [mm] left of a column
+  double width_ = 0;            // [mm] of a panel
+  PlotLayout all_{};
 };
 
 }  // namespace

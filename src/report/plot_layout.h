@@ -35,6 +35,8 @@ inline constexpr std::array<PaletteStop, 5> palette{
     {{0, "#FFFFFF"}, {0.005, "#EAF2F8"}, {0.3, "#9CC9E6"}, {0.65, "#2F83BE"}, {1, "#08306B"}}};
 
 inline constexpr double font_size = 8;  // [pt] journals want at least 7 in print
+inline constexpr double line_height = 3.4,
+                        colour_bar = 3;  // [mm] the width of the bar, and what stands between it and the panel
 
 struct Tick {
   double at;
@@ -53,16 +55,17 @@ struct Place {
 };
 
 struct PanelLayout {
-  double left, right, bottom, top;  // [1] of the figure
+  Place lower, upper;  // its lower left and its upper right corner
   AxisLayout x, y, colour;
   Place x_label, y_label, colour_label, title;  // the middle of a label; the left end of the line that stands lowest
   std::size_t key_rows = 0;                     // 0: no key
+  double key_width = 0;                         // [mm] of an entry
   Place key{};                                  // its lower left corner
 };
 
 struct PlotLayout {
   std::vector<PanelLayout> panels;
-  AxisLayout x, y;  // of all panels: a label, or ""
+  std::string x, y;  // labels of all panels, or ""
   Place x_label, y_label;
 };
 

@@ -94,7 +94,7 @@ Plot surface_figure(const SurfaceStudy& study) {
     panels.push_back({.x = position,
                       .y = {friction_label},
                       .marks = {marks::line("friction", {0, 1}, {Colour::green, 0.7}, "Friction shown on the slopes"),
-                                marks::horizontal(*study.options.friction, {.width = 0.8, .dash = Dash::dashed},
+                                marks::horizontal({*study.options.friction}, {.width = 0.8, .dash = Dash::dashed},
                                                   "Of the flat surface")},
                       .share = 0.9});
   const double floor = to_density * texture.continuum.continuum.noise;
@@ -109,28 +109,22 @@ Plot surface_figure(const SurfaceStudy& study) {
                 marks::points("waves", {0, 1}, {Colour::vermillion, 1.1, Dash::solid, Symbol::circle, 5}, "Waves")},
       .share = 1.7};
   if (floor > bottom)
-    densities.marks.push_back(marks::horizontal(floor, {.width = 0.75, .dash = Dash::dotted}, "Noise"));
+    densities.marks.push_back(marks::horizontal({floor}, {.width = 0.75, .dash = Dash::dotted}, "Noise"));
   panels.push_back(std::move(densities));
-  return {
-      .name = "surface",
-      .title = "A surface: " + study.file.source,
-      .description = fmt::format(
-          "Height against position along the surface, {} heights{}{}; below, the power spectral density against the "
-          "wavelength with its 95 % interval, its smooth part and {} waves that stand out.",
-          trace.height.size(), is_rounded ? ", with the path of a rounded edge" : "",
-          study.friction ? "; the friction that a support shows which climbs it" : "", texture.waves.size()),
-      .caption = fmt::format(
-          "Heights along the surface, levelled{}{}. Below: their power spectral density with its 95 % interval; "
-          "dashed: its smooth part; circles: "
-          "the waves that stand out of it. The grey wavelengths are those that height and slope are stated for.",
-          is_rounded ? " (blue), and the path of a rounded edge over them (orange)" : "",
-          study.friction
-              ? "; the friction that a support shows as it climbs them, beside that of the flat surface (dashed)"
-              : ""),
-      .width = two_columns,
-      .height = study.friction ? 152.0 : 114.0,
-      .data = {std::move(heights), std::move(path), std::move(friction), std::move(spectrum), std::move(waves)},
-      .panels = std::move(panels)};
+  return {.name = "surface",
+          .title = "A surface: " + study.file.source,
+          .caption = fmt::format(
+              "Heights along the surface, levelled{}{}. Below: their power spectral density with its 95 % interval; "
+              "dashed: its smooth part; circles: "
+              "the waves that stand out of it. The grey wavelengths are those that height and slope are stated for.",
+              is_rounded ? " (blue), and the path of a rounded edge over them (orange)" : "",
+              study.friction
+                  ? "; the friction that a support shows as it climbs them, beside that of the flat surface (dashed)"
+                  : ""),
+          .width = two_columns,
+          .height = study.friction ? 152.0 : 114.0,
+          .data = {std::move(heights), std::move(path), std::move(friction), std::move(spectrum), std::move(waves)},
+          .panels = std::move(panels)};
 }
 
 }  // namespace flexslip

@@ -232,7 +232,7 @@ class Figures(InFolder):
         for stage in (LOOP, LOOP + "step = 0.02\n", "[stage]\nprogram = [0, 0.5, 0.1]\ncycles = 10\n"):
             for case in (WAVY, STATIC):
                 picture = self.drawn(case + stage)
-                for word in ("Loading", "Unloading", "Sticking", "Two panels"):
+                for word in ("Loading", "Unloading", "Sticking", "(A) Force against deflection"):
                     self.assertIn(word, picture)
                 for arrows in ("arrows_in_force", "arrows_out_force", "arrows_in_friction", "arrows_out_friction"):
                     text = (self.folder / f"loop-{arrows}.csv").read_text(encoding="utf-8")

@@ -74,7 +74,8 @@ TEST_CASE("limit: load lines have the slope of the load train, the references th
 TEST_CASE("identity: the atlas draws the curve without friction on the supports of the test") {
   // [EI/L^2] at a deflection of 0.3 spans, as `flexslip state --w 0.3 --q 0` prints it.
   for (const auto& [supports, force] :
-       {std::pair{Supports{0, 0}, 6.33}, std::pair{Supports{0, 0.0125}, 6.58}, std::pair{Supports{0.08, 0}, 8.01}}) {
+       {std::pair{Supports{0, 0}, 6.33}, std::pair{Supports{0, 0.5 * 34.8 / 1278}, 6.58},
+        std::pair{Supports{0.08, 0}, 8.01}}) {
     CampaignTest test = some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6);
     test.curves->supports = supports;
     const auto pages = atlas_pages(campaign_of({test}));
@@ -100,6 +101,6 @@ TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
     CHECK(fs::file_size(fs::path(folder.path) / (figure.name + ".pdf")) > 5000);
   }
   const std::string svg = text_of(folder.path + "/atlas-clear-1.svg");
-  CHECK(svg.find("A\u00a0&lt;b&gt;\u00a0&amp;\u00a050%_ü") != std::string::npos);
-  CHECK(svg.find("it's\u00a0{/=50\u00a0big}^2") != std::string::npos);
+  CHECK(svg.find("A &lt;b> &amp; 50%_ü") != std::string::npos);
+  CHECK(svg.find("it's {/=50 big}^2") != std::string::npos);
 }

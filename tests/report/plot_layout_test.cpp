@@ -24,7 +24,6 @@ Plot with(std::vector<Panel> panels, std::size_t columns = 1) {
   return {
       .name = "plot",
       .title = "A plot",
-      .description = "",
       .caption = "",
       .width = two_columns,
       .height = 80,
@@ -35,20 +34,20 @@ Plot with(std::vector<Panel> panels, std::size_t columns = 1) {
 }
 
 std::vector<Mark> every_kind(const std::string& table) {
-  const Style style = marks::symbols(Colour::blue, Symbol::circle, 3);
-  return {marks::line(table, {0, 1}, marks::stroke(Colour::black, 1, Dash::dotted), "line"),
+  const Style style = styles::symbols(Colour::blue, Symbol::circle, 3);
+  return {marks::line(table, {0, 1}, styles::stroke(Colour::black, 1, Dash::dotted), "line"),
           marks::line(table, {0, 1}, style, "line *with* symbols_0"),
           marks::points(table, {0, 1}, style, "points"),
           marks::only(marks::points(table, {0, 1}, style), {{0, 2}}),
-          marks::band(table, {0, 1, 2}, marks::fill(Colour::grey, 0.3), "band"),
-          marks::of_table(MarkKind::area, table, {0, 1}, marks::fill(Colour::sky, 0.5), "area"),
+          marks::band(table, {0, 1, 2}, styles::fill(Colour::grey, 0.3), "band"),
+          marks::area(table, {0, 1}, styles::fill(Colour::sky, 0.5), "area"),
           marks::bars(table, {0, 1, 2}, style, "bars"),
-          marks::of_table(MarkKind::spans, table, {0, 3, 1}, style, "spans"),
-          marks::of_table(MarkKind::arrows, table, {0, 1, 3, 4}, style, "arrows"),
-          marks::of_table(MarkKind::pixels, table, {0, 3, 1, 4, 2}, style),
-          marks::horizontal(2, style, "rule"),
-          marks::vertical(2, style, "{other} rule's"),
-          marks::rectangle({-marks::edge, 2, 1, marks::edge}, marks::fill(Colour::green, 0.2), "rectangle"),
+          marks::spans(table, {0, 3, 1}, style, "spans"),
+          marks::arrows(table, {0, 1, 3, 4}, style, "arrows"),
+          marks::pixels(table, {0, 3, 1, 4, 2}, style),
+          marks::horizontal({2}, style, "rule"),
+          marks::vertical({2}, style, "{other} rule's"),
+          marks::rectangle({-marks::edge, 2, 1, marks::edge}, styles::fill(Colour::green, 0.2), "rectangle"),
           marks::label(-marks::edge, 2, "at an edge"),
           marks::label(2, 2, "in the middle\ntwo lines"),
           marks::key_line(style, "key"),
@@ -63,11 +62,11 @@ TEST_CASE("outside: gnuplot draws every kind of mark, and an empty panel where t
   for (const bool logarithmic : {false, true})
     for (const char* table : {"table", "none"}) {
       INFO(table, logarithmic);
-      const Axis axis{"*F*_0", "mN", as_the_data, as_the_data, logarithmic};
+      const Axis axis{"*F*_0", "mN", 0.5, 6, logarithmic};
       const Plot plot = with({{.x = axis, .y = axis, .marks = every_kind(table), .colour = {"colour", "", 0, 6}},
                               {.x = axis, .y = axis, .marks = {}}});
       if (draw(plot, folder.path, {"svg", "png", "pdf"}) == DrawStatus::no_gnuplot) return;
-      CHECK(has(text_of(folder.path + "/plot.svg"), "in\u00a0the\u00a0middle"));
+      CHECK(has(text_of(folder.path + "/plot.svg"), "in the middle"));
       CHECK(has(json_with_data(plot).dump(), "\"table\":{\"x\":[1.0,null,2.0,4.0]"));
     }
 }
@@ -91,13 +90,13 @@ TEST_CASE("plot, identity: an axis has the data, and ticks within") {
 TEST_CASE("plot, by hand: ticks of long and of short logarithmic axes, and numbers in print") {
   const auto texts = [](double from, double to) {
     std::string out;
-    for (const Tick& tick :
-         layout_of(with({{.x = {"x", "", from, to, true}, .y = {"y"}, .marks = {}}})).panels[0].x.ticks)
+    const PlotLayout layout = layout_of(with({{.x = {"x", "", from, to, true}, .y = {"y"}, .marks = {}}}));
+    for (const Tick& tick : layout.panels[0].x.ticks)
       if (!tick.text.empty()) out += tick.text + " ";
     return out;
   };
   CHECK(texts(2, 30) == "2 3 4 6 8 10 20 30 ");
-  CHECK(texts(0.5, 200) == "0.5 1 2 5 10 20 50 100 200 ");
+  CHECK(texts(1e-3, 300) == "0.001 0.002 0.005 0.01 0.02 0.05 0.1 0.2 0.5 1 2 5 10 20 50 100 200 ");
   CHECK(has(texts(1e-9, 1e9), "10^{−9} 10^{"));
   CHECK(texts(2.2, 2.9) == "2.2 2.3 2.4 2.5 2.6 2.7 2.8 2.9 ");
   const auto ticks = layout_of(with({{.x = {"x", "", -2e-6, 2e-6}, .y = {"y"}, .marks = {}}})).panels[0].x.ticks;
@@ -110,18 +109,18 @@ TEST_CASE("plot, identity: neighbours with the same axis share its numbers and i
   CHECK(below[0].x.label.empty());
   CHECK_FALSE(below[0].x.has_numbers);
   CHECK(below[1].x.label == "x");
-  CHECK(below[0].left == below[1].left);
+  CHECK(below[0].lower.x == below[1].lower.x);
   CHECK(below[0].y_label.x == below[1].y_label.x);
   const PlotLayout grid = layout_of(
       with({{.x = x, .y = y, .marks = {}}, {.x = x, .y = y, .marks = {}}, {.x = x, .y = other, .marks = {}}}, 2));
-  CHECK(grid.x.label == "x");
-  CHECK(grid.y.label == "y");
+  CHECK(grid.x == "x");
+  CHECK(grid.y == "y");
   CHECK_FALSE(grid.panels[1].y.has_numbers);
   CHECK(grid.panels[2].y.has_numbers);
   for (const PanelLayout& panel : grid.panels) {
     CHECK(panel.x.label.empty());
-    CHECK((0 < panel.left && panel.left < panel.right && panel.right < 1));
-    CHECK((0 < panel.bottom && panel.bottom < panel.top && panel.top < 1));
+    CHECK((0 < panel.lower.x && panel.lower.x < panel.upper.x && panel.upper.x < 1));
+    CHECK((0 < panel.lower.y && panel.lower.y < panel.upper.y && panel.upper.y < 1));
   }
 }
 

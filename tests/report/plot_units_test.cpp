@@ -20,7 +20,7 @@ TEST_CASE("identity: reduced variables are plotted in the units of their scales"
   CHECK(w(0.3) == doctest::Approx(383.4).epsilon(1e-12));
   CHECK(units.force(9).unit == "mN");
   CHECK(PlotUnits{units.scales, true}.force(9).unit == "EI/L²");
-  CHECK(PlotUnits{units.scales, false, true}.length(0.3).unit == "mil");
+  CHECK(PlotUnits{units.scales, false, true}.length(0.3).unit == "in");
 }
 
 TEST_CASE("axes, by hand: they end at a round number, not below the greatest value") {
