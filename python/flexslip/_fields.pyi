@@ -23,6 +23,74 @@ class FitUnits(Answer):
     def energy(self) -> str:
         """of energies"""
 
+class FitVerdict(Answer):
+    """what the test comes to"""
+
+    @property
+    def code(self) -> str:
+        """slip, undecided, crack, no_drops, check_input or no_answer"""
+    @property
+    def sentence(self) -> str:
+        """the verdict and what belongs to it, as the screen has it"""
+
+class FitAnswer(Answer):
+    """the rows of the screen"""
+
+    @property
+    def label(self) -> str:
+        """drops, slip or crack, friction, work, reload, stiffness or assumed"""
+    @property
+    def words(self) -> str:
+        """what the screen says there"""
+
+class FitAnswerTable(Table[FitAnswer]):
+    label: Objects
+    words: Objects
+
+class FitFindingsNumbers(Answer):
+    """what the sentence rests on"""
+
+    @property
+    def name(self) -> str:
+        """what the number is"""
+    @property
+    def value(self) -> float:
+        """in SI units, or reduced if the test is [1]"""
+
+class FitFindingsNumbersTable(Table[FitFindingsNumbers]):
+    name: Objects
+    value: Numbers
+
+class FitFindings(Answer):
+    """all that was found out, the weightiest first"""
+
+    @property
+    def code(self) -> str:
+        """a name that stays"""
+    @property
+    def severity(self) -> str:
+        """refusal, suspicion, doubt, note, passed or unjudged"""
+    @property
+    def sentence(self) -> str:
+        """what was found, as every door prints it"""
+    @property
+    def short_form(self) -> str:
+        """a few words, for a table of many tests; empty where nothing speaks against the test"""
+    @property
+    def remedy(self) -> str:
+        """what to do; empty where there is nothing to do"""
+    @property
+    def numbers(self) -> FitFindingsNumbersTable:
+        """what the sentence rests on"""
+
+class FitFindingsTable(Table[FitFindings]):
+    code: Objects
+    severity: Objects
+    sentence: Objects
+    short_form: Objects
+    remedy: Objects
+    numbers: Objects
+
 class FitForceOverFrictionless(Answer):
     """measured force divided by the force without friction, beyond a deflection of a tenth of the span; no friction explains values below 1"""
 
@@ -115,9 +183,6 @@ class FitChecks(Answer):
     def passed(self) -> bool | None:
         """whether the check passed; null if it was not possible"""
     @property
-    def remedy(self) -> str | None:
-        """what to do if the check failed"""
-    @property
     def residual_rms(self) -> float:
         """root mean square difference between the force and the mean of the fit run forward [N]"""
     @property
@@ -175,7 +240,6 @@ class FitChecks(Answer):
 class FitChecksTable(Table[FitChecks]):
     name: Objects
     passed: Objects
-    remedy: Objects
     residual_rms: Numbers
     greatest_force: Numbers
     threshold: Numbers
@@ -302,15 +366,6 @@ class FitJudgement(Answer):
         """whether cracks alone can make the drops, judged by the rises and by a reload: not_by_cracks_alone, cracks or cannot_be_told; null without
         drops"""
     @property
-    def doubts(self) -> tuple[str, ...]:
-        """doubts about the answer, the weightiest first: wrong_stiffness, no_sliding, softer_reload, cracks, impossible_drops, implausible_friction,
-        failed_check, falling_friction, changed_reload, coarse_force, undecided_drops, few_rows, below_frictionless, settling_contact,
-        unexpected_stiffness"""
-    @property
-    def next_step(self) -> str:
-        """the one check or measurement that would help most: none, check_case, reload, finer_steps, stiffer_rig, image_length, state_radius,
-        find_contact, finer_force, measure_stiffness or see_checks"""
-    @property
     def stiffness_lost(self) -> float:
         """share of the stiffness lost, as the last comparable reload shows [1]"""
     @property
@@ -321,7 +376,8 @@ class FitJudgement(Answer):
         """share of the stiffness that cracks alone would have to take away to make the drops; null without a reload [1]"""
     @property
     def stiffness_for_no_snap(self) -> float:
-        """load-train stiffness above which the mean of the fit does not snap [N/m]"""
+        """load-train stiffness above which the mean of the fit does not snap; null where less than half of the length that slid passed in slips
+        [N/m]"""
 
 class FitSurfaceProfile(Answer):
     """surface along the specimen"""
@@ -609,8 +665,10 @@ class FitDrops(Answer):
         """number of equally significant drops expected in a test of this length without slips [1]"""
     @property
     def slip(self) -> str:
-        """whether the drop can be a slip: possible; too_short to judge; or not, as unexplained by any friction, implausible friction before,
-        negative friction after, or moves_out (length let out)"""
+        """whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or moves_out"""
+    @property
+    def reading(self) -> str:
+        """the same in words, as tables and page print it"""
     @property
     def pulled_in(self) -> Estimate:
         """length pulled in (both supports) if the drop is a slip [m]"""
@@ -633,6 +691,7 @@ class FitDropsTable(Table[FitDrops]):
     significance: Numbers
     false_alarms: Numbers
     slip: Objects
+    reading: Objects
     pulled_in: Objects
     mu_before: Numbers
     mu_after: Numbers
@@ -1656,6 +1715,18 @@ class FitFields(Answer):
     def model(self) -> str | None:
         """fitted friction model: roughness, constant, drift, sinusoid or sinusoids"""
     @property
+    def verdict(self) -> FitVerdict:
+        """what the test comes to"""
+    @property
+    def answer(self) -> FitAnswerTable:
+        """the rows of the screen"""
+    @property
+    def findings(self) -> FitFindingsTable:
+        """all that was found out, the weightiest first"""
+    @property
+    def next(self) -> str:
+        """the one step that would tell most; empty where there is none"""
+    @property
     def category(self) -> str:
         """how clear the sawtooth is: clear, nominal or none"""
     @property
@@ -2421,6 +2492,9 @@ class CampaignTests(Answer):
     def status(self) -> str:
         """whether the test has an answer: a status of fit, or failed"""
     @property
+    def verdict(self) -> str:
+        """SLIP, UNDECIDED, CRACK, NO DROPS, CHECK INPUT or NO ANSWER"""
+    @property
     def category(self) -> str | None:
         """how clear the sawtooth is: clear, nominal or none"""
     @property
@@ -2454,6 +2528,9 @@ class CampaignTests(Answer):
     def drops(self) -> int | None:
         """number of drops of the force beyond its noise"""
     @property
+    def spacing(self) -> float:
+        """length of specimen from one slip to the next, median [m]"""
+    @property
     def work_of_fracture(self) -> float:
         """work on the specimen [J]"""
     @property
@@ -2472,6 +2549,7 @@ class CampaignTests(Answer):
 class CampaignTestsTable(Table[CampaignTests]):
     name: Objects
     status: Objects
+    verdict: Objects
     category: Objects
     suspect: Objects
     standing: Objects
@@ -2483,6 +2561,7 @@ class CampaignTestsTable(Table[CampaignTests]):
     failed_checks: Objects
     residual_rms: Numbers
     drops: Any
+    spacing: Numbers
     work_of_fracture: Numbers
     friction_share: Numbers
     reason: Objects
@@ -2797,6 +2876,9 @@ class CampaignFailures(Answer):
     def status(self) -> str:
         """whether the test has an answer: a status of fit, or failed"""
     @property
+    def verdict(self) -> str:
+        """SLIP, UNDECIDED, CRACK, NO DROPS, CHECK INPUT or NO ANSWER"""
+    @property
     def reason(self) -> str:
         """reason why there is no answer"""
     @property
@@ -2806,6 +2888,7 @@ class CampaignFailures(Answer):
 class CampaignFailuresTable(Table[CampaignFailures]):
     name: Objects
     status: Objects
+    verdict: Objects
     reason: Objects
     file: Objects
 

@@ -63,7 +63,7 @@ class Json(unittest.TestCase):
     def test_outside_a_fit_without_an_answer(self):
         fit = flexslip.fit(case("simulated"), modulus="1 GPa")
         self.assertFalse(fit.success)
-        self.assertIn("check the columns", fit.message)
+        self.assertIn("the columns and their units", fit.message)
         self.assertEqual(fit.to_json(), told("fit", case("simulated"), "--set", "specimen.modulus=1 GPa", "--json"))
 
     def test_outside_simulate(self):

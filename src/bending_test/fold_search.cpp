@@ -190,11 +190,12 @@ class FoldSearch {
     const bool smooth = !friction_.may_be_held() || !may_have_kink(cell);
     const bool resolved =
         smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;  // S itself is rounded, too
-    const double error = std::max(4 * tail, (rig_.fibre.on_edges() ? source.error : tabulated_error) * scale);
+    const double least_error = (rig_.fibre.on_edges() ? source.error : tabulated_error) * scale;
+    const double error = std::max(4 * tail, least_error);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && sign_changes(bernstein) == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
     // Along a load line G is level: no halving would tell more than that G' is within its error.
-    const bool level = resolved && !source.finer && std::max(-*least, *greatest) <= error;
+    const bool level = resolved && !source.finer && std::max(-*least, *greatest) <= least_error;
     const bool smallest = halvings == most_halvings || level;
     if (changes_sign && (single || smallest)) {
       add_bracket(cell, at_a < 0, bernstein);

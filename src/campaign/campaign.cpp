@@ -31,11 +31,13 @@ CampaignCurves curves_of(const TestAnalysis& analysis) {
   return curves;
 }
 
-// A few words for each finding that says something against a test, the weightiest first.
+// A few words for each finding against a test that its verdict does not tell, the weightiest first; and why there is no answer, where it is none.
 std::vector<std::string> remarks_of(const Answer& answer) {
   std::vector<std::string> remarks;
   for (const Finding& finding : answer.findings)
-    if (!finding.short_form.empty()) remarks.push_back(finding.short_form);
+    if (finding.severity == Severity::refusal && finding.code == answer.verdict.finding)
+      remarks.push_back(finding.short_form);
+  for (const Finding& doubt : doubts_of(answer)) remarks.push_back(doubt.short_form);
   return remarks;
 }
 

@@ -30,7 +30,10 @@ std::string tests(const Campaign& campaign) {
   // Doubts to the left of their column, as much of them as the line holds.
   std::string text = "\n";
   std::string_view rest;
-  const std::string numbers = laid_out(picked(all, {"Test", "Verdict", "μ₀", "Spacing", "Friction"}));
+  PrintedTable shown = picked(all, {"Test", "Verdict", "μ₀", "Spacing", "Friction"});
+  shown.head[2] = "Friction";
+  shown.head[4] = "Work (%)";
+  const std::string numbers = laid_out(shown);
   std::size_t width = 0, row = 0;
   for (rest = numbers; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1))
     width = std::max(width, width_of(rest.substr(0, rest.find('\n'))));

@@ -66,7 +66,14 @@ struct AsHtml {
     for (const auto& item : list.items) out += fmt::format("<li>{}</li>\n", typeset_minus(html_escaped(item)));
     return out + "</ul>\n";
   }
-  std::string operator()(const PrintedTable& table) const { return html_table(table); }
+  // A long one is folded.
+  std::string operator()(const PrintedTable& table) const {
+    constexpr std::size_t most_open = 12;
+    return table.rows.size() <= most_open
+               ? html_table(table)
+               : fmt::format("<details><summary>A table of {} rows</summary>\n{}</details>\n", table.rows.size(),
+                             html_table(table));
+  }
   std::string operator()(const std::vector<ParameterRow>& rows) const {
     std::string out =
         "<div class=\"scroll\"><table "

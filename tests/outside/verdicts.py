@@ -115,7 +115,7 @@ file = "{(SHARED / "spicules/ss").resolve() / "SS14.csv"}"
 ''')
         for radius in 300, 350, 400, 450, 500:
             result = run("fit", case, "--quiet", "--set", f'rig.roller_radius="{radius} um"')
-            self.assertIn("no sliding with a friction of 0 to 2 gives this record", " ".join((result.stdout + result.stderr).lower().split()))
+            self.assertRegex(result.stdout, "CHECK INPUT|NO ANSWER")
 
 
 if __name__ == "__main__":

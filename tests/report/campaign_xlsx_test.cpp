@@ -92,7 +92,7 @@ TEST_CASE("outside: another reader finds the numbers as numbers, the names as th
   CHECK(tests[1][wavelength].get<double>() == doctest::Approx(10.9).epsilon(1e-15));  // one rounding, to micrometres
   CHECK(tests[4].at(wavelength).is_null());
   CHECK((*read)["sheets"]["Categories"][1][3] == 0.5);
-  CHECK((*read)["sheets"]["Failures"][1][2] == "99.csv: expected numbers, found <nothing> & \"nothing\"");
+  CHECK((*read)["sheets"]["Failures"][1][3] == "99.csv: expected numbers, found <nothing> & \"nothing\"");
   CHECK((*read)["sheets"]["Shared"][1][2] == 29.6e9);
 }
 
