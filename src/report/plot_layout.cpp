@@ -16,7 +16,7 @@ constexpr double key_height = 3.6,
 constexpr double figure_edge = 1.2, joined_gap = 2.6, panel_gap = 3.4;
 constexpr double to_numbers = 1.3,
                  numbers_below = 5.2;  // from the frame to the numbers beside it, and to the lower end of those below
-constexpr double closest_x = 12, closest_y = 7, closest_log = 7;  // numbers of an axis
+constexpr double closest_x = 10, closest_y = 7;  // numbers of an axis
 
 // [mm] Wide rather than narrow: the machine at hand may not have Arial.
 double text_width(const std::string& markup) {
@@ -25,8 +25,8 @@ double text_width(const std::string& markup) {
   for (const TextPiece& piece : text_pieces(markup))
     for (const char c : piece.text) {
       if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;
-      const std::string_view narrow = "ijl.,:;'|!()[]fIt /", wide = "mwMW%@";
-      ems += narrow.find(c) != narrow.npos ? 0.38 : wide.find(c) != wide.npos ? 0.9 : 0.62;
+      const std::string_view narrow = "ijlrtf.,:;'|!()[]I /", wide = "mwMW%@";
+      ems += narrow.find(c) != narrow.npos ? 0.36 : wide.find(c) != wide.npos ? 0.9 : 0.6;
     }
   return em * ems;
 }
@@ -97,9 +97,9 @@ std::vector<Tick> linear_ticks(double from, double to, double length, double clo
   return ticks;
 }
 
-std::vector<Tick> logarithmic_ticks(double from, double to, double length) {
+std::vector<Tick> logarithmic_ticks(double from, double to, double length, double closest) {
   const double decades = std::log10(to / from);
-  const double room = length / decades / closest_log;  // numbers in a decade
+  const double room = length / decades / closest;  // numbers in a decade
   const std::string_view with_number = room >= 8 ? "123468" : room >= 3.4 ? "125" : room >= 2 ? "13" : "1";
   const int every = std::max(1, static_cast<int>(std::ceil(1 / room)));  // decade
   const bool as_powers = with_number.size() == 1 && (std::log10(to) > 4 || std::log10(from) < -3);
@@ -121,7 +121,7 @@ std::vector<Tick> logarithmic_ticks(double from, double to, double length) {
 }
 
 void place_ticks(AxisLayout& laid, const Axis& axis, double length, double closest) {
-  laid.ticks = axis.logarithmic ? logarithmic_ticks(laid.from, laid.to, length)
+  laid.ticks = axis.logarithmic ? logarithmic_ticks(laid.from, laid.to, length, closest)
                                 : linear_ticks(laid.from, laid.to, length, closest);
 }
 
@@ -161,8 +161,11 @@ class Layout {
       all_.panels[i].colour = {panel.colour.from, panel.colour.to, {}, true, label_of(panel.colour)};
     }
     share_axes();
-    across();
-    down();
+    for (int round = 0; round < 2;
+         ++round) {  // how wide numbers are depends on how high the panels are, and keys on how wide
+      across();
+      down();
+    }
   }
 
   PlotLayout done() && { return std::move(all_); }
@@ -195,13 +198,13 @@ class Layout {
   }
 
   void across() {
-    double shares = 0, after = 2.2 + figure_edge;  // [mm] of the last column
-    for (std::size_t row = 0; row < rows_; ++row) shares += share_of(row);
+    double after = 2.2 + figure_edge;  // [mm] of the last column
+    std::fill(before_.begin(), before_.end(), 0);
     for (std::size_t i = 0; i < all_.panels.size(); ++i) {
       PanelLayout& laid = all_.panels[i];
       const Panel& panel = plot_.panels[i];
-      const double roughly_high = 0.75 * plot_.height * panel.share / shares;
-      place_ticks(laid.y, panel.y, roughly_high, closest_y);
+      const double height = laid.upper.y > 0 ? (laid.upper.y - laid.lower.y) * plot_.height : 0.2 * plot_.height;
+      place_ticks(laid.y, panel.y, height, closest_y);
       const double numbers = widest_number(laid.y), label = laid.y.label.empty() ? 0 : line_height + 1.6;
       double& before = before_[i % columns_];
       before = std::max(before, (i % columns_ == 0    ? left_edge()
@@ -209,7 +212,7 @@ class Layout {
                                                       : joined_gap) +
                                     label + (numbers > 0 ? numbers + to_numbers : 0));
       if (!has_pixels(panel)) continue;
-      place_ticks(laid.colour, panel.colour, roughly_high, closest_y);
+      place_ticks(laid.colour, panel.colour, height, closest_y);
       after = 2 * colour_bar + to_numbers + widest_number(laid.colour) + line_height + 2 * figure_edge;
     }
     width_ = plot_.width - after;
@@ -218,6 +221,7 @@ class Layout {
     for (std::size_t i = 0; i < all_.panels.size(); ++i) {
       AxisLayout& x = all_.panels[i].x;
       place_ticks(x, plot_.panels[i].x, width_, closest_x);
+      if (widest_number(x) + 2 > closest_x) place_ticks(x, plot_.panels[i].x, width_, widest_number(x) + 2);
       // The last number would meet the first one of a neighbour that is close.
       const bool is_joined = i + 1 < all_.panels.size() && (i + 1) % columns_ > 0 && !all_.panels[i + 1].y.has_numbers;
       for (Tick& tick : x.ticks)
