@@ -39,9 +39,9 @@ InvertedTest invert_test(const Case& asked, const OtherSupports& other) {
   std::vector<std::string> remarks = assumptions_in_words(stiffness);
   const double most = rig.fibre.most_friction();
   if (!profile.unexplained.empty())
-    remarks.push_back(fmt::format("no friction between {:g} and {:g} explains {} readings, which are left out; the first is row {}",
-                                  -most, most, profile.unexplained.size(),
-                                  file_row(measurement, profile.unexplained.front())));
+    remarks.push_back(
+        fmt::format("no friction between {:g} and {:g} explains {} readings, which are left out; the first is row {}",
+                    -most, most, profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
   const bool is_thick = least_half_depths * rig.fibre.supports().half_depth > hardly_bent;
   std::string why;
   if (profile.points.empty())

@@ -68,7 +68,8 @@ std::vector<std::string> left_out_in_words(const Case& input, const Simulation& 
   constexpr double worth_a_word = 0.01;
   if (specimen.section)
     if (const double share = shear_share(*specimen.section, scales.span()); share > worth_a_word)
-      remarks.push_back(fmt::format("shear, which is neglected, would add {:.1f} % to a small deflection", 100 * share));
+      remarks.push_back(
+          fmt::format("shear, which is neglected, would add {:.1f} % to a small deflection", 100 * share));
   return remarks;
 }
 

@@ -261,8 +261,9 @@ class Decisions {
     const double ratio = std::abs(stated->value) / highest;
     if (ratio < contradicts && ratio > 1 / contradicts) {
       if (std::abs(ratio - 1) > 0.01)  // evaluated within limits, or of smoothed values: worth saying, not wrong
-        out_.notes.push_back(fmt::format("line {} states a maximum force of {}, but the rows have {}", stated->where->line,
-                                         readable(stated->value, kind::force), readable(highest, kind::force)));
+        out_.notes.push_back(fmt::format("line {} states a maximum force of {}, but the rows have {}",
+                                         stated->where->line, readable(stated->value, kind::force),
+                                         readable(highest, kind::force)));
       return;
     }
     const bool unit_given = options_.units.contains(ColumnRole::force);

@@ -437,7 +437,8 @@ class ExportReader {
       out_.notes.push_back(
           fmt::format("left out, as they are not rows of {} cells: {}", layout_.columns, on_lines(lines)));
     if (layout_.blocks.back().cut_off)
-      out_.notes.emplace_back("the file ends in the middle of a row, which is left out; check that the file is complete");
+      out_.notes.emplace_back(
+          "the file ends in the middle of a row, which is left out; check that the file is complete");
     if (layout_.blocks.front().titles.empty())
       out_.notes.push_back(fmt::format("no line above line {} names {} columns",
                                        layout_.blocks.front().rows.front() + 1, layout_.columns));
