@@ -299,7 +299,7 @@ program = ["0 um", "900 um"]
                           (self.PINNED.replace('pin_radius = "1 mm"', ""), "such as pin_radius = '1 mm'"), (self.PINNED.replace("0.1", "7"), "ratio of the radii of roller and pin")):
             self.refused("simulate", self.bar("p.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', rig=rig), says=[said])
         ends = 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]'
-        self.refused("simulate", self.bar("a.toml", ends, rig='roller_radius = "30 mm"'), says=["roller_radius", "0.45 spans together"])
+        self.refused("simulate", self.bar("a.toml", ends, rig='roller_radius = "30 mm"'), says=["roller_radius", "less than 0.45 spans"])
         self.refused("simulate", self.bar("b.toml", ends, rig='roller_radius = "-1 mm"'), says=["roller_radius"])
         self.refused("simulate", self.bar("c.toml", ends, rig='roller_radius = 5'), says=["roller_radius", "unit"])
         self.refused("simulate", self.bar("d.toml", ends, rig='friction_at = "skin"'), says=["friction_at", '"surface" or "axis"'])

@@ -37,7 +37,7 @@ class Made(InFolder):
 
     def test_decisions_are_said_on_standard_error(self):
         said = run("read", FIXTURES / "bluehill_thousands.csv").stderr
-        for words in ("Instron Bluehill", "separated by comma", "thousands comma", "column 3: 'Load' in N: force",
+        for words in ("Instron Bluehill", "separated by comma", "thousands mark: comma", "column 3: 'Load' in N: force",
                       "--displacement crosshead|deflection", "the same way again: flexslip read "):
             self.assertIn(words, said)
 
