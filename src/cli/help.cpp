@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
+#include "report/plain_text.h"
 
 namespace flexslip {
 namespace {
@@ -45,8 +46,18 @@ std::string name_in_usage(const CLI::App& command) {
   return command.get_parent() ? "flexslip " + command.get_name() : command.get_name();
 }
 
-std::string whole_help(CLI::App& command) {
-  return command.get_formatter()->make_help(&command, name_in_usage(command), CLI::AppFormatMode::Normal);
+// Descriptions that are longer than a line go on below themselves; the footer has lines of its own.
+std::string in_lines(std::string_view help, std::string_view footer, std::size_t column) {
+  std::string out;
+  const std::size_t end = footer.empty() ? help.size() : help.rfind(footer);
+  for (std::size_t at = 0; at < end;) {
+    const std::string_view line = help.substr(at, std::min(help.find('\n', at), end) - at);
+    const std::size_t begin = line.starts_with("  ") ? std::min(column, line.size()) : 0;
+    out += line.size() > begin ? wrapped(line.substr(begin), std::string(begin, ' '), line.substr(0, begin))
+                               : fmt::format("{}\n", line);
+    at += line.size() + 1;
+  }
+  return out + std::string(help.substr(end));
 }
 
 // Changes the command, which is not run any more: what is left out goes into no group, and the footer is its examples.
@@ -68,6 +79,12 @@ std::string short_help(CLI::App& command) {
 }
 
 }  // namespace
+
+std::string whole_help(const CLI::App& command) {
+  const auto formatter = command.get_formatter();
+  return in_lines(formatter->make_help(&command, name_in_usage(command), CLI::AppFormatMode::Normal),
+                  command.get_footer(), formatter->get_column_width());
+}
 
 void add_short_help(CLI::App& command) {
   command.add_flag_function(

@@ -12,6 +12,9 @@ struct ShortHelp {
   std::string text;
 };
 
+// What --help says of the program, or of one of its commands.
+std::string whole_help(const CLI::App& command);
+
 // Gives the program, or one of its commands, the flag -h.
 void add_short_help(CLI::App& command);
 

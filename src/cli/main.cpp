@@ -136,8 +136,11 @@ int run(int argc, char** argv) {
   } catch (const ShortHelp& help) {
     std::cout << help.text;
     return EXIT_SUCCESS;
-  } catch (const CLI::Success& help_or_version) {
-    return app.exit(help_or_version);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << whole_help(innermost(app));
+    return EXIT_SUCCESS;
+  } catch (const CLI::Success& version) {
+    return app.exit(version);
   } catch (const CLI::ParseError& error) {
     return complain(explained(app, error), exit_wrong_input);
   } catch (const CalculationFailed& error) {

@@ -65,7 +65,7 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
     as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.encoding),
                       file.byte_order_mark ? " with byte order mark" : "", words_for(file.separator));
   if (file.has_marks)
-    as += fmt::format(", decimal mark {}, thousands mark {}", words_for(file.decimal), words_for(file.thousands));
+    as += fmt::format(", decimal mark: {}, thousands mark: {}", words_for(file.decimal), words_for(file.thousands));
   say(fmt::format("{}: {}; {}", file.source, file.format, as));
   say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
                   specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));

@@ -115,8 +115,10 @@ class TableReader {
 
  private:
   [[noreturn]] void refuse(std::size_t line, std::string field, std::string expected, std::string found,
-                           std::string remedy) const {
-    throw InputError({source_, line, std::move(field), std::move(expected), std::move(found), std::move(remedy)});
+                           std::string remedy, TablePart part = TablePart::none) const {
+    InputFault fault{source_, line, std::move(field), std::move(expected), std::move(found), std::move(remedy)};
+    fault.part = part;
+    throw InputError(std::move(fault));
   }
 
   std::optional<std::string_view> next_line() {
@@ -190,16 +192,12 @@ class TableReader {
     std::vector<std::string> names;
     for (const HeaderCell& cell : header_) names.push_back(cell.title.name);
     const std::string meant = nearest(name, names);
-    throw InputError(
-        {.file = source_,
-         .line = header_line_,
-         .field = field,
-         .expected = fmt::format("{} {}", names.size() == 1 ? "the column" : "one of the columns", listed(names)),
-         .found = "none of this name",
-         .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?",
-         .problem = fmt::format("is missing: the file has {} {}", names.size() == 1 ? "only the column" : "the columns",
-                                listed(names)),
-         .part = TablePart::title});
+    throw InputError({.file = source_,
+                      .line = header_line_,
+                      .field = field,
+                      .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?",
+                      .problem = "is missing: the file has " + listed(names),
+                      .part = TablePart::title});
   }
 
   // A line of units has words where the wanted columns should have numbers.
@@ -344,15 +342,11 @@ class TableReader {
       const std::string& field = sources_[wanted_by_[i]].field;
       const std::optional<double> value = as_number(cell, decimal_);
       if (value && std::isfinite(*value)) return;
-      throw InputError({.file = source_,
-                        .line = lines_.number(),
-                        .field = field,
-                        .expected = value ? "a finite number" : "a number",
-                        .found = cell.empty() ? "an empty cell" : in_quotes(cell),
-                        .remedy = cell.empty() ? "fill it in or delete the line"
-                                  : value      ? "delete the line"
-                                               : remedy_for_cell(cell),
-                        .part = TablePart::cell});
+      const std::string found = cell.empty() ? "an empty cell" : in_quotes(cell);
+      const std::string remedy = cell.empty() ? "fill it in or delete the line"
+                                 : value      ? "delete the line"
+                                              : remedy_for_cell(cell);
+      refuse(lines_.number(), field, value ? "a finite number" : "a number", found, remedy, TablePart::cell);
     });
     throw std::logic_error("read_row refuses only lines with a cell that is no finite number");
   }

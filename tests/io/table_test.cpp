@@ -184,7 +184,7 @@ TEST_CASE("table: what is no table is refused as what it is") {
 
 TEST_CASE("table: a column that is not there is refused with those that are") {
   CHECK(complaint("w_s_m,w0_m,F_N\n0,0,0\n", {{"F_M [N]", kind::force}}) ==
-        "t.csv:1: column 'F_M' is missing: the file has the columns 'w_s_m', 'w0_m' and 'F_N'; "
+        "t.csv:1: column 'F_M' is missing: the file has 'w_s_m', 'w0_m' and 'F_N'; "
         "did you mean 'F_N'?");
   CHECK(has(complaint("x,x,y\n1,2,3\n"), "column 'x': expected one column, found 2 of this name"));
   CHECK(has(complaint("x,y\n1,2\n", {{"x", kind::number}, {"x", kind::number}}), "found the same one asked for twice"));

@@ -120,7 +120,7 @@ step = "2 um"
         self.assertIn("the same command continues from there", err)
         again = run("campaign", folder, "--report", report, "--no-figures")
         self.assertEqual(again.returncode, 0)
-        self.assertIn("tests were kept by an earlier run", again.stderr)
+        self.assertIn("tests were computed by an earlier run", again.stderr)
 
     def test_a_shared_stiffness_is_the_true_one_and_tells_more_than_each(self):
         folder = self.simulated(5)

@@ -295,11 +295,11 @@ program = ["0 um", "900 um"]
     def test_supports_of_a_case_that_are_none_are_refused(self):
         for rig, said in (('rollers = "loose"', "add a radius, such as roller_radius = '5.12 mm'"), (self.PINNED.replace("pinned", "held"), '"fixed", "pinned" or "loose"'),
                           (self.PINNED.replace('"pinned"', '"fixed"'), "rollers on pins beside it"), (self.PINNED.replace("1 mm", "6 mm"), "at most the radius"),
-                          (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"), (self.PINNED.replace("pin_friction = 0.1", ""), 'pin_friction is missing beside rollers = "pinned"'),
-                          (self.PINNED.replace('pin_radius = "1 mm"', ""), "such as pin_radius = '1 mm'"), (self.PINNED.replace("0.1", "7"), "over that of the pin")):
+                          (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"), (self.PINNED.replace("pin_friction = 0.1", ""), 'is missing beside rollers = "pinned"'),
+                          (self.PINNED.replace('pin_radius = "1 mm"', ""), "such as pin_radius = '1 mm'"), (self.PINNED.replace("0.1", "7"), "ratio of the radii of roller and pin")):
             self.refused("simulate", self.bar("p.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', rig=rig), says=[said])
         ends = 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]'
-        self.refused("simulate", self.bar("a.toml", ends, rig='roller_radius = "30 mm"'), says=["roller_radius", "0.45 spans together"])
+        self.refused("simulate", self.bar("a.toml", ends, rig='roller_radius = "30 mm"'), says=["roller_radius", "less than 0.45 spans"])
         self.refused("simulate", self.bar("b.toml", ends, rig='roller_radius = "-1 mm"'), says=["roller_radius"])
         self.refused("simulate", self.bar("c.toml", ends, rig='roller_radius = 5'), says=["roller_radius", "unit"])
         self.refused("simulate", self.bar("d.toml", ends, rig='friction_at = "skin"'), says=["friction_at", '"surface" or "axis"'])

@@ -37,8 +37,8 @@ class Made(InFolder):
 
     def test_decisions_are_said_on_standard_error(self):
         said = run("read", FIXTURES / "bluehill_thousands.csv").stderr
-        for words in ("Instron Bluehill", "separated by comma", "thousands comma", "column 3: 'Load' in N: force",
-                      "--displacement crosshead|deflection", "the same again: flexslip read "):
+        for words in ("Instron Bluehill", "separated by comma", "thousands mark: comma", "column 3: 'Load' in N: force",
+                      "--displacement crosshead|deflection", "the same way again: flexslip read "):
             self.assertIn(words, said)
 
     def test_identity_the_flags_that_it_prints_give_the_same(self):

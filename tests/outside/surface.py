@@ -121,7 +121,7 @@ class Surface(InFolder):
     def test_bad_input_is_refused_with_place_and_remedy(self):
         self.file("wave.csv", wave(0.11, 10.9))
         self.refused("surface", self.folder / "wave.csv", "--shortest", "0.1 um", says=["--shortest", "twice the distance between heights, 200 nm"])
-        self.refused("surface", self.folder / "wave.csv", "--longest", "1 mm", says=["--longest", "at most the field, 200 µm"])
+        self.refused("surface", self.folder / "wave.csv", "--longest", "1 mm", says=["--longest", "at most the field of 200 µm"])
         self.refused("surface", self.folder / "wave.csv", "--cutoff", "3 N", says=["--cutoff"])
         self.refused("surface", self.folder / "wave.csv", "--friction", "0.01", says=["wave.csv", "slides by itself", "at the position"])
         self.refused("surface", self.folder / "wave.csv", "--position", "y", says=["--position", "'x' and 'z'"])

@@ -80,7 +80,7 @@ class Cells(InFolder):
             out, said = self.read(self.book(rows, formats=formats), "--crosshead", "2")
             for i, value in enumerate(numbers(out, "Time [s]")):
                 self.assertAlmostEqual(value, first + i / 2, delta=1e-9 * 86400)  # days have 17 digits
-            self.assertIn("column 'Time' holds clock times: taken in s", said)
+            self.assertIn("column 'Time' holds clock times, read in s", said)
 
     def test_times_with_a_date_count_from_midnight_and_a_stated_unit_is_kept(self):
         start = datetime.datetime(2026, 3, 1, 10, 0, 0)
@@ -99,7 +99,7 @@ class Cells(InFolder):
         rows = [["Day", *TITLES], *([datetime.date(2026, 2, 1 + i % 28), *row] for i, row in enumerate(READINGS))]
         out, said = self.read(self.book(rows), "--crosshead", "2")
         self.assertIn("2026-02-01", out)
-        self.assertIn("column 'Day' holds dates or clock times, and is kept as words", said)
+        self.assertIn("column 'Day' holds dates or clock times and is kept as text", said)
         self.assertEqual(numbers(out, "Load [N]"), [force for _, force in READINGS])
         text = self.file("plain.csv", out)
         self.assertEqual(run("read", text, "--crosshead", "2").stdout, out)

@@ -156,7 +156,7 @@ class Workbooks(InFolder):
             for name in (f"Specimen {k}", str(k + 1)):
                 said = run("read", path, "--crosshead", "1", "--sheet", name)
                 self.assertEqual(numbers(said.stdout, "Load [N]"), [float(k * i) for i in range(10)])
-                again = said.stderr.split("the same again: flexslip read ")[1].split(" --", 1)[1].strip()
+                again = said.stderr.split("the same way again: flexslip read ")[1].split(" --", 1)[1].strip()
                 self.assertIn(f'sheet "Specimen {k}"', again)
         self.refused("read", path, "--sheet", "Specimen 4", says=["'Specimen 1', 'Specimen 2' and 'Specimen 3'", "did you mean 'Specimen"])
         self.refused("read", self.file("a.csv", "Extension (mm),Load (N)\n1,2\n2,3\n"), "--sheet", "1", says=["--sheet", "a text file", "leave it out"])
