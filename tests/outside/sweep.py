@@ -279,7 +279,7 @@ class Sweep(InFolder):
         result = run("sweep", case, "--output", output, "--shard", "1/1")
         self.assertEqual(result.returncode, 0)
         self.assertIn(f"{flipped} is damaged and is computed again", result.stderr)
-        self.assertIn("640 of 800 designs were kept", result.stderr)
+        self.assertIn("640 of 800 designs were computed by an earlier run", result.stderr)
         changed = {path for path in parts.iterdir() if before.get(path) != path.stat().st_mtime_ns}
         self.assertEqual(changed, {flipped, truncated, deleted})
         self.succeeds("merge", parts)
