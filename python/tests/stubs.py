@@ -19,7 +19,7 @@ assert fit.judgement is not None and fit.params.mu0 is not None  # there is an a
 mu: float = fit.params.mu0.value
 low, high = fit.params.mu0.ci95
 standing: str = fit.judgement.standing
-doubts: tuple[str, ...] = fit.judgement.doubts
+verdict: str = fit.verdict.sentence
 mean: np.float64 = fit.profile.mu[0]
 row: float = fit.profile[3].mu_error
 w, F = flexslip.elastica([1.1, 1.2], 0.3)

@@ -41,10 +41,10 @@ std::string friction_in_words(const FittedTest& test) {
   const auto& fit = analysis.fit;
   std::string words =
       fit.mu0_is_bound
-          ? fmt::format("The friction of the specimen as tested is {} (95 %): the record does not tell it from zero.",
+          ? fmt::format("Friction at the supports is {} (95 %); it cannot be distinguished from zero.",
                         mean_friction(fit))
           : fmt::format(
-                "The friction of the specimen as tested is {} on average over the fibre seen (95 %: {:.3f} to {:.3f}).",
+                "Friction at the supports is {}, averaged over the length that slid (95 %: {:.3f} to {:.3f}).",
                 mean_friction(fit), fit.mu0.low, fit.mu0.high);
   const auto& read = analysis.friction_read;
   words += fmt::format(
@@ -52,7 +52,7 @@ std::string friction_in_words(const FittedTest& test) {
       "fifths of the values lie between {:.2f} and {:.2f}.",
       read.median, read.low80, read.high80);
   if (weight_without_roughness(fit) > 0.5)
-    words += " Apart from that, friction shows no roughness.";
+    words += " Beyond its mean, friction shows no random variation.";
   else if (fit.model == ProfileModel::roughness)
     words += fmt::format(
         " Along the specimen friction varies at random by {} (standard deviation), over a correlation length of {}.",
@@ -84,7 +84,7 @@ std::string wave_in_words(const FittedTest& test) {
   if (fit.log_evidence_of_wave > claiming_gain)
     return fmt::format(
         "There is no periodicity beyond roughness. The likeliest wave ({}), {} long, is longer than a quarter of the "
-        "fibre seen: too few periods for a claim.",
+        "length that slid: too few periods for a claim.",
         evidence, wavelength);
   return fmt::format(
       "There is no periodicity beyond roughness ({}). The likeliest wave, {} long with an amplitude of {} of the mean, "
@@ -306,7 +306,7 @@ std::vector<std::string> assumptions_of(const FittedTest& test) {
                     counted(fit.readings, "reading", "readings"), fit.noise_correlation));
   if (fit.model == ProfileModel::roughness)
     list.emplace_back(
-        "Friction is a mean, perhaps with a drift and a wave, plus a random process along the fibre. The answer "
+        "Friction is a mean, perhaps with a drift and a wave, plus a random process along the specimen. The answer "
         "averages over how smooth that process may be and which waves may be there, weighted by their evidence.");
   list.emplace_back(
       "The specimen is a slender, straight, elastic, inextensible beam that slides over both supports alike; its "
