@@ -11,11 +11,11 @@ namespace flexslip {
 namespace {
 
 // [mm] of type of this size.
-constexpr double key_height = 3.6,
-                 key_sample = 10;  // of a row of a key; of the line before its words, and what is left free
+constexpr double key_height = 3.6;  // of a row of a key
+constexpr double key_sample = 10;   // the line before its words, and what is left free
 constexpr double figure_edge = 1.2, joined_gap = 2.6, panel_gap = 3.4;
 constexpr double to_numbers = 1.3,
-                 numbers_below = 5.2;  // from the frame to the numbers beside it, and to the lower end of those below
+                 numbers_below = 5.2;  // from the frame to those beside it, and to the lower end of those below
 constexpr double closest_x = 10, closest_y = 7;  // numbers of an axis
 
 // [mm] Wide rather than narrow: the machine at hand may not have Arial.
@@ -161,8 +161,8 @@ class Layout {
       all_.panels[i].colour = {panel.colour.from, panel.colour.to, {}, true, label_of(panel.colour)};
     }
     share_axes();
-    for (int round = 0; round < 2;
-         ++round) {  // how wide numbers are depends on how high the panels are, and keys on how wide
+    // Twice, since the width of numbers depends on the height of panels, and that of a key on their width.
+    for (int round = 0; round < 2; ++round) {
       across();
       down();
     }

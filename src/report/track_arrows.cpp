@@ -8,7 +8,7 @@ namespace {
 
 constexpr double length = 0.035;         // of an arrow, of the panel
 constexpr double straight = 0.003;       // how far the line may be from it
-constexpr double least_distance = 0.12;  // to another arrow
+constexpr double least_distance = 0.16;  // to another arrow
 constexpr double shortest = 0.1;         // line that has one
 
 double distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
