@@ -338,7 +338,8 @@ std::string specimen_rule() {
 
 std::string category_rule() {
   return "None: fewer than three drops of the force, or drops that add up to less than 3\u00a0% of the greatest force. "
-         "Clear: 15\u00a0% or more. Nominal: between. μ₀ is the friction averaged over the length that slid, σ the roughness of "
+         "Clear: 15\u00a0% or more. Nominal: between. μ₀ is the friction averaged over the length that slid, σ the "
+         "roughness of "
          "friction and ℓ its correlation length. A and λ are those of the likeliest wave of friction; brackets mark a "
          "wave that is only indicative. Height is half of crest to trough of the wave of the surface that would show "
          "it, "

@@ -43,9 +43,8 @@ std::string friction_in_words(const FittedTest& test) {
       fit.mu0_is_bound
           ? fmt::format("Friction at the supports is {} (95 %); it cannot be distinguished from zero.",
                         mean_friction(fit))
-          : fmt::format(
-                "Friction at the supports is {}, averaged over the length that slid (95 %: {:.3f} to {:.3f}).",
-                mean_friction(fit), fit.mu0.low, fit.mu0.high);
+          : fmt::format("Friction at the supports is {}, averaged over the length that slid (95 %: {:.3f} to {:.3f}).",
+                        mean_friction(fit), fit.mu0.low, fit.mu0.high);
   const auto& read = analysis.friction_read;
   words += fmt::format(
       " Read off the curve point by point, at the fitted bending stiffness, friction has a median of {:.2f}; four "

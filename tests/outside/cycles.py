@@ -148,7 +148,7 @@ class Simulated(CyclicRecords):
     def test_text_and_report(self):
         case = self.record(self.readings())
         text = self.succeeds("fit", case, "--full", "--report", self.folder / "report")
-        for words in ("first of 2 loadings", "[[Load and unload]]", "[[Stick or slide]]", "[[Where the work of the first loading went]]"):
+        for words in ("2 loadings: friction", "[[Load and unload]]", "[[Stick or slide]]", "[[Where the work of the first loading went]]"):
             self.assertIn(words, text)
         page = (self.folder / "report/report.html").read_text(encoding="utf-8")
         for words in ("<h2>Load and unload</h2>", "<h2>Stick or slide</h2>"):
