@@ -124,20 +124,21 @@ std::string drops_in_words(T test) {
   const std::string rows = rows_in_words(test);
   const bool was_sought = is_fitted(test) || analysis.status == AnalysisStatus::not_explained;
   if (!was_sought) return fmt::format("not looked for in {}", rows);
+  const std::size_t semicolon = std::min(rows.find(';'), rows.size());
+  const std::string used = rows.substr(0, semicolon), end = rows.substr(semicolon);
   if (drops_of(test) == 0)
-    return fmt::format("none in {}; one of {} would have been seen", rows,
-                       Print(test).own(analysis.drops.smallest_fall, kind::force));
+    return fmt::format("none in {}; one of {} would have been seen{}", used,
+                       Print(test).own(analysis.drops.smallest_fall, kind::force), end);
   const SlipSummary& slips = analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
   const bool has_spacing = is_fitted(test) && slips.count >= enough && !lost_stiffness(*test.judgement);
-  const std::size_t semicolon = rows.find(';');
-  return fmt::format("{} in {}, the largest {}{}{}", drops_of(test), rows.substr(0, semicolon),
-                     Print(test).own(largest_drop(analysis), kind::force),
-                     has_spacing ? fmt::format(", one per {} of the specimen",
-                                               roughly(analysis.scales.physical_length(slips.median_spacing),
-                                                       Print(test).as(kind::length)))
-                                 : "",
-                     semicolon == std::string::npos ? "" : rows.substr(semicolon));
+  return fmt::format(
+      "{} in {}, the largest {}{}{}", drops_of(test), used, Print(test).own(largest_drop(analysis), kind::force),
+      has_spacing
+          ? fmt::format(", one per {} of the specimen",
+                        roughly(analysis.scales.physical_length(slips.median_spacing), Print(test).as(kind::length)))
+          : "",
+      end);
 }
 
 std::string slip_or_crack_in_words(T test) {

@@ -192,11 +192,14 @@ Found wrong_stiffness(T test) {
 
 Found not_explained(T test) {
   if (test.analysis.status != AnalysisStatus::not_explained || no_force(test)) return std::nullopt;
-  return Finding{.code = "not_explained",
-                 .severity = Severity::refusal,
-                 .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
-                 .short_form = "no friction explains it",
-                 .remedy = "Check the columns, their units, the span, the section, the modulus and the load train."};
+  return Finding{
+      .code = "not_explained",
+      .severity = Severity::refusal,
+      .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
+      .short_form = "no friction explains it",
+      .remedy =
+          "Check the columns (flexslip read FILE shows them), their units, the span, the section, the modulus "
+          "and the load train."};
 }
 
 // ---- What stands against an answer

@@ -228,7 +228,7 @@ class RealMachines(InFolder):
         w, F = (table[:, column] * unit for column, unit in zip(columns, units))
         first, last = found["window"]["rows"]
         thinning = [each for each in found["preparation"] if each["step"] == "thinning"]
-        every = int(re.search(r"one in (\d+)", thinning[0]["done"]).group(1)) if thinning else 1
+        every = int(re.search(r"one row in (\d+)", thinning[0]["done"]).group(1)) if thinning else 1
         part = slice(first - 1, last, every)
         slope = numpy.polyfit(w[part], F[part], 1)[0]
         with self.subTest(name):
