@@ -122,8 +122,7 @@ void complete(Linearisation& at, const Passages& passages) {
   at.S = non_falling(at.S);
   for (double& mu : at.mu) mu = std::clamp(mu, least_mu, greatest_mu);
   // The friction at which the fibre passes here, by the stage alone; what the force says beside it is how far it errs.
-  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.fibre, passages.compliance, at.eta,
-                                &Fibre::states_slopes_under_force);
+  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.fibre, passages.compliance, at.eta);
   for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i].m, least_mu, greatest_mu);
   const auto slopes = inverse_slopes(passages.fibre, at.S, at.mu);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
@@ -152,13 +151,13 @@ void complete(Linearisation& at, const Passages& passages) {
 }
 
 std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
-                             const Fibre& fibre, double compliance, double eta, StatesSlopes states) {
+                             const Fibre& fibre, double compliance, double eta) {
   const std::size_t n = S.size();
   const double stiffer = compliance * elementary::exp(eta);
   std::vector<double> q(near.begin(), near.end());
   std::vector<Level> levels(n);
   for (int iteration = 0; iteration < 12; ++iteration) {
-    const auto s = (fibre.*states)({S, q});
+    const auto s = fibre.states_slopes_under_force({S, q});
     double moved = 0;
     for (std::size_t j = 0; j < n; ++j) {
       const double G_q = s.w_q[j] + s.F_q[j] * stiffer;

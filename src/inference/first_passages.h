@@ -67,11 +67,10 @@ struct Level {
   double m_S;      // [1/L] dm/dS
 };
 
-// Domain:     S in (1, 2.1); `near` are frictions not far from those sought; states and slopes by one of the fibre's functions.
-using StatesSlopes = SlopeArrays (Fibre::*)(const FibrePoints&) const;
+// Domain:     S in (1, 2.1); `near` are frictions not far from those sought. Where hardly any force is left (states_slopes_under_force) a level
+//             is the nearest friction with a force, without slopes.
 std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
-                             const Fibre& fibre, double compliance, double eta,
-                             StatesSlopes states = &Fibre::tabulated_states_slopes);
+                             const Fibre& fibre, double compliance, double eta);
 
 // Where the search begins: S over the stage cut into the straight, non-falling pieces of least cost.
 // Method:     dynamic programming; a piece costs 1.5 ln n. Noise: second differences of the force.

@@ -252,7 +252,7 @@ program = ["0 um", "900 um"]
         answer = self.json("fit", record, "--quiet")
         self.assertIn("turn on their pins at a friction of 0.02", " ".join(self.succeeds("fit", record, "--quiet").split()))
         self.assertIn("implausible_friction", against(answer))
-        self.assertIn("they may be stuck", self.succeeds("fit", record, "--quiet"))
+        self.assertIn("check whether they are stuck", " ".join(self.succeeds("fit", record, "--quiet").split()))
 
     def test_design_says_what_pins_decide_and_how_hard_they_would_have_to_turn(self):
         case = self.file("wavy.toml", self.THIN)

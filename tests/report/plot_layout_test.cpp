@@ -97,7 +97,7 @@ TEST_CASE("plot, by hand: ticks of long and of short logarithmic axes, and numbe
   };
   CHECK(texts(2, 30) == "2 3 4 6 8 10 20 30 ");
   CHECK(texts(1e-3, 300) == "0.001 0.003 0.01 0.03 0.1 0.3 1 3 10 30 100 300 ");
-  CHECK(has(texts(1e-9, 1e9), "10^{−9} "));
+  CHECK(texts(1e-9, 1e9) == "10^{−8} 10^{−6} 10^{−4} 10^{−2} 10^{0} 10^{2} 10^{4} 10^{6} 10^{8} ");
   CHECK(texts(2.2, 2.9) == "2.2 2.25 2.3 2.35 2.4 2.45 2.5 2.55 2.6 2.65 2.7 2.75 2.8 2.85 2.9 ");
   const auto ticks = layout_of(with({{.x = {"x", "", -2e-6, 2e-6}, .y = {"y"}, .marks = {}}})).panels[0].x.ticks;
   CHECK(ticks.front().text == "−2·10^{−6}");
