@@ -139,7 +139,10 @@ bool is_sentence(const std::string& text) {
 
 TEST_CASE("findings, every one there is: it is found where it holds, as whole sentences, and weighs what it should") {
   std::set<std::string_view> tried;
-  for (const auto& [code, severity, test] : situations()) {
+  for (const Situation& each : situations()) {
+    const std::string_view code = each.code;
+    const Severity severity = each.severity;
+    const FittedTest& test = each.test;
     INFO(code);
     const Answer answer = answer_of(test);
     const Finding* finding = found(answer, code);
@@ -164,7 +167,10 @@ TEST_CASE("findings, every one there is: it is found where it holds, as whole se
 TEST_CASE("verdict: each of the six, by what it rests on") {
   const auto verdict = [](const FittedTest& test) { return answer_of(test).verdict.code; };
   CHECK(verdict(slipping()) == VerdictCode::slip);
-  for (const auto& [code, severity, test] : situations()) {
+  for (const Situation& each : situations()) {
+    const std::string_view code = each.code;
+    const Severity severity = each.severity;
+    const FittedTest& test = each.test;
     INFO(code);
     const VerdictCode expected = code == "wrong_stiffness" || code == "most_drops_impossible" ? VerdictCode::check_input
                                  : code == "softer_reload" || code == "cracks"                ? VerdictCode::crack
@@ -180,7 +186,10 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
 }
 
 TEST_CASE("verdict: no friction is told of a specimen that lost stiffness, nor where there is no answer") {
-  for (const auto& [code, severity, test] : situations()) {
+  for (const Situation& each : situations()) {
+    const std::string_view code = each.code;
+    const Severity severity = each.severity;
+    const FittedTest& test = each.test;
     const Answer answer = answer_of(test);
     const bool tells = severity > Severity::refusal && code != "cracks" && code != "softer_reload";
     INFO(code);
@@ -194,9 +203,9 @@ TEST_CASE("verdict: no friction is told of a specimen that lost stiffness, nor w
 TEST_CASE("answer: rows have one order for every test, and the next step is that of the verdict") {
   const std::vector<std::string_view> order{"drops",  "slip or crack", "friction", "work",
                                             "reload", "stiffness",     "assumed"};
-  for (const auto& [code, severity, test] : situations()) {
+  for (const Situation& each : situations()) {
     std::size_t last = 0;
-    for (const AnswerRow& row : answer_of(test).rows) {
+    for (const AnswerRow& row : answer_of(each.test).rows) {
       const auto at = static_cast<std::size_t>(std::find(order.begin(), order.end(), row.label) - order.begin());
       REQUIRE(at < order.size());
       CHECK(at + 1 > last);
@@ -211,7 +220,10 @@ TEST_CASE("answer: rows have one order for every test, and the next step is that
 }
 
 TEST_CASE("standing: by the weightiest finding") {
-  for (const auto& [code, severity, test] : situations()) {
+  for (const Situation& each : situations()) {
+    const std::string_view code = each.code;
+    const Severity severity = each.severity;
+    const FittedTest& test = each.test;
     INFO(code);
     CHECK(standing_of(findings_of(test)) == (severity == Severity::refusal     ? Standing::untrusted
                                              : severity == Severity::suspicion ? Standing::suspect
