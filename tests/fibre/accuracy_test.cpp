@@ -64,7 +64,7 @@ std::string number(const char* format, double x) {
   return text;
 }
 
-// The worst of each group, in units of 2^-52, and below it the row where each quantity is worst of all.
+// The worst of each group, in units of 2^-52.
 void write_tables(std::ostream& out, const Worsts& worsts, const std::vector<std::string>& quantities) {
   out << "| group | rows |";
   for (const auto& quantity : quantities) out << " " << quantity << " |";
@@ -80,12 +80,7 @@ void write_tables(std::ostream& out, const Worsts& worsts, const std::vector<std
       out << " " << (found ? number("%g", rounded_up(found->error)) : "") << " |";
     }
   }
-  out << "\n\n| quantity | worst | where |\n|---|---|---|\n";
-  for (const auto& quantity : quantities) {
-    const Worst& worst = worsts.of(quantity);
-    out << "| " << quantity << " | " << number("%.0e", rounded_up(worst.error * unit)) << " | " << worst.group << ": "
-        << worst.row << " |\n";
-  }
+  out << "\n";
 }
 
 // Worst errors of the table for q in a band.
@@ -177,8 +172,8 @@ cn vanishes at K: its error is absolute.
   out << R"(
 ## Why not the AGM
 
-S − 1 at m = 3/4 by the closed forms from one arithmetic–geometric ladder, and by the integrals P and R of `elliptic_arc`; the worst of 64 neighbouring u. The ladder's functions are good to the last
-digit, but S − 1 is their difference.
+S − 1 at m = 3/4 by the closed forms from one arithmetic–geometric ladder, whose functions are good to the last digit but of which S − 1 is a difference, and by the integrals P and R of
+`elliptic_arc`; the worst of 64 neighbouring u.
 
 | S − 1 | AGM, relative | digits kept | P and R, relative | digits kept |
 |---|---|---|---|---|
