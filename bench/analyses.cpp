@@ -11,8 +11,8 @@
 
 #include "case/case_file.h"
 #include "case/fitted.h"
-#include "inference/prior_draw.h"
-#include "inference/process_search.h"
+#include "inference/chain.h"
+#include "inference/process_mode.h"
 
 namespace flexslip {
 namespace {

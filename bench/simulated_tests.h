@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "bending_test/sliding_ladder.h"
-#include "inference/fit_problem.h"
-#include "inference/prior_draw.h"
+#include "bending_test/sliding_table.h"
+#include "inference/chain.h"
+#include "inference/fit.h"
 
 namespace flexslip {
 

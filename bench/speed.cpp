@@ -8,7 +8,6 @@
 #include <hwy/targets.h>
 
 #include "bench/reference.h"
-#include "bending_test/critical_stiffness.h"
 #include "bending_test/design.h"
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"

@@ -10,9 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "fibre/elementary.h"
-#include "surface/envelope.h"
-#include "surface/fourier.h"
+#include "numerics/elementary.h"
+#include "numerics/fourier.h"
 #include "surface/height_trace.h"
 #include "surface/slope_friction.h"
 #include "surface/texture.h"

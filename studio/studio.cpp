@@ -10,11 +10,10 @@
 
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
-#include "bending_test/sliding_ladder.h"
-#include "bending_test/stage_steps.h"
+#include "bending_test/sliding_table.h"
 #include "data/names.h"
 #include "data/scales.h"
-#include "fibre/elementary.h"
+#include "numerics/elementary.h"
 
 namespace flexslip::studio {
 namespace {

@@ -7,8 +7,8 @@
 #include <pybind11/stl.h>
 
 #include "answers/campaign_fields.h"
+#include "campaign/campaign.h"
 #include "campaign/campaign_run.h"
-#include "campaign/shared_parameters.h"
 #include "case/analysis_choice.h"
 #include "figures.h"
 #include "interruptible.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "answers/friction_fields.h"
-#include "fibre/elementary.h"
+#include "numerics/elementary.h"
 #include "result/mechanics.h"
 
 namespace flexslip {

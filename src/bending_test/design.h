@@ -6,12 +6,80 @@
 #include <optional>
 #include <vector>
 
-#include "bending_test/critical_stiffness.h"
+#include "bending_test/motion.h"
 #include "bending_test/rig.h"
 #include "contact/friction.h"
-#include "fibre/limits.h"
+#include "fibre/fibre.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
+
+// How stiff a load train must be for the fibre not to snap.
+
+// The least stiffness of the load train [EI/L^3] with which no loading up to the deflection w_max [L] snaps: 0 where none snaps
+// on any rig stiffer than 1e-6, infinite where one does even with the deflection itself controlled.
+// Domain:     w_max >= 1e-6, finite; std::invalid_argument otherwise.
+// Tolerance:  1e-9, relative: a snap at a stiffness above that would be shorter than the tracer tells (rig.h).
+// Fails:      as trace_loading_curve (rig.h).
+// Method:     continuation of the fold. G' = w' + F'/k vanishes where k = -F'/w', so that the folds of all rigs lie on one
+//             curve k(S), and a pair of them vanishes in a cusp, at a maximum of k(S) or at the end of the range. From the pairs
+//             that the tracer finds on a soft rig one is followed up to its cusp; just above it the curve is traced anew; and so on
+//             until the tracer, which misses none, finds no fold. A maximum of k(S) is flat and needs no second derivatives
+//             (theory.md, "The critical stiffness").
+// Cost:       about three traces, and 20 µs for each cusp; at worst a trace for every maximum of k(S).
+double critical_stiffness(const Friction& friction, double w_max, const Fibre& fibre = {});
+
+// -F'/w' along q = μ(S) [EI/L^3]: on the rig of that stiffness the fibre is at a fold at this length.
+// Domain:     S > 1, where a state exists.
+// The friction is that met on the way (contact/over_rollers.h).
+double stiffness_of_fold(const Friction& friction, double S, const Fibre& fibre = {});
+
+// The readings of a loading: where they stand, and what a record of them shows.
+
+// Which reading stands where: at every whole step of the stage, and at the end of its travel.
+class ReadingPositions {
+ public:
+  // Domain:     travel > 0, step > 0, both finite.
+  ReadingPositions(double travel, double step);
+
+  double count() const { return last_ + 1; }  // with reading 0, of the straight fibre
+  double position(double i) const { return i < last_ ? i * step_ : travel_; }
+  // The first reading beyond a stage position; the one before it is the last that is not.
+  double first_beyond(double stage) const;
+
+ private:
+  double travel_, step_, last_;
+};
+
+// Counts the falls of a force, a run of them being one, from its values in the order in which they are read: all of them, or those
+// between which it rises or falls.
+class ForceFalls {
+ public:
+  void read(double F);
+  void end();  // a fall under way is one
+
+  std::size_t count() const { return count_; }
+  double largest() const { return largest_; }                                          // [EI/L^2] 0 without drops
+  double mean() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }  // likewise
+
+ private:
+  double last_ = 0;
+  double top_ = 0;
+  bool falling_ = false;
+  std::size_t count_ = 0;
+  double sum_ = 0;
+  double largest_ = 0;
+};
+
+struct RecordedForce {
+  double stage;  // [L]
+  double F;      // [EI/L^2]
+};
+
+// What is recorded in a loading up to a stage position, from the straight fibre on: a reading each step, all of the curve if it is 0
+// or if there are more readings than a figure can tell apart, 20000. It ends where the fibre slips through.
+// Domain:     travel at least 1e-6, step >= 0, both finite; std::invalid_argument otherwise.
+std::vector<RecordedForce> record_of(const BendingTest& test, double travel, double step);
 
 // One loading of a fibre on a rig, from the straight fibre at stage position 0.
 struct Design {

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "bending_test/curve_samples.h"
+#include "bending_test/sliding_table.h"
 #include "contact/over_rollers.h"
 #include "fibre/batch.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

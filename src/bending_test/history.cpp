@@ -4,8 +4,88 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "bending_test/motion.h"
+#include "contact/over_rollers.h"
 
 namespace flexslip {
+namespace {
+
+std::vector<Crack> in_reverse(std::vector<Crack> cracks) {
+  for (const Crack& crack : cracks)
+    if (!(crack.w > 0 && std::isfinite(crack.w) && crack.loss > 0 && crack.loss < 1))
+      throw std::invalid_argument("a crack at a deflection of " + std::to_string(crack.w) + " with a loss of " +
+                                  std::to_string(crack.loss) + " is none");
+  std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.w < b.w; });
+  std::reverse(cracks.begin(), cracks.end());
+  return cracks;
+}
+
+}  // namespace
+
+CrackingFibre::CrackingFibre(BendingTest test, std::vector<Crack> cracks, double farthest)
+    : test_(std::move(test)), farthest_(farthest), cracks_(in_reverse(std::move(cracks))), fibre_(test_, farthest) {}
+
+PathPoint CrackingFibre::in_first_units(PathPoint point) const {
+  point.F *= left_;
+  point.left = left_;
+  return point;
+}
+
+Stretch CrackingFibre::in_first_units(Stretch stretch) const {
+  auto& [from, to, work] = stretch;
+  return {in_first_units(from), in_first_units(to), {work.stage * left_, work.friction * left_, work.released * left_}};
+}
+
+std::optional<Stretch> CrackingFibre::advance_towards(double stage) {
+  if (end() != HistoryStatus::ok) return std::nullopt;
+  if (due_) return crack();
+  std::optional<Stretch> stretch;
+  if (std::exchange(cracked_, false)) stretch = fibre_.settle();
+  if (!stretch) stretch = cracks_.empty() ? fibre_.advance_towards(stage) : advance_to_next(stage);
+  if (!stretch) return due_ ? crack() : stretch;
+  due_ = due_ || (!cracks_.empty() && stretch->to.w >= cracks_.back().w);
+  return in_first_units(*stretch);
+}
+
+// No farther than to the next crack.
+std::optional<Stretch> CrackingFibre::advance_to_next(double stage) {
+  const auto here = fibre_.position();
+  const auto stretch = fibre_.advance_towards(stage);
+  const double w = cracks_.back().w;
+  const bool moves = stretch && stretch->from.stage != stretch->to.stage;
+  const bool on_the_way = moves && stretch->from.w <= w && w < stretch->to.w;
+  if (!on_the_way) return stretch;
+  fibre_.return_to(here);
+  due_ = true;
+  return fibre_.advance_towards(fibre_.stage_at_deflection(*stretch, w));
+}
+
+Stretch CrackingFibre::crack() {
+  const auto energy = [&](const PathPoint& point) { return account_after({}, {point, point, {}}, test_.rig); };
+  Stretch stretch{state(), {}, {}};
+  left_ *= 1 - cracks_.back().loss;
+  cracks_.pop_back();
+  fibre_ = MovingFibre({fibre_.friction(), rig(), test_.rest}, farthest_, stretch.from);
+  stretch.to = state();
+  stretch.to.motion = Motion::crack;
+  const EnergyAccount before = energy(stretch.from), after = energy(stretch.to);
+  stretch.work.cracked = before.bending + before.load_train - (after.bending + after.load_train);
+  due_ = !cracks_.empty() && stretch.to.w >= cracks_.back().w;
+  cracked_ = true;
+  return stretch;
+}
+
+std::vector<Stretch> CrackingFibre::parts_of(const Stretch& stretch, int n) {
+  if (stretch.from.stage == stretch.to.stage) return {stretch};
+  std::vector<Stretch> parts;
+  for (const Stretch& part : fibre_.parts_of(stretch, n)) parts.push_back(in_first_units(part));
+  parts.front().from = stretch.from;
+  parts.back().to = stretch.to;
+  return parts;
+}
+
 namespace {
 
 // The greatest stage position of a programme.
@@ -104,6 +184,86 @@ History follow_continuously(const BendingTest& test, std::span<const double> tur
   for (std::size_t i = 0; i < turning_points.size() && recorder.move_along(turning_points[i], n); ++i)
     if (progress) progress(i + 1, turning_points.size());
   return recorder.finish();
+}
+
+std::vector<double> stage_steps(std::span<const double> turns, double step) {
+  constexpr double most_steps = 1e8;  // a gigabyte
+  if (turns.empty()) throw std::invalid_argument("a programme of the stage without positions");
+  if (!(step > 0)) throw std::invalid_argument("a step of the stage must be > 0, not " + std::to_string(step));
+  std::vector<double> stages{turns.front()};
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    const double from = turns[i - 1];
+    const double way = turns[i] - from;
+    // A remainder of 1e-9 of a step is rounding.
+    const double steps = std::ceil(std::abs(way) / step - 1e-9);
+    if (!(static_cast<double>(stages.size()) + steps < most_steps))
+      throw std::invalid_argument("a programme of the stage with 1e8 steps or more");
+    for (double n = 1; n < steps; ++n) stages.push_back(from + std::copysign(n * step, way));
+    stages.push_back(turns[i]);
+  }
+  return stages;
+}
+
+namespace {
+
+int points_drawn_for(const Friction& friction, double S_max) {
+  constexpr double most = 20000;
+  const double waves = 16 * (S_max - 1) / friction.smooth_scale();
+  return static_cast<int>(std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, most));
+}
+
+std::vector<EquilibriumPoint> drawn(const Friction& friction, Sliding sliding, double S_max, const Fibre& fibre) {
+  return equilibrium_curve(friction, sliding, S_max, points_drawn_for(friction, S_max), fibre).points;
+}
+
+constexpr double shortest = 1.01;  // [L] that a picture shows
+
+}  // namespace
+
+EquilibriumPortrait portrait_of(const Friction& friction, const Fibre& fibre, double S_max) {
+  EquilibriumPortrait portrait{
+      drawn(friction, Sliding::in, S_max, fibre), drawn(friction, Sliding::out, S_max, fibre), {}, {}};
+  portrait.frictionless =
+      equilibrium_curve(Friction::constant(0), Sliding::in, S_max, static_cast<int>(portrait.in.size()), fibre).points;
+  const double S = 1 + 0.7 * (portrait.in.back().S - 1);
+  const double most = met(friction, fibre, 1, S_max).at(S).mu, least = -met(friction, fibre, -1, S_max).at(S).mu;
+  constexpr int levels = 60;
+  for (int i = 0; i <= levels; ++i) {
+    const double q = least + (most - least) * i / levels;
+    const FibreState state = fibre.state(S, q);
+    if (state.status == FibreStatus::ok) portrait.at_one_length.push_back({S, q, state.w, state.F});
+  }
+  return portrait;
+}
+
+SlidingLimits limits_of(const BendingTest& test, const History& history) {
+  double S_max = shortest;
+  for (const auto& point : history.path) S_max = std::max(S_max, point.S);
+  for (const auto& snap : history.snaps) S_max = std::max({S_max, snap.before.S, snap.after.S});
+  const Friction& friction = test.friction.kinetic;
+  SlidingLimits limits{drawn(friction, Sliding::in, S_max, test.rig.fibre), {}};
+  if (!friction.depends_on_way()) limits.out = drawn(friction, Sliding::out, S_max, test.rig.fibre);
+  return limits;
+}
+
+OverallPortrait overall_portrait(const Friction& friction, const Rig& rig, std::span<const double> stages) {
+  const double farthest = *std::max_element(stages.begin(), stages.end());
+  const SlidingCurve traced = trace_loading_curve(friction, rig, longest_at_stage(farthest));
+  OverallPortrait portrait;
+  double S_max = shortest;
+  for (const double stage : stages) {
+    portrait.at_stage.push_back(overall_equilibria(traced, stage));
+    for (const auto& equilibrium : portrait.at_stage.back()) S_max = std::max(S_max, equilibrium.point.S);
+  }
+  S_max = std::min(1 + 1.1 * (S_max - 1), traced.end.S);
+  portrait.in = drawn(friction, Sliding::in, S_max, rig.fibre);
+  return portrait;
+}
+
+std::vector<EquilibriumPoint> frictionless_up_to(double deflection, int n, const Fibre& fibre) {
+  std::vector<EquilibriumPoint> curve = sliding_up_to(deflection, 0, n, fibre);
+  if (curve.front().w > 0) curve.insert(curve.begin(), {1, 0, 0, 0});
+  return curve;
 }
 
 }  // namespace flexslip

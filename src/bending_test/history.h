@@ -3,15 +3,62 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "bending_test/cracking_fibre.h"
-#include "bending_test/energy.h"
+#include "bending_test/equilibrium.h"
 #include "bending_test/motion.h"
+#include "bending_test/rig.h"
 #include "contact/two_supports.h"
 
 namespace flexslip {
+
+// A specimen that cracks while it is bent: where the deflection first reaches some values its bending stiffness falls, at once, all
+// along it and for good.
+//
+// A crack is faster than the specimen slides: stage position and length stay, the deflection rises, and the force falls along the load
+// line. So more friction has to hold the specimen, and where there is not so much, it is drawn in, in a snap. Hardly bent, or with little
+// of its stiffness left, it may need any friction: where not even largest_q would hold it, it is drawn in as it cracks, to where that does,
+// and what friction takes on that way counts as set free by the crack. Static friction holds again after a crack. Less EI is the same fibre
+// on a rig that is stiffer in the reduced units (theory.md, "Cracks").
+
+struct Crack {
+  double w;     // [L] the deflection at which it happens; one that a snap or another crack passes happens at its end
+  double loss;  // [1] of the bending stiffness left, in (0, 1)
+};
+
+// Moves as MovingFibre does, with cracks as stretches among the others. All is in units of the first bending stiffness.
+class CrackingFibre {
+ public:
+  // Domain: as MovingFibre; cracks in any order, w > 0, loss in (0, 1); std::invalid_argument otherwise.
+  CrackingFibre(BendingTest test, std::vector<Crack> cracks, double farthest);
+
+  PathPoint state() const { return in_first_units(fibre_.state()); }
+  HistoryStatus end() const { return fibre_.end(); }
+  const FrictionLaw& friction() const { return fibre_.friction(); }
+
+  // As those of MovingFibre. The energy that a crack sets free is that of fibre and rig before it less that after.
+  // Max error:  of the deflection of a crack, its rounding.
+  std::optional<Stretch> advance_towards(double stage);
+  std::vector<Stretch> parts_of(const Stretch& stretch, int n);
+  void halt() { fibre_.halt(); }
+
+ private:
+  PathPoint in_first_units(PathPoint point) const;
+  Stretch in_first_units(Stretch stretch) const;
+  std::optional<Stretch> advance_to_next(double stage);
+  Stretch crack();
+  Rig rig() const { return {test_.rig.stiffness / left_, test_.rig.fibre}; }
+
+  BendingTest test_;
+  double farthest_;
+  std::vector<Crack> cracks_;  // to come, the next one last
+  double left_ = 1;
+  bool due_ = false;      // the next crack
+  bool cracked_ = false;  // and has yet to settle
+  MovingFibre fibre_;
+};
 
 // A jump at constant stage position: in (w, F) a line of slope -k.
 struct Snap {
@@ -55,5 +102,42 @@ History follow_in_steps(const BendingTest& test, std::span<const double> stages,
 // Domain:     turning points as stages above, n >= 2; std::invalid_argument otherwise.
 History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n,
                             const std::vector<Crack>& cracks = {}, const HistoryProgress& progress = {});
+
+// A stage that moves in steps.
+
+// The stage positions of a programme that is moved through in steps: each turning point, and between two of them every step from the one
+// before; the last may be shorter.
+// Units:      any, of turns and step alike.
+// Domain:     at least one turn; step > 0, and not so small that the positions fill the memory: std::invalid_argument otherwise.
+std::vector<double> stage_steps(std::span<const double> turns, double step);
+
+// The curves of a specimen and its friction as a picture shows them: fine enough for every wave and every knot of the friction.
+
+// The specimen by itself, up to a length (Figs. 7 and 8A).
+struct EquilibriumPortrait {
+  std::vector<EquilibriumPoint> in, out;        // q = μ and q = -μ
+  std::vector<EquilibriumPoint> frictionless;   // q = 0
+  std::vector<EquilibriumPoint> at_one_length;  // with every friction it may have, seven tenths of the way
+};
+
+// Domain: S_max > 1.
+EquilibriumPortrait portrait_of(const Friction& friction, const Fibre& fibre, double S_max);
+
+// The curves on which the specimen slides in a test, as far as it goes.
+struct SlidingLimits {
+  std::vector<EquilibriumPoint> in, out;  // none out of a friction that depends on where the specimen turns back
+};
+SlidingLimits limits_of(const BendingTest& test, const History& history);
+
+// The overall equilibria at some stage positions [L] on the curve on which the specimen slides in (Fig. 8B).
+// Domain: at least one stage position, each as overall_equilibria.
+struct OverallPortrait {
+  std::vector<EquilibriumPoint> in;
+  std::vector<std::vector<OverallEquilibrium>> at_stage;
+};
+OverallPortrait overall_portrait(const Friction& friction, const Rig& rig, std::span<const double> stages);
+
+// The curve without friction, from the straight fibre on: (0, 0), and sliding_up_to, whose domain it has.
+std::vector<EquilibriumPoint> frictionless_up_to(double deflection, int n, const Fibre& fibre = {});
 
 }  // namespace flexslip

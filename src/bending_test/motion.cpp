@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
-#include "bending_test/curve_samples.h"
-#include "bending_test/quadrature.h"
-#include "bending_test/reach.h"
+#include "bending_test/rig.h"
+#include "bending_test/sliding_table.h"
 #include "contact/over_rollers.h"
 #include "contact/two_supports.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
+#include "numerics/quadrature.h"
 
 namespace flexslip {
 namespace {
@@ -371,5 +371,19 @@ std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
   }
   return parts;
 }
+
+EnergyAccount account_after(const EnergyAccount& account, const Stretch& stretch, const Rig& rig) {
+  EnergyAccount next = account;
+  next.stage_work += stretch.work.stage;
+  next.friction += stretch.work.friction;
+  next.snaps += stretch.work.released;
+  next.cracks += stretch.work.cracked;
+  next.bending = stretch.to.left * state_at(rig.fibre, stretch.to).U;
+  next.load_train = 0.5 * stretch.to.F * stretch.to.F / rig.stiffness;
+  next.imbalance = next.stage_work - (next.bending + next.load_train + next.friction + next.snaps + next.cracks);
+  return next;
+}
+
+double work_of_fracture(const EnergyAccount& account) { return account.stage_work - account.load_train; }
 
 }  // namespace flexslip

@@ -9,15 +9,44 @@
 #include <optional>
 #include <vector>
 
-#include "bending_test/bending_test.h"
-#include "bending_test/path_point.h"
 #include "bending_test/rig.h"
 #include "bending_test/shallow.h"
 #include "bending_test/sliding_table.h"
 #include "bending_test/snap.h"
-#include "bending_test/stretch.h"
+#include "contact/friction.h"
 
 namespace flexslip {
+
+// What is tested, and on what: a fibre with friction on a rig.
+
+// Where a snap comes to rest.
+enum class SnapRest {
+  nearest_stable,  // at the next stable state, q = μ_k: whatever is set free is lost at once (the paper's postulate, (4.32))
+  overshoot,  // the energy set free carries the fibre on, until friction has consumed it: it rests with |q| below the
+              // static friction, after swinging back if need be. What does not end in 1,000 swings, or swings so
+              // far back that only a friction beyond 20 would hold the fibre, rests as above.
+};
+
+struct BendingTest {
+  FrictionLaw
+      friction;  // on two supports that are not alike without a static excess, and at rest at the nearest stable state
+  Rig rig;
+  SnapRest rest = SnapRest::nearest_stable;
+};
+
+// A part of the way that a test takes.
+
+// Part of the way between two events, or to the stage position asked for.
+struct Stretch {
+  PathPoint from, to;  // to.motion is that of the stretch: in stick S is constant, in a snap the stage
+  StretchWork work;
+};
+
+enum class HistoryStatus {
+  ok,
+  slipped_through,  // a stage position exceeds every equilibrium: the fibre slips through the supports
+  contact_lost,     // a snap let the fibre out until no force was left
+};
 
 // A slip shorter than this [L] runs on into the next: a nanometre for a span of a millimetre. Without it, static friction on a
 // straight fibre would mean infinitely many slips, for their length goes as w^3.
@@ -112,5 +141,27 @@ struct MovingFibre::Position {
   HistoryStatus end;
   std::optional<Glide> glide;
 };
+
+// Where the work of the stage goes.
+
+// Energies in EI/L, accumulated from the start of a test.
+struct EnergyAccount {
+  double stage_work;  // ∫ F d(stage)
+  double bending;     // bending energy of the fibre
+  double load_train;  // F^2/(2k)
+  double friction;    // heat: ∫ q Pn dS in sliding, ∫ μ Pn |dS| in snaps
+  double snaps;       // what the snaps set free beyond friction: noise, vibration
+  double cracks;      // what the cracks set free, at a fixed stage position (cracking_fibre.h)
+  double
+      imbalance;  // stage_work less the sum of the others; zero but for rounding and quadrature. The work of a stretch is
+                  // integrated and not made from the others, so that this is a check
+};
+
+// The account after a further stretch, of a test that starts with the straight fibre.
+EnergyAccount account_after(const EnergyAccount& account, const Stretch& stretch, const Rig& rig);
+
+// ∫ F dw: what is read off a force-deflection curve as work of fracture, times area. Part of it is friction and snaps, part went into
+// cracks, and what remains is the bending energy, of which unloading gives back what friction does not take.
+double work_of_fracture(const EnergyAccount& account);
 
 }  // namespace flexslip

@@ -116,4 +116,20 @@ RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, doubl
 // √(S - 1) (Fibre::way) of low degree follow them: at most `scales` smooth scales of the friction (friction.h), and no knot inside.
 double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, double S_to, double scales);
 
+// How far a loading can draw the fibre in: the length up to which its curve has to be traced.
+
+// A length that a loading to a stage position does not exceed; it is close to the one that it gets to, unless the fibre slips
+// through the supports before.
+// Domain:     rig.stiffness > 0, stage >= 1e-6; std::invalid_argument otherwise.
+// Method:     the loading stops before any length at which G reaches the stage position, or at which the branch has ended;
+//             such a length is found by bisection below longest_at_stage(), in √(S - 1) (Fibre::way).
+// Cost:       3 µs.
+double longest_in_loading(const Friction& along, const Rig& rig, double stage);
+
+// The folds of a sliding curve, found with a guarantee: the work behind trace_loading_curve and trace_unloading_curve (rig.h).
+
+// Domain:     as trace_loading_curve and trace_unloading_curve, whose arguments these are; std::invalid_argument if there is no state at S_from.
+// Tolerance, cost: as there.
+SlidingCurve find_folds(const Friction& friction, const Rig& rig, Sliding sliding, double S_from, double S_to);
+
 }  // namespace flexslip

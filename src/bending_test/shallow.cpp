@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bending_test/quadrature.h"
 #include "bending_test/sliding_table.h"
+#include "numerics/quadrature.h"
 
 namespace flexslip {
 namespace {

@@ -2,16 +2,84 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "bending_test/curve_samples.h"
-#include "bending_test/interpolant.h"
-#include "bending_test/polynomial.h"
 #include "contact/over_rollers.h"
+#include "fibre/batch.h"
+#include "fibre/state_table.h"
+#include "numerics/elementary.h"
+#include "numerics/polynomial.h"
 
 namespace flexslip {
+namespace {
+
+// The straight fibre, where derivatives in S are infinite, but not those in x.
+CurveSample straight(double direction, double compliance, double q) {
+  const double slope = std::sqrt(15.0) / 6 * (1 + 48 * compliance);
+  return {true, {1, q, 0, 0, 0, infinity}, direction * slope, slope};
+}
+
+// What is known of the fibre at one length.
+struct FibreThere {
+  double w, F, w_S, w_q, F_S, F_q;  // NaN beyond the end of the branch
+};
+
+CurveSample sample_of(double direction, const Rig& rig, double S, const FrictionPoint& mu, const FibreThere& fibre) {
+  const double q = direction * mu.mu, compliance = 1 / rig.stiffness;
+  if (S == 1 && rig.fibre.begins_straight()) return straight(direction, compliance, q);
+  const double sigma = rig.fibre.way(S);  // that of the rounded S, at which everything is evaluated
+  const double smooth = fibre.w_S + compliance * fibre.F_S;
+  const double rough = direction * (fibre.w_q + compliance * fibre.F_q) * mu.slope;
+  return {.exists = !std::isnan(fibre.w),
+          .point = {S, q, fibre.w, fibre.F, fibre.w + compliance * fibre.F, smooth + rough},
+          .slope = direction * 2 * sigma * (smooth + rough),
+          .scale = 2 * sigma * (fibre.w_S + compliance * std::abs(fibre.F_S) + std::abs(rough))};
+}
+
+template <class States>
+std::vector<CurveSample> samples(const Friction& friction, const Rig& rig, Sliding sliding, std::span<const double> x,
+                                 const States& states) {
+  const double direction = direction_of(sliding);
+  std::vector<double> S(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) S[i] = rig.fibre.length_at(x[i]);
+  const FrictionArrays mu = friction.at(S);
+  std::vector<double> q(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) q[i] = direction * mu.mu[i];
+  const SlopeArrays at = states(FibrePoints(S, q));
+  std::vector<CurveSample> result;
+  result.reserve(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    result.push_back(sample_of(direction, rig, S[i], {mu.mu[i], mu.slope[i]},
+                               {at.w[i], at.F[i], at.w_S[i], at.w_q[i], at.F_S[i], at.F_q[i]}));
+  return result;
+}
+
+}  // namespace
+
+double way_at(const Fibre& fibre, Sliding sliding, double S) { return direction_of(sliding) * fibre.way(S); }
+
+CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding, double x) {
+  const double S = rig.fibre.length_at(x);
+  const double direction = direction_of(sliding);
+  const FrictionPoint mu = friction.at(S);
+  const auto [state, slopes] = rig.fibre.state_slopes(S, direction * mu.mu);
+  return sample_of(direction, rig, S, mu, {state.w, state.F, slopes.w_S, slopes.w_q, slopes.F_S, slopes.F_q});
+}
+
+std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
+                                    std::span<const double> x) {
+  return samples(friction, rig, sliding, x, [&](const FibrePoints& points) { return rig.fibre.states_slopes(points); });
+}
+
+std::vector<CurveSample> tabulated_samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
+                                              std::span<const double> x) {
+  return samples(friction, rig, sliding, x,
+                 [&](const FibrePoints& points) { return rig.fibre.tabulated_states_slopes(points); });
+}
+
 SlidingTable::SlidingTable(const Friction& friction, const Rig& rig, Sliding sliding)
     : friction_(met(friction, rig.fibre, direction_of(sliding), longest_sliding)),
       rig_(rig),
@@ -143,6 +211,227 @@ double SlidingTable::length_at_stage(double stage, double S_from, double S_to) {
   const double close = 1e-11 * (high - low);
   const double sigma = zero_between(miss, low, high, 0.5 * (low + high), true, close);
   return rig_.fibre.length_at(sigma);
+}
+
+namespace {
+
+constexpr std::size_t degree = SlidingPiece::degree;
+using Polynomial = Interpolant<degree>;
+using Values = SlidingPiece::Values;
+constexpr double close = 0x1p-48;  // of a zero in [-1, 1]
+
+// The map of values F and w at the nodes with which F' map w = ∫ F dw.
+Polynomial::Matrix map_of_work() {
+  const auto real = [](std::size_t i) { return static_cast<double>(i); };
+  // ∫ T_a T_b' dx over [-1, 1]: T_b' = 2 b Σ T_c over the c < b of other parity than b, that of T_0 halved.
+  Polynomial::Matrix product{};
+  for (std::size_t a = 0; a <= degree; ++a)
+    for (std::size_t b = 1; b <= degree; ++b)
+      for (std::size_t c = (b + 1) % 2; c < b; c += 2) {
+        if ((a + c) % 2 != 0) continue;
+        const double sum = real(a + c);
+        const double difference = real(a) - real(c);
+        const double integral = 1 / (1 - sum * sum) + 1 / (1 - difference * difference);
+        product[a][b] += (c == 0 ? 1.0 : 2.0) * real(b) * integral;
+      }
+  const auto& series = Polynomial::to_chebyshev();
+  Polynomial::Matrix work{};
+  for (std::size_t i = 0; i <= degree; ++i)
+    for (std::size_t j = 0; j <= degree; ++j)
+      for (std::size_t a = 0; a <= degree; ++a)
+        for (std::size_t b = 1; b <= degree; ++b) work[i][j] += series[a][i] * product[a][b] * series[b][j];
+  return work;
+}
+
+// The roots of a polynomial in Bernstein form: as many as its signs change, or fewer (Descartes); halved until they change
+// at most once.
+using Slope = std::array<double, degree>;
+
+void add_roots(const Slope& b, double low, double high, int halvings, std::vector<double>& roots) {
+  constexpr int most_halvings = 24;  // beyond it two roots are one point
+  const int changes = sign_changes(b);
+  if (changes == 0) return;
+  if (halvings == most_halvings) {
+    if (changes % 2 == 1) roots.push_back(0.5 * (low + high));
+    return;
+  }
+  Slope left{};
+  Slope right = b;
+  if (changes == 1) {
+    const auto value_at = [&](double t) { return bernstein_at(b, t); };
+    roots.push_back(low + (high - low) * zero_between(value_at, 0.0, 1.0, 0.5, b.front() < 0, close));
+    return;
+  }
+  for (std::size_t n = degree; n > 0; --n) {
+    left[degree - n] = right[0];
+    for (std::size_t i = 0; i + 1 < n; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+  }
+  const double middle = 0.5 * (low + high);
+  add_roots(left, low, middle, halvings + 1, roots);
+  add_roots(right, middle, high, halvings + 1, roots);
+}
+
+}  // namespace
+
+SlidingPiece::SlidingPiece(const Friction& friction, const Rig& rig, double S_from, double S_to) {
+  if (!(S_from >= 1 && S_to > S_from))
+    throw std::invalid_argument("no piece leads from S = " + std::to_string(S_from) + " to " + std::to_string(S_to));
+  const double low = rig.fibre.way(S_from);
+  const double high = rig.fibre.way(S_to);
+  Values S{};
+  Values q{};
+  for (std::size_t j = 0; j <= degree; ++j) {
+    const double sigma = 0.5 * (low + high) + 0.5 * (high - low) * Polynomial::node(j);
+    S[j] = j == 0 ? S_from : j == degree ? S_to : rig.fibre.length_at(sigma);
+    q[j] = friction.at(S[j]).mu;
+  }
+  const auto states = rig.fibre.tabulated_states(FibrePoints(S, q));
+  double most = 0;
+  for (std::size_t j = 0; j <= degree; ++j) {
+    exists_ = exists_ && !std::isnan(states.F[j]);
+    w_at_[j] = states.w[j];
+    F_at_[j] = states.F[j];
+    stage_at_[j] = states.w[j] + states.F[j] / rig.stiffness;
+    most = std::max(most, states.F[j]);
+  }
+  if (!exists_) return;
+  stage_ = Polynomial::chebyshev(stage_at_);
+  F_ = Polynomial::chebyshev(F_at_);
+  error_ = (std::abs(F_[degree]) + std::abs(F_[degree - 1])) / most;
+}
+
+double SlidingPiece::work() const {
+  static const auto map = map_of_work();
+  const Values weighted = Polynomial::apply(map, w_at_);
+  double sum = 0;
+  for (std::size_t i = 0; i <= degree; ++i) sum += F_at_[i] * weighted[i];
+  return sum;
+}
+
+double SlidingPiece::force_at(double stage) const {
+  const double share = (stage - stage_from()) / (stage_to() - stage_from());
+  if (!(share > 0)) return force_from();
+  if (!(share < 1)) return force_to();
+  const auto miss = [&](double x) {
+    const auto [value, slope] = series_slope_at(stage_, x);
+    return ValueAndSlope{value - stage, slope};
+  };
+  return series_at(F_, zero_between(miss, -1.0, 1.0, 2 * share - 1, true, close));
+}
+
+std::vector<SlidingPiece::Turn> SlidingPiece::turns() const {
+  const Values force = Polynomial::bernstein(F_at_);
+  Slope slope{};
+  for (std::size_t i = 0; i < degree; ++i) slope[i] = force[i + 1] - force[i];
+  std::vector<double> roots;
+  add_roots(slope, -1, 1, 0, roots);
+  std::vector<Turn> turns;
+  turns.reserve(roots.size());
+  for (const double x : roots)
+    turns.push_back({std::clamp(series_at(stage_, x), stage_from(), stage_to()), series_at(F_, x)});
+  return turns;
+}
+
+SlidingLadder::SlidingLadder(double S_max, double S_step, const Fibre& fibre) : fibre_(fibre) {
+  if (!(S_max > 1 && S_max <= longest_ladder))
+    throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
+  if (!(S_step > 0)) throw std::invalid_argument("S_step must be positive, not " + std::to_string(S_step));
+  const double sigma_max = fibre.way(S_max), from = fibre.way(1);  // bent as if that much were before it
+  const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
+  const double sigma_step = (sigma_max + from) / static_cast<double>(n - 1);
+  S_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double sigma = sigma_step * static_cast<double>(i) - from;
+    S_[i] = sigma >= from ? fibre.length_at(sigma) : 1;
+    if (sigma < from) shallow_.push_back(fibre.state(1, 0).w * (sigma + from) / (2 * from));
+  }
+}
+
+StateArrays SlidingLadder::curve(std::span<const double> mu) const {
+  std::vector<double> q(mu.begin(), mu.end());
+  for (double& value : q) value = std::clamp(value, 0.0, table_q.greatest);
+  StateArrays states = fibre_.tabulated_states({S_, q});
+  // The surface slides out up to 1.2 half depths of deflection, holds, and slides in from 1.35 on: some hundredths of the friction between.
+  for (std::size_t i = 0; i < shallow_.size(); ++i) {
+    const double w = shallow_[i];
+    const double held = mu[i] * std::clamp((w / fibre_.supports().half_depth - 1.27) / 0.08, -1.0, 1.0);
+    states.w[i] = w;
+    states.F[i] = fibre_.bent(w, held).state.F;
+  }
+  return states;
+}
+
+namespace {
+
+// The cubic over one cell through two values with slopes from the values around (central differences).
+struct Cubic {
+  double value, d0, c2, c3;
+  Cubic(std::span<const double> y, std::size_t i) {
+    const auto last = y.size() - 1;
+    const double rise = y[i + 1] - y[i];
+    value = y[i];
+    d0 = i > 0 ? 0.5 * (y[i + 1] - y[i - 1]) : rise;
+    const double d1 = i + 1 < last ? 0.5 * (y[i + 2] - y[i]) : rise;
+    c2 = 3 * rise - 2 * d0 - d1;
+    c3 = d0 + d1 - 2 * rise;
+  }
+  double at(double x) const { return value + x * (d0 + x * (c2 + x * c3)); }
+  double slope(double x) const { return d0 + x * (2 * c2 + x * 3 * c3); }
+  // The greatest of its second derivative in [0, 1].
+  double curvature() const { return std::max(std::abs(2 * c2), std::abs(2 * c2 + 6 * c3)); }
+  // Where it is greatest in [0, 1].
+  double peak() const {
+    if (d0 <= 0) return 0;
+    if (slope(1) >= 0) return 1;
+    // the slope changes sign once from + to -
+    const double root = std::sqrt(std::max(c2 * c2 - 3 * d0 * c3, 0.0));
+    return std::clamp(d0 / (root - c2), 0.0, 1.0);
+  }
+};
+
+}  // namespace
+
+std::vector<double> measured_curve(std::span<const double> w, std::span<const double> F, double compliance,
+                                   std::span<const double> stages) {
+  const auto n = w.size();
+  std::vector<double> G(n);
+  for (std::size_t i = 0; i < n; ++i) G[i] = w[i] + compliance * F[i];
+  std::vector<double> result;
+  result.reserve(stages.size());
+  std::size_t cell = 0;
+  double passed = 0;  // fraction of the cell that the running maximum has passed
+  for (const double stage : stages) {
+    double x = 1;
+    for (; cell + 1 < n; ++cell, passed = 0) {
+      // Where both ends of a cell fall short of the stage position, G can reach it between them only if it turns over there.
+      const bool short_of = G[cell + 1] < stage && G[cell] < stage;
+      const bool turns_here = G[cell + 1] < G[cell] && (cell == 0 || G[cell - 1] < G[cell]);
+      const bool turns_next = cell + 2 < n && G[cell] < G[cell + 1] && G[cell + 2] < G[cell + 1];
+      if (short_of && !turns_here && !turns_next) continue;
+      const Cubic cubic(G, cell);
+      const double peak = cubic.peak();
+      if (cubic.at(peak) < stage || peak < passed) continue;
+      // G rises from `passed` to the peak: Newton's iteration within these bounds
+      double low = passed;
+      double high = peak;
+      x = std::clamp((stage - cubic.value) / (cubic.at(peak) - cubic.value) * peak, low, high);
+      for (int iteration = 0; iteration < 20; ++iteration) {
+        const double miss = cubic.at(x) - stage;
+        (miss < 0 ? low : high) = x;
+        const double newton = x - miss / cubic.slope(x);
+        const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+        // Newton's error after a step d is d² G''/2G': below 1e-6 of a cell it is less than that of the interpolation.
+        const double d = next - x;
+        const bool done = std::abs(d) < 1e-6 || (next == newton && d * d * cubic.curvature() < 1e-6 * cubic.slope(x));
+        x = next;
+        if (done) break;
+      }
+      passed = x;
+      break;
+    }
+    result.push_back(Cubic(F, std::min(cell, n - 2)).at(x));
+  }
+  return result;
 }
 
 }  // namespace flexslip

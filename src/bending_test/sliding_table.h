@@ -2,12 +2,41 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "bending_test/rig.h"
+#include "contact/friction.h"
+#include "fibre/fibre.h"
 
 namespace flexslip {
+
+// A sliding curve sampled along the way that the fibre slides.
+//
+// The way is x = σ = √(S - 1) (Fibre::way) for a fibre drawn in and x = -σ for one let out, so that x rises on either. In σ the curve has no
+// singularity at its start: dw/dσ -> √15/6 and F -> 48 w.
+
+inline double direction_of(Sliding sliding) { return sliding == Sliding::in ? 1 : -1; }
+double way_at(const Fibre& fibre, Sliding sliding, double S);  // [√L]
+
+struct CurveSample {
+  bool exists;     // false beyond the end of the branch; then nothing else is valid
+  RigPoint point;  // its stage_slope is infinite at S = 1
+  double slope;    // [√L] dG/dx
+  double scale;    // [√L] size of its terms
+};
+
+// Points of the way, to the accuracy of Fibre::state_slopes. The friction is that met on the way.
+CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding, double x);
+std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
+                                    std::span<const double> x);
+
+// The same to the accuracy of the table (state_table.h): slopes to this, relative to their scale.
+inline constexpr double tabulated_error = 1e-9;
+std::vector<CurveSample> tabulated_samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
+                                              std::span<const double> x);
 
 // Farther than that no specimen reaches: one that is drawn in so far slips through its supports.
 inline constexpr double longest_sliding = 100;  // [L]
@@ -75,5 +104,80 @@ class SlidingTable {
   std::vector<double> edges_{1.0};  // [L] as far as lengths have been met
   std::unordered_map<std::size_t, Cell> cells_;
 };
+
+// A short stretch of sliding in as polynomials: force and stage position at any of its points for the price of a few products.
+
+class SlidingPiece {
+ public:
+  // Domain:     1 <= S_from < S_to; std::invalid_argument otherwise.
+  // Method:     Chebyshev polynomials of degree 12 in √(S - 1) through the states at their nodes.
+  // Cost:       2 µs.
+  SlidingPiece(const Friction& friction, const Rig& rig, double S_from, double S_to);
+
+  // Are there states all the way? If not, the force has fallen to zero, and nothing else is valid.
+  bool exists() const { return exists_; }
+
+  // An estimate of the error of the force, relative to the greatest: the last two coefficients of its polynomial.
+  double error() const { return error_; }
+
+  double force_from() const { return F_at_.front(); }      // [EI/L^2]
+  double force_to() const { return F_at_.back(); }         // [EI/L^2]
+  double stage_from() const { return stage_at_.front(); }  // [L]
+  double stage_to() const { return stage_at_.back(); }     // [L]
+
+  // ∫ F dw [EI/L]
+  double work() const;
+
+  // The force at a stage position, between those at the ends, where it is exact; the stage must rise along the piece.
+  double force_at(double stage) const;
+
+  // Where the force turns from rising to falling or back, in the order of the way.
+  struct Turn {
+    double stage;  // [L]
+    double F;      // [EI/L^2]
+  };
+  std::vector<Turn> turns() const;
+
+  static constexpr std::size_t degree = 12;
+  using Values = std::array<double, degree + 1>;
+
+ private:
+  Values stage_at_{}, F_at_{}, w_at_{};  // at the nodes
+  Values stage_, F_;                     // Chebyshev coefficients
+  double error_ = 0;
+  bool exists_ = true;
+};
+
+// The sliding curve on a fixed ladder of lengths, and what a test measures of it: fits run thousands of curves over the same lengths.
+// Results that are reported are computed by rig.h.
+
+inline constexpr double longest_ladder = 2.1;  // [L] before the branch ends, whatever the friction
+
+class SlidingLadder {
+ public:
+  // Lengths evenly spaced in √(S - 1) (Fibre::way) from 1 to S_max, their largest distance being S_step; of a specimen with a thickness those
+  // before it slides in count as 1.
+  // Domain:     1 < S_max <= longest_ladder, 0 < S_step; std::invalid_argument otherwise.
+  SlidingLadder(double S_max, double S_step, const Fibre& fibre = {});
+
+  std::span<const double> lengths() const { return S_; }  // [L]
+
+  // The sliding curve of a friction profile given at those lengths, to the accuracy of the table (fibre/state_table.h). Values outside
+  // [0, table_q.greatest] count as the nearest bound.
+  StateArrays curve(std::span<const double> mu) const;
+
+ private:
+  Fibre fibre_;
+  std::vector<double> S_;
+  std::vector<double> shallow_;  // [L] deflections before it slides in, of the first lengths
+};
+
+// A test in which the stage only advances, on a curve given at a ladder of lengths: the force [EI/L^2] at each stage position, that of the last
+// length if the curve does not reach it.
+// Method:     the running maximum of the stage position G = w + compliance F, as in rig.h, interpolated by cubics between the lengths.
+// Domain:     stages rising; w and F of one length, at least 4.
+// Max error:  set by the ladder: with n lengths a period, about 60/n^4 of the height of a tooth.
+std::vector<double> measured_curve(std::span<const double> w, std::span<const double> F, double compliance,
+                                   std::span<const double> stages);
 
 }  // namespace flexslip

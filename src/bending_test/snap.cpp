@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "bending_test/quadrature.h"
 #include "contact/over_rollers.h"
+#include "numerics/quadrature.h"
 
 namespace flexslip {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fibre/limits.h"
 #include "io/quantity.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 

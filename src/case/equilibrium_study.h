@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bending_test/portrait.h"
+#include "bending_test/history.h"
 #include "case/case_file.h"
 #include "contact/friction.h"
 #include "data/scales.h"

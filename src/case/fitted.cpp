@@ -11,10 +11,9 @@
 #include <fmt/format.h>
 
 #include "data/names.h"
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
 #include "io/sha256.h"
 #include "io/table.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -10,13 +10,13 @@
 #include "case/held_surface.h"
 #include "case/problem.h"
 #include "data/literature_friction.h"
+#include "data/section.h"
 #include "data/small_deflection.h"
-#include "data/surface_strain.h"
 #include "inference/analysis.h"
 #include "inference/cyclic_answer.h"
-#include "inference/imaged_length.h"
 #include "inference/implied_surface.h"
 #include "inference/judgement.h"
+#include "inference/profile.h"
 
 namespace flexslip {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
 #include "io/input_error.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -14,11 +14,10 @@
 #include "case/readings.h"
 #include "case/stiffness_used.h"
 #include "data/contact.h"
-#include "data/force_zero.h"
-#include "data/legs.h"
-#include "fibre/limits.h"
+#include "data/record.h"
 #include "io/quantity.h"
 #include "io/table.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

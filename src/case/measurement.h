@@ -9,7 +9,6 @@
 #include "case/case_file.h"
 #include "case/preparation.h"
 #include "data/record.h"
-#include "data/sampling.h"
 
 namespace flexslip {
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "case/stage_programme.h"
-#include "fibre/limits.h"
 #include "io/quantity.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

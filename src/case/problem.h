@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "bending_test/bending_test.h"
-#include "bending_test/cracking_fibre.h"
+#include "bending_test/history.h"
+#include "bending_test/motion.h"
 #include "bending_test/rig.h"
 #include "case/case_file.h"
 #include "case/measurement.h"
@@ -16,7 +16,7 @@
 #include "case/stiffness_used.h"
 #include "case/support_frictions.h"
 #include "data/scales.h"
-#include "data/surface_strain.h"
+#include "data/section.h"
 #include "inference/profile.h"
 
 namespace flexslip {

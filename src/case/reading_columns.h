@@ -7,7 +7,6 @@
 
 #include "case/readings.h"
 #include "data/record.h"
-#include "data/signs.h"
 
 namespace flexslip {
 

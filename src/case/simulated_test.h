@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "bending_test/portrait.h"
+#include "bending_test/history.h"
 #include "case/case_file.h"
 #include "case/problem.h"
 #include "case/simulation.h"
-#include "data/legs.h"
+#include "data/record.h"
 #include "data/scales.h"
 
 namespace flexslip {

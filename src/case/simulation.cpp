@@ -6,8 +6,8 @@
 #include <random>
 
 #include "data/names.h"
-#include "data/surface_strain.h"
-#include "fibre/elementary.h"
+#include "data/section.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

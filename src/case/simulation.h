@@ -9,7 +9,7 @@
 
 #include "bending_test/history.h"
 #include "case/problem.h"
-#include "data/legs.h"
+#include "data/record.h"
 
 namespace flexslip {
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "bending_test/stage_steps.h"
+#include "bending_test/history.h"
 #include "case/stiffness_used.h"
 #include "io/quantity.h"
 #include "io/table.h"

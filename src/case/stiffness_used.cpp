@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "data/names.h"
-#include "inference/stiffness_from_slope.h"
+#include "inference/analysis.h"
 
 namespace flexslip {
 namespace {

@@ -12,8 +12,6 @@
 #include "case/stage_programme.h"
 #include "case/surface_study.h"
 #include "contact/build_up.h"
-#include "contact/capped.h"
-#include "contact/on_slopes.h"
 #include "contact/over_rollers.h"
 #include "fibre/elastica.h"
 #include "instruments/trace_file.h"

@@ -7,8 +7,6 @@
 
 #include "instruments/trace_file.h"
 #include "io/input_error.h"
-#include "surface/envelope.h"
-#include "surface/resolution.h"
 #include "surface/slope_friction.h"
 #include "surface/texture.h"
 

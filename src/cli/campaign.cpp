@@ -1,3 +1,5 @@
+#include "campaign/campaign.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -10,13 +12,10 @@
 
 #include "answers/campaign_fields.h"
 #include "campaign/campaign_run.h"
-#include "campaign/shared_parameters.h"
 #include "cli/analysis_flags.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/interruption.h"
 #include "cli/output.h"
-#include "cli/progress.h"
 #include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"

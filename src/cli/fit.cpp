@@ -12,7 +12,6 @@
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/progress.h"
 #include "finding/answer.h"
 #include "io/call_files.h"
 #include "io/input_error.h"

@@ -9,7 +9,7 @@
 #include "cli/output.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "result/json.h"
+#include "result/table.h"
 
 namespace flexslip {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/interruption.h"
+#include "cli/output.h"
 #include "io/call_files.h"
 #include "io/input_error.h"
 

@@ -15,10 +15,8 @@
 #include "cli/commands.h"
 #include "cli/numbers.h"
 #include "cli/output.h"
-#include "cli/progress.h"
 #include "io/input_error.h"
 #include "report/model_figures.h"
-#include "result/json.h"
 #include "result/table.h"
 
 namespace flexslip {

@@ -5,29 +5,213 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "answers/sweep_fields.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/interruption.h"
-#include "cli/progress.h"
-#include "cli/shell_word.h"
-#include "cli/slurm_script.h"
-#include "cli/sweep_output.h"
+#include "cli/output.h"
+#include "design/design_result.h"
 #include "design/sweep_digest.h"
 #include "design/sweep_file.h"
 #include "design/sweep_parts.h"
 #include "design/sweep_plan.h"
 #include "design/sweep_row.h"
 #include "design/sweep_run.h"
+#include "io/call_files.h"
+#include "io/durable_file.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 
 namespace flexslip {
+
+// The file that a sweep ends in, as the commands `sweep` and `merge` make it.
+
+// The path as it is.
+// Fails:      InputError if it is empty or standard output.
+std::string file_to_write(const std::string& path);
+
+// Announces the file (CallFiles), before anything is read.
+void announce_sweep(const std::string& path);
+
+// Joins the parts in a file, and says what came of it on standard output. The file is safe on the disk when this returns.
+// Fails:      InputError if the file cannot be written; CalculationFailed, naming the parts, if some are missing or damaged.
+void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output);
+
+// A sweep as an array of jobs of Slurm.
+
+struct SlurmJobs {
+  std::string program, case_file, output;  // absolute paths
+  std::vector<std::string> changes;        // of the case
+  std::uint64_t shards;
+  unsigned threads;  // of each job
+  double minutes;    // that a job is expected to take
+};
+
+// A commented script that submits itself, and the merge after it.
+// Fails:      InputError if sbatch could not read the name of the output.
+std::string slurm_script(const SlurmJobs& jobs);
+
+namespace {
+
+std::size_t count_of(const std::vector<PartFault>& faults, PartState state) {
+  return static_cast<std::size_t>(
+      std::count_if(faults.begin(), faults.end(), [&](const PartFault& fault) { return fault.state == state; }));
+}
+
+// The call that computes what is missing from a folder.
+std::string remedy(const SweepParts& parts) {
+  const std::string& source = parts.plan().input.source;
+  std::filesystem::path output = parts.folder().lexically_normal();
+  if (!output.has_filename()) output = output.parent_path();  // "map.h5.parts/"
+  if (output.extension() == ".parts") output.replace_extension();
+  return fmt::format("flexslip sweep {} --output {}", std::filesystem::exists(source) ? shell_word(source) : "CASE",
+                     shell_word(output.string()));
+}
+
+std::string words_of(const SweepMerge& merge, const SweepParts& parts, const std::string& path) {
+  const auto& faults = merge.faults;
+  constexpr std::size_t most = 20;
+  std::string text =
+      fmt::format("{} is not written: of {} parts, {} are missing and {} are damaged\n", path, chunks_of(parts.plan()),
+                  count_of(faults, PartState::missing), count_of(faults, PartState::damaged));
+  const std::vector<ToldFault> told = faults_of(merge, parts.plan());
+  for (std::size_t i = 0; i < std::min(told.size(), most); ++i)
+    text += fmt::format("  {}, rows {} to {}: {}\n", told[i].file, told[i].first_row, told[i].last_row, told[i].state);
+  if (faults.size() > most) text += fmt::format("  and {} more (--json lists all)\n", faults.size() - most);
+  return text +
+         fmt::format("To compute only these, and join all: {}\nIn jobs: the same with --shard I/N, for any I and N",
+                     remedy(parts));
+}
+
+std::string words_of(const std::vector<std::uint64_t>& counts) {
+  std::string text;
+  const auto& words = result_status_words;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], words[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string file_to_write(const std::string& path) {
+  if (!path.empty() && path != "-") return path;
+  throw InputError({.field = "--output",
+                    .expected = "a file, as HDF5 cannot be written to standard output",
+                    .found = in_quotes(path),
+                    .remedy = "pass --output FILE"});
+}
+
+void announce_sweep(const std::string& path) {
+  files_of_this_call().writes(path, "--output");
+  files_of_this_call().writes(UnfinishedFile::name_for(path), "--output");
+}
+
+void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output) {
+  const SweepPlan& plan = folders.front().plan();
+  const SweepMerge merge = [&] {
+    const WhileInterruptible guard;
+    return merge_sweep(folders, path, {.stop = &interrupted(), .progress = progress_of("designs joined", output)});
+  }();
+  if (merge.status == MergeStatus::stopped)
+    throw Interrupted(fmt::format("interrupted; all parts are kept in {}, and the same command joins them",
+                                  folders.front().folder().string()));
+  const bool is_done = merge.status == MergeStatus::done;
+  if (output.json)
+    write_json("-", sweep_fields()({.status = is_done ? "done" : "incomplete",
+                                    .file = path,
+                                    .rows = plan.rows,
+                                    .counts = is_done ? merge.counts : std::vector<std::uint64_t>(),
+                                    .faults = faults_of(merge, plan)},
+                                   {}));
+  if (!is_done) throw CalculationFailed(words_of(merge, folders.front(), path));
+  if (!output.json) write_text("-", fmt::format("{}: {} designs ({})\n", path, plan.rows, words_of(merge.counts)));
+}
+
+namespace {
+
+// A file name as sbatch reads it in quotes: % begins what it replaces, and a quote would end it.
+std::string sbatch_name(const std::string& path) {
+  if (path.find_first_of("\"\\\n") != std::string::npos)
+    throw InputError(
+        {.field = "--output",
+         .expected = "a path without double quotes, backslashes and line breaks, as sbatch does not read them",
+         .found = in_quotes(path),
+         .remedy = "pass another --output"});
+  std::string name;
+  for (const char c : path) name += c == '%' ? "%%" : std::string(1, c);
+  return name;
+}
+
+std::string time_in_words(double minutes) {
+  return minutes < 1 ? "less than a minute" : fmt::format("about {:.0f} minutes", minutes);
+}
+
+constexpr std::string_view script = R"script(#!/bin/bash
+# A sweep of FlexSlip as an array of jobs, each {minutes} on {threads} threads.
+#
+#   bash THIS_FILE      submits the array, and a job after it that joins the parts
+#   sbatch THIS_FILE    submits the array alone
+#
+# Whatever ends a job, running this again computes only what is missing.
+#
+#SBATCH --job-name={job}
+#SBATCH --array=1-{shards}
+#SBATCH --cpus-per-task={threads}
+#SBATCH --time={time:.0f}   # minutes
+#SBATCH --output="{log}"
+#SBATCH --open-mode=append
+# As your cluster wants it; "##" leaves a line out. A job needs little memory, however large the sweep.
+##SBATCH --mem=1G
+##SBATCH --partition=NAME
+##SBATCH --account=NAME
+# module load hdf5   # where the nodes have their libraries as modules
+
+FLEXSLIP={program}   # as the compute nodes see it
+CASE={case_file}
+CHANGES=({changes})
+OUTPUT={output}
+
+if [[ ${{1:-}} == merge ]]; then exec "$FLEXSLIP" merge "$OUTPUT.parts" --output "$OUTPUT"; fi
+
+# Outside of the array: submit it, and the merge when all its jobs have ended, with the same options. afterany, not afterok: if a
+# job failed, the merge writes no file, but says in the log which parts are missing and how to compute them.
+if [[ -z ${{SLURM_ARRAY_TASK_ID:-}} ]]; then
+  set -euo pipefail
+  array=$(sbatch --parsable "$0")
+  array=${{array%%;*}}   # without the name of the cluster
+  merge=$(sbatch --parsable --dependency="afterany:$array" --array=0 --cpus-per-task=1 "$0" merge)
+  echo "array job $array, merge job ${{merge%%;*}}; watch them with: squeue --me"
+  exit
+fi
+
+exec "$FLEXSLIP" sweep "$CASE" "${{CHANGES[@]}}" --output "$OUTPUT" --shard "$SLURM_ARRAY_TASK_ID/{shards}" --threads "$SLURM_CPUS_PER_TASK"
+)script";
+
+}  // namespace
+
+std::string slurm_script(const SlurmJobs& jobs) {
+  constexpr double safety = 3;         // nodes differ, and so do the designs of a sweep
+  constexpr double least_minutes = 5;  // for starting up
+  std::string changes;
+  for (const std::string& change : jobs.changes)
+    changes += fmt::format("{}--set {}", changes.empty() ? "" : " ", shell_word(change));
+  const std::string log = sbatch_name(jobs.output + ".log");
+  return fmt::format(script, fmt::arg("minutes", time_in_words(jobs.minutes)), fmt::arg("threads", jobs.threads),
+                     fmt::arg("job", shell_word(std::filesystem::path(jobs.output).filename().string())),
+                     fmt::arg("shards", jobs.shards),
+                     fmt::arg("time", std::ceil(safety * jobs.minutes + least_minutes)), fmt::arg("log", log),
+                     fmt::arg("program", shell_word(jobs.program)), fmt::arg("case_file", shell_word(jobs.case_file)),
+                     fmt::arg("changes", changes), fmt::arg("output", shell_word(jobs.output)));
+}
+
 namespace {
 
 struct SweepRequest {
@@ -201,6 +385,97 @@ void add_sweep_command(CLI::App& app) {
       "  flexslip sweep map.toml --slurm map.slurm && bash map.slurm\n"
       "  parallel flexslip sweep map.toml --threads 1 --shard {}/8 ::: $(seq 8) && flexslip merge map.h5.parts");
   command->callback([request] { run_sweep_command(*request); });
+}
+
+namespace {
+
+struct MergeRequest {
+  std::vector<std::string> folders;
+  std::optional<std::string> path;
+  bool keep_parts = false;
+  Output output;
+};
+
+std::string file_of(const MergeRequest& request) {
+  if (request.path) return file_to_write(*request.path);
+  std::filesystem::path folder = std::filesystem::path(request.folders.front()).lexically_normal();
+  if (std::filesystem::is_regular_file(folder))
+    throw InputError({.file = folder.string(),
+                      .expected = "a folder of parts, as flexslip sweep makes it beside its output",
+                      .found = "a file",
+                      .remedy = fmt::format("pass {}.parts", folder.string())});
+  if (!folder.has_filename()) folder = folder.parent_path();  // "map.h5.parts/"
+  if (folder.extension() != ".parts")
+    throw InputError({.field = "--output",
+                      .expected = "the file to write",
+                      .found = fmt::format("none, and {} does not end in .parts", in_quotes(folder.string())),
+                      .remedy = "pass --output FILE"});
+  return folder.replace_extension().string();
+}
+
+void run_merge(const MergeRequest& request) {
+  const std::string path = file_of(request);
+  announce_sweep(path);
+  // A job that is run again after its work was done. Which sweep the folder held is not known any more.
+  const auto is_there = [](const std::string& folder) { return std::filesystem::exists(folder); };
+  const bool is_gone = std::none_of(request.folders.begin(), request.folders.end(), is_there);
+  if (is_gone && digest_of_sweep_file(path)) {
+    note(request.output,
+         fmt::format("{} does not exist, but {} does, the file of a sweep", request.folders.front(), path));
+    if (request.output.json) write_json("-", sweep_fields()({.status = "done", .file = path}, {}));
+    return;
+  }
+  for (const std::string& folder : request.folders) {
+    std::error_code absent;
+    const auto there = std::filesystem::absolute(path).parent_path();
+    if (is_there(folder) && std::filesystem::equivalent(there, folder, absent))
+      throw InputError({.field = "--output",
+                        .expected = "a file outside the folder of parts",
+                        .found = in_quotes(path) + " inside it",
+                        .remedy = "pass another --output: the parts are removed once they are joined"});
+  }
+
+  std::vector<SweepParts> folders;
+  folders.reserve(request.folders.size());
+  for (const std::string& folder : request.folders) {
+    folders.emplace_back(folder);
+    if (folders.back().digest() != folders.front().digest())
+      throw InputError({.file = folder,
+                        .expected = fmt::format("parts of the same sweep as in {}", request.folders.front()),
+                        .found = "those of another one",
+                        .remedy = "leave it out"});
+  }
+  if (finds_sweep(path, folders.front().digest())) note(request.output, fmt::format("{} is replaced", path));
+  join_parts(folders, path, request.output);
+  if (!request.keep_parts)
+    for (const SweepParts& parts : folders) parts.remove_all();
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& app) {
+  const auto request = std::make_shared<MergeRequest>();
+  CLI::App* command = app.add_subcommand("merge", "Join the parts of a sweep in one file when all shards are computed");
+  command
+      ->add_option("folders", request->folders,
+                   "Folder of parts, FILE.parts; several if shards were computed in different places")
+      ->type_name("FOLDER")
+      ->required();
+  command->add_option("-o,--output", request->path, "HDF5 file to write")
+      ->type_name("FILE")
+      ->default_str("the first folder without .parts");
+  command->add_flag("--keep-parts", request->keep_parts, "Keep the parts after they are joined");
+  command->add_flag("--json", request->output.json, "Report the outcome in JSON");
+  command->add_flag("--quiet", request->output.quiet, "No remarks on standard error, only errors");
+  command->footer(
+      "If parts are missing or damaged, no file is written and the exit code is 1. Those parts are listed with their\n"
+      "rows and with the call that computes only them. The parts are removed when the file is complete and safe on "
+      "the\n"
+      "disk, so nothing is lost if the merge is stopped.\n\n"
+      "Examples:\n"
+      "  flexslip merge map.h5.parts\n"
+      "  flexslip merge here/map.h5.parts there/map.h5.parts --output map.h5");
+  command->callback([request] { run_merge(*request); });
 }
 
 }  // namespace flexslip

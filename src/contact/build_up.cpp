@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fibre/elementary.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -33,8 +33,7 @@ HWY_AFTER_NAMESPACE();
 #include <utility>
 
 #include "contact/two_supports.h"
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

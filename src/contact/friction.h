@@ -12,10 +12,77 @@
 #include <variant>
 #include <vector>
 
-#include "contact/friction_forms.h"
-#include "contact/friction_on_a_way.h"
-
 namespace flexslip {
+
+// The forms that a profile of friction may have, and what it is at a length.
+
+// One term of the roughness: amplitude cos(π S/wavelength + phase), relative to the mean.
+struct Sinusoid {
+  double amplitude;   // [1] relative to mu0, A of (4.25); >= 0
+  double wavelength;  // [L] along the fibre, λ of (4.25); > 0
+  double phase;       // [rad] φ of (4.25)
+};
+
+// mu0 (1 + Σ amplitude cos(π S/wavelength + phase)) + drift (S - S_reference), and zero where a drift would carry it below.
+// Without terms and drift: constant friction.
+struct FrictionWaves {
+  double mu0;    // [1] mean coefficient of friction at S_reference
+  double drift;  // [1/L] slope of the mean in S
+  std::vector<Sinusoid> terms;
+  double S_reference = 1;  // [L]
+};
+
+// Values at given lengths, interpolated monotonically (no over- or undershoot), constant beyond the ends.
+struct FrictionTable {
+  std::vector<double> S;   // [L] rising strictly
+  std::vector<double> mu;  // [1] >= 0
+};
+
+// μ and dμ/dS at one length.
+struct FrictionPoint {
+  double mu;     // [1]
+  double slope;  // [1/L]
+};
+
+// The same at many lengths.
+struct FrictionArrays {
+  std::vector<double> mu;     // [1]
+  std::vector<double> slope;  // [1/L]
+};
+
+// A term as it is summed: height cos(2π (frequency S + phase)).
+struct WaveTerm {
+  double height;     // [1]
+  double frequency;  // [1/L]
+  double phase;      // [1] in turns
+  double steepness;  // [1/L] the greatest slope
+};
+
+// Friction that is more than a profile: it depends on the way on which the fibre gets to a length.
+
+// Friction as it is met on a way, in or out, from the lengths of which it makes more than a profile (two_supports.h, over_rollers.h, build_up.h).
+class FrictionOnAWay {
+ public:
+  virtual ~FrictionOnAWay() = default;
+  virtual FrictionPoint at(double S) const = 0;
+  virtual double smooth_scale() const = 0;
+  virtual double end_of(double S, double scales, bool inwards) const {
+    const double step = scales * smooth_scale();
+    return inwards ? S + step : S - step;
+  }
+  virtual double most_up_to(double S_max) const = 0;
+  virtual std::span<const double> knots() const = 0;
+  // As the fibre meets it, at what has been drawn in: else of the points of the specimen.
+  virtual bool is_met() const { return false; }
+
+  // May a fibre that is at a length slide on in a direction, in (1) or out (-1)? If not it takes the way from there, and from its q.
+  virtual bool leads(double /*S*/, double /*direction*/) const { return true; }
+  virtual std::shared_ptr<const FrictionOnAWay> from(double /*S*/, double /*q*/, double /*direction*/) const {
+    return nullptr;
+  }
+  virtual bool depends_on_way() const { return false; }
+  virtual bool lets_stick() const { return true; }
+};
 
 class Walk;
 
@@ -97,5 +164,26 @@ class Friction {
   std::vector<WaveTerm> terms_;
   std::vector<double> knot_slopes_;  // dμ/dS at each knot of a table
 };
+
+// What a support does to the fibre: it holds it while at rest, and rubs while it slides.
+//
+// Coulomb's law with one coefficient, |q| <= μ(S), is the paper's; there a sawtooth needs a friction that varies along the
+// fibre. With a static friction above the kinetic one the fibre sticks and slips on supports as smooth as one likes: the
+// alternative that the paper leaves open. A fibre at rest stays so while |q| <= μ_s(S). Once it slides, q = ±μ_k(S) until
+// the sliding stops: when the stage turns back or halts, or a snap comes to rest.
+
+struct FrictionLaw {
+  Friction kinetic;        // μ_k
+  Friction static_excess;  // μ_s - μ_k; zero: Coulomb's law
+
+  FrictionLaw(Friction coulomb)  // NOLINT(google-explicit-constructor): a friction is a law by itself
+      : FrictionLaw(std::move(coulomb), Friction::constant(0)) {}
+  FrictionLaw(Friction sliding, Friction excess) : kinetic(std::move(sliding)), static_excess(std::move(excess)) {}
+};
+
+// μ_s. Domain: S >= 1.
+inline double static_friction(const FrictionLaw& law, double S) {
+  return law.kinetic.at(S).mu + law.static_excess.at(S).mu;
+}
 
 }  // namespace flexslip

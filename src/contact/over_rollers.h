@@ -5,6 +5,7 @@
 // thickness").
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,5 +50,45 @@ Friction met(const Friction& along, const Fibre& fibre, double direction, double
 
 // Likewise, none on edges, without the work of finding where its knots touch.
 std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fibre, double direction);
+
+// Friction of a surface that a support climbs on one way and comes down on the other: on slopes the friction of both ways differs.
+//
+// On a slope tan α it is tan(atan μ + α) on the way in and tan(atan μ - α) on the way out (theory.md, "A surface and its friction").
+
+class OnSlopes final : public FrictionOnAWay {
+ public:
+  // Begins on the way in.
+  // Domain:     profiles that depend on no way; std::invalid_argument otherwise.
+  OnSlopes(Friction in, Friction out);
+
+  FrictionPoint at(double S) const override { return way().at(S); }
+  double smooth_scale() const override { return way().smooth_scale(); }
+  double most_up_to(double S_max) const override { return way().most_up_to(S_max); }
+  std::span<const double> knots() const override { return way().knots(); }
+  bool leads(double /*S*/, double direction) const override { return direction == direction_; }
+  std::shared_ptr<const FrictionOnAWay> from(double S, double q, double direction) const override;
+  bool depends_on_way() const override { return true; }
+
+ private:
+  struct Ways {
+    Friction in, out;
+  };
+  OnSlopes(std::shared_ptr<const Ways> ways, double direction) : ways_(std::move(ways)), direction_(direction) {}
+  const Friction& way() const { return direction_ > 0 ? ways_->in : ways_->out; }
+
+  std::shared_ptr<const Ways> ways_;
+  double direction_;
+};
+
+// Friction that gets no farther than to where something else gives way: at rollers on pins the pins, once the torque of the specimen turns them.
+
+// The lesser of the friction of the specimen and a cap, at lengths up to S_most.
+// Domain:     a friction of one support, along its points; cap >= 0; std::invalid_argument otherwise.
+// Tolerance:  lengths at which the cap is crossed are bisected to rounding, between samples at a sixteenth of the shortest period.
+Friction capped(const Friction& friction, double cap, double S_most);
+
+// [1] Friction of rollers on pins, which turn at a torque of pin_friction on the radius of the pin: m/√(1 - m²), m = pin_friction pin_radius/radius.
+// Domain:     m < 1.
+double friction_of_pins(double pin_friction, double pin_radius, double radius);
 
 }  // namespace flexslip

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

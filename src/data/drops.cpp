@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "data/distributions.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {

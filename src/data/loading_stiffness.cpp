@@ -7,9 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "data/distributions.h"
-#include "data/line.h"
-#include "fibre/elementary.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {

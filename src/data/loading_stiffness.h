@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "data/estimate.h"
 #include "data/record.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
-#include "data/line.h"
-#include "data/order.h"
-#include "fibre/elementary.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
@@ -275,5 +277,182 @@ double step_noise(const Record& record, std::span<const double> smooth, std::siz
 }
 
 double force_noise(const Record& record) { return step_noise(record, smooth_steps(record), 1) / std::numbers::sqrt2; }
+
+std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& options) {
+  if (!(options.least_travel > 0 && options.least_travel < 1))
+    throw std::invalid_argument("the least travel of a leg must lie between 0 and 1 of the range of the stage: " +
+                                std::to_string(options.least_travel));
+  for (std::size_t i = 0; i < stage.size(); ++i)
+    if (!std::isfinite(stage[i]))
+      throw std::invalid_argument("stage position " + std::to_string(i) +
+                                  " is not finite: " + std::to_string(stage[i]));
+  if (stage.empty()) return {};
+  const auto [least, greatest] = std::minmax_element(stage.begin(), stage.end());
+  const double travel = options.least_travel * (*greatest - *least);
+  if (!(travel > 0)) return {};
+
+  std::vector<Leg> legs;
+  std::size_t first = 0;
+  std::size_t lowest = 0;   // since the last turning point
+  std::size_t highest = 0;  // likewise
+  const auto turn = [&](std::size_t at, Direction ended) {
+    legs.push_back({first, at + 1, ended});
+    first = at + 1;
+  };
+  bool started = false;
+  auto direction = Direction::loading;
+  for (std::size_t i = 1; i < stage.size(); ++i) {
+    if (stage[i] < stage[lowest]) lowest = i;
+    if (stage[i] > stage[highest]) highest = i;
+    const bool rose = stage[i] - stage[lowest] > travel;
+    const bool fell = stage[highest] - stage[i] > travel;
+    if (!started) {
+      if (!rose && !fell) continue;
+      started = true;
+      direction = rose ? Direction::loading : Direction::unloading;
+      lowest = highest = i;
+    } else if (direction == Direction::loading && fell) {
+      turn(highest, direction);
+      direction = Direction::unloading;
+      lowest = highest = i;
+    } else if (direction == Direction::unloading && rose) {
+      turn(lowest, direction);
+      direction = Direction::loading;
+      lowest = highest = i;
+    }
+  }
+  legs.push_back({first, stage.size(), direction});
+  return legs;
+}
+
+Signs find_signs(std::span<const double> displacement, std::span<const double> force) {
+  if (displacement.size() != force.size())
+    throw std::invalid_argument("columns of " + std::to_string(displacement.size()) + " and " +
+                                std::to_string(force.size()) + " points");
+  if (force.empty()) return {1, 1};
+
+  const auto by_magnitude = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto greatest = std::max_element(force.begin(), force.end(), by_magnitude);
+  const int force_sign = *greatest < 0 ? -1 : 1;
+  const auto by_compression = [=](double a, double b) { return force_sign * a < force_sign * b; };
+  const auto least = greatest == force.begin() ? std::min_element(greatest, force.end(), by_compression)
+                                               : std::min_element(force.begin(), greatest, by_compression);
+  const auto at = [&](auto row) { return displacement[static_cast<std::size_t>(row - force.begin())]; };
+  return {at(greatest) < at(least) ? -1 : 1, force_sign};
+}
+
+namespace {
+
+double greatest_of(std::span<const double> force) {
+  double greatest = 0;
+  for (const double value : force) greatest = std::max(greatest, std::abs(value));
+  return greatest;
+}
+
+// Are changes other than those of a coarse converter, which are a few of its steps?
+bool are_fine(const std::vector<double>& changes) {
+  if (changes.empty()) return false;
+  const double least = *std::min_element(changes.begin(), changes.end());
+  if (median_of(changes) > 4 * least) return true;
+  const auto is_whole = [&](double change) {
+    constexpr double rounding = 0.01;
+    return std::abs(change / least - std::round(change / least)) < rounding;
+  };
+  return 2 * std::count_if(changes.begin(), changes.end(), is_whole) < static_cast<std::ptrdiff_t>(changes.size());
+}
+
+// Whether equal forces one after the other are held values; all of them are where a specimen bears a load.
+bool holds_values(std::span<const double> force, double loaded) {
+  std::vector<double> changes;
+  std::size_t steps = 0, equal = 0;
+  for (std::size_t i = 1; i < force.size(); ++i) {
+    if (!(std::abs(force[i]) > loaded)) continue;
+    ++steps;
+    const double change = std::abs(force[i] - force[i - 1]);
+    if (change > 0)
+      changes.push_back(change);
+    else
+      ++equal;
+  }
+  return 4 * equal >= steps && are_fine(changes);
+}
+
+// Where a record goes straight on from row to row, to the last digits, there is no noise: its readings are where it bends, or the row
+// beside. Empty: it does not.
+std::vector<std::size_t> readings_of(std::span<const double> displacement, const std::vector<double>& force,
+                                     double greatest) {
+  constexpr double straight = 1e-7;  // [greatest force] less than converters tell, more than files round
+  const auto bend_at = [&](std::size_t i) { return std::abs(force[i - 1] - 2 * force[i] + force[i + 1]); };
+  const auto bends_at = [&](std::size_t i) { return bend_at(i) > straight * greatest; };
+  std::vector<std::size_t> readings{0};
+  std::vector<double> bends;
+  std::size_t rows_straight = 0;
+  for (std::size_t i = 1; i + 1 < force.size(); ++i) {
+    // While the stage stands nothing lies between readings: all such rows are.
+    if (displacement[i - 1] == displacement[i] || displacement[i] == displacement[i + 1]) {
+      readings.push_back(i);
+      continue;
+    }
+    if (!bends_at(i)) {
+      ++rows_straight;
+      continue;
+    }
+    // A reading between two rows bends both: the one that is not on the way of a fall counts.
+    bends.push_back(bend_at(i));
+    const bool bends_next = i + 2 < force.size() && bends_at(i + 1);
+    const bool falls_then = bends_next && force[i + 2] < force[i + 1];
+    readings.push_back(bends_next && !falls_then ? i + 1 : i);
+    if (bends_next) ++i;
+  }
+  constexpr std::size_t least_readings = 100;  // what bends more rarely may be straight by itself
+  constexpr std::size_t of_rows = 10;          // by chance far fewer lie straight
+  if (readings.size() < least_readings || of_rows * rows_straight < force.size() || !are_fine(bends)) return {};
+  readings.push_back(force.size() - 1);
+  return readings;
+}
+
+// The values at some rows.
+std::vector<double> values_at(const std::vector<std::size_t>& rows, std::span<const double> values) {
+  std::vector<double> picked;
+  for (const std::size_t row : rows) picked.push_back(values[row]);
+  return picked;
+}
+
+// Of the rows those that a test keeps, by their place among them; how many it does not.
+template <class Kept>
+std::size_t leave_out(std::vector<std::size_t>& rows, Kept is_kept) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (is_kept(i)) kept.push_back(rows[i]);
+  const std::size_t left_out = rows.size() - kept.size();
+  rows = std::move(kept);
+  return left_out;
+}
+
+}  // namespace
+
+Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most) {
+  Sampling sampling{std::vector<std::size_t>(force.size()), 0, 0, 0, 1};
+  auto& rows = sampling.rows;
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  sampling.repeated = leave_out(rows, [&](std::size_t i) {
+    return i == 0 || force[i] != force[i - 1] || displacement[i] != displacement[i - 1];
+  });
+  const double greatest = greatest_of(force);
+  constexpr double of_greatest = 0.05;
+  const double loaded = of_greatest * greatest;
+  auto forces = values_at(rows, force);
+  if (holds_values(forces, loaded)) {
+    sampling.held = leave_out(
+        rows, [&](std::size_t i) { return i == 0 || forces[i] != forces[i - 1] || !(std::abs(forces[i]) > loaded); });
+    forces = values_at(rows, force);
+  }
+  if (const auto readings = readings_of(values_at(rows, displacement), forces, greatest); !readings.empty())
+    sampling.interpolated =
+        leave_out(rows, [&](std::size_t i) { return std::binary_search(readings.begin(), readings.end(), i); });
+  sampling.stride = (rows.size() + most - 1) / most;
+  if (sampling.stride > 1) leave_out(rows, [&](std::size_t i) { return i % sampling.stride == 0; });
+  return sampling;
+}
 
 }  // namespace flexslip

@@ -93,4 +93,56 @@ double step_noise(const Record& record, std::span<const double> smooth, std::siz
 // Domain: at least 11 points; std::invalid_argument otherwise.
 double force_noise(const Record& record);
 
+// The loading and unloading legs of a record: a stage programme with turning points, cut at them.
+
+enum class Direction { loading, unloading };  // the stage advances, or goes back
+
+struct Leg {
+  std::size_t first, last;  // points [first, last); the turning point is the last of the leg that it ends
+  Direction direction;
+};
+
+struct LegOptions {
+  double least_travel = 0.02;  // [range of the stage] a turn counts once the stage has gone back by more; shorter
+                               // excursions are noise, backlash or a hold, and belong to the leg they interrupt
+};
+
+// Legs in the order of time, loading and unloading in turn; together they are all points. None for a stage that stands still.
+// Domain: stage finite, in any unit; 0 < least_travel < 1. std::invalid_argument otherwise.
+// Method: a turning point is the farthest position before a return of more than least_travel; of equal ones the first. So noise
+//         of the stage shifts it by no more than its own size, and cannot make one if its range is below least_travel.
+// Cost:   one pass.
+std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& options = {});
+
+// Which way a testing machine counts: compression is negative in many an export, of the force, the displacement or both.
+
+struct Signs {
+  int displacement, force;  // 1: as a bending test counts, both positive in loading; -1: the other way
+};
+
+// The signs of a record, read off it as a whole.
+// Domain: columns of one length, finite, in any units; std::invalid_argument for different lengths.
+// Fails:  never: columns that do not change are taken as they are.
+// Method: a specimen between its supports only pushes back, so that the force of greatest magnitude is one of compression. The
+//         displacement advances from the least force before that one to it; after it, if the record begins with the greatest.
+//         Wrong for a record whose force is tared by more than it rises.
+Signs find_signs(std::span<const double> displacement, std::span<const double> force);
+
+// Which rows of a record say something new: loggers repeat rows, hold values, and interpolate between readings.
+
+struct Sampling {
+  std::vector<std::size_t> rows;  // those that count, rising; the first row of the record is one
+  std::size_t repeated;           // rows that say what the row before says
+  std::size_t held;               // rows whose force is that of the row before, while the displacement has moved on
+  std::size_t interpolated;       // rows between readings
+  std::size_t stride;             // of the rest one in so many counts
+};
+
+// Domain:     columns of one length; most >= 1: no more rows count.
+// Method:     Repeated rows never count. Held ones do not where they are a quarter of the rows above a twentieth of the greatest force, and
+//             forces change by more than four times their least change: a coarse converter repeats values, too, and means them. A
+//             record of which a tenth goes straight on from row to row, to 1e-7 of the greatest force, is interpolated: the rows at which
+//             it bends count, if they are a hundred.
+Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most);
+
 }  // namespace flexslip

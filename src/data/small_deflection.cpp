@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "data/line.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "data/estimate.h"
 #include "data/record.h"
 #include "data/section.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "case/problem.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

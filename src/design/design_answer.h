@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "bending_test/readings.h"
+#include "bending_test/design.h"
 #include "design/design_result.h"
 
 namespace flexslip {

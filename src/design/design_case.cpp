@@ -13,7 +13,7 @@
 #include "case/case_keys.h"
 #include "case/problem.h"
 #include "fibre/elastica.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -12,7 +12,7 @@
 #include "bending_test/design.h"
 #include "case/case_file.h"
 #include "data/scales.h"
-#include "data/surface_strain.h"
+#include "data/section.h"
 #include "design/design_parameter.h"
 #include "io/input_error.h"
 #include "io/quantity.h"

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/parallel.h"
 #include "io/text.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "case/case_keys.h"
 #include "fibre/elastica.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -1,6 +1,6 @@
 #include "design/outcome_fields.h"
 
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -18,7 +18,7 @@
 #include "io/input_error.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
-#include "result/json.h"
+#include "result/table.h"
 
 namespace flexslip {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "design/outcome_fields.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -45,7 +45,7 @@ HWY_AFTER_NAMESPACE();
 #include <string>
 
 #include "fibre/elastica.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -171,8 +171,7 @@ HWY_AFTER_NAMESPACE();
 #include <numbers>
 #include <utility>
 
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

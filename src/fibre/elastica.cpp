@@ -7,9 +7,8 @@
 #include <string>
 
 #include "fibre/elastica-inl.h"
-#include "fibre/elementary.h"
 #include "fibre/elliptic.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

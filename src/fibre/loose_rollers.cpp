@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "fibre/elementary.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 

@@ -1,11 +1,16 @@
 #include "fibre/state_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
+#include <mutex>
+#include <numeric>
 #include <vector>
 
 #include "fibre/cell_table.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -65,6 +70,254 @@ SlopeArrays tabulated_states_slopes(const FibrePoints& points) {
   for (std::size_t k = 0; k < columns.size(); ++k)
     for (std::size_t j = 0; j < rest.index.size(); ++j) columns[k][rest.index[j]] = from[k][j];
   return states;
+}
+
+namespace {
+
+using PairSlope = SupportedTables::PairSlope;
+using PairSlopes = SupportedTables::PairSlopes;
+
+constexpr double longest_way = 1.05;  // [√L] of the table by length (Fibre::way)
+constexpr std::size_t ways = 44;      // cells
+constexpr int most_rounds = 40;       // of Newton's iteration
+
+CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
+
+}  // namespace
+
+SupportedTables::PairSlopes::PairSlopes(std::size_t n) {
+  for (auto& column : columns) column.resize(n);
+}
+
+std::array<double*, 6> SupportedTables::PairSlopes::data() {
+  std::array<double*, 6> to{};
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] = columns[k].data();
+  return to;
+}
+
+SupportedTables::SupportedTables(const Supports& on)
+    : supports(on),
+      sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
+      contacts_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::Pn)),
+      bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)),
+      by_length_(CellTable::Along::length, {longest_way, ways, table_q.least, table_q.greatest, 48},
+                 [this](std::span<const double> x, std::span<const double> q) { return pair_by_length(x, q); }) {}
+
+// Nearer, the least length of each friction disturbs. It lies δ off that of the fibre hardly bent, about 6 q τ³ (theory.md), so that w holds a term of
+// 0.32 δ / x in the way x; over a cell of half width h that ends at x, polynomials of degree 7 err in 1/x² by 18 (h / 2x)^8 / x².
+double SupportedTables::smooth_from() const {
+  if (supports.half_depth == 0) return 1;
+  constexpr double error = 1e-12, q = 2, h = 0.5 * longest_way / ways, h2 = 0.25 * h * h;  // h2: (h/2)^2
+  const double tau = supports.half_depth, least = 6 * q * tau * tau * tau;
+  const double tenth_power = 18 * 0.32 * least * h2 * h2 * h2 * h2 / error;
+  const double way = elementary::exp(0.1 * elementary::log(tenth_power)) + 2 * h;  // where the cell begins
+  return least_length(supports) + way * way;
+}
+
+std::shared_ptr<const SupportedTables> SupportedTables::of(const Supports& supports) {
+  static std::mutex looking;
+  static std::deque<std::shared_ptr<const SupportedTables>> known;
+  constexpr std::size_t most = 16;
+  const std::scoped_lock lock(looking);
+  for (const auto& tables : known)
+    if (tables->supports.radius == supports.radius && tables->supports.half_depth == supports.half_depth) return tables;
+  known.push_front(std::make_shared<const SupportedTables>(supports));
+  if (known.size() > most) known.pop_back();
+  return known.front();
+}
+
+PairSlopes SupportedTables::sliding(std::span<const double> w, std::span<const double> q) const {
+  return slopes(sliding_, &SupportedState::slid, &SupportedState::F, w, q);
+}
+
+PairSlopes SupportedTables::contacts(std::span<const double> w, std::span<const double> q) const {
+  return slopes(contacts_, &SupportedState::theta0, &SupportedState::Pn, w, q);
+}
+
+PairSlope SupportedTables::sliding(double w, double q) const {
+  return slopes(sliding_, &SupportedState::slid, &SupportedState::F, w, q);
+}
+
+PairSlope SupportedTables::contacts(double w, double q) const {
+  return slopes(contacts_, &SupportedState::theta0, &SupportedState::Pn, w, q);
+}
+
+double SupportedTables::energy(double w, double q) const {
+  double U = 0, curvature = 0;
+  bent_.values(&w, &q, 1, &U, &curvature);
+  return std::isnan(U) ? state(w, q).U : U;
+}
+
+std::vector<double> SupportedTables::deflections(std::span<const double> S, std::span<const double> q) const {
+  return deflections(S, q, std::vector<double>(S.size(), not_a_number));
+}
+
+std::vector<double> SupportedTables::deflections(std::span<const double> S, std::span<const double> q,
+                                                 std::vector<double> w) const {
+  for (std::size_t i = 0; i < w.size(); ++i)
+    if (!(w[i] > 0 && w[i] < deepest_on_supports)) w[i] = shallow_deflection(S[i]);
+  std::vector<std::size_t> active(S.size());
+  std::iota(active.begin(), active.end(), 0);
+  for (int round = 0; round < most_rounds && !active.empty(); ++round) {
+    std::vector<double> w_now, q_now;
+    for (const std::size_t i : active) {
+      w_now.push_back(w[i]);
+      q_now.push_back(q[i]);
+    }
+    const PairSlopes at = sliding(w_now, q_now);
+    std::size_t left = 0;
+    for (std::size_t j = 0; j < active.size(); ++j) {
+      const std::size_t i = active[j];
+      const Step step = step_from(w[i], S[i], q[i], at.columns[0][j], at.columns[2][j]);
+      w[i] = step.w;
+      if (!step.is_last) active[left++] = i;
+    }
+    active.resize(left);
+  }
+  for (const std::size_t i : active) w[i] = beyond(S[i], q[i]);
+  return w;
+}
+
+double SupportedTables::deflection(double S, double q) const {
+  double w = shallow_deflection(S);
+  for (int round = 0; round < most_rounds; ++round) {
+    const PairSlope at = sliding(w, q);
+    const Step step = step_from(w, S, q, at[0], at[2]);
+    if (step.is_last) return step.w;
+    w = step.w;
+  }
+  return beyond(S, q);
+}
+
+double SupportedTables::shallow_deflection(double S) const {
+  const double tau = supports.half_depth;
+  return 1.25 * tau + std::sqrt(std::max((S - 1) / 2.4 + 1.5625 * tau * tau, 0.0));
+}
+
+// From a deflection whose length has this much beyond the span, and this slope.
+SupportedTables::Step SupportedTables::step_from(double w, double S, double q, double slid, double slid_w) const {
+  const double step = (S - 1 - slid) / slid_w;
+  constexpr double small = 1e-8;  // of the deflection: what is left is its square
+  if (!std::isfinite(step) || !(slid_w > 0)) return {beyond(S, q), true};
+  const double next = std::clamp(w + step, 0.5 * w, 2 * w);
+  if (!(next < deepest_on_supports)) return {not_a_number, true};
+  return {next, std::abs(step) <= small * next};
+}
+
+SupportedState SupportedTables::state(double w, double q) const {
+  if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q && w <= branch_end(q).w) {
+    const SupportedState led = state_led_on(w, q, supports);
+    // Leading on may lose a state that is there, of a fibre much bent.
+    return led.status == FibreStatus::ok ? led : state_on_supports(w, q, supports);
+  }
+  SupportedState none{};
+  none.status = FibreStatus::beyond_branch;
+  return none;
+}
+
+CellTable::Source SupportedTables::source(Field first, Field second) const {
+  return [this, first, second](std::span<const double> w, std::span<const double> q) {
+    CellTable::Pair pair;
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      const SupportedState at = state(w[i], q[i]);
+      const bool exists = at.status == FibreStatus::ok;
+      pair.first.push_back(exists ? at.*first / w[i] : not_a_number);
+      pair.second.push_back(exists ? at.*second / w[i] : not_a_number);
+    }
+    return pair;
+  };
+}
+
+PairSlopes SupportedTables::slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
+                                   std::span<const double> q) const {
+  PairSlopes at(w.size());
+  fill_slopes(table, first, second, w, q, at.data());
+  return at;
+}
+
+PairSlope SupportedTables::slopes(const CellTable& table, Field first, Field second, double w, double q) const {
+  PairSlope at{};
+  fill_slopes(table, first, second, {&w, 1}, {&q, 1}, {&at[0], &at[1], &at[2], &at[3], &at[4], &at[5]});
+  return at;
+}
+
+// Where a table has nothing, from states nearby.
+void SupportedTables::fill_slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
+                                  std::span<const double> q, const std::array<double*, 6>& columns) const {
+  table.slopes(w.data(), q.data(), w.size(), columns);
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (!std::isnan(columns[0][i])) continue;
+    const SupportedState here = state(w[i], q[i]);
+    if (here.status != FibreStatus::ok) continue;
+    constexpr double near = 1e-5;
+    const double dw = near * w[i], dq = near;
+    const auto slope = [&](Field field, double along_w, double along_q) {
+      const SupportedState ahead = state(w[i] + along_w, q[i] + along_q);
+      const SupportedState behind = state(w[i] - along_w, q[i] - along_q);
+      const bool has_ahead = ahead.status == FibreStatus::ok, has_behind = behind.status == FibreStatus::ok;
+      const double h = along_w + along_q;
+      if (has_ahead && has_behind) return (ahead.*field - behind.*field) / (2 * h);
+      return has_ahead ? (ahead.*field - here.*field) / h : (here.*field - behind.*field) / h;
+    };
+    const std::array values{here.*first,         here.*second,         slope(first, dw, 0),
+                            slope(first, 0, dq), slope(second, dw, 0), slope(second, 0, dq)};
+    for (std::size_t k = 0; k < values.size(); ++k) columns[k][i] = values[k];
+  }
+}
+
+// The more friction, the farther the branch goes (tests/fibre/supported_tables_test.cpp): none of this friction goes beyond that of the next
+// friction at which its end is known. So what has no state costs no search for one.
+SupportedTables::BranchEnd SupportedTables::branch_end(double q) const {
+  constexpr BranchEnd unknown{infinity, infinity};
+  if (!(q < table_q.greatest)) return unknown;
+  const double place = (q - table_q.least) / (table_q.greatest - table_q.least) * static_cast<double>(ends - 1);
+  const auto index = static_cast<std::size_t>(std::max(std::ceil(place), 0.0));
+  std::call_once(end_known_[index], [&] { ends_[index] = end_at(index); });
+  return ends_[index];
+}
+
+SupportedTables::BranchEnd SupportedTables::end_at(std::size_t index) const {
+  const double q =
+      table_q.least + (table_q.greatest - table_q.least) * static_cast<double>(index) / static_cast<double>(ends - 1);
+  const auto there = [&](double w) { return state_on_supports(w, q, supports); };
+  double low = 1.25 * supports.half_depth + 1e-3, high = deepest_on_supports;
+  if (there(high).status == FibreStatus::ok) return {infinity, infinity};
+  constexpr double close = 1e-6;  // [L] added to what exists
+  while (high - low > close) {
+    const double middle = 0.5 * (low + high);
+    (there(middle).status == FibreStatus::ok ? low : high) = middle;
+  }
+  // Close to its end the length may rise without bound: by no more than this it does where it is known.
+  const SupportedState last = there(low), before = there(low - close);
+  return {high, last.slid + 4 * std::abs(last.slid - before.slid) + close};
+}
+
+// By bisection, where Newton's iteration leads nowhere: close to the end of the branch.
+double SupportedTables::beyond(double S, double q) const {
+  if (S - 1 > branch_end(q).slid) return not_a_number;
+  double low = 1.25 * supports.half_depth, high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9;
+  const auto slid = [&](double w) {
+    const SupportedState at = state(w, q);
+    return at.status == FibreStatus::ok ? at.slid : not_a_number;
+  };
+  while (slid(high) < S - 1 && high < deepest_on_supports) high *= 1.1;
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+    (slid(middle) < S - 1 ? low : high) = middle;
+  const double reached = slid(low);
+  constexpr double close = 1e-10;  // of the length
+  return std::abs(reached - (S - 1)) <= close ? low : not_a_number;
+}
+
+CellTable::Pair SupportedTables::pair_by_length(std::span<const double> x, std::span<const double> q) const {
+  std::vector<double> S;
+  for (const double way : x) S.push_back(least_length(supports) + way * way);
+  CellTable::Pair pair{deflections(S, q), {}};
+  const PairSlopes at = sliding(pair.first, q);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    pair.first[i] = (pair.first[i] - least_w()) / x[i];
+    pair.second.push_back((at.columns[1][i] - least_F()) / x[i]);
+  }
+  return pair;
 }
 
 }  // namespace flexslip

@@ -8,9 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "fibre/elementary.h"
 #include "fibre/elliptic.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

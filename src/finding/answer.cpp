@@ -13,7 +13,7 @@
 #include "finding/digits.h"
 #include "finding/fit_findings.h"
 #include "finding/printed.h"
-#include "inference/process_search.h"
+#include "inference/process_mode.h"
 
 namespace flexslip {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "data/estimate.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 

@@ -4,13 +4,62 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "data/order.h"
+#include "bending_test/equilibrium.h"
+#include "data/contact.h"
 #include "fibre/elastica.h"
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
+#include "inference/profile.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
+
+bool may_slide(const Record& record, const Scales& scales, const Rig& rig, double bending_stiffness_error) {
+  const auto slides = [&](double stiffening) {
+    const ReducedRecord reduced = to_reduced(record, {scales.span(), stiffening * scales.bending_stiffness()});
+    const FrictionProfile profile = measure_friction(reduced, rig.in_units_of(stiffening), {}, judged_from);
+    const auto negative = static_cast<std::size_t>(std::count_if(
+        profile.points.begin(), profile.points.end(), [](const auto& point) { return point.mu < least_friction; }));
+    const std::size_t impossible = negative + profile.unexplained.size();
+    return 5 * impossible <= profile.points.size() + profile.unexplained.size();
+  };
+  const double within = elementary::exp(2 * bending_stiffness_error);
+  return slides(1) || slides(within) || slides(1 / within);
+}
+
+OverFrictionless over_frictionless(const ReducedRecord& record, const Fibre& fibre) {
+  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
+  if (!(deepest > judged_from)) return {};
+  constexpr int enough = 200;  // for the ratio to 1e-4
+  const auto frictionless = sliding_up_to(deepest, 0, enough, fibre);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < record.force.size(); ++i) {
+    if (!(record.deflection[i] > judged_from)) continue;
+    const double ratio = record.force[i] / force_at(frictionless, record.deflection[i]);
+    if (std::isfinite(ratio)) ratios.push_back(ratio);
+  }
+  if (ratios.empty()) return {};
+  return {.median = median_of(ratios), .least = *std::min_element(ratios.begin(), ratios.end())};
+}
+
+StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
+  const Contact contact = find_contact(record);
+  if (contact.status != ContactStatus::found || !(contact.slope.value > 0)) return {};
+  double work = 0;
+  double square = 0;
+  for (std::size_t i = contact.first; i < contact.last; ++i) {
+    work += record.force[i] * record.deflection[i];
+    square += record.deflection[i] * record.deflection[i];
+  }
+  constexpr double bend =
+      0.03;  // of the curve over these points, by friction and large deflection: the order of 2.4 q w at w = 0.03
+  return {.found = work > 0,
+          .value = work / square * span * span * span / 48,
+          .relative_error = elementary::length(
+              elementary::length(usual_stiffness_error, contact.slope.standard_error / contact.slope.value), bend)};
+}
+
 namespace {
 
 Replay replay_of(const TestAnalysis& analysis) {

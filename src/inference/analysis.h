@@ -8,21 +8,52 @@
 #include <vector>
 
 #include "bending_test/history.h"
+#include "bending_test/rig.h"
 #include "data/contact.h"
 #include "data/drops.h"
 #include "data/record.h"
 #include "data/scales.h"
-#include "fibre/limits.h"
 #include "inference/checks.h"
 #include "inference/fit.h"
-#include "inference/plausible_sliding.h"
 #include "inference/profile.h"
 #include "inference/slip_or_crack.h"
 #include "inference/slips.h"
-#include "inference/stiffness_from_slope.h"
 #include "inference/teeth.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
+
+// Can a record be sliding with friction at all?
+
+// Do four fifths of the points past the deflection judged_from have a friction of least_friction or more (profile.h), at the bending stiffness of
+// the scales or one that differs from it by twice its error?
+// Domain:     bending_stiffness_error >= 0 [1]; the stiffness of the rig is in units of the scales.
+bool may_slide(const Record& record, const Scales& scales, const Rig& rig, double bending_stiffness_error);
+
+// The force over that without friction at the same deflection, past the deflection judged_from.
+struct OverFrictionless {
+  double median = NAN, least = NAN;  // [1] NaN without such points
+};
+
+// Max error:  1e-4.
+OverFrictionless over_frictionless(const ReducedRecord& record, const Fibre& fibre);
+
+// The bending stiffness of a specimen, as far as it is known without a fit.
+
+// Bending stiffness from the initial slope, F = 48 EI w/L^3.
+struct StiffnessFromSlope {
+  bool found = false;  // the record has a straight rising beginning; nothing else is valid without
+  double value = 0;    // [N m^2] EI
+  // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %
+  double relative_error = 0;
+};
+
+// Domain:     stage and deflection counted from the contact; span [m] > 0.
+// Method:     force over deflection by least squares, through the contact, over the points that find_contact looks at.
+StiffnessFromSlope stiffness_from_slope(const Record& record, double span);
+
+// The uncertainty of a bending stiffness that is stated without one [1]: a data sheet and a diameter to 0.5 % give no better.
+inline constexpr double usual_stiffness_error = 0.03;
 
 // What is known of a test besides its record.
 struct TestDescription {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bending_test/portrait.h"
+#include "bending_test/history.h"
 
 namespace flexslip {
 namespace {

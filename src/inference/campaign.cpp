@@ -4,9 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
 #include "inference/implied_surface.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

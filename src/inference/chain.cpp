@@ -1,16 +1,269 @@
 #include "inference/chain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Cholesky>
 
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
-#include "inference/state_filter-inl.h"
+#include "data/names.h"
+#include "inference/matern.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
+
+// The Kalman filter whose state is a Matérn process, its derivatives and an AR(1) process: over doubles, or over numbers that carry derivatives.
+
+namespace {
+
+using Eigen::Index;
+using matern::exp;
+inline double log(double a) { return elementary::log(a); }
+inline double value_of(double a) { return a; }
+
+template <class T>
+struct Parameters {
+  T noise, correlation, roughness, rate;
+};
+
+Parameters<double> numbers_of(Kernel kernel, const Hyperparameters& at) {
+  return {at.noise, at.correlation, kernel == Kernel::none ? 0 : at.roughness,
+          kernel == Kernel::none ? 0 : matern::rate_of(kernel) / at.length};
+}
+
+// The filter's covariances: what it knows of the state before each look. G numbers of g, then e.
+template <int M, class T>
+class Covariances {
+ public:
+  static constexpr int G = M - 1;
+
+  explicit Covariances(const Parameters<T>& p) : p_(p) {
+    const T variance = p.roughness * p.roughness;
+    A_.at_.fill(T(0));
+    limit_.at_.fill(T(0));
+    if constexpr (G > 0) {
+      constexpr auto P = matern::stationary<G>();
+      for (int i = 0; i < G; ++i)
+        for (int j = 0; j < G; ++j) limit_(i, j) = variance * P(i, j);
+    }
+    limit_(G, G) = p.noise * p.noise;
+    P_ = limit_;
+  }
+
+  // To a look from the one before.
+  void advance(double distance, double rows) {
+    if constexpr (G > 0) {
+      const auto A = matern::transition_over<(G > 0 ? G : 1), T>(p_.rate * distance);
+      for (int i = 0; i < G; ++i)
+        for (int j = 0; j < G; ++j) A_(i, j) = A(i, j);
+    }
+    A_(G, G) = rows == 0 ? T(1) : rows == 1 ? p_.correlation : power(rows);
+    Square<M, T> half;  // A (P - P of the limit), which ends where nothing is known
+    for (int i = 0; i < M; ++i)
+      for (int j = 0; j < M; ++j) {
+        T sum(0);
+        if (i < G) {
+          for (int k = 0; k < G; ++k) sum = sum + A_(i, k) * (P_(k, j) - limit_(k, j));
+        } else {
+          sum = A_(G, G) * (P_(G, j) - limit_(G, j));
+        }
+        half(i, j) = sum;
+      }
+    for (int i = 0; i < M; ++i)
+      for (int j = i; j < M; ++j) {
+        T sum = limit_(i, j);
+        if (j < G) {
+          for (int k = 0; k < G; ++k) sum = sum + half(i, k) * A_(j, k);
+        } else {
+          sum = sum + half(i, G) * A_(G, G);
+        }
+        P_(i, j) = P_(j, i) = sum;
+      }
+  }
+
+  // The variance of what a look adds, and what it tells of the state.
+  T look(double D, double variance, std::array<T, M>& gain) {
+    std::array<T, M> PH;
+    for (int i = 0; i < M; ++i) PH[at(i)] = G > 0 ? P_(i, 0) + D * P_(i, G) : D * P_(i, G);
+    T innovation = (G > 0 ? PH[0] + D * PH[at(G)] : D * PH[at(G)]) + variance;
+    for (int i = 0; i < M; ++i) gain[at(i)] = PH[at(i)] / innovation;
+    for (int i = 0; i < M; ++i)
+      for (int j = i; j < M; ++j) P_(i, j) = P_(j, i) = P_(i, j) - gain[at(i)] * PH[at(j)];
+    return innovation;
+  }
+
+  const Square<M, T>& covariance() const { return P_; }
+  const Square<M, T>& transition() const { return A_; }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  T power(double rows) const { return value_of(p_.correlation) > 0 ? exp(T(rows) * log(p_.correlation)) : T(0); }
+
+  Parameters<T> p_;
+  Square<M, T> limit_, P_, A_;
+};
+
+// The states of many series at once, a row for each number of the state.
+template <int M, class T>
+class States {
+ public:
+  static constexpr int G = M - 1;
+
+  explicit States(std::size_t series) : n_(series), m_(static_cast<std::size_t>(M) * series, T(0)), next_(m_) {}
+
+  void advance(const Square<M, T>& A) {
+    for (int i = 0; i < G; ++i)
+      for (std::size_t c = 0; c < n_; ++c) {
+        T sum = A(i, 0) * row(0)[c];
+        for (int k = 1; k < G; ++k) sum = sum + A(i, k) * row(k)[c];
+        next_[static_cast<std::size_t>(i) * n_ + c] = sum;
+      }
+    for (std::size_t c = 0; c < n_; ++c) next_[static_cast<std::size_t>(G) * n_ + c] = A(G, G) * row(G)[c];
+    m_.swap(next_);
+  }
+
+  // What a look differs from what was expected, for one series.
+  T innovation(double value, double D, std::size_t c) const {
+    if constexpr (G > 0) return value - row(0)[c] - D * row(G)[c];
+    return value - D * row(G)[c];
+  }
+  void learn(const std::array<T, M>& gain, const T& v, std::size_t c) {
+    for (int i = 0; i < M; ++i) row(i)[c] = row(i)[c] + gain[static_cast<std::size_t>(i)] * v;
+  }
+  const std::vector<T>& all() const { return m_; }
+
+ private:
+  T* row(int i) { return m_.data() + static_cast<std::size_t>(i) * n_; }
+  const T* row(int i) const { return m_.data() + static_cast<std::size_t>(i) * n_; }
+
+  std::size_t n_;
+  std::vector<T> m_, next_;
+};
+
+// What a function makes of the size of the state.
+template <class Result, class Function>
+Result with_state_of(Kernel kernel, Function function) {
+  switch (kernel) {
+    case Kernel::none:
+      return function(std::integral_constant<int, 1>());
+    case Kernel::exponential:
+      return function(std::integral_constant<int, 2>());
+    case Kernel::matern_3_2:
+      return function(std::integral_constant<int, 3>());
+    case Kernel::matern_5_2:
+      break;
+  }
+  return function(std::integral_constant<int, 4>());
+}
+
+using Eigen::Index;
+constexpr double log_two_pi = 1.8378770664093454836;
+
+void require(bool ok, const char* name, double value) {
+  if (!ok) throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + " is out of range");
+}
+
+}  // namespace
+
+std::string_view name_of(Kernel kernel) {
+  return name_in_order<Kernel::matern_5_2>(kernel, {"none", "exponential", "matern_3_2", "matern_5_2"});
+}
+
+void require_domain(const Looks& looks, Kernel kernel, const Hyperparameters& at) {
+  require(at.noise >= 0, "noise", at.noise);
+  require(at.correlation >= 0 && at.correlation < 1, "correlation", at.correlation);
+  if (kernel != Kernel::none) {
+    require(at.roughness > 0, "roughness", at.roughness);
+    require(at.length > 0, "correlation length", at.length);
+  }
+  require(looks.prior.size() <= most_columns, "columns", static_cast<double>(looks.prior.size()));
+  if (looks.values.size() != looks.looks.size() || looks.columns.size() != looks.looks.size())
+    throw std::invalid_argument("the columns of the looks differ in length");
+}
+
+Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
+                         double log_variances, double seen, const std::vector<double>& prior) {
+  Regression r;
+  r.information = products;
+  double log_prior = 0;
+  for (std::size_t j = 0; j < prior.size(); ++j) {
+    r.information(static_cast<Index>(j), static_cast<Index>(j)) += 1 / prior[j];
+    log_prior += elementary::log(prior[j]);
+  }
+  r.factor.compute(r.information);
+  r.beta = r.factor.solve(with_y);
+  r.log_determinant = log_variances + log_prior;
+  for (Index j = 0; j < r.information.rows(); ++j) r.log_determinant += 2 * elementary::log(r.factor.matrixLLT()(j, j));
+  r.log_likelihood = -0.5 * (seen * log_two_pi + y_squared - r.beta.dot(with_y) + r.log_determinant);
+  return r;
+}
+
+CoefficientMatrix covariance_of(const Regression& regression) {
+  const Index p = regression.beta.size();
+  return regression.factor.solve(CoefficientMatrix::Identity(p, p));
+}
+
+namespace {
+
+std::size_t counting(Kernel kernel) { return kernel == Kernel::none ? 2 : 4; }
+
+}  // namespace
+
+Hyperparameters hyperparameters_of(const Theta& theta) {
+  return {.noise = elementary::exp(theta.values[0]),
+          .correlation = most_correlation / (1 + elementary::exp(-theta.values[1])),
+          .roughness = elementary::exp(theta.values[2]),
+          .length = elementary::exp(theta.values[3])};
+}
+
+ThetaPrior ThetaPrior::of(double range, double noise) {
+  // Roughness that explained what is noise would leave none: second differences say how much there is, to a factor.
+  constexpr double least_of_seen = 0.2;
+  const double least_noise = std::max(0.0005, least_of_seen * noise);
+  const double log_noise = elementary::log(least_noise), log_range = elementary::log(range);
+  return {.mean = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)},
+          .deviation = {1, 1.5, 1, 1.2},
+          .least = {log_noise, -6, elementary::log(0.001), log_range - 6},
+          .greatest = {std::max(elementary::log(0.5), log_noise + 1), 6, elementary::log(0.6), log_range + 1}};
+}
+
+Theta ThetaPrior::usual(std::span<const double> log_wavelengths) const {
+  Theta theta{};
+  std::copy(mean.begin(), mean.end(), theta.values.begin());
+  for (const double value : log_wavelengths) theta.values[4 + theta.waves++] = value;
+  return theta;
+}
+
+void ThetaPrior::bound(Theta& theta) const {
+  for (std::size_t i = 0; i < 4; ++i) theta.values[i] = std::clamp(theta.values[i], least[i], greatest[i]);
+}
+
+double ThetaPrior::log_density(Kernel kernel, const Theta& theta) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < counting(kernel); ++i) {
+    const double z = (theta.values[i] - mean[i]) / deviation[i];
+    sum -= 0.5 * z * z;
+  }
+  return sum;
+}
+
+double ThetaPrior::log_scale(Kernel kernel) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < counting(kernel); ++i)
+    sum -= elementary::log(deviation[i]) + 0.5 * elementary::log(2 * std::numbers::pi);
+  return sum;
+}
+
+double ThetaPrior::slope(const Theta& theta, std::size_t i) const {
+  return -(theta.values[i] - mean[i]) / (deviation[i] * deviation[i]);
+}
 
 Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : looks_(looks) {
   require_domain(looks, kernel, at);
@@ -220,6 +473,226 @@ std::vector<SmoothedLook> Chain::smoothed() const {
     }
   }
   return result;
+}
+
+namespace {
+
+// A number with its derivatives to ln σ, ρ, ln σ_g and ln ℓ.
+struct Dual {
+  double value;
+  Eigen::Array4d d;
+
+  Dual() = default;    // of no value, as a double
+  Dual(double number)  // NOLINT(google-explicit-constructor): a number is one with no derivative
+      : value(number), d(Eigen::Array4d::Zero()) {}
+  Dual(double number, Index of) : Dual(number) { d[of] = 1; }
+  Dual(double number, Eigen::Array4d derivatives) : value(number), d(std::move(derivatives)) {}
+
+  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.d + b.d}; }
+  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.d - b.d}; }
+  friend Dual operator*(const Dual& a, const Dual& b) { return {a.value * b.value, a.d * b.value + b.d * a.value}; }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const double inverse = 1 / b.value;
+    const double quotient = a.value * inverse;
+    return {quotient, (a.d - b.d * quotient) * inverse};
+  }
+};
+
+Dual exp(const Dual& a) {
+  const double value = elementary::exp(a.value);
+  return {value, a.d * value};
+}
+Dual log(const Dual& a) { return {elementary::log(a.value), a.d / a.value}; }
+Dual sqrt(const Dual& a) {
+  const double root = std::sqrt(a.value);
+  return {root, a.d / (2 * root)};
+}
+double value_of(const Dual& a) { return a.value; }
+
+Parameters<Dual> duals_of(Kernel kernel, const Hyperparameters& at) {
+  const auto p = numbers_of(kernel, at);
+  Parameters<Dual> duals{p.noise, Dual(p.correlation, 1), p.roughness, p.rate};
+  duals.noise.d[0] = p.noise;
+  duals.roughness.d[2] = p.roughness;
+  duals.rate.d[3] = -p.rate;
+  return duals;
+}
+
+template <int M>
+LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+                                 std::span<const double> wavelengths) {
+  const std::size_t columns = looks.prior.size();
+  const std::size_t waves = wavelengths.size();
+  // y, the columns, and the derivatives of those of waves.
+  const std::size_t series = 1 + columns + 2 * waves;
+  Covariances<M, Dual> covariances(duals_of(kernel, at));
+  States<M, Dual> states(series);
+  std::array<Dual, M> gain;
+  std::vector<Dual> v(series);
+  std::vector<Dual> products(series * series, Dual(0));  // upper triangle
+  elementary::LogProduct variances;
+  Eigen::Array4d log_variances_d = Eigen::Array4d::Zero();
+  double seen = 0;
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    const Look& look = looks.looks[k];
+    if (k > 0) {
+      covariances.advance(look.place - looks.looks[k - 1].place, look.rows);
+      states.advance(covariances.transition());
+    }
+    if (!is_seen(look)) continue;
+    const Dual s = covariances.look(look.noise_gain, look.variance, gain);
+    variances.multiply(s.value);
+    log_variances_d += s.d / s.value;
+    seen += 1;
+    const Coefficients& h = looks.columns[k];
+    const Dual scale = Dual(1) / sqrt(s);
+    for (std::size_t c = 0; c < series; ++c) {
+      double value = c == 0 ? looks.values[k] : c <= columns ? h[static_cast<Index>(c - 1)] : 0;
+      if (c > columns) {  // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
+        const std::size_t wave = (c - columns - 1) / 2;
+        const bool of_cosine = (c - columns - 1) % 2 == 0;
+        const auto first = static_cast<Index>(columns - 2 * waves + 2 * wave);
+        const double phase = 2 * std::numbers::pi * look.place / wavelengths[wave];
+        value = of_cosine ? phase * h[first + 1] : -phase * h[first];
+      }
+      v[c] = states.innovation(value, look.noise_gain, c);
+      states.learn(gain, v[c], c);
+      v[c] = v[c] * scale;
+    }
+    for (std::size_t a = 0; a < 1 + columns; ++a)
+      for (std::size_t b = a; b < series; ++b) products[a * series + b] = products[a * series + b] + v[a] * v[b];
+  }
+  const auto product = [&](std::size_t a, std::size_t b) -> const Dual& {
+    return products[std::min(a, b) * series + std::max(a, b)];
+  };
+  const auto p = static_cast<Index>(columns);
+  CoefficientMatrix BB(p, p);
+  Coefficients By(p);
+  for (std::size_t i = 0; i < columns; ++i) {
+    By[static_cast<Index>(i)] = product(0, i + 1).value;
+    for (std::size_t j = 0; j < columns; ++j)
+      BB(static_cast<Index>(i), static_cast<Index>(j)) = product(i + 1, j + 1).value;
+  }
+  const auto r = regression_of(BB, By, product(0, 0).value, variances.value(), seen, looks.prior);
+  const CoefficientMatrix covariance = covariance_of(r);
+  LikelihoodGradient result{.value = r.log_likelihood, .hyperparameters = {}, .log_wavelengths = {}};
+  for (Index t = 0; t < 4; ++t) {
+    double d = -0.5 * (log_variances_d[t] + product(0, 0).d[t]);
+    for (std::size_t i = 0; i < columns; ++i) {
+      const auto row = static_cast<Index>(i);
+      d += r.beta[row] * product(0, i + 1).d[t];
+      for (std::size_t j = 0; j < columns; ++j) {
+        const auto column = static_cast<Index>(j);
+        d -= 0.5 * (r.beta[row] * r.beta[column] + covariance(row, column)) * product(i + 1, j + 1).d[t];
+      }
+    }
+    result.hyperparameters[static_cast<std::size_t>(t)] = d;
+  }
+  for (std::size_t wave = 0; wave < waves; ++wave) {
+    double d = 0;
+    for (std::size_t part = 0; part < 2; ++part) {
+      const auto column = static_cast<Index>(columns - 2 * waves + 2 * wave + part);
+      const std::size_t derivative = 1 + columns + 2 * wave + part;
+      d += r.beta[column] * product(0, derivative).value;
+      for (std::size_t j = 0; j < columns; ++j) {
+        const auto other = static_cast<Index>(j);
+        d -= (r.beta[column] * r.beta[other] + covariance(other, column)) * product(j + 1, derivative).value;
+      }
+    }
+    result.log_wavelengths[wave] = d;
+  }
+  return result;
+}
+
+}  // namespace
+
+LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+                                       std::span<const double> wavelengths) {
+  require_domain(looks, kernel, at);
+  if (wavelengths.size() > 2 || 2 * wavelengths.size() > looks.prior.size())
+    throw std::invalid_argument(std::to_string(wavelengths.size()) +
+                                " waves, more than two or than the columns are of");
+  return with_state_of<LikelihoodGradient>(
+      kernel, [&](auto M) { return gradient_with<decltype(M)::value>(looks, kernel, at, wavelengths); });
+}
+
+namespace {
+
+// The process drawn beforehand, at given β: g and e at each look.
+template <int M>
+void draw_states(const Looks& looks, const Parameters<double>& p, NormalSource& normal, Drawn& drawn) {
+  constexpr int G = M - 1;
+  constexpr int size = G > 0 ? G : 1;
+  using Matrix = Square<size, double>;
+  Matrix limit{};
+  if constexpr (G > 0) {
+    constexpr auto P = matern::stationary<G>();
+    for (int i = 0; i < G; ++i)
+      for (int j = 0; j < G; ++j) limit(i, j) = p.roughness * p.roughness * P(i, j);
+  }
+  const auto some = [&](const Matrix& covariance) {
+    Few<size> z, out{};
+    for (double& value : z) value = normal();
+    Matrix L = covariance;  // whose lower triangle Cholesky's becomes
+    for (int i = 0; i < size; ++i) L(i, i) += 1e-14 * p.roughness * p.roughness;  // rounding makes no variance negative
+    for (int k = 0; k < size; ++k) {
+      double squares = 0;
+      for (int j = 0; j < k; ++j) squares += L(k, j) * L(k, j);
+      if (!(L(k, k) - squares > 0)) return Few<size>{};
+      L(k, k) = std::sqrt(L(k, k) - squares);
+      for (int i = k + 1; i < size; ++i) {
+        double products = 0;
+        for (int j = 0; j < k; ++j) products += L(i, j) * L(k, j);
+        L(i, k) = (L(i, k) - products) / L(k, k);
+      }
+    }
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j <= i; ++j) out[static_cast<std::size_t>(i)] += L(i, j) * z[static_cast<std::size_t>(j)];
+    return out;
+  };
+  Few<size> g = G > 0 ? some(limit) : Few<size>{};
+  double e = p.noise * normal();
+  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
+    const Look& look = looks.looks[k];
+    if (k > 0) {
+      if constexpr (G > 0) {
+        const Matrix A = matern::transition_over<G, double>(p.rate * (look.place - looks.looks[k - 1].place));
+        Matrix added = product(product(A, limit), transposed(A));
+        for (std::size_t i = 0; i < added.at_.size(); ++i) added.at_[i] = limit.at_[i] - added.at_[i];
+        g = product(A, g);
+        const auto more = some(added);
+        for (std::size_t i = 0; i < size; ++i) g[i] += more[i];
+      }
+      if (look.rows > 0) {
+        const double kept = p.correlation > 0 ? elementary::exp(look.rows * elementary::log(p.correlation)) : 0;
+        e = kept * e + std::sqrt(1 - kept * kept) * p.noise * normal();
+      }
+    }
+    drawn.f[k] += g[0];
+    drawn.values[k] = drawn.f[k] + look.noise_gain * e + (is_seen(look) ? std::sqrt(look.variance) * normal() : 0);
+  }
+}
+
+}  // namespace
+
+double NormalSource::operator()() {
+  const auto uniform = [&] { return (static_cast<double>(generator_() >> 11) + 0.5) * 0x1p-53; };
+  const double radius = std::sqrt(-2 * elementary::log(uniform()));
+  return radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
+}
+
+Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& at, NormalSource& normal) {
+  require_domain(looks, kernel, at);
+  const std::size_t n = looks.looks.size();
+  Drawn drawn{.beta = Coefficients(static_cast<Index>(looks.prior.size())),
+              .f = std::vector<double>(n),
+              .values = std::vector<double>(n)};
+  for (std::size_t j = 0; j < looks.prior.size(); ++j)
+    drawn.beta[static_cast<Index>(j)] = std::sqrt(looks.prior[j]) * normal();
+  for (std::size_t k = 0; k < n; ++k) drawn.f[k] = looks.columns[k].dot(drawn.beta);
+  with_state_of<void>(kernel,
+                      [&](auto M) { draw_states<decltype(M)::value>(looks, numbers_of(kernel, at), normal, drawn); });
+  return drawn;
 }
 
 }  // namespace flexslip

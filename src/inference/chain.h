@@ -3,16 +3,98 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <random>
 #include <span>
 #include <variant>
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Dense>
 
-#include "inference/looks.h"
-#include "inference/square.h"
+#include "inference/kernel.h"
+#include "inference/matern.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
+
+// A Gaussian process along the fibre, seen at many places through autocorrelated noise.
+//
+// At place x_i the value y_i = h_i'β + g(x_i) + D_i e_i + ε_i is seen: h_i known, β ~ N(0, diag(prior)), g of a Matérn kernel, e an AR(1)
+// process over the rows of the record with variance σ², ε_i ~ N(0, variance_i).
+
+inline constexpr int most_columns = 16;
+
+using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_columns, 1>;
+using CoefficientMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_columns, most_columns>;
+
+// One place where the process is seen.
+struct Look {
+  double place;       // [L] x
+  double rows;        // rows of the record since the last look; 0 where this one is no reading
+  double noise_gain;  // [L^2/EI] D; 0 where it is no reading
+  double variance;    // [1] of ε; infinite where nothing is seen
+
+  bool is_reading() const { return noise_gain != 0; }
+};
+
+struct Looks {
+  std::vector<Look> looks;            // places not falling
+  std::vector<double> values;         // [1] y
+  std::vector<Coefficients> columns;  // h
+  std::vector<double> prior;          // [1] variances of β
+};
+
+inline bool is_seen(const Look& look) { return look.variance < infinity; }
+
+// Domain of all that looks at them: noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, at most
+// most_columns columns, all of one length: std::invalid_argument otherwise.
+void require_domain(const Looks& looks, Kernel kernel, const Hyperparameters& at);
+
+// The regression on the whitened columns: what is left of y, and of β.
+struct Regression {
+  CoefficientMatrix information;  // B'B + 1/prior
+  Eigen::LLT<CoefficientMatrix> factor;
+  Coefficients beta;
+  double log_likelihood, log_determinant;
+};
+
+Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
+                         double log_variances, double seen, const std::vector<double>& prior);
+
+CoefficientMatrix covariance_of(const Regression& regression);  // [1] of β
+
+// The hyperparameters of friction along a fibre as they are sought: on scales without ends, with what is expected of them beforehand.
+
+inline constexpr std::size_t most_waves = 2;
+
+// ln σ, logit ρ/0.95, ln σ_g, ln ℓ, then ln λ of each wave.
+struct Theta {
+  std::array<double, 4 + most_waves> values;
+  std::size_t waves = 0;
+
+  std::size_t size() const { return 4 + waves; }
+  double log_wavelength(std::size_t wave) const { return values[4 + wave]; }
+};
+
+Hyperparameters hyperparameters_of(const Theta& theta);
+
+inline constexpr double most_correlation = 0.95;  // ρ, of the noise of one reading with the next
+
+// Of the first four: normal, within bounds.
+struct ThetaPrior {
+  std::array<double, 4> mean, deviation, least, greatest;
+
+  // Of readings over a range [L] of lengths, whose noise [1] of μ is about that.
+  static ThetaPrior of(double range, double noise);
+
+  Theta usual(std::span<const double> log_wavelengths = {}) const;
+  void bound(Theta& theta) const;
+  // Relative to its greatest; and the logarithm of that. Those of roughness count where there is a kernel.
+  double log_density(Kernel kernel, const Theta& theta) const;
+  double log_scale(Kernel kernel) const;
+  double slope(const Theta& theta, std::size_t i) const;  // of log_density
+};
 
 // What all looks together say of one.
 struct SmoothedLook {
@@ -77,5 +159,39 @@ class Chain {
   double log_likelihood_ = 0;
   double log_determinant_ = 0;
 };
+
+// The likelihood of what is seen of a Gaussian process, with its gradient.
+
+struct LikelihoodGradient {
+  double value;                           // ln p(y)
+  std::array<double, 4> hyperparameters;  // its derivatives to ln σ, ρ, ln σ_g and ln ℓ
+  std::array<double, 2>
+      log_wavelengths;  // and to ln λ of each wave: waves are the last pairs of columns, cos(2πx/λ) and sin(2πx/λ)
+};
+
+// Domain:     as require_domain; wavelengths: at most two [L], > 0.
+// Method:     the filter on dual numbers; exact up to rounding.
+LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+                                       std::span<const double> wavelengths);
+
+// A Gaussian process drawn from what is expected of it beforehand.
+
+// Standard normal numbers, the same on every machine.
+class NormalSource {
+ public:
+  explicit NormalSource(std::uint64_t seed) : generator_(seed) {}
+  double operator()();
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+// The process with all that the looks would see of it, drawn from what is expected beforehand.
+struct Drawn {
+  Coefficients beta;
+  std::vector<double> f;       // h'β + g at each look
+  std::vector<double> values;  // y
+};
+Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& at, NormalSource& normal);
 
 }  // namespace flexslip

@@ -7,12 +7,10 @@
 #include <string>
 
 #include "data/names.h"
-#include "data/order.h"
-#include "fibre/chi_squared.h"
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
-#include "inference/prior_draw.h"
+#include "inference/chain.h"
 #include "inference/process_posterior.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {

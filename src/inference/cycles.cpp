@@ -3,20 +3,642 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Dense>
 
-#include "data/order.h"
+#include "bending_test/rig.h"
+#include "data/record.h"
 #include "fibre/elastica.h"
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
-#include "inference/mirror.h"
 #include "inference/profile.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
+
+namespace flexslip::loops {
+
+// The points of a cyclic record, each as friction at a length of the fibre, for some bending stiffness and contact: which loop they belong
+// to, and whether the fibre slides there.
+
+struct Calibration {
+  double log_stiffness;
+  std::vector<double> contact;  // [L] of each column
+};
+
+// A point of the record under a calibration, with the slopes of q.
+struct Point {
+  std::size_t index, leg;
+  double stage, S, q;  // contact taken off; true scales
+  double q_log_stiffness, q_contact, q_force;
+  double stick_rate;  // dq/d(stage) at fixed S
+  bool slides;
+};
+
+// A loading and the unloading after it.
+struct LoopLegs {
+  std::optional<std::size_t> loading, unloading;
+  std::size_t column;  // of its contact
+};
+
+// Standard deviation of one reading, from second differences within the legs: no smooth curve passes for noise.
+double reading_noise(const ReducedRecord& record, std::span<const Leg> legs);
+
+std::vector<LoopLegs> pair_legs(std::span<const Leg> legs);
+
+// The points of a record under a calibration; `columns` are the contacts of its legs.
+std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double least_deflection,
+                          std::span<const Leg> legs, const Calibration& calibration,
+                          std::span<const std::size_t> columns);
+
+// Of each leg the first point in `points`, and the end.
+std::vector<std::size_t> leg_starts(std::span<const Point> points, std::size_t legs);
+
+// Marks the points that stick after the turn at which a leg begins, if the fibre was in contact there. A record that begins by
+// unloading begins at a turn.
+void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double force_noise);
+
+// That of nothing is 0.
+double median_or_zero(std::vector<double> values);
+
+// The points of a loop that slide, by length: as both directions at the same places, and as one friction that all of them support.
+
+inline constexpr double least_noise = 1e-9;  // [1] of q: keeps the filter regular for records without noise
+
+// Sorted by S: one loop's points that slide.
+struct Row {
+  double side;                 // +1 in, -1 out
+  double S, variance_of_unit;  // of y, for force noise 1
+  std::array<double, 3> y;     // side q, and its regressors: ln EI, contact
+};
+struct Block {
+  std::vector<Row> rows;
+  std::size_t column;
+  double roughness;  // [1/L] variance of μ per length
+  double range;      // [L]
+};
+
+// Of a force reading [EI/L^2], and of the difference of the directions [1] with its correlation length [L].
+struct Noise {
+  double force, difference, length;
+};
+
+std::vector<Block> make_blocks(std::span<const Point> points, std::span<const LoopLegs> loops, std::size_t legs,
+                               double force_noise);
+
+// Both directions at the same places.
+struct Pairs {
+  std::vector<double> S, in, out;
+  std::vector<std::array<double, 2>> in_slopes, out_slopes;  // of μ to ln EI and contact
+  std::vector<double> noise_of_unit;                         // variance of in - out, for force noise 1
+};
+
+// Points sliding out, paired with the points sliding in around them where these leave no gap, averaged over places.
+Pairs pair_directions(const Block& block);
+
+// Friction at the rows of a block, as all of them support it: ±q = μ(S) ± δ(S)/2 + noise with μ a random walk, by a Kalman filter
+// along S and Rauch, Tung & Striebel's smoother on the way back.
+struct Smoothed {
+  std::vector<Eigen::Vector3d> mu;  // and its regressors to ln EI and contact
+  std::vector<double> variance;
+};
+
+Smoothed smooth(const Block& block, const Noise& noise);
+
+// Bending stiffness and contacts at which loading and unloading are mirror images: by least squares, and the noise by its likelihood.
+
+// A step of the unknowns: ln EI, the contacts, and the mean difference of the directions if that is asked for.
+struct NormalStep {
+  Eigen::VectorXd step;
+  Eigen::MatrixXd covariance;
+  double objective;  // -2 log of the restricted likelihood
+};
+
+// A loop whose directions passed the same places.
+struct Mirror {
+  Pairs places;
+  std::size_t column;  // of the contact
+  double range;        // [L]
+};
+
+// Least squares over all mirrored loops in ln EI, the contacts and, with `differences` = 1, the mean difference of the directions.
+class Estimator {
+ public:
+  Estimator(std::span<const Mirror> mirrors, const Calibration& calibration, const CyclesOptions& options)
+      : mirrors_(mirrors), calibration_(calibration), options_(options) {}
+
+  NormalStep estimate(const Noise& noise, Eigen::Index differences) const;
+
+ private:
+  std::span<const Mirror> mirrors_;
+  const Calibration& calibration_;
+  const CyclesOptions& options_;
+};
+
+// Maximises the restricted likelihood over the logarithms of the noise, by steps along each that shrink to 5 %.
+Noise likely_noise(const Estimator& estimator, const Noise& start, double reading, double shortest, double longest);
+
+namespace {
+
+// Slope of q on the stage over points [first, last); NaN where the stage stands still.
+double slope_of_q(std::span<const Point> points, std::size_t first, std::size_t last) {
+  // From the first position on: where the stage stands still, all are zero, and so is their mean.
+  const auto travel = [&](std::size_t i) { return points[i].stage - points[first].stage; };
+  double x = 0, y = 0;
+  for (std::size_t i = first; i < last; ++i) x += travel(i), y += points[i].q;
+  const auto n = static_cast<double>(last - first);
+  x /= n;
+  y /= n;
+  double xx = 0, xy = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    xx += (travel(i) - x) * (travel(i) - x);
+    xy += (travel(i) - x) * (points[i].q - y);
+  }
+  return xx > 0 ? xy / xx : not_a_number;
+}
+
+}  // namespace
+
+double median_or_zero(std::vector<double> values) { return values.empty() ? 0 : median_of(std::move(values)); }
+
+double reading_noise(const ReducedRecord& record, std::span<const Leg> legs) {
+  std::vector<double> bends;
+  for (const auto& leg : legs)
+    for (std::size_t i = leg.first + 1; i + 1 < leg.last; ++i)
+      bends.push_back(std::abs(record.force[i - 1] - 2 * record.force[i] + record.force[i + 1]));
+  return median_or_zero(bends) / (0.6745 * std::sqrt(6.0));
+}
+
+std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
+  std::vector<LoopLegs> loops;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (legs[i].direction == Direction::loading)
+      loops.push_back({i, std::nullopt, loops.size()});
+    else if (loops.empty())
+      loops.push_back({std::nullopt, i, 0});
+    else
+      loops.back().unloading = i;
+  }
+  return loops;
+}
+
+std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double least_deflection,
+                          std::span<const Leg> legs, const Calibration& calibration,
+                          std::span<const std::size_t> columns) {
+  std::vector<Point> points;
+  points.reserve(record.force.size());
+  const double scale = elementary::exp(-calibration.log_stiffness);  // of forces
+  const double c = 1 / (rig.stiffness * scale);
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    const double contact = calibration.contact[columns[leg]];
+    for (std::size_t i = legs[leg].first; i < legs[leg].last; ++i) {
+      const double w = record.deflection[i] - contact;
+      const double F = record.force[i] * scale;
+      if (!(w > least_deflection && F > 0)) continue;
+      const auto state = rig.fibre.state_from_force(w, F);
+      if (state.status != FibreStatus::ok) continue;
+      const auto d = rig.fibre.state_slopes(state.S, state.q).slopes;
+      // The inverse of the Jacobian of Ψ: its second row.
+      const double jacobian = d.w_S * d.F_q - d.w_q * d.F_S;
+      const double q_F = d.w_S / jacobian;
+      const double q_w = -d.F_S / jacobian;
+      points.push_back({.index = i,
+                        .leg = leg,
+                        .stage = record.stage[i] - contact,
+                        .S = state.S,
+                        .q = state.q,
+                        .q_log_stiffness = -F * q_F,
+                        .q_contact = -q_w,
+                        .q_force = (q_F - q_w * c) * scale,  // at the stage position imposed
+                        .stick_rate = 1 / (d.w_q + c * d.F_q),
+                        .slides = true});
+    }
+  }
+  return points;
+}
+
+std::vector<std::size_t> leg_starts(std::span<const Point> points, std::size_t legs) {
+  std::vector<std::size_t> starts;
+  starts.reserve(legs + 1);
+  for (std::size_t leg = 0; leg <= legs; ++leg)
+    starts.push_back(static_cast<std::size_t>(
+        std::partition_point(points.begin(), points.end(), [&](const Point& point) { return point.leg < leg; }) -
+        points.begin()));
+  return starts;
+}
+
+void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double force_noise) {
+  const auto starts = leg_starts(points, legs.size());
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    const std::size_t first = starts[leg];
+    const std::size_t last = starts[leg + 1];
+    if (first == last || points[first].index != legs[leg].first) continue;
+    if (leg == 0 && legs[leg].direction == Direction::loading) continue;
+    if (leg > 0 && (first == 0 || points[first - 1].index + 1 != legs[leg].first)) continue;
+    const Point& turn = points[leg > 0 ? first - 1 : first];
+    const double rate = turn.stick_rate;
+    std::vector<double> steps;
+    for (std::size_t i = first + 1; i < last; ++i) steps.push_back(std::abs(points[i].stage - points[i - 1].stage));
+    const double step = median_or_zero(steps);
+    // Points in a window whose slope is known to an eighth of the rate: its standard error is σ/step √(12/m³).
+    const double ratio = 8 * force_noise * std::abs(turn.q_force) / (rate * step);
+    const double needed = std::cbrt(12 * ratio * ratio);
+    const auto window =
+        step > 0 ? std::max<std::size_t>(4, static_cast<std::size_t>(std::min(std::ceil(needed), 1e4))) : last - first;
+    std::size_t slides_from = last;
+    for (std::size_t i = first; i + window < last; ++i)
+      if (slope_of_q(points, i, i + window + 1) < 0.25 * rate) {
+        // By a third of the window it may still stick: there the slope of a bent line falls to a quarter.
+        slides_from = i + window / 3 + 1;
+        break;
+      }
+    for (std::size_t i = first; i < slides_from; ++i) points[i].slides = false;
+  }
+}
+
+namespace {
+
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t most_places = 100;  // of a loop: finer than bumps, coarser than readings
+
+}  // namespace
+
+std::vector<Block> make_blocks(std::span<const Point> points, std::span<const LoopLegs> loops, std::size_t legs,
+                               double force_noise) {
+  const auto starts = leg_starts(points, legs);
+  std::vector<Block> blocks;
+  for (const auto& loop : loops) {
+    Block block{.rows = {}, .column = loop.column, .roughness = 0, .range = 0};
+    double variation = 0, noise = 0, length = 0;
+    const auto add = [&](std::size_t leg, double side) {
+      for (std::size_t i = starts[leg]; i < starts[leg + 1]; ++i) {
+        const Point& point = points[i];
+        if (!point.slides) continue;
+        const double unit = point.q_force * point.q_force;
+        block.rows.push_back(
+            {side, point.S, unit, {side * point.q, -side * point.q_log_stiffness, -side * point.q_contact}});
+        if (i == starts[leg] || !points[i - 1].slides) continue;
+        variation += std::pow(point.q - points[i - 1].q, 2);
+        noise += force_noise * force_noise * (unit + points[i - 1].q_force * points[i - 1].q_force);
+        length += std::abs(point.S - points[i - 1].S);
+      }
+    };
+    if (loop.loading) add(*loop.loading, 1);
+    if (loop.unloading) add(*loop.unloading, -1);
+    std::stable_sort(block.rows.begin(), block.rows.end(), [](const Row& a, const Row& b) { return a.S < b.S; });
+    if (!block.rows.empty()) block.range = block.rows.back().S - block.rows.front().S;
+    // Rather too rough, which only widens the band of μ, than too smooth, which would bend μ.
+    if (length > 0)
+      block.roughness = std::max({variation - noise, 0.1 * variation, least_noise * least_noise}) / length;
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+Pairs pair_directions(const Block& block) {
+  std::vector<const Row*> in, out;
+  for (const auto& row : block.rows) (row.side > 0 ? in : out).push_back(&row);
+  Pairs places;
+  if (in.size() < 2 || out.size() < 2) return places;
+  std::vector<double> gaps;
+  gaps.reserve(in.size());
+  for (std::size_t i = 1; i < in.size(); ++i) gaps.push_back(in[i]->S - in[i - 1]->S);
+  const double widest = 8 * median_or_zero(gaps);  // wider ones are snaps, within which nothing was measured
+
+  const double low = std::max(in.front()->S, out.front()->S);
+  const double high = std::min(in.back()->S, out.back()->S);
+  if (!(high > low)) return places;
+  const auto count = std::clamp<std::size_t>(std::min(in.size(), out.size()) / 2, 1, most_places);
+  const double width = (high - low) / static_cast<double>(count);
+  std::size_t place = nowhere;
+  double members = 0;
+  double brackets = 0;     // of points sliding in
+  double in_variance = 0;  // sums over the members
+  double out_variance = 0;
+  const Row* bracket = nullptr;
+  const auto close = [&] {
+    if (place == nowhere) return;
+    const auto scale = [&](double& sum) { sum /= members; };
+    scale(places.S.back());
+    scale(places.in.back());
+    scale(places.out.back());
+    for (double& sum : places.in_slopes.back()) scale(sum);
+    for (double& sum : places.out_slopes.back()) scale(sum);
+    places.noise_of_unit.push_back((in_variance / brackets + out_variance / members) / members);
+  };
+  for (const Row* row : out) {
+    if (row->S < low || row->S > high) continue;
+    const auto after = std::lower_bound(in.begin(), in.end(), row->S, [](const Row* a, double S) { return a->S < S; });
+    if (after == in.begin() || after == in.end()) continue;
+    const Row& b = **after;
+    const Row& a = **(after - 1);
+    if (b.S - a.S > widest || !(b.S > a.S)) continue;
+    const double t = (row->S - a.S) / (b.S - a.S);
+    const auto between = [&](std::size_t j) { return (1 - t) * a.y[j] + t * b.y[j]; };
+    const auto here = std::min(static_cast<std::size_t>((row->S - low) / width), count - 1);
+    if (here != place) {
+      close();
+      place = here;
+      members = brackets = in_variance = out_variance = 0;
+      bracket = nullptr;
+      places.S.push_back(0);
+      places.in.push_back(0);
+      places.out.push_back(0);
+      places.in_slopes.push_back({});
+      places.out_slopes.push_back({});
+    }
+    ++members;
+    places.S.back() += row->S;
+    places.in.back() += between(0);
+    places.out.back() += row->y[0];
+    for (std::size_t j = 0; j < 2; ++j) {
+      places.in_slopes.back()[j] -= between(j + 1);  // y holds regressors, minus the slopes
+      places.out_slopes.back()[j] -= row->y[j + 1];
+    }
+    out_variance += row->variance_of_unit;
+    in_variance += (1 - t) * a.variance_of_unit + t * b.variance_of_unit;
+    if (bracket != &a) ++brackets;
+    bracket = &a;
+  }
+  close();
+  return places;
+}
+
+Smoothed smooth(const Block& block, const Noise& noise) {
+  struct Step {
+    Eigen::Matrix<double, 2, 3> predicted, mean;  // of (μ, δ)
+    Eigen::Matrix2d predicted_covariance, covariance, transition;
+  };
+  constexpr double diffuse = 1e4;  // variance of μ before the first row: friction is below 100
+  const double power = noise.difference * noise.difference;
+  const std::size_t n = block.rows.size();
+  std::vector<Step> steps;
+  steps.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Row& row = block.rows[i];
+    Step step;
+    if (i == 0) {
+      step.transition.setIdentity();
+      step.predicted.setZero();
+      step.predicted_covariance << diffuse, 0, 0, power;
+    } else {
+      const double distance = row.S - block.rows[i - 1].S;
+      const double decay = elementary::exp(-distance / noise.length);
+      step.transition << 1, 0, 0, decay;
+      step.predicted = step.transition * steps.back().mean;
+      step.predicted_covariance = step.transition * steps.back().covariance * step.transition;
+      step.predicted_covariance(0, 0) += block.roughness * distance;
+      step.predicted_covariance(1, 1) += power * (1 - decay * decay);
+    }
+    const Eigen::Vector2d h(1, 0.5 * row.side);
+    const Eigen::Vector2d Ph = step.predicted_covariance * h;
+    const double variance = h.dot(Ph) + noise.force * noise.force * row.variance_of_unit + least_noise * least_noise;
+    const Eigen::RowVector3d y(row.y[0], row.y[1], row.y[2]);
+    step.mean = step.predicted + Ph * (y - h.transpose() * step.predicted) / variance;
+    step.covariance = step.predicted_covariance - Ph * Ph.transpose() / variance;
+    steps.push_back(step);
+  }
+  Smoothed result{std::vector<Eigen::Vector3d>(n), std::vector<double>(n)};
+  for (std::size_t i = n; i-- > 0;) {
+    if (i + 1 < n) {
+      const Step& next = steps[i + 1];
+      const Eigen::Matrix2d gain = steps[i].covariance * next.transition * next.predicted_covariance.inverse();
+      steps[i].mean += gain * (next.mean - next.predicted);
+      steps[i].covariance += gain * (next.covariance - next.predicted_covariance) * gain.transpose();
+    }
+    result.mu[i] = steps[i].mean.row(0).transpose();
+    result.variance[i] = std::max(steps[i].covariance(0, 0), 0.0);
+  }
+  return result;
+}
+
+}  // namespace flexslip::loops
+
+namespace flexslip {
+namespace {
+
+constexpr double lost_degrees = 6;  // of freedom: three for the trend, three of Fisher's transform
+constexpr double normal_95 = 1.959964;
+
+void require(bool holds, const char* what, double value) {
+  if (!holds) throw std::invalid_argument(std::string(what) + ": " + std::to_string(value));
+}
+
+std::vector<double> without_trend(std::span<const double> S, std::span<const double> values,
+                                  std::span<const double> weights) {
+  const auto n = static_cast<Eigen::Index>(S.size());
+  const double middle = 0.5 * (S.front() + S.back());
+  const double half = 0.5 * (S.back() - S.front());
+  Eigen::MatrixXd A(n, 3);
+  Eigen::VectorXd b(n);
+  Eigen::VectorXd root(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double x = (S[at] - middle) / half;
+    A.row(i) << 1, x, x * x;
+    b[i] = values[at];
+    root[i] = std::sqrt(weights[at]);
+  }
+  const Eigen::MatrixXd weighted = root.asDiagonal() * A;
+  const Eigen::VectorXd rest = b - A * weighted.colPivHouseholderQr().solve(root.cwiseProduct(b));
+  return {rest.data(), rest.data() + n};
+}
+
+}  // namespace
+
+double effective_count(std::span<const double> a, std::span<const double> b) {
+  const auto autocovariance = [](std::span<const double> x, std::size_t lag) {
+    double sum = 0;
+    for (std::size_t i = lag; i < x.size(); ++i) sum += x[i] * x[i - lag];
+    return sum;
+  };
+  const double a0 = autocovariance(a, 0);
+  const double b0 = autocovariance(b, 0);
+  const auto n = static_cast<double>(a.size());
+  if (!(a0 > 0 && b0 > 0)) return n;
+  double sum = 0;
+  for (std::size_t lag = 1; lag < a.size(); ++lag) {
+    const double ra = autocovariance(a, lag) / a0;
+    const double rb = autocovariance(b, lag) / b0;
+    if (ra <= 0 || rb <= 0) break;
+    sum += ra * rb;
+  }
+  return n / (1 + 2 * sum);
+}
+
+BumpCorrelation together(std::span<const BumpCorrelation> loops) {
+  double sum = 0, weights = 0, points = 0;
+  for (const auto& loop : loops) {
+    const double weight = loop.effective_points - lost_degrees;
+    if (!(weight > 1) || std::isnan(loop.value)) continue;
+    sum += weight * std::atanh(loop.value);
+    weights += weight;
+    points += loop.effective_points;
+  }
+  if (!(weights > 0)) return {not_a_number, not_a_number, not_a_number, 0};
+  const double z = sum / weights;
+  const double half = normal_95 / std::sqrt(weights);
+  return {std::tanh(z), std::tanh(z - half), std::tanh(z + half), points};
+}
+
+BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const double> in, std::span<const double> out,
+                                std::span<const double> noise) {
+  const std::size_t n = S.size();
+  if (in.size() != n || out.size() != n || noise.size() != n)
+    throw std::invalid_argument(
+        "bumps are correlated at places with one length, two values and their noise: there are " + std::to_string(n) +
+        ", " + std::to_string(in.size()) + ", " + std::to_string(out.size()) + " and " + std::to_string(noise.size()));
+  for (std::size_t i = 0; i < n; ++i) {
+    require(i == 0 || S[i] > S[i - 1], "the lengths at which bumps are correlated must rise", S[i]);
+    require(noise[i] >= 0, "a variance of noise must be >= 0", noise[i]);
+  }
+  if (n < least_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
+  std::vector<double> weights(n, 1.0);
+  auto a = without_trend(S, in, weights);
+  auto b = without_trend(S, out, weights);
+  // Places count by what they tell: the noise of some, near contact, exceeds all bumps.
+  std::vector<double> squares;
+  squares.reserve(2 * n);
+  for (const double value : a) squares.push_back(value * value);
+  for (const double value : b) squares.push_back(value * value);
+  const double spread =
+      loops::median_or_zero(squares) / 0.455;  // 0.455 is the median of the square of a standard normal
+  if (!(spread > 0)) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
+  for (std::size_t i = 0; i < n; ++i) weights[i] = spread / (spread + noise[i]);
+  a = without_trend(S, in, weights);
+  b = without_trend(S, out, weights);
+  double ab = 0, aa = 0, bb = 0, total = 0, total_squares = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    ab += weights[i] * a[i] * b[i];
+    aa += weights[i] * a[i] * a[i];
+    bb += weights[i] * b[i] * b[i];
+    total += weights[i];
+    total_squares += weights[i] * weights[i];
+    a[i] *= std::sqrt(weights[i]);
+    b[i] *= std::sqrt(weights[i]);
+  }
+  const double count = effective_count(a, b) * total * total / (total_squares * static_cast<double>(n));
+  const double r = aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
+  // With no degree of freedom left, nothing is known: the interval is all of [-1, 1].
+  const double half = normal_95 / std::sqrt(std::max(count - lost_degrees, std::numeric_limits<double>::min()));
+  const double z = std::atanh(r);
+  return {r, std::tanh(z - half), std::tanh(z + half), count};
+}
+
+}  // namespace flexslip
+
+namespace flexslip::loops {
+namespace {
+
+struct Information {
+  Eigen::Matrix4d gram = Eigen::Matrix4d::Zero();
+  double log_determinant = 0;
+};
+
+// The differences in - out at the places of a loop and their regressors, whitened: an Ornstein-Uhlenbeck process seen through
+// noise, by a Kalman filter along S.
+Information whiten(const Pairs& places, const Noise& noise) {
+  Information information;
+  const double power = noise.difference * noise.difference;
+  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+  double variance = power;
+  for (std::size_t i = 0; i < places.S.size(); ++i) {
+    if (i > 0) {
+      const double decay = elementary::exp(-(places.S[i] - places.S[i - 1]) / noise.length);
+      mean *= decay;
+      variance = decay * decay * variance + power * (1 - decay * decay);
+    }
+    const double total = variance + noise.force * noise.force * places.noise_of_unit[i] + least_noise * least_noise;
+    const auto& in = places.in_slopes[i];
+    const auto& out = places.out_slopes[i];
+    const Eigen::Vector4d y(places.in[i] - places.out[i], out[0] - in[0], out[1] - in[1], 1);
+    const Eigen::Vector4d innovation = y - mean;
+    information.gram.noalias() += innovation * innovation.transpose() / total;
+    information.log_determinant += elementary::log(total);
+    mean += variance / total * innovation;
+    variance -= variance * variance / total;
+  }
+  return information;
+}
+
+}  // namespace
+
+NormalStep Estimator::estimate(const Noise& noise, Eigen::Index differences) const {
+  const auto contacts = static_cast<Eigen::Index>(calibration_.contact.size());
+  const Eigen::Index n = 1 + contacts + differences;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
+  double squares = 0, log_determinant = 0;
+  for (const auto& mirror : mirrors_) {
+    const auto information = whiten(mirror.places, noise);
+    const std::array<Eigen::Index, 3> at{0, 1 + static_cast<Eigen::Index>(mirror.column), 1 + contacts};
+    const Eigen::Index used = 2 + differences;
+    for (Eigen::Index i = 0; i < used; ++i) {
+      b[at[static_cast<std::size_t>(i)]] += information.gram(0, i + 1);
+      for (Eigen::Index j = 0; j < used; ++j)
+        A(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]) += information.gram(i + 1, j + 1);
+    }
+    squares += information.gram(0, 0);
+    log_determinant += information.log_determinant;
+  }
+  const auto add_prior = [&](Eigen::Index i, double value, double deviation) {
+    A(i, i) += 1 / (deviation * deviation);
+    b[i] -= value / (deviation * deviation);
+    squares += value * value / (deviation * deviation);
+  };
+  add_prior(0, calibration_.log_stiffness, options_.stiffness_error);
+  for (Eigen::Index i = 0; i < contacts; ++i)
+    add_prior(1 + i, calibration_.contact[static_cast<std::size_t>(i)], options_.contact_error);
+  if (differences > 0) add_prior(1 + contacts, 0, 1);  // a mean difference beyond 1 is none of friction
+  const Eigen::LDLT<Eigen::MatrixXd> factors(A);
+  NormalStep result{.step = factors.solve(b), .covariance = {}, .objective = 0};
+  result.covariance = factors.solve(Eigen::MatrixXd::Identity(n, n));
+  for (Eigen::Index i = 0; i < n; ++i) log_determinant += elementary::log(std::abs(factors.vectorD()[i]));
+  result.objective = log_determinant + squares - b.dot(result.step);
+  return result;
+}
+
+Noise likely_noise(const Estimator& estimator, const Noise& start, double reading, double shortest, double longest) {
+  const std::array<double, 3> low{elementary::log(reading + 1e-12), elementary::log(1e-5), elementary::log(shortest)};
+  const std::array<double, 3> high{elementary::log(1e2 * reading + 1e-9), elementary::log(2.0),
+                                   elementary::log(longest)};
+  std::array<double, 3> at{elementary::log(start.force + 1e-11), elementary::log(start.difference),
+                           elementary::log(start.length)};
+  const auto noise_at = [](const std::array<double, 3>& x) {
+    return Noise{elementary::exp(x[0]), elementary::exp(x[1]), elementary::exp(x[2])};
+  };
+  for (std::size_t i = 0; i < 3; ++i) at[i] = std::clamp(at[i], low[i], high[i]);
+  double best = estimator.estimate(noise_at(at), 0).objective;
+  std::array<double, 3> step{0.5, 0.8, 0.8};
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      bool moved = false;
+      for (const double sign : {1.0, -1.0}) {
+        auto trial = at;
+        trial[i] = std::clamp(at[i] + sign * step[i], low[i], high[i]);
+        if (trial[i] == at[i]) continue;
+        const double objective = estimator.estimate(noise_at(trial), 0).objective;
+        if (!(objective < best)) continue;
+        best = objective;
+        at = trial;
+        step[i] *= sign;  // go on this way first
+        moved = true;
+        break;
+      }
+      step[i] *= moved ? 1.4 : 0.4;
+    }
+    if (std::all_of(step.begin(), step.end(), [](double s) { return std::abs(s) < 0.05; })) break;
+  }
+  return noise_at(at);
+}
+
+}  // namespace flexslip::loops
 
 namespace flexslip {
 namespace {
@@ -25,10 +647,6 @@ using namespace loops;
 constexpr std::size_t least_points = 20;
 constexpr std::size_t settling = 5;  // iterations after which it is fixed which points slide
 constexpr std::size_t most_iterations = 40;
-
-void require(bool holds, const char* what, double value) {
-  if (!holds) throw std::invalid_argument(std::string(what) + ": " + std::to_string(value));
-}
 
 double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

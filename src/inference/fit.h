@@ -9,13 +9,83 @@
 #include <string_view>
 #include <vector>
 
+#include "bending_test/rig.h"
 #include "contact/friction.h"
-#include "data/estimate.h"
-#include "fibre/contact_travel.h"
-#include "inference/explanation.h"
-#include "inference/fit_problem.h"
+#include "data/record.h"
+#include "fibre/fibre.h"
+#include "inference/kernel.h"
+#include "inference/profile.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
+
+// Ways in which friction along a fibre may explain a record, and what comes of them together.
+
+// A wave of friction, (4.25).
+struct WaveEstimate {
+  Estimate amplitude;        // [1] A, relative to mu0
+  Estimate wavelength;       // [L] λ
+  Estimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
+  Estimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not
+  Estimate height{};  // [L] amplitude of the surface wave that would show it: A μ λ/(2π (1 + μ²)), μ of the mean
+};
+
+// What a record says of a parameter beside what was known beforehand: their quotient is the record's own.
+struct Marginal {
+  NormalMixture posterior;
+  double prior_mean, prior_deviation;  // of a normal distribution
+};
+
+// One explanation among those that the answer averages over.
+struct Explanation {
+  Kernel kernel;
+  std::vector<double> wavelengths;  // [L] of its waves
+  double log_evidence;
+  double log_likelihood;  // where its posterior is greatest
+  double weight;          // [1] of all; they add up to 1
+};
+
+struct ScannedWave {
+  double wavelength;  // [L]
+  double gain;        // of the logarithm of the evidence, by a wave added to what explains the record without one
+};
+
+// Friction along the fibre seen: at each of many lengths what is known of it.
+struct ProfileBand {
+  std::vector<double> S;                // [L] drawn in, rising
+  std::vector<double> mean, deviation;  // [1]
+};
+
+// What is fitted: a record, the rig it was taken on, and what limits its accuracy.
+
+// Units: reduced, with the nominal bending stiffness.
+struct FitProblem {
+  ReducedRecord record;  // one loading, up to the failure; stage rising
+  Rig rig;
+  MeasurementErrors errors;  // bending_stiffness is the standard deviation of its prior: 0 if it is exact
+};
+
+// Without deflections beyond 0.8.
+// Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3;
+//             std::invalid_argument otherwise.
+FitProblem usable_part(const FitProblem& whole);
+
+// Of a record of so many points, which are fitted: every so many, so that there are at most 1200.
+std::size_t thinning_of(std::size_t points);
+FitProblem thinned(const FitProblem& problem);
+
+// Constant friction by least squares in the force at the measured deflections.
+
+struct ConstantFit {
+  double mu0;             // [1]
+  double standard_error;  // [1] of the residuals, allowing for their correlation, and of the bending stiffness
+};
+
+// The bending stiffness is taken as nominal, and its error carried into the interval: given the freedom, a constant would bend
+// it to suit the roughness.
+// Domain:     as fit_friction.
+// Method:     Gauss-Newton; autocovariance of the scores tapered (Newey & West) over a tenth of the record.
+ConstantFit fit_constant(const FitProblem& problem);
 
 enum class ProfileModel {
   roughness,  // a mean, a drift, a random roughness, and one wave where the evidence claims it

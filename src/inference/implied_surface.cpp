@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "data/distributions.h"
-#include "fibre/elementary.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
 #include "surface/height_trace.h"
 #include "surface/slope_friction.h"
 

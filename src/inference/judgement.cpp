@@ -4,12 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bending_test/critical_stiffness.h"
+#include "bending_test/design.h"
 #include "bending_test/equilibrium.h"
 #include "data/loading_stiffness.h"
 #include "data/names.h"
-#include "data/order.h"
-#include "fibre/elementary.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {

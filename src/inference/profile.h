@@ -13,6 +13,7 @@
 #include "data/drops.h"
 #include "data/record.h"
 #include "fibre/supported_state.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 
@@ -86,5 +87,23 @@ struct SuspectReport {
   std::size_t above_euler_bernoulli = 0;  // the paper's criterion: points past 0.1 with F > 48 w
 };
 SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit = 1.0);
+
+// The length pulled in as a camera saw it, against what the force says.
+
+struct ImagedPoint {
+  std::size_t index;  // in the record
+  double inferred;    // [L] S - 1, from the force
+  double imaged;      // [L]
+};
+
+struct ImagedLength {
+  std::vector<ImagedPoint> points;  // of the profile that were imaged
+  Estimate
+      offset;  // [L] median of inferred less imaged, its error if the points erred independently; NaN without points
+  double scatter;  // [L] about it, 1.48 times the median absolute deviation
+};
+
+// Domain:     pulled_in [L] of each point of the record, NaN where it was not imaged.
+ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const double> pulled_in);
 
 }  // namespace flexslip

@@ -11,10 +11,9 @@
 
 #include "data/names.h"
 #include "fibre/batch_inverse.h"
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
 #include "fibre/state_table.h"
-#include "inference/chebyshev_series.h"
+#include "numerics/elementary.h"
+#include "numerics/polynomial.h"
 
 namespace flexslip {
 namespace {

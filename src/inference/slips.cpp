@@ -5,9 +5,8 @@
 #include <numeric>
 
 #include "data/names.h"
-#include "data/order.h"
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 

@@ -8,13 +8,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "data/distributions.h"
-#include "data/line.h"
 #include "data/names.h"
-#include "fibre/chi_squared.h"
 #include "fibre/elastica.h"
-#include "fibre/elementary.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {

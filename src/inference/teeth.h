@@ -17,9 +17,9 @@
 
 #include "bending_test/rig.h"
 #include "data/drops.h"
-#include "data/estimate.h"
 #include "data/record.h"
 #include "inference/profile.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
 #include "instruments/column_unit.h"
 #include "io/input_error.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 

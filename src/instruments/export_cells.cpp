@@ -1,6 +1,6 @@
 #include "instruments/export_cells.h"
 
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 

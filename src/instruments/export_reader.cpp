@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
 #include "instruments/column_decisions.h"
 #include "instruments/column_flags.h"
 #include "instruments/column_unit.h"
@@ -27,6 +26,7 @@
 #include "io/input_error.h"
 #include "io/text.h"
 #include "io/workbook.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

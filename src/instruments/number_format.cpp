@@ -9,9 +9,9 @@
 
 #include <fast_float/fast_float.h>
 
-#include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/text.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

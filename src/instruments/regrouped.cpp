@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "fibre/limits.h"
 #include "instruments/number_format.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -24,7 +24,7 @@
 #include "report/campaign_xlsx.h"
 #include "report/page.h"
 #include "report/report.h"
-#include "result/json.h"
+#include "result/table.h"
 
 namespace flexslip {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/quantity.h"
-#include "surface/resolution.h"
+#include "surface/texture.h"
 
 namespace flexslip {
 

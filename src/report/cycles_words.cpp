@@ -13,8 +13,8 @@
 #include "answers/cycles_fields.h"
 #include "answers/fit_fields.h"
 #include "data/names.h"
-#include "fibre/limits.h"
 #include "io/quantity.h"
+#include "numerics/elementary.h"
 #include "report/field_table.h"
 
 namespace flexslip {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
 #include "io/text_table.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "inference/analysis_curves.h"
-#include "inference/process_search.h"
+#include "inference/process_mode.h"
 #include "report/fit_print.h"
 #include "report/fit_words.h"
 #include "report/marks.h"

@@ -12,7 +12,7 @@
 #include "finding/answer.h"
 #include "finding/digits.h"
 #include "finding/printed.h"
-#include "inference/process_search.h"
+#include "inference/process_mode.h"
 #include "io/quantity.h"
 #include "report/cycles_words.h"
 

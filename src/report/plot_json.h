@@ -2,7 +2,7 @@
 #pragma once
 
 #include "report/plot.h"
-#include "result/json.h"
+#include "result/table.h"
 
 namespace flexslip {
 

@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
+#include "io/text_file.h"
 #include "io/text_table.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -139,6 +140,10 @@ ResultTable in_best_units(ResultTable table) {
     for (auto& row : table.rows) row[i] = from_si(std::get<double>(row[i]), scale);
   }
   return table;
+}
+
+void write_json(const std::string& path, const Json& json) {
+  write_text(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");  // file names may be no UTF-8
 }
 
 }  // namespace flexslip

@@ -80,4 +80,10 @@ TableUnit best_unit_of(std::vector<double> values, const Kind& kind);
 // Domain:     units in SI.
 ResultTable in_best_units(ResultTable table);
 
+// Answers as JSON, for machines. Keys keep their order; numbers read back to the same bits; what does not exist is null.
+
+// Writes indented JSON to a file; "-" is standard output.
+// Fails:      InputError if not all could be written.
+void write_json(const std::string& path, const Json& json);
+
 }  // namespace flexslip

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "fibre/elementary.h"
-#include "surface/fourier.h"
+#include "numerics/elementary.h"
+#include "numerics/fourier.h"
 
 namespace flexslip {
 

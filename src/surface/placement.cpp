@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "fibre/elementary.h"
-#include "surface/fourier.h"
-#include "surface/waves_in_trace.h"
+#include "numerics/elementary.h"
+#include "numerics/fourier.h"
+#include "surface/texture.h"
 
 namespace flexslip {
 namespace {

@@ -1,5 +1,3 @@
-#include "bending_test/cracking_fibre.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -1,14 +1,13 @@
-#include "bending_test/critical_stiffness.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <doctest/doctest.h>
 
+#include "bending_test/design.h"
 #include "bending_test/rig.h"
 #include "fibre/elastica.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 #include "tests/approximately.h"
 #include "tests/fig_8.h"
 #include "tests/generators.h"

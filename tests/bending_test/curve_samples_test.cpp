@@ -1,10 +1,10 @@
-#include "bending_test/curve_samples.h"
-
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include <doctest/doctest.h>
+
+#include "bending_test/sliding_table.h"
 
 namespace flexslip {
 namespace {

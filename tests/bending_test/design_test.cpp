@@ -10,7 +10,7 @@
 #include "bending_test/history.h"
 #include "contact/over_rollers.h"
 #include "fibre/elastica.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 #include "tests/approximately.h"
 #include "tests/fig_8.h"
 #include "tests/generators.h"

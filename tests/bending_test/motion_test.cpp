@@ -13,7 +13,7 @@
 #include <doctest/doctest.h>
 
 #include "fibre/elastica.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 #include "tests/approximately.h"
 #include "tests/bending_test/some_programme.h"
 #include "tests/generators.h"

@@ -1,5 +1,3 @@
-#include "bending_test/reach.h"
-
 #include <cmath>
 
 #include <doctest/doctest.h>

@@ -1,11 +1,10 @@
-#include "bending_test/sliding_ladder.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
+#include "bending_test/sliding_table.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {

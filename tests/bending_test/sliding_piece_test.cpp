@@ -1,5 +1,3 @@
-#include "bending_test/sliding_piece.h"
-
 #include <cmath>
 #include <numbers>
 

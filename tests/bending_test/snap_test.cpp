@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/motion.h"
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 #include "tests/approximately.h"
 #include "tests/generators.h"
 

@@ -1,8 +1,8 @@
-#include "bending_test/stage_steps.h"
-
 #include <stdexcept>
 
 #include <doctest/doctest.h>
+
+#include "bending_test/history.h"
 
 namespace flexslip {
 

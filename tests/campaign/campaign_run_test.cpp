@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "campaign/campaign_store.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"

@@ -1,10 +1,9 @@
-#include "campaign/campaign_store.h"
-
 #include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
 
+#include "campaign/campaign_run.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 

@@ -1,10 +1,9 @@
-#include "campaign/shared_parameters.h"
-
 #include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
 
+#include "campaign/campaign.h"
 #include "tests/refusal.h"
 
 namespace flexslip {

@@ -1,5 +1,3 @@
-#include "contact/capped.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -7,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
+#include "contact/over_rollers.h"
 
 namespace flexslip {
 

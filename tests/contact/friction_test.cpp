@@ -12,7 +12,7 @@
 
 #include <doctest/doctest.h>
 
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 #include "tests/fibre/instruction_sets.h"
 #include "tests/generators.h"
 #include "tests/unit.h"

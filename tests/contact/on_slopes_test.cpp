@@ -1,10 +1,9 @@
-#include "contact/on_slopes.h"
-
 #include <memory>
 
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
+#include "contact/over_rollers.h"
 #include "contact/two_supports.h"
 #include "tests/has.h"
 #include "tests/refusal.h"

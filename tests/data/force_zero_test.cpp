@@ -1,5 +1,3 @@
-#include "data/force_zero.h"
-
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -7,6 +5,8 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+
+#include "data/contact.h"
 
 using namespace flexslip;
 

@@ -1,11 +1,11 @@
-#include "data/legs.h"
-
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
+
+#include "data/record.h"
 
 namespace flexslip {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 #include "tests/data/straight_test.h"
 
 using namespace flexslip;

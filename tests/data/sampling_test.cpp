@@ -1,5 +1,3 @@
-#include "data/sampling.h"
-
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -7,6 +5,8 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+
+#include "data/record.h"
 
 namespace flexslip {
 namespace {

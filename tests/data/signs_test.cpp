@@ -1,11 +1,11 @@
-#include "data/signs.h"
-
 #include <cmath>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
 #include <doctest/doctest.h>
+
+#include "data/record.h"
 
 using namespace flexslip;
 

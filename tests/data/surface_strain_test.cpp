@@ -1,7 +1,6 @@
-#include "data/surface_strain.h"
-
 #include <doctest/doctest.h>
 
+#include "data/section.h"
 #include "fibre/elastica.h"
 #include "tests/approximately.h"
 

@@ -1,10 +1,9 @@
 // Where the contacts are along the specimen.
-#include "fibre/contact_travel.h"
-
 #include <cmath>
 
 #include <doctest/doctest.h>
 
+#include "fibre/fibre.h"
 #include "tests/approximately.h"
 
 namespace flexslip {

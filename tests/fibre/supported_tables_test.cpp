@@ -1,5 +1,3 @@
-#include "fibre/supported_tables.h"
-
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "fibre/fibre.h"
+#include "fibre/state_table.h"
 #include "tests/approximately.h"
 #include "tests/generators.h"
 

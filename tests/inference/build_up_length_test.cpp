@@ -1,5 +1,3 @@
-#include "inference/build_up_length.h"
-
 #include <cmath>
 #include <cstdint>
 #include <memory>

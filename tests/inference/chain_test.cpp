@@ -9,9 +9,6 @@
 #include <Eigen/Dense>
 #include <doctest/doctest.h>
 
-#include "inference/likelihood_gradient.h"
-#include "inference/prior_draw.h"
-
 namespace flexslip {
 namespace {
 

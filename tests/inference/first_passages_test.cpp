@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
-#include "data/order.h"
 #include "fibre/elastica.h"
+#include "numerics/statistics.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "inference/prior_draw.h"
+#include "inference/chain.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"
 

@@ -1,10 +1,10 @@
-#include "inference/imaged_length.h"
-
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include <doctest/doctest.h>
+
+#include "inference/profile.h"
 
 namespace flexslip {
 

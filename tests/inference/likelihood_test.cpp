@@ -1,11 +1,10 @@
-#include "inference/likelihood.h"
-
 #include <cmath>
 #include <vector>
 
 #include <doctest/doctest.h>
 
-#include "fibre/limits.h"
+#include "inference/population.h"
+#include "numerics/elementary.h"
 #include "tests/refusal.h"
 
 namespace flexslip {

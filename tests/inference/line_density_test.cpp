@@ -1,12 +1,11 @@
-#include "inference/line_density.h"
-
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include <doctest/doctest.h>
 
-#include "fibre/limits.h"
+#include "inference/population.h"
+#include "numerics/elementary.h"
 #include "tests/refusal.h"
 
 namespace flexslip {

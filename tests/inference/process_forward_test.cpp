@@ -1,5 +1,3 @@
-#include "inference/process_forward.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
+#include "inference/process_posterior.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "fibre/elementary.h"
-#include "inference/prior_draw.h"
+#include "inference/chain.h"
+#include "numerics/elementary.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {

@@ -1,9 +1,8 @@
-#include "inference/process_search.h"
-
 #include <cmath>
 
 #include <doctest/doctest.h>
 
+#include "inference/process_mode.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {

@@ -1,13 +1,11 @@
-#include "inference/shared_parameter.h"
-
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include <doctest/doctest.h>
 
-#include "fibre/limits.h"
-#include "inference/likelihood.h"
+#include "inference/population.h"
+#include "numerics/elementary.h"
 #include "tests/refusal.h"
 
 namespace flexslip {

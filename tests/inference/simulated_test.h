@@ -10,7 +10,7 @@
 #include "bending_test/history.h"
 #include "data/record.h"
 #include "data/scales.h"
-#include "inference/fit_problem.h"
+#include "inference/fit.h"
 
 namespace flexslip {
 

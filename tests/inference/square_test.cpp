@@ -1,9 +1,9 @@
-#include "inference/square.h"
-
 #include <random>
 
 #include <Eigen/Core>
 #include <doctest/doctest.h>
+
+#include "inference/matern.h"
 
 namespace flexslip {
 namespace {

@@ -1,9 +1,8 @@
-#include "inference/stiffness_from_slope.h"
-
 #include <cmath>
 
 #include <doctest/doctest.h>
 
+#include "inference/analysis.h"
 #include "tests/approximately.h"
 
 namespace flexslip {

@@ -1,9 +1,8 @@
-#include "inference/theta.h"
-
 #include <cmath>
 
 #include <doctest/doctest.h>
 
+#include "inference/chain.h"
 #include "tests/approximately.h"
 
 namespace flexslip {

@@ -7,7 +7,7 @@
 #include "answers/campaign_fields.h"
 #include "io/child_process.h"
 #include "io/input_error.h"
-#include "result/json.h"
+#include "result/table.h"
 #include "tests/report/some_campaign.h"
 
 using namespace flexslip;

@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "bending_test/stage_steps.h"
+#include "bending_test/history.h"
 #include "case/problem.h"
 #include "case/simulation.h"
 #include "fibre/elastica.h"
@@ -17,8 +17,6 @@
 
 namespace flexslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 studio::RigInput rig_with(studio::FrictionInput friction, double stiffness = 90.65, double roller_radius = 0,
                           double depth = 0) {

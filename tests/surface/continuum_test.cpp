@@ -1,5 +1,3 @@
-#include "surface/continuum.h"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "surface/height_trace.h"
+#include "surface/spectrum.h"
 #include "tests/surface/simulated_surface.h"
 
 namespace flexslip {

@@ -1,11 +1,10 @@
-#include "surface/envelope.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
 
+#include "surface/slope_friction.h"
 #include "tests/has.h"
 #include "tests/refusal.h"
 #include "tests/uniform.h"

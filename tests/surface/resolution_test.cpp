@@ -1,5 +1,3 @@
-#include "surface/resolution.h"
-
 #include <cmath>
 
 #include <doctest/doctest.h>

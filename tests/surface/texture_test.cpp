@@ -5,7 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include "surface/waves_in_trace.h"
 #include "tests/has.h"
 #include "tests/refusal.h"
 #include "tests/surface/simulated_surface.h"

@@ -1,0 +1,102 @@
+#include "numerics/elementary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+namespace flexslip::elementary {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using One = hn::CappedTag<double, 1>;
+
+// ln(erfc(x) e^(x^2)) - ln t for x >= 0, t = 2/(2 + x): Chebyshev coefficients in 2t - 1, computed with 40 digits.
+constexpr std::array chebyshev{
+    -1.3026537197817094342,     0.6419697923564902603,      0.019476473204185836312,    -0.0095615147868086316419,
+    -0.0009465953444820368663,  0.00036683949785276145187,  4.2523324806907771645e-5,   -2.0278578112534243154e-5,
+    -1.6242900046470255135e-6,  1.3036558355805232018e-6,   1.5626441722066143178e-8,   -8.5238095914926542525e-8,
+    6.5290544390988514964e-9,   5.0593434955514689418e-9,   -9.9136415649303308674e-10, -2.2736512229318358557e-10,
+    9.646791102015526802e-11,   2.3940380830391147447e-12,  -6.8860275264975533984e-12, 8.9448792730907257167e-13,
+    3.1309213993429580783e-13,  -1.1270822361367252366e-13, 3.8109052551892320552e-16,  7.1060976136092369878e-15,
+    -1.5230282014571043043e-15, -9.4574945712912340005e-17, 1.2102371892242789923e-16,  -2.8166630877471769718e-17};
+
+// ln(erfc(x) e^(x^2)) for x >= 0.
+double log_scaled_complement(double x) {
+  const double t = 2 / (2 + x);
+  const double y = 2 * (2 * t - 1);
+  double b = 0;
+  double b_before = 0;
+  for (std::size_t j = chebyshev.size() - 1; j > 0; --j) {
+    const double next = y * b - b_before + chebyshev[j];
+    b_before = b;
+    b = next;
+  }
+  return 0.5 * (chebyshev[0] + y * b) - b_before + log(t);
+}
+
+}  // namespace
+
+double exp(double x) {
+  const One tag;
+  return hn::GetLane(hn::Exp(tag, hn::Set(tag, x)));
+}
+
+double log(double x) {
+  const One tag;
+  return hn::GetLane(hn::Log(tag, hn::Set(tag, x)));
+}
+
+double exp_less_one(double x) {
+  const One tag;
+  return hn::GetLane(hn::Expm1(tag, hn::Set(tag, x)));
+}
+
+double log_of_one_and(double x) {
+  const One tag;
+  return hn::GetLane(hn::Log1p(tag, hn::Set(tag, x)));
+}
+
+SineAndCosine sine_and_cosine(double x) {
+  const One tag;
+  const auto v = hn::Set(tag, x);
+  return {hn::GetLane(hn::Sin(tag, v)), hn::GetLane(hn::Cos(tag, v))};
+}
+
+double length(double a, double b) { return std::sqrt(a * a + b * b); }
+
+double angle(double y, double x) {
+  const double a = std::abs(x), b = std::abs(y);
+  if (a == 0 && b == 0) return 0;
+  const One tag;
+  const double within = hn::GetLane(hn::Atan(tag, hn::Set(tag, std::min(a, b) / std::max(a, b))));
+  const double first = b > a ? 0.5 * std::numbers::pi - within : within;  // in the first quadrant
+  return std::copysign(x < 0 ? std::numbers::pi - first : first, y);
+}
+
+GaussianBelow gaussian_below(double z) {
+  const double x = std::abs(z) / std::numbers::sqrt2;
+  const double log_scaled = log_scaled_complement(x);
+  const double log_tail = log_scaled - x * x - std::numbers::ln2;  // of P(z' < -|z|)
+  constexpr double root_two_over_pi = std::numbers::sqrt2 * std::numbers::inv_sqrtpi;
+  if (z <= 0) return {log_tail, root_two_over_pi * exp(-log_scaled)};
+  const double tail = exp(log_tail);
+  return {log(1 - tail), 0.5 * root_two_over_pi * exp(-x * x) / (1 - tail)};
+}
+
+double gaussian_quantile(double probability) {
+  // By the tail that is the smaller: there the logarithm loses no digits.
+  const double wanted = log(std::min(probability, 1 - probability));
+  double low = -10, high = 0;
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (gaussian_below(middle).log_probability < wanted ? low : high) = middle;
+  }
+  return probability < 0.5 ? low : -low;
+}
+
+}  // namespace flexslip::elementary

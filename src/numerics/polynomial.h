@@ -1,0 +1,182 @@
+// Polynomials: their values, slopes and roots, interpolants through values and slopes, series of Chebyshev's.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "numerics/elementary.h"
+
+namespace flexslip {
+
+// Polynomials on [-1, 1] or [0, 1], by their Chebyshev or Bernstein coefficients, and their zeros.
+
+struct ValueAndSlope {
+  double value, slope;
+};
+
+// A Chebyshev series at t in [-1, 1] (Clenshaw).
+template <std::size_t size>
+double series_at(const std::array<double, size>& c, double t) {
+  double b1 = 0;
+  double b2 = 0;
+  for (std::size_t k = size - 1; k > 0; --k) b2 = std::exchange(b1, c[k] + 2 * t * b1 - b2);
+  return c[0] + t * b1 - b2;
+}
+
+// The same with its derivative, which is Σ c_k k U_{k-1}.
+template <std::size_t size>
+ValueAndSlope series_slope_at(const std::array<double, size>& c, double t) {
+  double b1 = 0;
+  double b2 = 0;
+  double d1 = 0;
+  double d2 = 0;
+  for (std::size_t k = size - 1; k > 0; --k) {
+    d2 = std::exchange(d1, static_cast<double>(k) * c[k] + 2 * t * d1 - d2);
+    b2 = std::exchange(b1, c[k] + 2 * t * b1 - b2);
+  }
+  return {c[0] + t * b1 - b2, d1};
+}
+
+// The integral of a series that vanishes at -1, times `scale`.
+template <std::size_t size>
+std::array<double, size + 1> integrated(const std::array<double, size>& c, double scale) {
+  std::array<double, size + 1> integral{};
+  const auto coefficient = [&](std::size_t k) { return k < size ? c[k] : 0.0; };
+  double at_start = 0;
+  for (std::size_t k = 1; k <= size; ++k) {
+    const double lower = k == 1 ? 2 * c[0] : coefficient(k - 1);
+    integral[k] = scale * (lower - coefficient(k + 1)) / (2 * static_cast<double>(k));
+    at_start += k % 2 ? -integral[k] : integral[k];
+  }
+  integral[0] = -at_start;
+  return integral;
+}
+
+// A Bernstein polynomial and its derivative at t in [0, 1] (de Casteljau).
+template <std::size_t size>
+ValueAndSlope bernstein_at(std::array<double, size> b, double t) {
+  double slope = 0;
+  for (std::size_t n = size - 1; n > 0; --n) {
+    if (n == 1) slope = static_cast<double>(size - 1) * (b[1] - b[0]);
+    for (std::size_t i = 0; i < n; ++i) b[i] += t * (b[i + 1] - b[i]);
+  }
+  return {b[0], slope};
+}
+
+template <std::size_t size>
+int sign_changes(const std::array<double, size>& b) {
+  int changes = 0;
+  for (std::size_t i = 0; i + 1 < size; ++i) changes += (b[i] < 0) != (b[i + 1] < 0);
+  return changes;
+}
+
+// The zero of f(x), which gives a ValueAndSlope, between two points at which it has opposite signs.
+// Method:     Newton's iteration from x, kept between the points, until a step is `close` or shorter: that doubles the digits once more.
+template <class Function>
+double zero_between(Function f, double low, double high, double x, bool rising, double close) {
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const auto [value, slope] = f(x);
+    if (value == 0) return x;
+    ((value < 0) == rising ? low : high) = x;
+    double next = x - value / slope;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const double step = std::abs(next - x);
+    x = next;
+    if (step <= close) break;
+  }
+  return x;
+}
+
+// Polynomials through values at the Chebyshev-Lobatto points of [-1, 1].
+
+// Linear maps from values at the nodes -cos(π j/n), j = 0, ..., n, where n is the degree; these include both ends.
+template <std::size_t degree>
+class Interpolant {
+ public:
+  using Values = std::array<double, degree + 1>;
+  using Matrix = std::array<Values, degree + 1>;
+
+  static double node(std::size_t j) { return maps().node[j]; }
+  // Coefficients of T_0, ..., T_n.
+  static Values chebyshev(const Values& at_nodes) { return apply(maps().chebyshev, at_nodes); }
+  // Bernstein coefficients on [-1, 1]: the polynomial lies between the least and the greatest of them, and has no more zeros than
+  // they have changes of sign (Descartes).
+  static Values bernstein(const Values& at_nodes) { return apply(maps().bernstein, at_nodes); }
+
+  static Values apply(const Matrix& map, const Values& values) {
+    Values result{};
+    for (std::size_t i = 0; i <= degree; ++i)
+      for (std::size_t j = 0; j <= degree; ++j) result[i] += map[i][j] * values[j];
+    return result;
+  }
+  static const Matrix& to_chebyshev() { return maps().chebyshev; }
+
+ private:
+  struct Maps {
+    Values node{};
+    Matrix chebyshev{};
+    Matrix bernstein{};
+
+    Maps() {
+      const auto real = [](std::size_t i) { return static_cast<double>(i); };
+      const auto binomial = [&](std::size_t n, std::size_t r) {
+        double value = 1;
+        for (std::size_t i = 1; i <= r; ++i) value = value * real(n - r + i) / real(i);
+        return value;
+      };
+      const auto half_at_end = [](std::size_t i) { return i == 0 || i == degree ? 0.5 : 1.0; };
+      // The cosine of π i/n, of an argument within a turn.
+      const auto cosine = [&](std::size_t i) {
+        return elementary::sine_and_cosine(std::numbers::pi * real(i % (2 * degree)) / real(degree)).cosine;
+      };
+      for (std::size_t j = 0; j <= degree; ++j) node[j] = -cosine(j);
+      for (std::size_t k = 0; k <= degree; ++k)
+        for (std::size_t j = 0; j <= degree; ++j)
+          chebyshev[k][j] = (k % 2 == 0 ? 2.0 : -2.0) / real(degree) * half_at_end(j) * half_at_end(k) * cosine(k * j);
+      // T_k = Σ_i (-1)^(k-i) C(2k, 2i)/C(k, i) B_i^k, raised from degree k to the full one.
+      for (std::size_t i = 0; i <= degree; ++i)
+        for (std::size_t k = 0; k <= degree; ++k) {
+          double from_k = 0;
+          for (std::size_t r = i + k > degree ? i + k - degree : 0; r <= std::min(i, k); ++r)
+            from_k += ((k - r) % 2 == 0 ? 1.0 : -1.0) * binomial(2 * k, 2 * r) * binomial(degree - k, i - r);
+          for (std::size_t j = 0; j <= degree; ++j) bernstein[i][j] += from_k / binomial(degree, i) * chebyshev[k][j];
+        }
+    }
+  };
+
+  static const Maps& maps() {
+    static const Maps value;
+    return value;
+  }
+};
+
+}  // namespace flexslip
+
+namespace flexslip::chebyshev {
+
+// A function of one number as a Chebyshev series.
+
+inline constexpr std::size_t terms = 14;
+using Nodes = std::array<double, terms>;
+
+// From `least` to `greatest`, straight on beyond.
+struct Series {
+  double least, greatest;
+  Nodes coefficients;
+};
+
+ValueAndSlope evaluate(const Series& series, double at);
+
+// Where a series is to be known, and the series through its values there.
+Nodes nodes_between(double least, double greatest);
+Series series_through(double least, double greatest, std::span<const double> at_nodes);
+
+// Where a series that rises has a value.
+double inverse(const Series& series, double value);
+
+}  // namespace flexslip::chebyshev

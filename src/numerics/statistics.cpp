@@ -1,0 +1,234 @@
+#include "numerics/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "numerics/elementary.h"
+
+namespace flexslip {
+
+Estimate student_estimate(double value, double standard_error, double freedom) {
+  constexpr double two_sided = 1.96;
+  const double reach = student_quantile(two_sided, freedom) * standard_error;
+  return {value, standard_error, value - reach, value + reach};
+}
+
+Estimate scaled(const Estimate& estimate, double factor) {
+  return {estimate.value * factor, estimate.standard_error * factor, estimate.low * factor, estimate.high * factor};
+}
+
+Estimate exponential(const Estimate& logarithm) {
+  const double value = elementary::exp(logarithm.value);
+  return {value, value * logarithm.standard_error, elementary::exp(logarithm.low), elementary::exp(logarithm.high)};
+}
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+std::vector<double> non_falling(std::span<const double> values) {
+  struct Block {
+    double mean;
+    std::size_t size;
+  };
+  std::vector<Block> blocks;
+  for (const double value : values) {
+    blocks.push_back({value, 1});
+    while (blocks.size() > 1 && blocks[blocks.size() - 2].mean > blocks.back().mean) {
+      const Block last = blocks.back();
+      blocks.pop_back();
+      Block& before = blocks.back();
+      const auto a = static_cast<double>(before.size), b = static_cast<double>(last.size);
+      before = {(before.mean * a + last.mean * b) / (a + b), before.size + last.size};
+    }
+  }
+  std::vector<double> result;
+  result.reserve(values.size());
+  for (const auto& block : blocks) result.insert(result.end(), block.size, block.mean);
+  return result;
+}
+
+std::vector<double> advancing(std::span<const double> values) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(std::max(value, result.empty() ? 0.0 : result.back()));
+  return result;
+}
+
+namespace {
+
+struct Sums {
+  double squares, lagged;
+};
+
+Sums sums_of(std::span<const double> residuals) {
+  Sums sums{0, 0};
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    sums.squares += residuals[i] * residuals[i];
+    if (i > 0) sums.lagged += residuals[i] * residuals[i - 1];
+  }
+  return sums;
+}
+
+}  // namespace
+
+Line line_through(std::span<const double> x, std::span<const double> y) {
+  const auto n = static_cast<double>(x.size());
+  Line line{.mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
+            .mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n,
+            .slope = 0,
+            .sum_xx = 0};
+  double sum_xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    line.sum_xx += (x[i] - line.mean_x) * (x[i] - line.mean_x);
+    sum_xy += (x[i] - line.mean_x) * (y[i] - line.mean_y);
+  }
+  line.slope = line.sum_xx > 0 ? sum_xy / line.sum_xx : 0;
+  return line;
+}
+
+double effective_deviation(std::span<const double> residuals, std::size_t parameters, double bias, double most) {
+  const Sums sums = sums_of(residuals);
+  if (sums.squares == 0) return 0;
+  const double rho = std::clamp(sums.lagged / sums.squares + bias, 0.0, most);
+  return std::sqrt(sums.squares / static_cast<double>(residuals.size() - parameters) * (1 + rho) / (1 - rho));
+}
+
+double correlation_lost_to_line(std::span<const double> residuals) {
+  const Sums sums = sums_of(residuals);
+  const double shown = sums.squares > 0 ? sums.lagged / sums.squares : 0;
+  return (2 + 4 * shown) / static_cast<double>(residuals.size());
+}
+
+namespace {
+
+// ln Γ(a), Stirling's series from 12 on: its next term is below 1e-13 there.
+double log_gamma(double a) {
+  double shift = 0;
+  for (; a < 12; a += 1) shift += elementary::log(a);
+  const double b = 1 / (a * a);
+  const double series = (1.0 / 12 - b * (1.0 / 360 - b * (1.0 / 1260 - b * (1.0 / 1680 - b / 1188)))) / a;
+  return (a - 0.5) * elementary::log(a) - a + 0.5 * elementary::log(2 * std::numbers::pi) + series - shift;
+}
+
+// The incomplete gamma functions P(a, x) and Q(a, x) = 1 - P, by the series of P below a + 1 and the continued fraction of Q (Lentz) above.
+struct Tails {
+  double below, beyond;
+};
+
+Tails gamma_tails(double a, double x) {
+  if (!(x > 0)) return {0, 1};
+  const double front = elementary::exp(a * elementary::log(x) - x - log_gamma(a));
+  constexpr double enough = 1e-15;
+  if (x < a + 1) {
+    double term = 1 / a, sum = term;
+    for (double n = a + 1; term > enough * sum; n += 1) sum += term *= x / n;
+    return {front * sum, 1 - front * sum};
+  }
+  constexpr double tiny = 1e-300;
+  double b = x + 1 - a, c = 1 / tiny, d = 1 / b, h = d;
+  for (double i = 1; i < 1e7; i += 1) {
+    const double an = -i * (i - a);
+    b += 2;
+    d = 1 / (std::abs(an * d + b) < tiny ? tiny : an * d + b);
+    c = std::abs(b + an / c) < tiny ? tiny : b + an / c;
+    h *= d * c;
+    if (std::abs(d * c - 1) < enough) break;
+  }
+  return {1 - front * h, front * h};
+}
+
+}  // namespace
+
+double chi_squared_beyond(double x, double freedoms) { return gamma_tails(0.5 * freedoms, 0.5 * x).beyond; }
+
+double chi_squared_quantile(double probability, double freedoms) {
+  if (!(probability > 1e-6 && probability < 1 - 1e-6 && freedoms >= 1 && freedoms <= 1e7))
+    throw std::invalid_argument("a quantile of chi squared at " + std::to_string(probability) + " of " +
+                                std::to_string(freedoms) + " freedoms");
+  const double spread = std::sqrt(2 * freedoms);
+  double low = 0, high = freedoms + 8 * spread + 40;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (gamma_tails(0.5 * freedoms, 0.5 * middle).below < probability ? low : high) = middle;
+    if (high - low < 1e-12 * high) break;
+  }
+  return 0.5 * (low + high);
+}
+
+double mean_of(const NormalMixture& mixture) {
+  double weight = 0, sum = 0;
+  for (const auto& part : mixture) {
+    weight += part.weight;
+    sum += part.weight * part.mean;
+  }
+  return sum / weight;
+}
+
+double deviation_of(const NormalMixture& mixture) {
+  const double mean = mean_of(mixture);
+  double weight = 0, sum = 0;
+  for (const auto& part : mixture) {
+    weight += part.weight;
+    sum += part.weight * (part.deviation * part.deviation + (part.mean - mean) * (part.mean - mean));
+  }
+  return std::sqrt(sum / weight);
+}
+
+double probability_below(const NormalMixture& mixture, double x) {
+  double weight = 0, sum = 0;
+  for (const auto& part : mixture) {
+    weight += part.weight;
+    const double away = x - part.mean;
+    const double below = part.deviation > 0
+                             ? elementary::exp(elementary::gaussian_below(away / part.deviation).log_probability)
+                             : (away > 0 ? 1.0 : 0.0);
+    sum += part.weight * below;
+  }
+  return sum / weight;
+}
+
+double quantile_of(const NormalMixture& mixture, double probability) {
+  constexpr double reach = 12;  // deviations, beyond which nothing is
+  double low = infinity, high = -low;
+  for (const auto& part : mixture) {
+    low = std::min(low, part.mean - reach * part.deviation);
+    high = std::max(high, part.mean + reach * part.deviation);
+  }
+  for (int i = 0; i < 50; ++i) {
+    const double middle = std::midpoint(low, high);
+    (probability_below(mixture, middle) < probability ? low : high) = middle;
+  }
+  return std::midpoint(low, high);
+}
+
+NormalMixture merged(const NormalMixture& mixture) {
+  constexpr double near =
+      0.7;  // deviations between means: two such parts alike and their one differ by 0.002 of a probability
+  constexpr double alike = 1.3;  // ratio of deviations
+  NormalMixture result;
+  for (const auto& part : mixture) {
+    const auto same = std::find_if(result.begin(), result.end(), [&](const NormalPart& other) {
+      const auto [narrow, wide] = std::minmax(part.deviation, other.deviation);
+      return std::abs(part.mean - other.mean) <= near * narrow && wide <= alike * narrow;
+    });
+    if (same == result.end()) {
+      result.push_back(part);
+      continue;
+    }
+    const NormalMixture two{*same, part};
+    *same = {same->weight + part.weight, mean_of(two), deviation_of(two)};
+  }
+  return result;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,116 @@
+// Estimates and their errors, distributions, quantiles, straight lines.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "numerics/elementary.h"
+
+namespace flexslip {
+
+// A number that was estimated: its value, how uncertain it is, and between what it lies.
+
+struct Estimate {
+  double value = 0;           // median of what is known
+  double standard_error = 0;  // standard deviation
+  double low = 0, high = 0;   // 95 % interval
+};
+
+// One whose errors are normal; and one whose standard error is itself told by `freedom` degrees of freedom only (Student).
+inline Estimate normal_estimate(double value, double standard_error) {
+  constexpr double two_sided = 1.96;  // standard errors to the ends of a 95 % interval
+  return {value, standard_error, value - two_sided * standard_error, value + two_sided * standard_error};
+}
+// Of the same number in another unit, and of one whose logarithm is estimated: its interval is symmetric in the logarithm.
+Estimate scaled(const Estimate& estimate, double factor);
+Estimate exponential(const Estimate& logarithm);
+Estimate student_estimate(double value, double standard_error, double freedom);
+
+// Tails and quantiles of the distributions that verdicts rest on.
+
+// P(standard Gaussian > x).
+// Max error:  relative 1e-12, for x < 37.
+inline double gaussian_tail(double x) { return elementary::exp(elementary::gaussian_below(-x).log_probability); }
+
+// P(t > x) of Student's distribution: Wallace's transformation to a Gaussian (Ann. Math. Stat. 30, 1959).
+// Max error:  2 % of the probability for nu >= 8 down to 1e-6.
+inline double student_tail(double x, double nu) {
+  const double z = (8 * nu + 1) / (8 * nu + 3) * std::sqrt(nu * elementary::log_of_one_and(x * x / nu));
+  return gaussian_tail(std::copysign(z, x));
+}
+
+// Its inverse: the quantile of Student's t where that of the Gaussian is z.
+// Max error:  4.1 % at nu = 2 for 95 % two-sided, and less beyond.
+inline double student_quantile(double z, double nu) {
+  const double x = z * (8 * nu + 3) / (8 * nu + 1);
+  return std::sqrt(nu * elementary::exp_less_one(x * x / nu));
+}
+
+// Statistics of order: medians, and sequences that do not fall.
+
+// Of an even number of values the mean of the middle two; NaN of none.
+double median_of(std::vector<double> values);
+
+// The nearest non-falling sequence, in least squares.
+// Method:     pool adjacent violators (Ayer et al. 1955).
+std::vector<double> non_falling(std::span<const double> values);
+
+// Each value, or the greatest before it, or 0: the positions of a stage whose readings jitter.
+std::vector<double> advancing(std::span<const double> values);
+
+// Straight lines through readings, and how far their scatter may be trusted.
+
+struct Line {
+  double mean_x, mean_y;
+  double slope;   // 0 if x does not vary
+  double sum_xx;  // Σ (x - mean_x)^2
+};
+
+// Least squares. Domain: columns of one length, at least one point.
+Line line_through(std::span<const double> x, std::span<const double> y);
+
+// Standard deviation of the mean of residuals, times √n: larger than the plain one if neighbours err alike, as an AR(1) process.
+// `bias` [1] is added to the correlation that the residuals show, which is at most `most` then.
+double effective_deviation(std::span<const double> residuals, std::size_t parameters, double bias, double most);
+
+// The correlation that the residuals of a line lose to it: they show about (2 + 4 rho)/n less than the noise has.
+double correlation_lost_to_line(std::span<const double> residuals);
+
+// The distribution that sums of squares are judged by: its tails and quantiles, with freedoms that need not be whole (of variances that are
+// sums of unequal parts).
+
+// P(chi squared > x).
+// Domain:     x >= 0, 0 < freedoms <= 1e7.
+// Max error:  1e-12, and 1e-10 of the smaller of it and its complement.
+double chi_squared_beyond(double x, double freedoms);
+
+// x with P(chi squared < x) = probability.
+// Domain:     1e-6 < probability < 1 - 1e-6, 1 <= freedoms <= 1e7; std::invalid_argument otherwise.
+// Max error:  1e-9 relative.
+double chi_squared_quantile(double probability, double freedoms);
+
+// What is known of a number, as a mixture of normal distributions.
+
+struct NormalPart {
+  double weight;           // [1] > 0
+  double mean, deviation;  // in the unit of the number; deviation >= 0
+};
+
+// Domain of all: parts not empty; the weights need not add up to 1.
+using NormalMixture = std::vector<NormalPart>;
+
+double mean_of(const NormalMixture& mixture);
+double deviation_of(const NormalMixture& mixture);
+
+// P(number < x).
+double probability_below(const NormalMixture& mixture, double x);
+
+// x with P(number < x) = probability. Domain: 0 < probability < 1. Max error: 1e-9 of the deviation.
+double quantile_of(const NormalMixture& mixture, double probability);
+
+// The same with parts that are nearly one made one, mean and deviation of the mixture kept.
+// Max error:  0.01 of a probability.
+NormalMixture merged(const NormalMixture& mixture);
+
+}  // namespace flexslip
