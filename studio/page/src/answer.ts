@@ -64,7 +64,7 @@ const MARKS: Record<Finding["severity"], CheckLine["mark"] | null> = { refusal: 
 
 const checks = (fit: FitAnswer): CheckLine[] => fit.findings.flatMap((finding) => {
   const mark = MARKS[finding.severity];
-  return mark ? [{ mark, words: finding.sentence, reason: [finding.sentence, finding.remedy].filter(Boolean).join(" ") }] : [];
+  return mark ? [{ mark, words: finding.short_form || finding.sentence, reason: [finding.sentence, finding.remedy].filter(Boolean).join(" ") }] : [];
 });
 
 export function answerOf(fit: FitAnswer, text: CaseText): Answer {

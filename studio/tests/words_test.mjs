@@ -1,0 +1,42 @@
+// The page's words are the program's: fed every finding there is (tests/outside/golden/findings.json, which tests/finding/answer_test.cpp writes), the
+// page shows its very strings. Needs no browser: what the page shows of a fit is made by answer.ts.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { test } from "node:test";
+import { program, root } from "./browser.mjs";
+
+const modules = join(root, "studio/page/package.json");
+const skip = !existsSync(join(root, "studio/page/node_modules")) ? "the page's modules are not there: npm install in studio/page" : !existsSync(program) ? `there is no program ${program}` : false;
+
+async function pageWords() {
+  const { buildSync } = createRequire(modules)("esbuild");
+  const bundle = buildSync({ entryPoints: [join(root, "studio/page/src/answer.ts")], bundle: true, write: false, format: "esm", charset: "utf8" });
+  return import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString("base64")}`);
+}
+const noCase = { hasRoundSection: false, quantity: () => null };
+const fitOf = (name) => JSON.parse(execFileSync(program, ["fit", join(root, "examples", name, "case.toml"), "--json"], { maxBuffer: 1e8 }));
+
+test("every finding: the verdict, the sentence, its remedy and the next step stand on the page as the program says them", { skip }, async () => {
+  const { answerOf } = await pageWords();
+  const fit = fitOf("simulated"), situations = JSON.parse(readFileSync(join(root, "tests/outside/golden/findings.json"), "utf8"));
+  assert.ok(situations.length >= 28, "the program knows that many findings");
+  for (const { found, verdict, findings, next } of situations) {
+    const answer = answerOf({ ...fit, verdict, findings, next }, noCase);
+    assert.equal([answer.verdict, answer.rest].filter(Boolean).join(": "), verdict.sentence, found);
+    assert.equal(answer.next, next, found);
+    const judged = findings.filter((finding) => finding.severity !== "note");
+    assert.deepEqual(answer.checks.map((check) => check.words), judged.map((finding) => finding.short_form || finding.sentence), found);
+    assert.deepEqual(answer.checks.map((check) => check.reason), judged.map((finding) => [finding.sentence, finding.remedy].filter(Boolean).join(" ")), found);
+    const tells = !["crack", "check_input", "no_answer"].includes(verdict.code);
+    assert.equal(/\d/.test(answer.numbers[0].value), tells, `${found}: friction is told where the verdict tells it`);
+  }
+});
+
+test("every drop says what the program reads from it", { skip }, async () => {
+  const { dropInWords } = await pageWords();
+  for (const name of ["simulated", "cracked", "cyclic"])
+    fitOf(name).drops.forEach((drop, i) => assert.equal(dropInWords(drop, i + 1).claim, `Drop ${i + 1}: ${drop.reading}`));
+});
