@@ -930,10 +930,9 @@ DirectionMeans direction_means(const CyclicFriction& friction) {
 }
 
 bool is_beyond_friction(const CyclicFriction& friction) {
-  constexpr double two_sided = 1.96;  // standard errors to the ends of a 95 % interval
   const auto [in, out, rms] = direction_means(friction);
   const auto& [value, error, low, high] = friction.asymmetry;
-  return std::abs(value) > 0.5 * (in + out) && std::abs(value) > two_sided * error;
+  return std::abs(value) > 0.5 * (in + out) && std::abs(value) > two_sided_95 * error;
 }
 
 CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options) {

@@ -251,9 +251,8 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   fit.mu0 = mean.estimate;
   fit.mu0.value = constant.mu0;
   fit.mu0_is_bound = mean.is_bound;
-  constexpr double two_sided = 1.96;
   const double s = problem.errors.bending_stiffness;
-  fit.bending_stiffness = {1, s, 1 - two_sided * s, 1 + two_sided * s};
+  fit.bending_stiffness = {1, s, 1 - two_sided_95 * s, 1 + two_sided_95 * s};
   fit.log_evidence_of_wave = not_a_number;
   fit.band = {
       {fit.S_begin, fit.S_end}, {constant.mu0, constant.mu0}, {constant.standard_error, constant.standard_error}};

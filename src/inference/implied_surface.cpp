@@ -34,7 +34,7 @@ Estimate estimate_of(const std::vector<double>& drawn) {
     squares += away * away;
   }
   const double deviation = std::sqrt(squares / (n - 1)), value = elementary::exp(mean);
-  const double reach = student_quantile(1.96, n - 1) * std::sqrt(1 + 1 / n) * deviation;
+  const double reach = student_quantile(two_sided_95, n - 1) * std::sqrt(1 + 1 / n) * deviation;
   return {value, value * deviation, value * elementary::exp(-reach), value * elementary::exp(reach)};
 }
 

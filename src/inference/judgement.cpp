@@ -14,7 +14,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double two_sided = 1.96, one_sided = 1.645;  // of 95 %
+constexpr double one_sided_95 = 1.645;
 
 const LoadingStiffness* last_reload(const CyclicAnswer* cycles) {
   if (!cycles) return nullptr;
@@ -79,7 +79,7 @@ double left_by_drops(const TestAnalysis& analysis) {
     log_left += elementary::log(std::max(ratio, nothing));
     variance += 2 * std::pow(analysis.force_noise / record.force[drop.before], 2);
   }
-  return std::min(elementary::exp(log_left + one_sided * std::sqrt(variance)), 1.0);
+  return std::min(elementary::exp(log_left + one_sided_95 * std::sqrt(variance)), 1.0);
 }
 
 // What all cracks together would leave that the reload can have seen: by the rises between the drops or, where these are too few or some drop
@@ -98,8 +98,8 @@ CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* re
   const CrackVerdict by_rises = analysis.slip_or_crack.verdict;
   if (!reload) return by_rises;
   if (reload->verdict == DamageVerdict::damaged) return CrackVerdict::cracks;
-  const double at_most =
-      1 - reload->ratio.value + one_sided * elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
+  const double at_most = 1 - reload->ratio.value +
+                         one_sided_95 * elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
   const bool slips = analysis.slip_or_crack.judged || impossible_drops(analysis) == 0;
   return slips && loss_needed > at_most ? CrackVerdict::not_by_cracks_alone : by_rises;
 }
@@ -131,7 +131,7 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
     judgement.softer_reload = reload->verdict == DamageVerdict::damaged;
     constexpr double relevant = 0.05;
     judgement.changed_reload =
-        !judgement.softer_reload && std::abs(judgement.loss) > std::max(relevant, two_sided * judgement.loss_error);
+        !judgement.softer_reload && std::abs(judgement.loss) > std::max(relevant, two_sided_95 * judgement.loss_error);
   }
   judgement.drops = verdict_on(analysis, reload, judgement.loss_needed);
   judgement.drops_are_cracks = has_drops && !judgement.softer_reload && judgement.drops == CrackVerdict::cracks;

@@ -151,7 +151,7 @@ SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& 
   for (const auto& point : profile.points) {
     if (!(record.deflection[point.index] > judged_from) || !(point.mu > limit)) continue;
     report.points.push_back(point.index);
-    report.beyond_error += point.mu - 1.96 * standard_error(point) > limit;
+    report.beyond_error += point.mu - two_sided_95 * standard_error(point) > limit;
   }
   report.suspect = 20 * report.points.size() > report.points_judged;
   return report;

@@ -38,13 +38,12 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
               before->mu,
               after->mu,
               elementary::length(errors.force * before->S_force, errors.force * after->S_force)};
-    constexpr double two_sided = 1.96;
     const double advance = slip.S_after - slip.S_before;
-    if (advance < -two_sided * slip.advance_error)
+    if (advance < -two_sided_95 * slip.advance_error)
       slip.verdict = SlipVerdict::moves_out;
-    else if (slip.mu_before - two_sided * standard_error(*before) > limit)
+    else if (slip.mu_before - two_sided_95 * standard_error(*before) > limit)
       slip.verdict = SlipVerdict::implausible;
-    else if (slip.mu_after + two_sided * standard_error(*after) < 0)
+    else if (slip.mu_after + two_sided_95 * standard_error(*after) < 0)
       slip.verdict = SlipVerdict::negative;
     else if (advance < slip.advance_error)
       slip.verdict = SlipVerdict::too_short;

@@ -14,8 +14,7 @@
 namespace flexslip {
 
 Estimate student_estimate(double value, double standard_error, double freedom) {
-  constexpr double two_sided = 1.96;
-  const double reach = student_quantile(two_sided, freedom) * standard_error;
+  const double reach = student_quantile(two_sided_95, freedom) * standard_error;
   return {value, standard_error, value - reach, value + reach};
 }
 

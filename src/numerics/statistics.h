@@ -17,10 +17,12 @@ struct Estimate {
   double low = 0, high = 0;   // 95 % interval
 };
 
+// Standard errors of a normal distribution to the ends of a 95 % interval.
+inline constexpr double two_sided_95 = 1.96;
+
 // One whose errors are normal; and one whose standard error is itself told by `freedom` degrees of freedom only (Student).
 inline Estimate normal_estimate(double value, double standard_error) {
-  constexpr double two_sided = 1.96;  // standard errors to the ends of a 95 % interval
-  return {value, standard_error, value - two_sided * standard_error, value + two_sided * standard_error};
+  return {value, standard_error, value - two_sided_95 * standard_error, value + two_sided_95 * standard_error};
 }
 // Of the same number in another unit, and of one whose logarithm is estimated: its interval is symmetric in the logarithm.
 Estimate scaled(const Estimate& estimate, double factor);
