@@ -17,7 +17,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "io/input_error.h"
-#include "report/model_figures.h"
+#include "report/figures.h"
 #include "result/json.h"
 #include "result/table.h"
 

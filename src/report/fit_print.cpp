@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "answers/fit_fields.h"
+#include "finding/answer.h"
 #include "finding/digits.h"
 #include "io/quantity.h"
 #include "report/field_table.h"
