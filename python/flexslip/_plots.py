@@ -1,4 +1,4 @@
-"""The report's figures, drawn with matplotlib: each is data (src/report/plot_json.h), and one function draws them all."""
+"""The report's figures, drawn with matplotlib: each is data (src/report/plot.h), and one function draws them all."""
 from __future__ import annotations
 
 import re
@@ -12,8 +12,9 @@ from ._errors import one_of, wrong
 _MM = 1 / 25.4
 _SMALL = {"font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8, "legend.fontsize": 8, "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.linewidth": 0.6,
           "axes.labelpad": 2, "axes.titlepad": 3, "xtick.direction": "in", "ytick.direction": "in", "xtick.top": True, "ytick.right": True,
-          "legend.frameon": False, "axes.unicode_minus": True}
-_DASHES: dict[str, Any] = {"solid": "-", "dashed": (0, (5, 3)), "long_dashed": (0, (10, 5)), "dotted": (0, (1.5, 2))}
+          "legend.frameon": False, "axes.unicode_minus": True, "font.family": "sans-serif",
+          "font.sans-serif": ["Arial", "Liberation Sans", "DejaVu Sans"], "mathtext.fontset": "custom", "mathtext.rm": "sans", "mathtext.it": "sans:italic"}
+_DASHES: dict[str, Any] = {"solid": "-", "dashed": (0, (3, 2)), "long_dashed": (0, (6.6, 3.3)), "dotted": (0, (1, 1.5))}
 _MARKERS: dict[str, Any] = {"": "", "disc": "o", "circle": "o", "square": "s", "triangle": "^", "down": "v", "star": (6, 2, 0), "cross": "x"}
 
 Panel = Mapping[str, Any]
@@ -33,10 +34,9 @@ def plot(figures: Sequence[Mapping[str, Any]], name: str | None, ax: Any) -> Any
         axes = _axes_of(figure, ax)
         for panel, each in zip(figure["panels"], axes):
             _draw_panel(figure, {**panel, "own": ax is None}, each)
-        if ax is None and figure["x_label"]:
-            axes[0].figure.supxlabel(_text(figure["x_label"]), fontsize=8, y=0.005)
-        if ax is None and figure["y_label"]:
-            axes[0].figure.supylabel(_text(figure["y_label"]), fontsize=8, x=0.005)
+        if ax is None:
+            for text in figure["texts"]:
+                axes[0].figure.text(text["x"] / figure["width"], text["y"] / figure["height"], _text(text["words"]), **_anchored(text))
     return axes[0] if len(axes) == 1 else axes
 
 
@@ -47,7 +47,9 @@ def _axes_of(figure: Mapping[str, Any], ax: Any) -> Any:
         import matplotlib.pyplot as plt
 
         made = plt.figure(figsize=(figure["width"] * _MM, figure["height"] * _MM))
-        return np.array([made.add_axes((panel["left"], panel["bottom"], panel["width"], panel["height"])) for panel in panels], dtype=object)
+        width, height = figure["width"], figure["height"]
+        return np.array([made.add_axes((panel["left"] / width, panel["bottom"] / height, panel["width"] / width, panel["height"] / height))
+                         for panel in panels], dtype=object)
     given = np.atleast_1d(np.asarray(ax, dtype=object)).ravel()
     if len(given) not in (1, len(panels)):
         raise wrong("ax", f"{len(panels)} axes, or one" if len(panels) > 1 else "one Axes", f"{len(given)}")
@@ -74,39 +76,54 @@ def _text(markup: str) -> str:
 
 
 def _draw_panel(figure: Mapping[str, Any], panel: Panel, ax: Any) -> None:
-    own = panel["own"]
+    own, width, height = panel["own"], figure["width"], figure["height"]
     for name, axis in (("x", panel["x"]), ("y", panel["y"])):
         if axis["logarithmic"]:
             getattr(ax, f"set_{name}scale")("log")
         getattr(ax, f"set_{name}lim")(axis["from"], axis["to"])
-        if axis["shown"] or not own:
-            getattr(ax, f"set_{name}label")(_text(axis["label"]))
+        title = axis["title"]
+        if title["words"] or not own:
+            getattr(ax, f"set_{name}label")(_text(axis["label"]), **({"va": "center"} if own else {}))
         if own:
+            getattr(ax, f"{name}axis").set_label_coords(title["x"] / width, title["y"] / height, transform=ax.figure.transFigure)
             _set_ticks(getattr(ax, f"{name}axis"), axis)
     handles = []
     for level, mark in enumerate(panel["marks"]):
-        handle = _DRAWN[mark["kind"]](figure, panel, mark, ax, {"zorder": 2 + 0.01 * level})
-        if mark["title"] and mark["kind"] != "label":
+        handle = (_DRAWN[mark["kind"]] if mark["table"] or mark["at"] else _key)(figure, panel, mark, ax, {"zorder": 2 + 0.01 * level})
+        if mark["title"]:
             handle.set_label(_text(mark["title"]))
             handles.append(handle)
     if panel["title"]:
         ax.set_title(_text(panel["title"]), loc="left")
-    if handles and own:
-        ax.figure.legend(handles=handles, loc="lower left", ncols=-(-len(handles) // panel["key_rows"]), bbox_to_anchor=(panel["key_left"], panel["key_bottom"]),
-                         borderaxespad=0, borderpad=0.1, columnspacing=1.6, handlelength=2.2, labelspacing=0.3)
-    elif handles:
+    for text in panel["texts"]:
+        x, y = (text["x"] - panel["left"]) / panel["width"], (text["y"] - panel["bottom"]) / panel["height"]
+        if 0 <= x <= 1 and 0 <= y <= 1:  # a label: the title has been set
+            ax.text(x, y, _text(text["words"]), transform=ax.transAxes, zorder=4, **_anchored(text))
+    if not own and handles:
         ax.legend(handles=handles, loc="best")
+    for column in range(0, len(handles) if own else 0, max(1, panel["key_rows"])):
+        left = panel["key_left"] + panel["key_width"] * column / panel["key_rows"]
+        ax.figure.legend(handles=handles[column:column + panel["key_rows"]], loc="upper left", bbox_to_anchor=(left / width, panel["key_top"] / height),
+                         borderaxespad=0, borderpad=0.1, handlelength=2.2, handletextpad=0.4, labelspacing=0.3)
+
+
+def _anchored(text: Mapping[str, Any]) -> dict[str, Any]:
+    return {"ha": text["anchor"], "va": "center", "fontsize": 8, "rotation": 90 if text["upright"] else 0,
+            "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1} if text["boxed"] else None}
 
 
 def _set_ticks(axis: Any, wanted: Mapping[str, Any]) -> None:
-    with_number = [(at, text) for at, text in zip(wanted["ticks"], wanted["texts"]) if text]
+    with_number = [(at, text) for at, text in wanted["ticks"] if text]
     axis.set_ticks([at for at, _ in with_number], [_text(text) if wanted["numbers"] else "" for _, text in with_number])
-    axis.set_ticks([at for at, text in zip(wanted["ticks"], wanted["texts"]) if not text], minor=True)
+    axis.set_ticks([at for at, text in wanted["ticks"] if not text], minor=True)
     axis.set_tick_params(which="minor", labelleft=False, labelbottom=False)
 
 
 def _columns(figure: Mapping[str, Any], mark: Mapping[str, Any]) -> list[Any]:
-    """The columns of a mark; NaN in rows that it does not draw."""
+    """The columns of a mark, NaN in rows that it does not draw; or what its own numbers are."""
+    if not mark["table"]:
+        x, y = mark["at"][0::2], mark["at"][1::2]
+        return [[x[0], x[1], x[1], x[0]], [y[0], y[0], y[1], y[1]]] if mark["kind"] == "area" else [x, y]
     table = figure["data"][mark["table"]]
     columns = [table[name] for name in mark["columns"]]
     for name, value in mark["only"].items():
@@ -175,45 +192,19 @@ def _pixels(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
     colours = matplotlib.colors.LinearSegmentedColormap.from_list("report", [tuple(stop) for stop in figure["palette"]])
     shown = panel["colour"]
     image = ax.pcolormesh([*xs, right.max()], [*ys, high.max()], values, cmap=colours, vmin=shown["from"], vmax=shown["to"], rasterized=True, **order)
-    beside = 3 / figure["width"]  # mm
-    place = ax.figure.add_axes((panel["left"] + panel["width"] + beside, panel["bottom"], beside, panel["height"])) if panel["own"] else None
+    bar, width, height = 3, figure["width"], figure["height"]  # mm, and what stands before it
+    place = ax.figure.add_axes(((panel["left"] + panel["width"] + bar) / width, panel["bottom"] / height, bar / width, panel["height"] / height)) if panel["own"] else None
     ax.figure.colorbar(image, ax=ax, cax=place, label=_text(shown["label"]))
     return image
-
-
-def _horizontal(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    return ax.axhline(mark["at"][0], **_stroke(mark), **order)
-
-
-def _vertical(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    return ax.axvline(mark["at"][0], **_stroke(mark), **order)
-
-
-def _rectangle(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    ends = [panel[axis]["from"] if at == "begin" else panel[axis]["to"] if at == "end" else at for axis, at in zip("xxyy", mark["at"])]
-    return ax.fill([ends[0], ends[1], ends[1], ends[0]], [ends[2], ends[2], ends[3], ends[3]], **_fill(mark), **order)[0]
-
-
-def _label(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
-    x, y = mark["at"]
-    of_edge = {"begin": 0, "end": 1}
-    inwards = {"begin": 4, "end": -4}
-    level = inwards.get(y, 3 if x in of_edge else 0)
-    across = "left" if x == "begin" else "right" if x == "end" else "center"
-    upright = "top" if y == "end" else "bottom" if y == "begin" or x in of_edge else "center"
-    ax.annotate(_text(mark["title"]), (of_edge.get(x, x), of_edge.get(y, y)), (inwards.get(x, 0), level), textcoords="offset points",
-                xycoords=("axes fraction" if x in of_edge else "data", "axes fraction" if y in of_edge else "data"), ha=across, va=upright,
-                bbox=None if x in of_edge or y in of_edge else {"facecolor": "white", "edgecolor": "none", "pad": 1.5}, **{"zorder": 4})
 
 
 def _key(figure: Any, panel: Any, mark: Any, ax: Any, order: Any) -> Any:
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
-    if mark["kind"] == "key_fill":
+    if mark["kind"] in ("area", "band"):
         return Patch(**_fill(mark))
-    return Line2D([], [], **({**_stroke(mark), "ls": ""} if mark["kind"] == "key_points" else _stroke(mark)), **_symbols(mark))
+    return Line2D([], [], **({**_stroke(mark), "ls": ""} if mark["kind"] == "points" else _stroke(mark)), **_symbols(mark))
 
 
-_DRAWN = {"line": _line, "points": _points, "band": _band, "area": _area, "bars": _bars, "spans": _spans, "arrows": _arrows, "pixels": _pixels,
-          "horizontal": _horizontal, "vertical": _vertical, "rectangle": _rectangle, "label": _label, "key_line": _key, "key_points": _key, "key_fill": _key}
+_DRAWN = {"line": _line, "points": _points, "band": _band, "area": _area, "bars": _bars, "spans": _spans, "arrows": _arrows, "pixels": _pixels}

@@ -16,8 +16,8 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/design_figures.h"
 #include "report/design_words.h"
+#include "report/figures.h"
 
 namespace flexslip::python {
 namespace {

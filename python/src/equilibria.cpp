@@ -11,7 +11,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/model_figures.h"
+#include "report/figures.h"
 
 namespace flexslip::python {
 namespace {

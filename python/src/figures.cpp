@@ -6,7 +6,7 @@
 #include <pybind11/numpy.h>
 
 #include "plain.h"
-#include "report/plot_json.h"
+#include "report/plot.h"
 
 namespace flexslip::python {
 
@@ -24,7 +24,7 @@ py::object plain(const Plot& plot) {
     }
     data[py::str(table.name)] = columns;
   }
-  py::object out = plain(json_of(plot));
+  py::object out = plain(json_of(laid_out(plot)));
   out["data"] = data;
   return out;
 }

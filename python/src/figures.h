@@ -7,7 +7,7 @@
 
 namespace flexslip::python {
 
-// As json_of (report/plot_json.h), with "data": {table: {title: array}}; an empty row is one of NaN.
+// As json_of (report/plot.h), with "data": {table: {title: array}}; an empty row is one of NaN.
 pybind11::object plain(const Plot& plot);
 
 }  // namespace flexslip::python

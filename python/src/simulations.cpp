@@ -16,7 +16,7 @@
 #include "io/input_error.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/model_figures.h"
+#include "report/figures.h"
 
 namespace flexslip::python {
 namespace {

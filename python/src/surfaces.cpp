@@ -13,7 +13,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/surface_figure.h"
+#include "report/figures.h"
 #include "report/surface_words.h"
 
 namespace flexslip::python {

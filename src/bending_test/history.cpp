@@ -212,8 +212,14 @@ int points_drawn_for(const Friction& friction, double S_max) {
   return static_cast<int>(std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, most));
 }
 
+// From the straight specimen on, which a thick one leaves at once.
+std::vector<EquilibriumPoint> from_straight(std::vector<EquilibriumPoint> curve) {
+  if (curve.front().w > 0) curve.insert(curve.begin(), {1, 0, 0, 0});
+  return curve;
+}
+
 std::vector<EquilibriumPoint> drawn(const Friction& friction, Sliding sliding, double S_max, const Fibre& fibre) {
-  return equilibrium_curve(friction, sliding, S_max, points_drawn_for(friction, S_max), fibre).points;
+  return from_straight(equilibrium_curve(friction, sliding, S_max, points_drawn_for(friction, S_max), fibre).points);
 }
 
 constexpr double shortest = 1.01;  // [L] that a picture shows
@@ -223,8 +229,7 @@ constexpr double shortest = 1.01;  // [L] that a picture shows
 EquilibriumPortrait portrait_of(const Friction& friction, const Fibre& fibre, double S_max) {
   EquilibriumPortrait portrait{
       drawn(friction, Sliding::in, S_max, fibre), drawn(friction, Sliding::out, S_max, fibre), {}, {}};
-  portrait.frictionless =
-      equilibrium_curve(Friction::constant(0), Sliding::in, S_max, static_cast<int>(portrait.in.size()), fibre).points;
+  portrait.frictionless = drawn(Friction::constant(0), Sliding::in, S_max, fibre);
   const double S = 1 + 0.7 * (portrait.in.back().S - 1);
   const double most = met(friction, fibre, 1, S_max).at(S).mu, least = -met(friction, fibre, -1, S_max).at(S).mu;
   constexpr int levels = 60;
@@ -261,9 +266,7 @@ OverallPortrait overall_portrait(const Friction& friction, const Rig& rig, std::
 }
 
 std::vector<EquilibriumPoint> frictionless_up_to(double deflection, int n, const Fibre& fibre) {
-  std::vector<EquilibriumPoint> curve = sliding_up_to(deflection, 0, n, fibre);
-  if (curve.front().w > 0) curve.insert(curve.begin(), {1, 0, 0, 0});
-  return curve;
+  return from_straight(sliding_up_to(deflection, 0, n, fibre));
 }
 
 }  // namespace flexslip

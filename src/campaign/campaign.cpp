@@ -49,16 +49,16 @@ std::vector<std::string> remarks_of(const Answer& answer) {
 
 }  // namespace
 
-ForceCurve frictionless_curve(const CampaignCurves& curves, double bending_stiffness) {
-  ForceCurve curve;
-  if (curves.deflection.empty()) return curve;
-  const double deepest = *std::max_element(curves.deflection.begin(), curves.deflection.end());
-  if (!(deepest > 0)) return curve;
+std::vector<EquilibriumPoint> frictionless_curve(const CampaignCurves& curves, double bending_stiffness) {
+  const double deepest =
+      curves.deflection.empty() ? 0 : *std::max_element(curves.deflection.begin(), curves.deflection.end());
+  if (!(deepest > 0)) return {};
   constexpr int points = 60;
   const Scales scales(curves.span, bending_stiffness);
-  for (const auto& point : frictionless_up_to(scales.reduced_length(deepest), points, Fibre(curves.supports))) {
-    curve.deflection.push_back(scales.physical_length(point.w));
-    curve.force.push_back(scales.physical_force(point.F));
+  auto curve = frictionless_up_to(scales.reduced_length(deepest), points, Fibre(curves.supports));
+  for (EquilibriumPoint& point : curve) {
+    point.w = scales.physical_length(point.w);
+    point.F = scales.physical_force(point.F);
   }
   return curve;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bending_test/equilibrium.h"
 #include "case/fitted.h"
 #include "data/literature_friction.h"
 #include "fibre/supported_state.h"
@@ -42,11 +43,8 @@ struct CampaignTest {
 };
 
 // The curve without friction of a specimen of some bending stiffness [N m^2] on the supports of the test, from the straight specimen to its greatest
-// deflection or beyond; SI. Empty if it was not bent.
-struct ForceCurve {
-  std::vector<double> deflection, force;  // [m], [N]
-};
-ForceCurve frictionless_curve(const CampaignCurves& curves, double bending_stiffness);
+// deflection or beyond: deflection and force in SI. Empty if it was not bent.
+std::vector<EquilibriumPoint> frictionless_curve(const CampaignCurves& curves, double bending_stiffness);
 
 // The test in a line and in curves.
 CampaignTest campaign_test_of(const FittedTest& test, const std::string& file);

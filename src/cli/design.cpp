@@ -17,8 +17,8 @@
 #include "design/design_map.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/design_figures.h"
 #include "report/design_words.h"
+#include "report/figures.h"
 
 namespace flexslip {
 namespace {

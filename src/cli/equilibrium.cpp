@@ -10,7 +10,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "io/quantity.h"
-#include "report/model_figures.h"
+#include "report/figures.h"
 
 namespace flexslip {
 namespace {

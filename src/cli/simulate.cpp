@@ -16,7 +16,7 @@
 #include "cli/numbers.h"
 #include "cli/output.h"
 #include "io/input_error.h"
-#include "report/model_figures.h"
+#include "report/figures.h"
 #include "result/table.h"
 
 namespace flexslip {

@@ -10,7 +10,7 @@
 #include "cli/output.h"
 #include "cli/trace_flags.h"
 #include "io/text_file.h"
-#include "report/surface_figure.h"
+#include "report/figures.h"
 #include "report/surface_words.h"
 
 namespace flexslip {

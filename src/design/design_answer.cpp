@@ -196,11 +196,14 @@ DesignAnswer answer_of(const DesignCase& input) {
   return answer;
 }
 
-DesignCurves curves_of(const DesignAnswer& answer) {
+std::vector<RecordedForce> record_of(const DesignAnswer& answer) {
   const Design& design = answer.design;
   const bool breaks = answer.outcome.status == DesignStatus::breaks;
-  return {record_of({design.friction, design.rig}, breaks ? answer.outcome.stage_reached : design.travel, design.step),
-          folds_up_to(design.friction, design.travel, design.rig.fibre)};
+  return record_of({design.friction, design.rig}, breaks ? answer.outcome.stage_reached : design.travel, design.step);
+}
+
+std::vector<FoldPoint> folds_of(const DesignAnswer& answer) {
+  return folds_up_to(answer.design.friction, answer.design.travel, answer.design.rig.fibre);
 }
 
 }  // namespace flexslip

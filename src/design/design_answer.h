@@ -52,11 +52,8 @@ struct DesignAnswer {
 // Cost:       some 40 outcomes, and 700 traces to the first snap.
 DesignAnswer answer_of(const DesignCase& input);
 
-// The same as curves, close enough to be drawn as lines: the record as it will be, and the folds up to the travel.
-struct DesignCurves {
-  std::vector<RecordedForce> record;
-  std::vector<FoldPoint> folds;
-};
-DesignCurves curves_of(const DesignAnswer& answer);
+// The record as it will be, and the folds up to the travel, close enough to be drawn as lines.
+std::vector<RecordedForce> record_of(const DesignAnswer& answer);
+std::vector<FoldPoint> folds_of(const DesignAnswer& answer);
 
 }  // namespace flexslip

@@ -1,27 +1,18 @@
-#include "report/campaign_figures.h"
-
-#include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "io/text.h"
 #include "io/text_table.h"
 #include "report/campaign_words.h"
-#include "report/marks.h"
-#include "report/plot_layout.h"
-#include "report/plot_units.h"
+#include "report/figures.h"
 #include "result/table.h"
 
 namespace flexslip {
@@ -29,15 +20,13 @@ namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-struct CategoryLook {
+struct Category {
   SawtoothCategory category;
   std::string_view title;
-  Symbol symbol;
-  double size;  // [pt]
 };
-constexpr std::array<CategoryLook, 3> looks{{{SawtoothCategory::clear, "clear sawtooth", Symbol::star, 4.5},
-                                             {SawtoothCategory::nominal, "nominal sawtooth", Symbol::triangle, 4.8},
-                                             {SawtoothCategory::none, "almost no sawtooth", Symbol::disc, 3.3}}};
+constexpr std::array<Category, 3> categories{{{SawtoothCategory::clear, "clear sawtooth"},
+                                              {SawtoothCategory::nominal, "nominal sawtooth"},
+                                              {SawtoothCategory::none, "almost no sawtooth"}}};
 
 // The last number in a name: 14 of "SS14 b".
 std::optional<double> number_named_in(std::string_view name) {
@@ -47,39 +36,25 @@ std::optional<double> number_named_in(std::string_view name) {
   return std::stod(std::string(first.base(), last.base()));
 }
 
-struct TestNumbers {
-  bool of_names;  // or of rows
-  std::vector<double> of_test;
-};
-
-// The numbers that the tests bear in their names, if these tell them apart and lie close enough for an axis.
-TestNumbers numbers_of(const Campaign& campaign) {
-  TestNumbers numbers{true, {}};
+// The numbers that the tests bear in their names, if these tell them apart and lie close enough for an axis; none otherwise.
+std::vector<double> named_numbers_of(const Campaign& campaign) {
+  std::vector<double> numbers;
   std::set<double> seen;
   for (const auto& test : campaign.tests) {
     const auto number = number_named_in(test.name);
-    numbers.of_test.push_back(number.value_or(0));
-    if (test.summary) numbers.of_names = numbers.of_names && number && seen.insert(*number).second;
+    numbers.push_back(number.value_or(0));
+    if (test.summary && !(number && seen.insert(*number).second)) return {};
   }
-  const auto tests = static_cast<double>(campaign.tests.size());
-  if (numbers.of_names && !seen.empty() && *seen.rbegin() - *seen.begin() <= 4 * tests + 10) return numbers;
-  numbers.of_names = false;
-  for (std::size_t i = 0; i < numbers.of_test.size(); ++i) numbers.of_test[i] = static_cast<double>(i + 1);
-  return numbers;
+  const double most = 4 * static_cast<double>(campaign.tests.size()) + 10;
+  return *seen.rbegin() - *seen.begin() <= most ? numbers : std::vector<double>{};
 }
 
-const CategorySummary* summary_of(const Campaign& campaign, std::optional<SawtoothCategory> category) {
-  const auto found = std::find_if(campaign.categories.begin(), campaign.categories.end(),
-                                  [&](const CategorySummary& summary) { return summary.category == category; });
-  return found == campaign.categories.end() ? nullptr : &*found;
+double mean_of(const Campaign& campaign, std::optional<SawtoothCategory> category, Spread CategorySpread::*spread) {
+  for (const CategorySummary& summary : campaign.categories)
+    if (summary.category == category && (summary.without_suspects.*spread).count > 0)
+      return (summary.without_suspects.*spread).mean;
+  return not_known;
 }
-
-double mean_of(const CategorySummary* summary, Spread CategorySpread::*spread) {
-  return summary && (summary->without_suspects.*spread).count > 0 ? (summary->without_suspects.*spread).mean
-                                                                  : not_known;
-}
-
-constexpr Style mean_look{.width = 1.4}, all_look{.colour = Colour::grey};
 
 }  // namespace
 
@@ -87,7 +62,7 @@ Plot distribution_figure(const Campaign& campaign) {
   if (std::none_of(campaign.tests.begin(), campaign.tests.end(),
                    [](const auto& test) { return test.summary.has_value(); }))
     throw std::invalid_argument("distribution_figure: no test has a summary");
-  const TestNumbers numbers = numbers_of(campaign);
+  const std::vector<double> numbers = named_numbers_of(campaign);
   std::vector<double> wavelengths;
   for (const auto& test : campaign.tests)
     if (test.summary && test.summary->wavelength) wavelengths.push_back(test.summary->wavelength->value);
@@ -98,119 +73,119 @@ Plot distribution_figure(const Campaign& campaign) {
                   {"test", "category (0 clear; 1 nominal; 2 none)", "suspect", "mu0", "mu0 low", "mu0 high",
                    length.column("wavelength"), length.column("low"), length.column("high"), "wave claimed"}};
   double first = INFINITY, last = -INFINITY, shortest = INFINITY, longest = 0, highest = 1;
+  std::set<SawtoothCategory> with_tests, with_waves;
   for (std::size_t i = 0; i < campaign.tests.size(); ++i) {
     if (!campaign.tests[i].summary) continue;
     const TestSummary& test = *campaign.tests[i].summary;
     const bool has_wave = test.category != SawtoothCategory::none && test.wavelength && test.amplitude;
+    const double number = numbers.empty() ? static_cast<double>(i + 1) : numbers[i];
     const double mu0 = test.mu0_is_bound ? not_known : test.mu0.value;  // a limit is a line without a mark
     const Estimate wave = has_wave ? *test.wavelength : Estimate{not_known, not_known, not_known, not_known};
-    tests.rows.push_back({numbers.of_test[i], static_cast<double>(test.category), test.suspect ? 1.0 : 0.0, mu0,
-                          test.mu0.low, test.mu0.high, length(wave.value), length(wave.low), length(wave.high),
+    tests.rows.push_back({number, static_cast<double>(test.category), test.suspect ? 1.0 : 0.0, mu0, test.mu0.low,
+                          test.mu0.high, length(wave.value), length(wave.low), length(wave.high),
                           test.wave_claimed ? 1.0 : 0.0});
-    first = std::min(first, numbers.of_test[i]);
-    last = std::max(last, numbers.of_test[i]);
-    shortest = std::fmin(shortest, length(wave.value));
-    longest = std::fmax(longest, length(wave.value));
+    with_tests.insert(test.category);
+    if (has_wave) with_waves.insert(test.category);
+    first = std::min(first, number);
+    last = std::max(last, number);
+    shortest = std::fmin(shortest, length(wave.low));
+    longest = std::fmax(longest, length(wave.high));
     highest = std::fmax(highest, test.mu0.high);
   }
   const double space = std::max(1.0, 0.07 * (last - first));
   const bool logarithmic = shortest > 0 && longest > 8 * shortest;
-  const Axis x{numbers.of_names ? "Test number" : "Test, counted in the order of the table", "", first - space,
+  const Axis x{numbers.empty() ? "Test, counted in the order of the table" : "Test number", "", first - space,
                last + space};
-  const Axis wavelength{"Wavelength *λ*", length.unit, logarithmic ? shortest / 1.5 : 0,
-                        longest > 0 ? (logarithmic ? 1.5 : 1.12) * longest : 1, logarithmic};
-  const Axis friction{"Mean friction *μ*_0", "", -0.035 * highest, 1.06 * highest};
+  const auto literature = literature_of(campaign);
+  const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
+  constexpr Style mean_look{.width = 1.4}, all_look{.colour = colours::grey},
+      indicative = styles::mark(Symbol::disc, colours::grey, 3.5);
 
-  // Of the tests of a category; without suspects, or only these.
-  const auto of = [](const CategoryLook& look, std::vector<Condition> more) {
-    more.push_back({1, static_cast<double>(look.category)});
-    return more;
-  };
-  const auto symbols = [](const CategoryLook& look, Colour colour) {
-    return Style{colour, 1, Dash::solid, look.symbol, look.size};
+  // Of the tests of a category, without suspects and these; what is only indicative is grey.
+  const auto panel_of = [&](const Category& each, const Axis& y, std::size_t column, double mean, std::string title) {
+    const Condition belongs{1, static_cast<double>(each.category)};
+    const auto tests_that = [&](Style style, std::vector<Condition> conditions) {
+      conditions.push_back(belongs);
+      return Mark{Mark::points, "tests", {0, column}, style, "", std::move(conditions)};
+    };
+    const Style disc = styles::mark(Symbol::disc, colours::black, 3.5);
+    const bool is_friction = column == 3;
+    Panel panel{.title = std::move(title), .x = x, .y = y};
+    if (is_friction && literature)
+      panel.marks.push_back(rectangle(-edge, literature->low, edge, literature->high, styles::literature));
+    if (is_friction && std::isfinite(all)) panel.marks.push_back(level(all, all_look));
+    if (std::isfinite(mean)) panel.marks.push_back(level(mean, mean_look));
+    panel.marks.push_back({Mark::bars, "tests", {0, column + 1, column + 2}, {.width = 0.7}, "", {belongs}});
+    panel.marks.push_back(tests_that(disc, {{2, 0}, {9, 1}}));
+    panel.marks.push_back(tests_that(is_friction ? disc : indicative, {{2, 0}, {9, 0}}));
+    panel.marks.push_back(tests_that(styles::suspect, {{2, 1}}));
+    return panel;
   };
   std::vector<Panel> panels;
-  for (const auto& look : {looks[0], looks[1]}) {
-    const double mean = length(mean_of(summary_of(campaign, look.category), &CategorySpread::wavelength));
-    Panel panel{
-        .title = fmt::format(
-            "{}{}\n{}", panels.empty() ? "A: " : "", look.title,
-            std::isfinite(mean) ? fmt::format("mean {:.{}f} {}", mean, mean < 100 ? 1 : 0, length.unit) : "no mean"),
-        .x = x,
-        .y = wavelength,
-        .marks = {marks::only(marks::bars("tests", {0, 7, 8}, {Colour::grey, 0.8}), of(look, {})),
-                  marks::only(marks::points("tests", {0, 6}, symbols(look, Colour::black)), of(look, {{2, 0}, {9, 1}})),
-                  marks::only(marks::points("tests", {0, 6}, symbols(look, Colour::grey)), of(look, {{2, 0}, {9, 0}})),
-                  marks::only(marks::points("tests", {0, 6}, styles::suspect), of(look, {{2, 1}}))}};
-    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal({mean}, mean_look));
-    panels.push_back(std::move(panel));
-  }
-  const double all = mean_of(summary_of(campaign, std::nullopt), &CategorySpread::mu0);
-  const auto literature = literature_of(campaign);
-  for (const auto& look : looks) {
-    const double mean = mean_of(summary_of(campaign, look.category), &CategorySpread::mu0);
-    Panel panel{.title = fmt::format("{}{}\n{}", panels.size() == 2 ? "B: " : "", look.title,
-                                     std::isfinite(mean) ? fmt::format("mean {:.3f}", mean) : "no mean"),
-                .x = x,
-                .y = friction,
-                .marks = {}};
-    if (literature)
-      panel.marks.push_back(
-          marks::rectangle({-marks::edge, marks::edge, literature->low, literature->high}, styles::literature));
-    if (std::isfinite(all)) panel.marks.push_back(marks::horizontal({all}, all_look));
-    panel.marks.push_back(marks::only(marks::bars("tests", {0, 4, 5}, {.width = 0.7}), of(look, {})));
-    panel.marks.push_back(
-        marks::only(marks::points("tests", {0, 3}, symbols(look, Colour::black)), of(look, {{2, 0}})));
-    panel.marks.push_back(marks::only(marks::points("tests", {0, 3}, styles::suspect), of(look, {{2, 1}})));
-    if (std::isfinite(mean)) panel.marks.push_back(marks::horizontal({mean}, mean_look));
-    panels.push_back(std::move(panel));
-  }
-  std::vector<Mark> entries{
-      marks::key_points(styles::suspect, "Suspect"), marks::key_line(mean_look, "Mean, suspects left out"),
-      marks::key_points({Colour::grey, 1, Dash::solid, Symbol::square, 3.5}, "Wave only indicative"),
-      marks::key_line(all_look,
-                      std::isfinite(all) ? fmt::format("Mean of all, likewise: {:.3f}", all) : "Mean of all, likewise"),
-      marks::key_line({.width = 0.7}, "95 %; without a mark: limits")};
+  for (const Category& each : categories)
+    if (with_waves.count(each.category) > 0) {
+      const double mean = length(mean_of(campaign, each.category, &CategorySpread::wavelength));
+      panels.push_back(panel_of(
+          each,
+          {"Wavelength *λ*", length.unit, logarithmic ? shortest / 1.2 : 0, (logarithmic ? 1.2 : 1.06) * longest,
+           logarithmic},
+          6, mean,
+          fmt::format("{}{}\n{}", panels.empty() ? "A: " : "", each.title,
+                      std::isfinite(mean) ? fmt::format("mean {:.{}f} {}", mean, mean < 100 ? 1 : 0, length.unit)
+                                          : "no mean")));
+    }
+  const std::size_t waves = panels.size();
+  for (const Category& each : categories)
+    if (with_tests.count(each.category) > 0) {
+      const double mean = mean_of(campaign, each.category, &CategorySpread::mu0);
+      panels.push_back(panel_of(each, {"Mean friction *μ*_0", "", -0.035 * highest, 1.06 * highest}, 3, mean,
+                                fmt::format("{}{}\n{}", waves > 0 && panels.size() == waves ? "B: " : "", each.title,
+                                            std::isfinite(mean) ? fmt::format("mean {:.3f}", mean) : "no mean")));
+    }
+  std::vector<Mark> entries{{.style = mean_look, .title = "Mean, suspects left out"},
+                            {.style = {.width = 0.7}, .title = "95 %; without a mark: limits"}};
+  if (std::isfinite(all))
+    entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
+  const auto has = [&](auto holds) { return std::any_of(tests.rows.begin(), tests.rows.end(), holds); };
+  if (has([](const auto& row) { return row[2] == 1; }))
+    entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
+  if (has([](const auto& row) { return row[9] == 0 && std::isfinite(row[6]); }))
+    entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave only indicative"});
   if (literature)
-    entries.push_back(marks::key_fill(styles::literature,
-                                      as_it_is(fmt::format("Literature, {} on {}: {:g}–{:g}", literature->specimen,
-                                                           literature->support, literature->low, literature->high))));
+    entries.push_back({.kind = Mark::area,
+                       .style = styles::literature,
+                       .title = as_it_is(fmt::format("Literature, {} on {}: {:g}–{:g}", literature->specimen,
+                                                     literature->support, literature->low, literature->high))});
   panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
-  const std::string in_literature = literature ? fmt::format("{} on {}, {:g} to {:g}", literature->specimen,
-                                                             literature->support, literature->low, literature->high)
-                                               : "";
-  return {
-      .name = "distributions",
-      .title = "Wavelength and mean friction of all tests",
-      .caption = fmt::format(
-          "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a sawtooth; grey "
-          "where the wave is only indicative. B: mean friction, with its 95 % interval. Black lines: means of a "
-          "category, grey line: mean of all. Red-orange "
-          "crosses: suspect tests, which the means leave out.{}",
-          literature ? fmt::format(" Green: what the literature gives for {}.", in_literature) : ""),
-      .width = two_columns,
-      .height = 84,
-      .data = {std::move(tests)},
-      .panels = std::move(panels),
-      .columns = 5};
+  const std::size_t count = panels.size();
+  return {.name = "distributions",
+          .title = "Wavelength and mean friction of all tests",
+          .caption = fmt::format(
+              "{}mean friction, with its 95 % interval. Black lines: means of a category, grey line: mean of all. "
+              "Red-orange crosses: suspect tests, which the means leave out.{}",
+              waves > 0 ? "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a "
+                          "sawtooth; grey where the wave is only indicative. B: "
+                        : "The ",
+              literature ? fmt::format(" Green: what the literature gives for {} on {}, {:g} to {:g}.",
+                                       literature->specimen, literature->support, literature->low, literature->high)
+                         : ""),
+          .width = two_columns,
+          .height = 84,
+          .data = {std::move(tests)},
+          .panels = std::move(panels),
+          .columns = count};
 }
 
 namespace {
 
-constexpr std::size_t panels_across = 4, panels_down = 5;
-constexpr std::size_t panels_on_page = panels_across * panels_down;
-constexpr std::size_t longest_name = 20;  // [characters] above a panel
+constexpr std::size_t panels_across = 4, panels_on_page = 5 * panels_across;
 
 std::string clipped(const std::string& name) {
+  constexpr std::size_t longest = 20;  // [characters] above a panel
   std::size_t characters = 0;
   for (std::size_t i = 0; i < name.size(); ++i)
-    if ((static_cast<unsigned char>(name[i]) & 0xc0) != 0x80 && ++characters == longest_name)
-      return name.substr(0, i) + "…";
+    if ((static_cast<unsigned char>(name[i]) & 0xc0) != 0x80 && ++characters == longest) return name.substr(0, i) + "…";
   return name;
-}
-
-double greatest_of(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
 // Its friction, a line each.
@@ -224,82 +199,73 @@ std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {
   return lines;
 }
 
-Plot atlas_page(const std::vector<const CampaignTest*>& tests, std::string name, std::string title) {
+Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, std::string title) {
+  const auto greatest = [](const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
   double deepest = 0, strongest = 0, longest = 0;
   for (const auto* test : tests) {
-    deepest = std::max(deepest, greatest_of(test->curves->deflection));
-    strongest = std::max(strongest, greatest_of(test->curves->force));
+    deepest = std::max(deepest, greatest(test->curves->deflection));
+    strongest = std::max(strongest, greatest(test->curves->force));
     longest = std::max(longest, 0.01 * test->curves->span);
   }
-  const PlotUnit w = plot_unit(deepest, kind::length, false, ""), F = plot_unit(strongest, kind::force, false, "");
-  const PlotUnit wavelength = plot_unit(longest, kind::length, false, "");
-  const std::vector<std::string> titles{"panel", w.column("deflection"), F.column("force")};
-  PlotTable measured{"measured", titles}, model{"model", titles}, beam{"beam", titles},
-      frictionless{"frictionless", titles}, drops{"drops", titles};
+  const PlotUnit w = plot_unit(deepest, kind::length), F = plot_unit(strongest, kind::force),
+                 wavelength = plot_unit(longest, kind::length);
+  std::vector<PlotTable> data;
+  for (const char* table : {"drops", "beam", "frictionless", "model", "measured"})
+    data.push_back({table, {"panel", w.column("deflection"), F.column("force")}});
+  constexpr std::array looks{styles::drop, styles::euler, styles::frictionless, styles::fit, Style{colours::blue, 0.9}};
+  constexpr std::array words{"Load lines", "Euler–Bernoulli", "No friction", "Model", "Measured"};
   std::vector<Panel> panels;
   std::string names;
   for (const auto* test : tests) {
     const CampaignCurves& curves = *test->curves;
     const TestSummary& summary = *test->summary;
-    const auto panel = static_cast<double>(panels.size() + 1);
-    const double w_max = greatest_of(curves.deflection), F_max = greatest_of(curves.force);
-    const auto add = [&](PlotTable& table, const std::vector<std::vector<double>>& rows) {
-      for (const auto& row : rows) table.rows.push_back(row.empty() ? row : std::vector{panel, row[0], row[1]});
-      table.rows.emplace_back();
+    const auto number = static_cast<double>(panels.size() + 1);
+    const ForcePlane plane{w, F, greatest(curves.deflection), greatest(curves.force)};
+    const auto add = [&](std::size_t table, const std::vector<std::vector<double>>& rows) {
+      for (const auto& row : rows) data[table].rows.push_back(row.empty() ? row : std::vector{number, row[0], row[1]});
+      data[table].rows.emplace_back();
     };
     const auto line = [&](const std::vector<double>& deflection, const std::vector<double>& force) {
-      std::vector<std::vector<double>> rows;
+      PlotTable table = plane.table("");
       for (std::size_t i = 0; i < std::min(deflection.size(), force.size()); ++i)
-        rows.push_back({w(deflection[i]), F(force[i])});
-      return rows;
+        table.rows.push_back({w(deflection[i]), F(force[i])});
+      return table;
     };
-    add(measured, line(curves.deflection, curves.force));
-    add(model, thinned(line(curves.model_deflection, curves.model_force), w(w_max), F(F_max)));
-    const ForceCurve smooth = frictionless_curve(curves, summary.bending_stiffness.value);
-    add(frictionless, line(smooth.deflection, smooth.force));
+    for (const std::size_t before : curves.drops)
+      if (before + 1 < curves.force.size())
+        add(0, plane.load_line(curves.deflection[before], curves.force[before], curves.force[before + 1],
+                               curves.load_train_stiffness));
     const double initial = 48 * summary.bending_stiffness.value / std::pow(curves.span, 3);
-    add(beam, line({0, w_max}, {0, initial * w_max}));
-    // Load lines reach a little beyond the drops on both sides.
-    for (const std::size_t before : curves.drops) {
-      if (before + 1 >= curves.force.size()) continue;
-      const double from = curves.force[before] + 0.06 * F_max,
-                   to = std::max(curves.force[before + 1] - 0.16 * F_max, 0.0);
-      const auto on_line = [&](double force) {
-        return curves.deflection[before] - (force - curves.force[before]) / curves.load_train_stiffness;
-      };
-      add(drops, line({on_line(from), on_line(to)}, {from, to}));
-    }
-    const auto of_test = [&](const char* table, Style style) {
-      return marks::only(marks::line(table, {1, 2}, style), {{0, panel}});
-    };
-    panels.push_back({.title = (summary.suspect ? "× " : "") + as_it_is(clipped(printable(test->name))),
-                      .x = w.axis(deflection_label, 0, std::max(1.04 * w_max, 1e-9 / w.factor)),
-                      .y = F.axis(force_label, 0, std::max(1.15 * F_max, 1e-9 / F.factor)),
-                      .marks = {of_test("drops", styles::drop), of_test("beam", styles::euler),
-                                of_test("frictionless", styles::frictionless), of_test("model", styles::fit),
-                                of_test("measured", {Colour::blue, 0.9}),
-                                marks::label(marks::edge, -marks::edge, parameters_of(summary, wavelength))}});
-    names += (names.empty() ? "" : ", ") + printable(test->name);
+    add(1, {{0, 0}, {w(plane.w_max), F(initial * plane.w_max)}});
+    const auto smooth = frictionless_curve(curves, summary.bending_stiffness.value);
+    add(2, plane.curve("", smooth).rows);
+    add(3, plane.thinned(line(curves.model_deflection, curves.model_force)).rows);
+    add(4, line(curves.deflection, curves.force).rows);
+    Panel panel{.title = (summary.suspect ? "× " : "") + as_it_is(clipped(printable(test->name))),
+                .x = plane.x(1.04),
+                .y = plane.y(1.15)};
+    for (std::size_t k = 0; k < data.size(); ++k)
+      panel.marks.push_back({Mark::line, data[k].name, {1, 2}, looks[k], "", {{0, number}}});
+    if (std::string parameters = parameters_of(summary, wavelength); !parameters.empty())
+      panel.marks.push_back(label(edge, -edge, std::move(parameters)));
+    panels.push_back(std::move(panel));
   }
-  const std::vector<Mark> entries{
-      marks::key_line({Colour::blue, 0.9}, "Measured"), marks::key_line(styles::fit, "Model"),
-      marks::key_line(styles::euler, "Euler–Bernoulli"), marks::key_line(styles::frictionless, "No friction"),
-      marks::key_line(styles::drop, "Load lines")};
-  panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
-  const std::size_t rows = (tests.size() + panels_across - 1) / panels_across;
+  for (std::size_t k = looks.size(); k-- > 0;) panels.front().marks.push_back({.style = looks[k], .title = words[k]});
+  const std::size_t count = panels.size(), rows = (count + panels_across - 1) / panels_across;
   return {
       .name = std::move(name),
       .title = title,
       .caption = title +
-                 ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the fit "
-                 "run forward. In the corner: the "
-                 "mean friction of the fit, and A and λ where a wave is claimed. Orange: Euler–Bernoulli (dashed) and "
-                 "the model without friction, with "
-                 "the bending stiffness of the fit. Grey: load lines at the drops of the force, with the stiffness of "
-                 "the load train as slope. ×: suspect.",
-      .width = 183,
-      .height = 16 + 46 * static_cast<double>(rows),
-      .data = {std::move(measured), std::move(model), std::move(beam), std::move(frictionless), std::move(drops)},
+                 ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the "
+                 "fit run forward. In the corner: the mean friction of the fit, and A and λ where a wave is claimed. "
+                 "Orange: Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the "
+                 "fit. Grey: load lines at the drops of the force, with the stiffness of the load train as slope. ×: "
+                 "suspect.",
+      .width = count < 3 ? 100.0 : 183.0,
+      .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
+      .data = std::move(data),
       .panels = std::move(panels),
       .columns = panels_across};
 }
@@ -308,26 +274,24 @@ Plot atlas_page(const std::vector<const CampaignTest*>& tests, std::string name,
 
 std::vector<Plot> atlas_pages(const Campaign& campaign) {
   std::vector<Plot> pages;
-  const auto add_pages = [&](const std::string& key, const std::string& title,
+  const auto add_pages = [&](std::string_view key, std::string title,
                              const std::function<bool(const TestSummary&)>& belongs) {
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
     std::vector<const CampaignTest*> tests;
     for (const auto& test : campaign.tests)
       if (test.summary && test.curves && !test.curves->force.empty() && belongs(*test.summary)) tests.push_back(&test);
     const std::size_t count = (tests.size() + panels_on_page - 1) / panels_on_page;
     for (std::size_t page = 0; page < count; ++page) {
-      const auto begin = tests.begin() + static_cast<std::ptrdiff_t>(page * panels_on_page);
-      const auto end = tests.begin() + static_cast<std::ptrdiff_t>(std::min((page + 1) * panels_on_page, tests.size()));
-      pages.push_back(atlas_page({begin, end}, fmt::format("atlas-{}-{}", key, page + 1),
+      const std::size_t first = page * panels_on_page;
+      pages.push_back(atlas_page(std::span(tests).subspan(first, std::min(panels_on_page, tests.size() - first)),
+                                 fmt::format("atlas-{}-{}", key, page + 1),
                                  count == 1 ? title : fmt::format("{}, page {} of {}", title, page + 1, count)));
     }
   };
-  for (const auto& look : looks) {
-    std::string title(look.title);
-    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-    add_pages(std::string(name_of(look.category)), title,
-              [&](const TestSummary& test) { return test.category == look.category; });
-  }
-  add_pages("suspect", "Suspect tests", [](const TestSummary& test) { return test.suspect; });
+  for (const Category& each : categories)
+    add_pages(name_of(each.category), std::string(each.title),
+              [&](const TestSummary& test) { return test.category == each.category; });
+  add_pages("suspect", "suspect tests", [](const TestSummary& test) { return test.suspect; });
   return pages;
 }
 

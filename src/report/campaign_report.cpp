@@ -17,7 +17,7 @@
 #include "campaign/campaign_plan.h"
 #include "io/durable_file.h"
 #include "io/text_file.h"
-#include "report/campaign_figures.h"
+#include "report/figures.h"
 #include "report/campaign_latex.h"
 #include "report/campaign_surface_words.h"
 #include "report/campaign_words.h"

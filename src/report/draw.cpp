@@ -1,6 +1,7 @@
 #include "report/draw.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -12,16 +13,245 @@
 
 #include <fmt/format.h>
 
+#include "data/names.h"
 #include "io/child_process.h"
 #include "io/input_error.h"
 #include "io/text.h"
 #include "io/text_file.h"
-#include "report/plot_script.h"
 
 namespace flexslip {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double png_resolution = 400, css_resolution = 96, mm_per_inch = 25.4;  // [1/in], [1/in], [mm]
+
+// Text as a word of a script, in quotes.
+std::string in_script(std::string_view text) {
+  if (text.find('\'') == std::string_view::npos) return fmt::format("'{}'", text);
+  // A doubled ' is misread between braces (gnuplot 5.4). Between " all that means something goes by its number.
+  std::string out = "\"";
+  for (const char c : text)
+    out +=
+        std::string_view("'\"\\`").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("\\{:03o}", c);
+  return out + '"';
+}
+
+// Markup as gnuplot's enhanced text, in quotes.
+std::string quoted(const std::string& markup) {
+  const std::vector<TextPiece> pieces = text_pieces(markup);
+  std::string out;
+  for (const TextPiece& piece : pieces) {
+    const std::string_view text = piece.text;
+    out += std::array{"", "{/:Italic ", "_{", "^{"}[piece.style];
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      // SVG drops plain spaces beside a change of font.
+      const bool is_beside =
+          (i == 0 && &piece != &pieces.front()) || (i + 1 == text.size() && &piece != &pieces.back());
+      if (std::string_view("\\{}^_@&~").find(text[i]) != std::string_view::npos) out += '\\';
+      out += text[i] == ' ' && is_beside ? std::string("\u00a0") : std::string(1, text[i]);
+    }
+    if (piece.style != TextPiece::plain) out += '}';
+  }
+  return in_script(out);
+}
+
+// Pixels, centimetres and the fonts of the terminals are made to agree, so that all three pictures look alike: `up` sets right where SVG puts the
+// numbers below an axis.
+std::string terminals(const Plot& plot) {
+  constexpr double scale = png_resolution / css_resolution;
+  const auto pixels = [](double mm, double resolution) { return std::lround(mm / mm_per_inch * resolution); };
+  return fmt::format(
+      "  up = 0\n"
+      "  if (format eq 'svg') {{ up = 0.2; set terminal svg size {},{} font 'Arial,{:.2f}' linewidth 1.25 enhanced "
+      "background 'white' }}\n"
+      "  if (format eq 'pdf') {{ set terminal pdfcairo size {:.2f}cm,{:.2f}cm font 'Arial,{:g}' fontscale 0.75 "
+      "linewidth 1.9 dashlength 1.6 enhanced }}\n"
+      "  if (format eq 'png') {{ set terminal pngcairo size {},{} font 'Arial,{:g}' fontscale {:.3f} linewidth {:.2f} "
+      "pointscale {:.2f} dashlength 1.6 enhanced background 'white' }}\n",
+      pixels(plot.width, css_resolution), pixels(plot.height, css_resolution), font_size * css_resolution / 72,
+      plot.width / 10, plot.height / 10, font_size, pixels(plot.width, png_resolution),
+      pixels(plot.height, png_resolution), font_size, scale, 1.25 * scale, scale);
+}
+
+std::string line_look(const Style& style) {
+  return fmt::format("lw {:g} dt {} lc rgb '{}'", style.width,
+                     name_in_order<Dash::dotted>(style.dash, {"solid", "(6,4)", "(14,7)", "(2,3)"}), style.colour);
+}
+
+// Several, one over the other.
+std::vector<std::string> point_looks(const Style& style) {
+  constexpr double size_of_gnuplot = 6;  // [pt] at pointsize 1
+  const auto look = [&](Symbol symbol, Colour colour) {
+    return fmt::format("pt {} ps {:.3g} lw {:g} lc rgb '{}'",
+                       name_in_order<Symbol::cross>(symbol, {"7", "7", "6", "5", "9", "11", "3", "2"}),
+                       style.size / size_of_gnuplot, style.width, colour);
+  };
+  if (style.symbol != Symbol::circle) return {look(style.symbol, style.colour)};
+  return {look(Symbol::disc, colours::white), look(Symbol::circle, style.colour)};
+}
+
+std::string fill_look(const Style& style) {
+  return fmt::format("rgb '{}' fs {} noborder", style.colour,
+                     style.opacity < 1 ? fmt::format("transparent solid {:g}", style.opacity) : "solid");
+}
+
+// What stands after `plot`.
+std::string plotted(const Mark& mark) {
+  const Style& style = mark.style;
+  const bool is_own = mark.table.empty();
+  std::vector<std::string> c;
+  for (const std::size_t column : mark.columns) c.push_back(fmt::format("${}", column + 1));
+  for (const double number : mark.at) c.push_back(fmt::format("{:.8g}", number));
+  if (!mark.only.empty()) {
+    std::string chosen;
+    for (const Condition& condition : mark.only)
+      chosen += fmt::format("{}${} == {:g}", chosen.empty() ? "" : " && ", condition.column + 1, condition.value);
+    c[0] = fmt::format("{} ? {} : NaN", chosen, c[0]);
+  }
+  std::string out;
+  const auto add = [&](const std::vector<std::string>& columns, const std::string& with) {
+    out += fmt::format("{}{} using ({}) with {} notitle", out.empty() ? "" : ", \\\n       ",
+                       is_own ? "$one" : mark.table, fmt::join(columns, "):("), with);
+  };
+  const auto vector = [&](std::string_view heads, const std::string& x, const std::string& y, const std::string& to_x,
+                          const std::string& to_y) {
+    add({x, y, fmt::format("({})-({})", to_x, x), fmt::format("({})-({})", to_y, y)},
+        fmt::format("vectors {} {}", heads, line_look(style)));
+  };
+  const auto box = [&](const std::vector<std::string>& ends, const std::string& with) {  // low x, high x, low y, high y
+    add({fmt::format("({}+{})/2", ends[0], ends[1]), fmt::format("({}+{})/2", ends[2], ends[3]), ends[0], ends[1],
+         ends[2], ends[3]},
+        "boxxyerror " + with);
+  };
+  switch (mark.kind) {
+    case Mark::line:
+      if (is_own)
+        vector("nohead", c[0], c[1], c[2], c[3]);
+      else
+        add(c, "lines " + line_look(style));
+      if (style.symbol == Symbol::none) break;
+      [[fallthrough]];
+    case Mark::points:
+      for (const std::string& look : point_looks(style)) add(c, "points " + look);
+      break;
+    case Mark::band:
+      add(c, "filledcurves lc " + fill_look(style));
+      break;
+    case Mark::area:
+      if (is_own)
+        box({c[0], c[2], c[1], c[3]}, "lc " + fill_look(style));
+      else
+        add(c, "filledcurves closed lc " + fill_look(style));
+      break;
+    case Mark::bars:
+      vector("nohead", c[0], c[1], c[0], c[2]);
+      break;
+    case Mark::spans:
+      vector("nohead", c[0], c[2], c[1], c[2]);
+      break;
+    case Mark::arrows:
+      vector("head filled size screen 0.013,20", c[0], c[1], c[2], c[3]);
+      break;
+    case Mark::pixels:
+      add({fmt::format("({}+{})/2", c[0], c[1]), fmt::format("({}+{})/2", c[2], c[3]), c[0], c[1], c[2], c[3], c[4]},
+          "boxxyerror fs solid border lw 0.5 lc palette");
+      break;
+    case Mark::label:
+      break;
+  }
+  return out;
+}
+
+// None without words.
+std::string set_label(const Text& text, const Plot& plot) {
+  if (text.words.empty()) return "";
+  return fmt::format("  set label {} at screen {:.5f},{:.5f} {}{} front{}\n", quoted(text.words), text.x / plot.width,
+                     text.y / plot.height, name_in_order<Text::right>(text.anchor, {"left", "center", "right"}),
+                     text.upright ? " rotate by 90" : "", text.boxed ? " boxed" : "");
+}
+
+std::string set_axis(std::string_view name, const Axis& axis, const Plot& plot) {
+  std::string ticks;
+  for (const Tick& tick : axis.ticks)
+    ticks += fmt::format("{}{} {:.10g}{}", ticks.empty() ? "" : ", ", quoted(axis.has_numbers ? tick.text : ""),
+                         tick.at, tick.text.empty() ? " 1" : "");
+  // A tick at the very end of a logarithmic axis would be lost to rounding.
+  const double beyond = axis.logarithmic ? 1 + 1e-7 : 1;
+  return fmt::format("  {}set logscale {}; set {}range [{:.10g}:{:.10g}] noextend\n  set {}tics ({}){}\n",
+                     axis.logarithmic ? "" : "un", name, name, axis.from / beyond, axis.to * beyond, name, ticks,
+                     name == "x" ? " offset 0,up" : "") +
+         set_label(axis.title, plot);
+}
+
+// Samples at the places of the page, and their words.
+std::string set_key(const Panel& panel, const Plot& plot) {
+  std::string out;
+  std::size_t entry = 0;
+  for (const Mark& mark : panel.marks) {
+    if (mark.title.empty()) continue;
+    const double left = panel.key_left + panel.key_width * static_cast<double>(entry / panel.key_rows),
+                 y = panel.key_top - key_height * (static_cast<double>(entry % panel.key_rows) + 0.5);
+    const auto screen = [&](double x, double lift) {
+      return fmt::format("screen {:.5f},{:.5f}", (left + x) / plot.width, (y + lift) / plot.height);
+    };
+    constexpr double sample = 6, words = 7.2, half_a_fill = 0.9;  // [mm]
+    if (mark.kind == Mark::area || mark.kind == Mark::band)
+      out += fmt::format("  set object rectangle from {} to {} front fc {}\n", screen(0, -half_a_fill),
+                         screen(sample, half_a_fill), fill_look(mark.style));
+    else if (mark.kind != Mark::points)
+      out += fmt::format("  set arrow from {} to {} nohead front {}\n", screen(0, 0), screen(sample, 0),
+                         line_look(mark.style));
+    if (mark.style.symbol != Symbol::none)
+      for (const std::string& look : point_looks(mark.style))
+        out += fmt::format("  set label '' at {} point {} front\n", screen(sample / 2, 0), look);
+    out += set_label({mark.title, left + words, y, Text::left}, plot);
+    ++entry;
+  }
+  return out;
+}
+
+std::string script_of(const Plot& plot) {
+  std::string out =
+      "# gnuplot THIS_FILE draws the figure from the data beside it, as SVG, PDF and PNG; one of them only:\n"
+      "# gnuplot -e \"formats='pdf'\" THIS_FILE\n"
+      "if (!exists('formats')) formats = 'svg pdf png'\n"
+      "if (!exists('folder')) folder = ''\n";
+  for (const PlotTable& table : plot.data)
+    out += fmt::format("{} = {}\n", table.name, in_script(fmt::format("{}-{}.csv", plot.name, table.name)));
+  std::string stops;
+  for (const auto& [at, colour] : palette) stops += fmt::format("{}{} '{}'", stops.empty() ? "" : ", ", at, colour);
+  out += fmt::format(
+      "set palette defined ({})\nset encoding utf8\nset datafile separator comma\nset datafile columnheaders\nset "
+      "border "
+      "linewidth 0.75\nset tics front in scale 0.6, 0.35\nset style textbox opaque noborder margins 0.6, 0.6\nunset "
+      "key\n"
+      "$one << EOD\nof numbers in the script\n1\nEOD\ndo for [format in formats] {{\n{}  set output "
+      "folder.{}.'.'.format\n  set multiplot\n",
+      stops, terminals(plot), in_script(plot.name));
+  for (const Text& text : plot.texts) out += set_label(text, plot);
+  for (const Panel& panel : plot.panels) {
+    out += fmt::format(
+        "  # Panel {}\n  set lmargin at screen {:.5f}; set rmargin at screen {:.5f}; set bmargin at screen {:.5f}; set "
+        "tmargin at screen {:.5f}\n",
+        &panel - plot.panels.data() + 1, panel.left / plot.width, (panel.left + panel.width) / plot.width,
+        panel.bottom / plot.height, (panel.bottom + panel.height) / plot.height);
+    out += set_axis("x", panel.x, plot) + set_axis("y", panel.y, plot) + set_key(panel, plot);
+    for (const Text& text : panel.texts) out += set_label(text, plot);
+    std::string marks;
+    for (const Mark& mark : panel.marks) {
+      if (mark.table.empty() && mark.at.empty()) continue;
+      if (mark.kind == Mark::pixels)
+        out += set_axis("cb", panel.colour, plot) +
+               fmt::format("  set colorbox user origin screen {:.5f},{:.5f} size screen {:.5f},{:.5f}\n",
+                           (panel.left + panel.width + colour_bar) / plot.width, panel.bottom / plot.height,
+                           colour_bar / plot.width, panel.height / plot.height);
+      marks += (marks.empty() ? "" : ", \\\n       ") + plotted(mark);
+    }
+    out += fmt::format("  plot {}\n  unset label; unset arrow; unset object\n", marks.empty() ? "NaN notitle" : marks);
+  }
+  return out + "  unset multiplot\n  unset output\n}\n";
+}
 
 std::string csv(const PlotTable& table) {
   std::string text = fmt::format("{}\n", fmt::join(table.titles, ","));
@@ -68,7 +298,7 @@ std::string finished_pdf(std::string text) {
 // How finely it is drawn stands in a chunk of its own, after the first one; cairo leaves it out.
 std::string finished_png(std::string text) {
   constexpr std::size_t end_of_first = 8 + 25;  // the signature, and a header of 13 bytes with its length, name and sum
-  const auto per_metre = static_cast<std::uint32_t>(std::lround(png_resolution / 0.0254));
+  const auto per_metre = static_cast<std::uint32_t>(std::lround(png_resolution / mm_per_inch * 1000));
   const auto big_endian = [](std::uint32_t number) {
     std::string bytes;
     for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>((number >> shift) & 0xff);
@@ -114,7 +344,7 @@ DrawStatus draw(const Plot& plot, const std::string& folder, const std::vector<s
   const std::string script = plot.name + ".gp";
   for (const auto& table : plot.data)
     write_text((base / fmt::format("{}-{}.csv", plot.name, table.name)).string(), csv(table));
-  write_text((base / script).string(), script_of(plot));
+  write_text((base / script).string(), script_of(laid_out(plot)));
   const DrawingFolder drawing;
   const auto result = run_child(
       {"gnuplot", "-e",

@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include "finding/answer.h"
-#include "report/cycles_figures.h"
 #include "report/cycles_words.h"
-#include "report/fit_figures.h"
+#include "report/figures.h"
 #include "report/fit_screen.h"
 #include "report/fit_words.h"
 #include "report/implied_words.h"

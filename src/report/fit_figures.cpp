@@ -1,20 +1,13 @@
-#include "report/fit_figures.h"
-
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <string>
-#include <vector>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "inference/analysis_curves.h"
 #include "inference/process_mode.h"
+#include "report/figures.h"
 #include "report/fit_print.h"
 #include "report/fit_words.h"
-#include "report/marks.h"
-#include "report/plot_layout.h"
-#include "report/plot_units.h"
 
 namespace flexslip {
 namespace {
@@ -23,127 +16,152 @@ constexpr double in_95_percent = 1.96;  // [1] standard deviations of a normal d
 
 double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
-// Euler-Bernoulli and the model without friction: the references of every figure of force.
-std::vector<PlotTable> references(const TestAnalysis& analysis, const PlotUnit& w, const PlotUnit& F, double w_max) {
-  PlotTable beam{"beam",
-                 {w.column("deflection"), F.column("force")},
-                 {{0, 0}, {w(w_max), F(euler_bernoulli_force(analysis, w_max))}}};
-  PlotTable frictionless{"frictionless", beam.titles};
-  for (const auto& point : frictionless_curve(analysis)) frictionless.rows.push_back({w(point.w), F(point.F)});
-  return {std::move(beam), std::move(frictionless)};
-}
-
-// The size that all but a hundredth of the numbers have at most.
-double most_of(std::vector<double> sizes) {
+// The size that so large a share of the numbers has at most.
+double most_of(double share, std::vector<double> sizes) {
   if (sizes.empty()) return 0;
-  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), at, sizes.end());
   return *at;
 }
 
+// Of what has been slid over one support, of a length between both.
+struct Slid {
+  PlotUnit unit;
+  double operator()(double S) const { return unit((S - 1) / 2); }
+  std::string column() const { return unit.column("slid over one support"); }
+};
+Slid slid_of(const FittedTest& test) { return {plot_units(test).length(0.02)}; }
+
+// Euler-Bernoulli and the model without friction: the references of every figure of force.
+std::vector<PlotTable> references(const TestAnalysis& analysis, const ForcePlane& plane) {
+  PlotTable beam = plane.table("beam");
+  beam.rows = {{0, 0}, {plane.w(plane.w_max), plane.F(euler_bernoulli_force(analysis, plane.w_max))}};
+  return {std::move(beam), plane.curve("frictionless", frictionless_curve(analysis))};
+}
+const Mark beam_mark{Mark::line, "beam", {0, 1}, styles::euler, "Euler–Bernoulli"};
+const Mark frictionless_mark{Mark::line, "frictionless", {0, 1}, styles::frictionless, "Model without friction"};
+
 }  // namespace
+
+PlotTable ForcePlane::thinned(PlotTable data) const {
+  constexpr double finest = 0.002;  // of the figure: a third of a millimetre
+  std::vector<std::vector<double>> kept;
+  const auto& rows = data.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (i == 0 || i + 1 == rows.size() || rows[i].empty() || rows[i - 1].empty() || rows[i + 1].empty() ||
+        std::hypot((rows[i][0] - kept.back()[0]) / w(w_max), (rows[i][1] - kept.back()[1]) / F(F_max)) > finest)
+      kept.push_back(rows[i]);
+  data.rows = std::move(kept);
+  return data;
+}
+
+std::vector<std::vector<double>> ForcePlane::load_line(double deflection, double before, double after,
+                                                       double stiffness) const {
+  std::vector<std::vector<double>> rows;
+  for (const double force : {before + 0.03 * F_max, std::max(after - 0.08 * F_max, 0.0)})
+    rows.push_back({w(deflection - (force - before) / stiffness), F(force)});
+  rows.emplace_back();
+  return rows;
+}
+
+ForcePlane force_plane(const PlotUnits& units, double w_max, double F_max) {
+  return {units.length(w_max), units.force(F_max), w_max, F_max};
+}
+
+PlotUnits plot_units(const FittedTest& test) {
+  return {test.analysis.scales, test.reduced, is_in_inches(test.measurement.test)};
+}
 
 Plot force_figure(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const auto& record = analysis.reduced;
   const auto& fit = analysis.fit;
-  const double w_max = largest(record.deflection), F_max = largest(record.force);
-  const PlotUnits units = plot_units(test);
-  const PlotUnit w = units.length(w_max), F = units.force(F_max);
-  const std::vector<std::string> titles{w.column("deflection"), F.column("force")};
+  const ForcePlane plane = force_plane(plot_units(test), largest(record.deflection), largest(record.force));
+  const PlotUnit &w = plane.w, &F = plane.F;
 
-  PlotTable measured{"measured", {titles[0], titles[1], F.column("residual"), "on the specimen that is fitted"}};
   std::vector<double> sizes;
+  for (std::size_t i = 0; i < fit.force.size(); ++i)
+    if (const double residual = record.force[i] - fit.force[i]; std::isfinite(residual))
+      sizes.push_back(std::abs(residual));
+  const double usual = most_of(0.99, sizes), end = F(usual > 0 ? 1.25 * usual : 1e-3 * plane.F_max);
+  PlotTable measured = plane.table("measured");
+  measured.titles.insert(measured.titles.end(),
+                         {F.column("residual"), F.column("residual within the axis"),
+                          "kind (0 before friction shows; 1 fitted; 2 above the axis; 3 below)"});
   for (std::size_t i = 0; i < fit.force.size(); ++i) {
-    const double residual = record.force[i] - fit.force[i];
-    if (std::isfinite(residual)) sizes.push_back(std::abs(residual));
-    const bool seen = i < analysis.model.path.size() && analysis.model.path[i].S >= fit.S_begin;
-    measured.rows.push_back({w(record.deflection[i]), F(record.force[i]), F(residual), seen ? 1.0 : 0.0});
+    const double residual = F(record.force[i] - fit.force[i]);
+    const bool is_fitted = i < analysis.model.path.size() && analysis.model.path[i].S >= fit.S_begin;
+    measured.rows.push_back({w(record.deflection[i]), F(record.force[i]), residual,
+                             std::clamp(residual, -0.93 * end, 0.93 * end),
+                             residual > end    ? 2.0
+                             : residual < -end ? 3.0
+                             : is_fitted       ? 1.0
+                                               : 0.0});
   }
-  const double usual = most_of(sizes);
-  const double residual_end = F(usual > 0 ? 1.25 * usual : 1e-3 * F_max);
-  PlotTable beyond{"beyond", {titles[0], F.column("edge of the axis"), F.column("residual"), "above"}};
-  for (const auto& row : measured.rows)
-    if (std::abs(row[2]) > residual_end)
-      beyond.rows.push_back({row[0], std::copysign(0.93 * residual_end, row[2]), row[2], row[2] > 0 ? 1.0 : 0.0});
+  const bool has_beyond =
+      std::any_of(measured.rows.begin(), measured.rows.end(), [](const auto& row) { return row[4] > 1; });
+  PlotTable sliding = plane.table("sliding"), snaps = plane.table("snaps"), drops = plane.table("drops");
+  const History forward = mean_run_forward(analysis);
+  const auto at = [&](const PathPoint& point) { return std::vector{w(point.w), F(point.F)}; };
+  const auto is_snap = [](const PathPoint& point) { return point.motion == Motion::snap; };
+  sliding.rows = stretches_of(
+      forward.path, [&](const PathPoint& point) { return !is_snap(point); }, at);
+  snaps.rows = stretches_of(forward.path, is_snap, at);
+  for (const auto& drop : analysis.drops.drops)
+    for (auto& row : plane.load_line(record.deflection[drop.before], record.force[drop.before],
+                                     record.force[drop.after], analysis.rig.stiffness))
+      drops.rows.push_back(std::move(row));
+  const std::size_t count = analysis.drops.drops.size();
 
-  PlotTable sliding{"sliding", titles}, snaps{"snaps", titles};
-  for (const auto& point : mean_run_forward(analysis).path) {
-    const std::vector<double> here{w(point.w), F(point.F)};
-    if (point.motion == Motion::snap && !sliding.rows.empty()) {
-      snaps.rows.insert(snaps.rows.end(), {sliding.rows.back(), here, {}});
-      sliding.rows.emplace_back();
-    }
-    sliding.rows.push_back(here);
-  }
-  sliding.rows = thinned(sliding.rows, w(w_max), F(F_max));
-
-  // Load lines reach a little beyond the drops on both sides.
-  PlotTable drops{"drops", titles};
-  const double reach = 0.07 * F_max;
-  for (const auto& drop : analysis.drops.drops) {
-    const double F_before = record.force[drop.before];
-    for (const double force : {F_before + 0.3 * reach, std::max(record.force[drop.after] - reach, 0.0)})
-      drops.rows.push_back({w(record.deflection[drop.before] - (force - F_before) / analysis.rig.stiffness), F(force)});
-    drops.rows.emplace_back();
-  }
-
-  std::vector<PlotTable> data = references(analysis, w, F, w_max);
-  const Axis deflection = w.axis(deflection_label, 0, 1.03 * w_max);
-  Panel force{.x = deflection,
-              .y = F.axis(force_label, 0, 1.12 * F_max),
-              .marks = {marks::key_line(styles::measured, "Measured"),
-                        marks::line("drops", {0, 1}, styles::drop, "Drops, slope −*k*_c"),
-                        marks::line("beam", {0, 1}, styles::euler, "Euler–Bernoulli"),
-                        marks::line("frictionless", {0, 1}, styles::frictionless, "Model without friction"),
-                        marks::line("sliding", {0, 1}, styles::fit, "Mean of the fit"),
-                        marks::line("snaps", {0, 1}, styles::snap, "Its snaps"),
-                        marks::line("measured", {0, 1}, styles::measured)},
-              .share = 2.6};
-  const auto points = [](Colour colour, double seen) {
-    return marks::only(marks::points("measured", {0, 2}, {colour, 0.5, Dash::solid, Symbol::disc, 1.7}), {{3, seen}});
+  const auto residuals = [](double which, Symbol symbol, Colour colour, double size) {
+    return Mark{Mark::points, "measured", {0, 3}, styles::mark(symbol, colour, size, 0.5), "", {{4, which}}};
   };
-  const auto triangles = [](Symbol symbol, double above) {
-    return marks::only(marks::points("beyond", {0, 1}, styles::symbols(Colour::vermillion, symbol, 3.5)), {{3, above}});
-  };
-  Panel residuals{.x = deflection,
-                  .y = {"Residual", F.unit, -residual_end, residual_end},
-                  .marks = {marks::horizontal({0}, styles::zero), points(Colour::grey, 0), points(Colour::blue, 1),
-                            triangles(Symbol::triangle, 1), triangles(Symbol::down, 0)}};
-  const bool has_snaps = !snaps.rows.empty(), has_beyond = !beyond.rows.empty();
-  for (PlotTable* table : {&measured, &sliding, &snaps, &drops, &beyond}) data.push_back(std::move(*table));
+  std::vector<PlotTable> data = references(analysis, plane);
+  const std::string snaps_in_words = snaps.rows.empty() ? "" : ", dashed where it snaps";
+  for (PlotTable* table : {&measured, &snaps, &drops}) data.push_back(std::move(*table));
+  data.push_back(plane.thinned(std::move(sliding)));
   return {.name = "force",
           .title = "Force against deflection: " + test.name,
           .caption = fmt::format(
               "Force against deflection at midspan. Blue: measured. Black: the mean of the fit run forward{}. Orange: "
               "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. {}"
               "Below: measured force less that of the fit, grey where the force says too little about friction{}.",
-              has_snaps ? ", dashed where it snaps" : "",
-              analysis.drops.drops.empty()
-                  ? ""
-                  : fmt::format("Grey: load lines, whose slope is the stiffness of the load train, through {}. ",
-                                analysis.drops.drops.size() == 1
-                                    ? "the drop"
-                                    : fmt::format("the {} drops", analysis.drops.drops.size())),
+              snaps_in_words,
+              count == 0 ? ""
+                         : fmt::format("Grey: load lines, whose slope is the stiffness of the load train, through {}. ",
+                                       count == 1 ? "the drop" : fmt::format("the {} drops", count)),
               has_beyond ? "; triangles: beyond the axis" : ""),
           .width = two_columns,
           .height = 108,
           .data = std::move(data),
-          .panels = {std::move(force), std::move(residuals)}};
+          .panels = {{.x = plane.x(1.03),
+                      .y = plane.y(1.12),
+                      .marks = {{.style = styles::measured, .title = "Measured"},
+                                {Mark::line, "drops", {0, 1}, styles::drop, "Drops, slope −*k*_c"},
+                                beam_mark,
+                                frictionless_mark,
+                                {Mark::line, "sliding", {0, 1}, styles::fit, "Mean of the fit"},
+                                {Mark::line, "snaps", {0, 1}, styles::snap, "Its snaps"},
+                                {Mark::line, "measured", {0, 1}, styles::measured}},
+                      .share = 2.6},
+                     {.x = plane.x(1.03),
+                      .y = {"Residual", F.unit, -end, end},
+                      .marks = {level(0, styles::zero), residuals(0, Symbol::disc, colours::grey, 1.7),
+                                residuals(1, Symbol::disc, colours::blue, 1.7),
+                                residuals(2, Symbol::triangle, colours::vermillion, 3.5),
+                                residuals(3, Symbol::down, colours::vermillion, 3.5)}}}};
 }
 
 Plot profile_figure(const FittedTest& test) {
   const auto& analysis = test.analysis;
   const auto& fit = analysis.fit;
-  const auto& profile = analysis.profile_at_fit;
-  const PlotUnit length = plot_units(test).slid();
-  const auto slid = [&](double S) { return length((S - 1) / 2); };
-  const std::string position = length.column("slid over one support");
+  const Slid slid = slid_of(test);
+  const auto table = [&](std::string name) { return PlotTable{std::move(name), {slid.column(), "mu"}}; };
 
   PlotTable measured{"profile",
-                     {position, "mu", "mu low", "mu high", "mu error of the point", "mu error common to all"}};
+                     {slid.column(), "mu", "mu low", "mu high", "mu error of the point", "mu error common to all"}};
   double S_end = fit.S_end, lowest = 0, highest = 0.5;
-  for (const auto& point : profile.points) {
+  for (const auto& point : analysis.profile_at_fit.points) {
     const double half = in_95_percent * point.from_force;
     measured.rows.push_back({slid(point.S), point.mu, point.mu - half, point.mu + half, point.from_force,
                              std::hypot(point.from_bending_stiffness, point.from_contact)});
@@ -152,132 +170,118 @@ Plot profile_figure(const FittedTest& test) {
     highest = std::max(highest, point.mu);
     lowest = std::min(lowest, point.mu);
   }
-  PlotTable band{"band", {position, "mu", "mu low", "mu high"}};
+  PlotTable band{"band", {slid.column(), "mu", "mu low", "mu high"}};
   for (std::size_t i = 0; i < fit.band.S.size(); ++i) {
     const double mean = fit.band.mean[i], wide = 2 * fit.band.deviation[i];
-    band.rows.push_back({slid(fit.band.S[i]), mean, std::max(mean - wide, 0.0), mean + wide});
+    band.rows.push_back({slid(fit.band.S[i]), mean, mean - wide, mean + wide});
     highest = std::max(highest, mean + wide);
+    if (mean < 0) lowest = std::min(lowest, mean - wide);
   }
-  PlotTable slips{"slips", {position, "mu"}};
+  PlotTable slips = table("slips"), imaged = table("imaged"), wave = table("wave");
   for (const auto& slip : analysis.slips)
     slips.rows.insert(slips.rows.end(),
                       {{slid(slip.S_before), slip.mu_before}, {slid(slip.S_after), slip.mu_after}, {}});
-  PlotTable imaged{"imaged", slips.titles};
   if (test.imaged) {
-    auto point = profile.points.begin();
+    auto point = analysis.profile_at_fit.points.begin();
     for (const auto& seen : test.imaged->points) {
       while (point->index < seen.index) ++point;
       imaged.rows.push_back({slid(1 + seen.imaged), point->mu});
     }
   }
-  PlotTable wave{"wave", slips.titles};
   for (const auto& point : claimed_waves(analysis)) wave.rows.push_back({slid(point.S), point.mu});
 
-  constexpr Style band_look{.colour = Colour::grey, .opacity = 0.35};
-  constexpr Style point_look{Colour::blue, 0.5, Dash::solid, Symbol::disc, 1.7};
   std::vector<Mark> marks;
   const auto literature = literature_of(test);
   if (literature) {
     const std::string words = as_it_is(fmt::format("Literature: {} on {}", literature->specimen, literature->support));
     highest = std::max(highest, literature->high);
-    marks.push_back(literature->low < literature->high
-                        ? marks::rectangle({-marks::edge, marks::edge, literature->low, literature->high},
-                                           styles::literature, words)
-                        : marks::horizontal({literature->low}, {Colour::green, 1}, words));
+    if (literature->low < literature->high)
+      marks.push_back(rectangle(-edge, literature->low, edge, literature->high, styles::literature, words));
+    else
+      marks.push_back(level(literature->low, {colours::green}, words));
   }
   const std::vector<Mark> of_test{
-      marks::band("band", {0, 2, 3}, band_look, "Mean ± 2 deviations"),
-      marks::line("band", {0, 1}, styles::fit, "Mean of the fit"),
-      marks::line("wave", {0, 1}, {Colour::orange, 0.9}, "Wave"),
-      marks::points("imaged", {0, 1}, {Colour::dark, 0.6, Dash::solid, Symbol::circle, 2.2}, "Length as imaged"),
-      marks::line("slips", {0, 1}, {Colour::vermillion, 0.8}, "Slips"),
-      marks::bars("profile", {0, 2, 3}, {Colour::blue, 0.5}),
-      marks::points("profile", {0, 1}, point_look, "Measured, 95 %")};
+      {Mark::band, "band", {0, 2, 3}, styles::fill(colours::grey, 0.35), "Mean ± 2 deviations"},
+      {Mark::line, "band", {0, 1}, styles::fit, "Mean of the fit"},
+      {Mark::line, "wave", {0, 1}, {colours::orange, 0.9}, "Wave"},
+      {Mark::points, "imaged", {0, 1}, styles::mark(Symbol::circle, colours::dark, 2.2, 0.6), "Length as imaged"},
+      {Mark::line, "slips", {0, 1}, {colours::vermillion, 0.8}, "Slips"},
+      {Mark::bars, "profile", {0, 2, 3}, {colours::blue, 0.5}},
+      {Mark::points, "profile", {0, 1}, styles::measured, "Measured, 95 %"}};
   marks.insert(marks.end(), of_test.begin(), of_test.end());
-  return {
-      .name = "profile",
-      .title = "Friction along the specimen: " + test.name,
-      .caption = fmt::format(
-          "Friction along the specimen, at the bending stiffness of the fit. Blue: read off the force point by "
-          "point, with 95 % intervals from the noise of each point. {}Black: the mean of the fit; grey: two standard "
-          "deviations about it, "
-          "with the errors of stiffness and contact.{}{}{}",
-          analysis.slips.empty() ? "" : "Red-orange: the slips. ", fit.wave_claimed ? " Orange: the wave claimed." : "",
-          imaged.rows.empty() ? "" : " Circles: at the length that was imaged.",
-          literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
-                                   literature->support)
-                     : ""),
-      .width = two_columns,
-      .height = 74,
-      .data = {std::move(measured), std::move(slips), std::move(imaged), std::move(band), std::move(wave)},
-      .panels = {{.x = {slid_label, length.unit, 0, 1.02 * slid(S_end)},
-                  .y = {friction_label, "", lowest < 0 ? -rounded_up(-lowest) : 0, 1.05 * highest},
-                  .marks = std::move(marks)}}};
+  return {.name = "profile",
+          .title = "Friction along the specimen: " + test.name,
+          .caption = fmt::format(
+              "Friction along the specimen, at the bending stiffness of the fit. Blue: read off the force point by "
+              "point, with 95 % intervals from the noise of each point. {}Black: the mean of the fit; grey: two "
+              "standard deviations about it, with the errors of stiffness and contact.{}{}{}",
+              slips.rows.empty() ? "" : "Red-orange: the slips. ", fit.wave_claimed ? " Orange: the wave claimed." : "",
+              imaged.rows.empty() ? "" : " Circles: at the length that was imaged.",
+              literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
+                                       literature->support)
+                         : ""),
+          .width = two_columns,
+          .height = 74,
+          .data = {std::move(measured), std::move(slips), std::move(imaged), std::move(band), std::move(wave)},
+          .panels = {{.x = {slid_label, slid.unit.unit, 0, 1.02 * slid(S_end)},
+                      .y = {friction_label, "", 1.05 * lowest, 1.05 * highest},
+                      .marks = std::move(marks)}}};
 }
 
 bool has_waves(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
-  const auto listed = std::min(listed_explanations, fit.explanations.size());
-  return !fit.scan.empty() &&
-         (fit.wave_claimed ||
-          std::any_of(fit.explanations.begin(), fit.explanations.begin() + static_cast<std::ptrdiff_t>(listed),
-                      [](const Explanation& each) { return !each.wavelengths.empty(); }));
+  return !fit.scan.empty() && (fit.wave_claimed || std::any_of(fit.scan.begin(), fit.scan.end(),
+                                                               [](const ScannedWave& at) { return at.gain > 0; }));
 }
 
 Plot wavelength_figure(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
-  const PlotUnit length = plot_units(test).slid();
+  const PlotUnit length = slid_of(test).unit;
   PlotTable gains{"gains", {length.column("wavelength"), "gain of log-evidence"}};
   for (const auto& at : fit.scan) gains.rows.push_back({length(at.wavelength), at.gain});
-  const auto likeliest =
-      *std::max_element(gains.rows.begin(), gains.rows.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
-  const double highest = std::max(1.5 * claiming_gain, likeliest[1]);
-  double lowest = 0;
-  for (const auto& row : gains.rows) lowest = std::min(lowest, row[1]);
-  lowest = std::max(lowest, -highest);
+  const auto [least, likeliest] = std::minmax_element(fit.scan.begin(), fit.scan.end(),
+                                                      [](const auto& a, const auto& b) { return a.gain < b.gain; });
+  const double highest = std::max(1.5 * claiming_gain, likeliest->gain);
 
-  std::vector<Mark> marks{
-      marks::line("gains", {0, 1}, {Colour::blue, 1}),
-      marks::horizontal({claiming_gain}, {Colour::black, 0.75, Dash::dotted}, "Claimed above"),
-      marks::points("likeliest", {0, 1}, {Colour::blue, 1, Dash::solid, Symbol::circle, 4}, "Likeliest")};
+  std::vector<Mark> marks{{Mark::line, "gains", {0, 1}, {colours::blue}},
+                          level(claiming_gain, {colours::black, 0.75, Dash::dotted}, "Claimed above"),
+                          spot(length(likeliest->wavelength), likeliest->gain,
+                               styles::mark(Symbol::circle, colours::blue, 4), "Likeliest")};
   if (fit.wave_claimed)
     for (const auto& wave : fit.waves)
-      marks.push_back(marks::vertical({length(wave.wavelength.value)}, {Colour::black, 1, Dash::dashed},
-                                      &wave == &fit.waves.front() ? "Wave of the fit" : ""));
-  return {
-      .name = "wavelengths",
-      .title = "Wavelengths in the friction: " + test.name,
-      .caption = fmt::format(
-          "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness being "
-          "as "
-          "fitted without a wave. Circle: the likeliest, {:.3g} {}. Dotted: {:g}, beyond which a wave is claimed.{}",
-          likeliest[0], length.unit, claiming_gain,
-          fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),
-      .width = one_column,
-      .height = 58,
-      .data = {std::move(gains), {"likeliest", {length.column("wavelength"), "gain of log-evidence"}, {likeliest}}},
-      .panels = {{.x = {"Wavelength along the specimen *λ*", length.unit, length(fit.scan.front().wavelength),
-                        length(fit.scan.back().wavelength), true},
-                  .y = {"Gain of log-evidence", "", lowest, 1.08 * highest},
-                  .marks = std::move(marks)}}};
+      marks.push_back(upright(length(wave.wavelength.value), {.dash = Dash::dashed},
+                              &wave == &fit.waves.front() ? "Wave of the fit" : ""));
+  return {.name = "wavelengths",
+          .title = "Wavelengths in the friction: " + test.name,
+          .caption = fmt::format(
+              "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness "
+              "being as fitted without a wave. Circle: the likeliest, {:.3g} {}. Dotted: {:g}, beyond which a wave is "
+              "claimed.{}",
+              length(likeliest->wavelength), length.unit, claiming_gain,
+              fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),
+          .width = one_column,
+          .height = 58,
+          .data = {std::move(gains)},
+          .panels = {{.x = {"Wavelength along the specimen *λ*", length.unit, length(fit.scan.front().wavelength),
+                            length(fit.scan.back().wavelength), true},
+                      .y = {"Gain of log-evidence", "", std::clamp(1.04 * least->gain, -highest, 0.0), 1.08 * highest},
+                      .marks = std::move(marks)}}};
 }
 
 bool has_judged_teeth(const FittedTest& test) {
   const auto& teeth = test.analysis.teeth;
-  return teeth && std::any_of(teeth->teeth.begin(), teeth->teeth.end(),
-                              [](const Tooth& tooth) { return tooth.verdict != ToothVerdict::undecided; });
+  return teeth && std::count_if(teeth->teeth.begin(), teeth->teeth.end(),
+                                [](const Tooth& tooth) { return tooth.verdict != ToothVerdict::undecided; }) > 1;
 }
 
 Plot teeth_figure(const FittedTest& test) {
-  const Teeth& judged = test.analysis.teeth.value();
-  const PlotUnit length = plot_units(test).slid();
-  const auto slid = [&](double S) { return length((S - 1) / 2); };
+  const Slid slid = slid_of(test);
   PlotTable teeth{"teeth",
-                  {length.column("slid over one support"), length.column("begin"), length.column("end"), "position p",
-                   "low by noise", "high by noise", "low by what is common", "high by what is common", "p if compliant",
+                  {slid.column(), slid.unit.column("begin"), slid.unit.column("end"), "position p", "low by noise",
+                   "high by noise", "low by what is common", "high by what is common", "p if compliant",
                    "verdict (0 sliding; 1 as if stuck; 2 undecided)"}};
   double lowest = -0.2, highest = 1.15;
-  for (const Tooth& tooth : judged.teeth) {
+  for (const Tooth& tooth : test.analysis.teeth.value().teeth) {
     if (!std::isfinite(tooth.S_begin) || !std::isfinite(tooth.S_end)) continue;
     const double p = tooth.position.value, noise = in_95_percent * tooth.position.standard_error,
                  common = in_95_percent * tooth.position_systematic, all = std::hypot(noise, common) + 0.05;
@@ -288,69 +292,193 @@ Plot teeth_figure(const FittedTest& test) {
                           tooth.compliant_position, static_cast<double>(tooth.verdict)});
   }
   const double stuck = 1 - test.provenance.options.teeth.least_share;
-  const auto verdict = [](ToothVerdict which, Style style, std::string title) {
-    return marks::only(marks::points("teeth", {0, 3}, style, std::move(title)), {{9, static_cast<double>(which)}});
+  const auto verdict = [](ToothVerdict which, Symbol symbol, Colour colour, const char* words) {
+    return Mark{
+        Mark::points, "teeth", {0, 3}, styles::mark(symbol, colour, 3.5), words, {{9, static_cast<double>(which)}}};
   };
-  constexpr Style open{Colour::black, 1, Dash::solid, Symbol::circle, 3.5};
-  return {
-      .name = "teeth",
-      .title = "Stick or slide between the drops: " + test.name,
-      .caption =
-          "Every rise of the force between two drops, on a scale from sliding at constant friction (0) to sticking "
-          "(1). Below 1 "
-          "the specimen slides in; below 0 friction falls at the same time. Thin bars: noise, 95 %. Wide grey "
-          "bars: stiffness and contact, 95 %, common to all rises. Orange: not distinguishable from sticking; "
-          "sliding against steeply rising friction looks the same. Crosses: a stuck specimen on supports that "
-          "give way by the one compliance that fits best.",
-      .width = two_columns,
-      .height = 78,
-      .data = {std::move(teeth)},
-      .panels = {{.x = {slid_label, length.unit},
-                  .y = {"Position *p* (0: sliding, 1: stuck)", "", std::max(lowest, -1.5), std::min(highest, 2.0)},
-                  .marks = {marks::rectangle({-marks::edge, marks::edge, stuck, marks::edge},
-                                             {.colour = Colour::orange, .opacity = 0.16}),
-                            marks::horizontal({1}, styles::zero), marks::horizontal({0}, styles::zero),
-                            marks::label(-marks::edge, stuck, "as if stuck"),
-                            marks::bars("teeth", {0, 6, 7}, {Colour::silver, 4}, "95 %: common to all"),
-                            marks::bars("teeth", {0, 4, 5}, {Colour::black, 0.8}, "95 %: noise"),
-                            marks::spans("teeth", {1, 2, 3}, {Colour::grey, 0.8}),
-                            verdict(ToothVerdict::sliding, {Colour::blue, 1, Dash::solid, Symbol::disc, 3.5}, "slides"),
-                            verdict(ToothVerdict::as_if_stuck,
-                                    {Colour::vermillion, 1, Dash::solid, Symbol::square, 3.5}, "as if stuck"),
-                            verdict(ToothVerdict::undecided, open, "undecided"),
-                            marks::points("teeth", {0, 8}, {Colour::green, 0.8, Dash::solid, Symbol::cross, 3},
-                                          "if stuck, compliant")}}}};
+  return {.name = "teeth",
+          .title = "Stick or slide between the drops: " + test.name,
+          .caption =
+              "Every rise of the force between two drops, on a scale from sliding at constant friction (0) to sticking "
+              "(1). Below 1 the specimen slides in; below 0 friction falls at the same time. Thin bars: noise, 95 %. "
+              "Wide grey bars: stiffness and contact, 95 %, common to all rises. Orange: not distinguishable from "
+              "sticking; sliding against steeply rising friction looks the same. Crosses: a stuck specimen on supports "
+              "that give way by the one compliance that fits best.",
+          .width = two_columns,
+          .height = 78,
+          .data = {std::move(teeth)},
+          .panels = {{.x = {slid_label, slid.unit.unit},
+                      .y = {"Position *p* (0: sliding, 1: stuck)", "", std::max(lowest, -1.5), std::min(highest, 2.0)},
+                      .marks = {rectangle(-edge, stuck, edge, edge, styles::fill(colours::orange, 0.16)),
+                                level(1, styles::zero),
+                                level(0, styles::zero),
+                                label(-edge, stuck, "as if stuck"),
+                                {Mark::bars, "teeth", {0, 6, 7}, {colours::silver, 4}, "95 %: common to all"},
+                                {Mark::bars, "teeth", {0, 4, 5}, {colours::black, 0.8}, "95 %: noise"},
+                                {Mark::spans, "teeth", {1, 2, 3}, {colours::grey, 0.8}},
+                                verdict(ToothVerdict::sliding, Symbol::disc, colours::blue, "slides"),
+                                verdict(ToothVerdict::as_if_stuck, Symbol::square, colours::vermillion, "as if stuck"),
+                                verdict(ToothVerdict::undecided, Symbol::circle, colours::black, "undecided"),
+                                {Mark::points,
+                                 "teeth",
+                                 {0, 8},
+                                 styles::mark(Symbol::cross, colours::green, 3, 0.8),
+                                 "if stuck, compliant"}}}}};
 }
 
 Plot record_figure(const FittedTest& test) {
-  const auto& analysis = test.analysis;
-  const auto& record = analysis.record;
-  const auto [least, greatest] = std::minmax_element(record.force.begin(), record.force.end());
+  const auto& record = test.analysis.record;
   const PlotUnits units = plot_units(test);
-  const auto reduced_force = [&](double force) { return units.scales.reduced_force(force); };
-  const double w_max = units.scales.reduced_length(largest(record.deflection));
-  const PlotUnit w = units.length(w_max),
-                 F = units.force(reduced_force(std::max(std::abs(*least), std::abs(*greatest))));
-  PlotTable measured{"measured", {w.column("deflection"), F.column("force")}};
+  const auto [least, greatest] = std::minmax_element(record.force.begin(), record.force.end());
+  const double F_least = units.scales.reduced_force(*least), F_most = units.scales.reduced_force(*greatest);
+  const ForcePlane plane =
+      force_plane(units, units.scales.reduced_length(largest(record.deflection)), std::max(-F_least, F_most));
+  PlotTable measured = plane.table("measured");
   for (std::size_t i = 0; i < record.force.size(); ++i)
-    measured.rows.push_back({w(units.scales.reduced_length(record.deflection[i])), F(reduced_force(record.force[i]))});
-  std::vector<PlotTable> data = references(analysis, w, F, w_max);
+    measured.rows.push_back({plane.w(units.scales.reduced_length(record.deflection[i])),
+                             plane.F(units.scales.reduced_force(record.force[i]))});
+  std::vector<PlotTable> data = references(test.analysis, plane);
   data.push_back(std::move(measured));
-  return {
-      .name = "record",
-      .title = "Force against deflection: " + test.name,
-      .caption =
-          "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the "
-          "model without friction, both with the bending stiffness stated, or that of the initial slope.",
-      .width = two_columns,
-      .height = 78,
-      .data = std::move(data),
-      .panels = {{.x = w.axis(deflection_label, 0, 1.03 * w_max),
-                  .y = F.axis(force_label, std::min(0.0, 1.1 * reduced_force(*least)), 1.1 * reduced_force(*greatest)),
-                  .marks = {marks::key_line(styles::measured, "Measured"), marks::horizontal({0}, styles::zero),
-                            marks::line("beam", {0, 1}, styles::euler, "Euler–Bernoulli"),
-                            marks::line("frictionless", {0, 1}, styles::frictionless, "Model without friction"),
-                            marks::line("measured", {0, 1}, styles::measured)}}}};
+  return {.name = "record",
+          .title = "Force against deflection: " + test.name,
+          .caption =
+              "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the "
+              "model without friction, both with the bending stiffness stated, or that of the initial slope.",
+          .width = two_columns,
+          .height = 78,
+          .data = std::move(data),
+          .panels = {{.x = plane.x(1.03),
+                      .y = plane.F.axis(force_label, std::min(0.0, 1.1 * F_least), 1.1 * F_most),
+                      .marks = {{.style = styles::measured, .title = "Measured"},
+                                level(0, styles::zero),
+                                beam_mark,
+                                frictionless_mark,
+                                {Mark::line, "measured", {0, 1}, styles::measured}}}}};
+}
+
+bool has_loops(const FittedTest& test) {
+  if (!test.cycles) return false;
+  const CyclesStatus status = test.cycles->friction.status;
+  return status == CyclesStatus::ok || status == CyclesStatus::no_mirror;
+}
+
+Plot loops_figure(const FittedTest& test) {
+  const auto& cycles = *test.cycles;
+  const Record& record = *test.measurement.cycles;
+  const PlotUnits units = plot_units(test);
+  const Scales& scales = units.scales;
+  const ForcePlane plane = force_plane(units, scales.reduced_length(largest(record.deflection)),
+                                       scales.reduced_force(largest(record.force)));
+  const auto at = [&](double deflection, double force) { return std::vector{plane.w(deflection), plane.F(force)}; };
+  PlotTable loading = plane.table("loading"), unloading = plane.table("unloading"), forward = plane.table("forward");
+  for (const Leg& leg : cycles.friction.legs) {
+    auto& rows = (leg.direction == Direction::loading ? loading : unloading).rows;
+    for (std::size_t i = leg.first > 0 ? leg.first - 1 : 0; i < leg.last; ++i)  // the turning point belongs to both
+      rows.push_back(at(scales.reduced_length(record.deflection[i]), scales.reduced_force(record.force[i])));
+    rows.emplace_back();
+  }
+  for (std::size_t i = 0; i < cycles.replay.force.size(); ++i) {
+    const double force = cycles.replay.force[i];
+    // At the stage position imposed, so that the load train gives the deflection that goes with this force.
+    const double fall = (scales.reduced_force(record.force[i]) - force) / test.analysis.rig.stiffness;
+    if (std::isfinite(force))
+      forward.rows.push_back(at(scales.reduced_length(record.deflection[i]) + fall, force));
+    else if (!forward.rows.empty() && !forward.rows.back().empty())
+      forward.rows.emplace_back();
+  }
+  return {.name = "loops",
+          .title = "Loading and unloading: " + test.name,
+          .caption =
+              "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange). "
+              "Black: one friction profile for all loops and both directions, run forward over the stage "
+              "positions.",
+          .width = two_columns,
+          .height = 96,
+          .data = {std::move(loading), std::move(unloading), std::move(forward)},
+          .panels = {{.x = plane.x(1.03),
+                      .y = plane.y(1.06),
+                      .marks = {{Mark::line, "loading", {0, 1}, {colours::blue, 1.8}, "Loading"},
+                                {Mark::line, "unloading", {0, 1}, {colours::vermillion, 1.8}, "Unloading"},
+                                {Mark::line, "forward", {0, 1}, {colours::black, 0.6}, "Profile, run forward"}}}}};
+}
+
+Plot boxes_figure(const FittedTest& test) {
+  constexpr std::size_t most_drawn_loops = 4;
+  const CyclicFriction& friction = test.cycles->friction;
+  const Slid slid = slid_of(test);
+  const auto loop_of = [&](std::size_t leg) {
+    return std::find_if(friction.loops.begin(), friction.loops.end(),
+                        [&](const FrictionLoop& loop) { return loop.loading == leg || loop.unloading == leg; }) -
+           friction.loops.begin();
+  };
+  PlotTable points{"points", {slid.column(), "q", "mu", "mu low", "mu high", "motion (0 in; 1 out; 2 stuck)", "loop"}};
+  PlotTable path{"path", {slid.column(), "q"}}, profile{"profile", {slid.column(), "mu"}};
+  std::vector<double> sizes;
+  double x_max = 0;
+  const CyclicPoint* before = nullptr;
+  for (const CyclicPoint& point : friction.points) {
+    const double x = slid(point.S), error = in_95_percent * point.standard_error;
+    const double motion = point.motion == LegMotion::in ? 0 : point.motion == LegMotion::out ? 1 : 2;
+    const double mu = motion == 0 ? point.q : motion == 1 ? -point.q : NAN;
+    points.rows.push_back(
+        {x, point.q, mu, mu - error, mu + error, motion, static_cast<double>(loop_of(point.leg) + 1)});
+    x_max = std::max(x_max, x);
+    sizes.push_back(std::abs(point.q));
+    if (before && loop_of(before->leg) != loop_of(point.leg)) path.rows.emplace_back();
+    path.rows.push_back({x, point.q});
+    before = &point;
+  }
+  for (std::size_t i = 0; i < friction.table.S.size(); ++i)
+    profile.rows.push_back({slid(friction.table.S[i]), friction.table.mu[i]});
+  // Bands are drawn along the length, loop by loop.
+  PlotTable along{"bands", points.titles, points.rows};
+  std::stable_sort(along.rows.begin(), along.rows.end(), [](const auto& a, const auto& b) {
+    return std::tuple(a[6], a[5], a[0]) < std::tuple(b[6], b[5], b[0]);
+  });
+  // What the noise throws far off where deflection begins would flatten all else.
+  const double top = std::max(1.25 * most_of(0.98, sizes), 1e-3);
+
+  const Axis x{slid_label, slid.unit.unit, 0, 1.02 * x_max};
+  const auto dots = [](Colour colour) { return styles::mark(Symbol::disc, colour, 1.4, 0.5); };
+  constexpr Style profile_look{.width = 0.9};
+  std::vector<Panel> panels{
+      {.x = x,
+       .y = {"Mobilised friction *q*", "", -top, top},
+       .marks =
+           {level(0, styles::zero),
+            {Mark::line, "path", {0, 1}, {colours::silver, 0.4}},
+            {Mark::points, "points", {0, 1}, dots(colours::blue), "In: *q* = *μ*", {{5, 0}}},
+            {Mark::points, "points", {0, 1}, dots(colours::vermillion), "Out: *q* = −*μ*", {{5, 1}}},
+            {Mark::points, "points", {0, 1}, styles::mark(Symbol::circle, colours::black, 2, 0.7), "Stuck", {{5, 2}}},
+            {.kind = Mark::band, .style = styles::fill(colours::grey, 0.3), .title = "95 %"},
+            {.style = profile_look, .title = "All loops"}},
+       .share = 1.7}};
+  const std::size_t drawn = std::min(friction.loops.size(), most_drawn_loops);
+  for (std::size_t i = 0; i < drawn; ++i) {
+    const Condition loop{6, static_cast<double>(i + 1)};
+    panels.push_back(
+        {.x = x,
+         .y = {friction_label, "", 0, top},
+         .marks = {{Mark::band, "bands", {0, 3, 4}, styles::fill(colours::blue, 0.2), "", {{5, 0}, loop}},
+                   {Mark::band, "bands", {0, 3, 4}, styles::fill(colours::vermillion, 0.2), "", {{5, 1}, loop}},
+                   {Mark::points, "points", {0, 2}, dots(colours::blue), "", {{5, 0}, loop}},
+                   {Mark::points, "points", {0, 2}, dots(colours::vermillion), "", {{5, 1}, loop}},
+                   {Mark::line, "profile", {0, 1}, profile_look}}});
+    if (friction.loops.size() > 1) panels.back().marks.push_back(label(edge, edge, fmt::format("loop {}", i + 1)));
+  }
+  return {.name = "boxes",
+          .title = "Friction in both directions: " + test.name,
+          .caption = fmt::format(
+              "Top: mobilised friction against the length slid over one support; each loop is a box. The specimen "
+              "slides in along its upper side (blue), sticks while the stage turns back (circles), and slides out "
+              "along its lower side (red-orange). Below{}: friction of both directions at the same points of the "
+              "specimen. Bands: 95 % intervals from noise, bending stiffness and contact; the last two move a whole "
+              "band. Black: one profile for all loops. Points that noise throws beyond the axis are not shown.",
+              friction.loops.size() > drawn ? fmt::format(", the first {} loops", drawn) : ""),
+          .width = two_columns,
+          .height = 64 + 31 * static_cast<double>(drawn),
+          .data = {std::move(points), std::move(along), std::move(path), std::move(profile)},
+          .panels = std::move(panels)};
 }
 
 }  // namespace flexslip

@@ -1,5 +1,3 @@
-#include "report/campaign_figures.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "report/draw.h"
-#include "report/marks.h"
+#include "report/figures.h"
 #include "tests/report/some_campaign.h"
 
 using namespace flexslip;
@@ -27,11 +25,17 @@ TEST_CASE("paper: Fig. 9 has the wavelengths of tests with a sawtooth, and the f
   CHECK(std::isnan(rows[3][6]));                              // no sawtooth
   CHECK(rows[4][2] == 1);                                     // suspect
   const Mark& literature = figure.panels.back().marks.front();
-  CHECK(literature.kind == MarkKind::rectangle);
-  CHECK(literature.at == std::vector<double>{-marks::edge, marks::edge, 0.5, 0.721});
+  CHECK(literature.kind == Mark::area);
+  CHECK(literature.at == std::vector<double>{-edge, 0.5, edge, 0.721});
   const auto numbered = campaign_of(
       {some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6), some_test("SS13", SawtoothCategory::none, 0.3, {})});
   CHECK(distribution_figure(numbered).data[0].rows[1][0] == 13);
+}
+
+TEST_CASE("limit: a category without tests has no panel, nor have waves where none is known") {
+  const Plot figure = distribution_figure(campaign_of({some_test("SS13", SawtoothCategory::none, 0.3, {})}));
+  REQUIRE(figure.panels.size() == 1);
+  CHECK(figure.panels[0].title.find("almost no sawtooth") == 0);
 }
 
 TEST_CASE("limit: nothing to distribute") {

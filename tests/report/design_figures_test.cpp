@@ -1,5 +1,3 @@
-#include "report/design_figures.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "report/figures.h"
 #include "tests/approximately.h"
 #include "tests/design/some_design.h"
 #include "tests/refusal.h"

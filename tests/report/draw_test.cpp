@@ -11,8 +11,6 @@
 
 #include "io/input_error.h"
 #include "io/text.h"
-#include "report/marks.h"
-#include "report/plot_layout.h"
 
 using namespace flexslip;
 namespace fs = std::filesystem;
@@ -41,7 +39,7 @@ Plot line() {
           .width = one_column,
           .height = 50,
           .data = {{"points", {"x", "y"}, {{0, 1}, {}, {0.1, 2}}}},
-          .panels = {{.x = {"*x*"}, .y = {"*y*"}, .marks = {marks::line("points", {0, 1}, {})}}}};
+          .panels = {{.x = {"*x*"}, .y = {"*y*"}, .marks = {{Mark::line, "points", {0, 1}}}}}};
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "report/surface_figure.h"
+#include "report/figures.h"
 #include "tests/has.h"
 #include "tests/refusal.h"
 #include "tests/surface/simulated_surface.h"
