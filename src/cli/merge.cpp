@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "answers/sweep_fields.h"
+#include "answers/design_fields.h"
 #include "cli/commands.h"
 #include "cli/sweep_output.h"
 #include "design/sweep_file.h"

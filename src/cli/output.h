@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "report/draw.h"
-#include "report/fit_screen.h"
+#include "report/fit_document.h"
 #include "result/json.h"
 #include "result/table.h"
 

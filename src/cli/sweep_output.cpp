@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "answers/sweep_fields.h"
+#include "answers/design_fields.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/progress.h"

@@ -58,7 +58,7 @@ struct Verdict {
 std::string sentence_of(const Verdict& verdict);
 
 struct AnswerRow {
-  std::string_view label;  // "drops"
+  std::string label;  // "drops"
   std::string words;
 };
 

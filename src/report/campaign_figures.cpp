@@ -18,7 +18,7 @@
 
 #include "io/text.h"
 #include "io/text_table.h"
-#include "report/campaign_words.h"
+#include "report/campaign_document.h"
 #include "report/marks.h"
 #include "report/plot_layout.h"
 #include "report/plot_units.h"

@@ -10,8 +10,7 @@
 
 #include "inference/analysis_curves.h"
 #include "inference/process_search.h"
-#include "report/fit_print.h"
-#include "report/fit_words.h"
+#include "report/fit_document.h"
 #include "report/marks.h"
 #include "report/plot_layout.h"
 #include "report/plot_units.h"

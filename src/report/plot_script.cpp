@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "data/names.h"
-#include "report/plain_text.h"
+#include "report/document.h"
 #include "report/plot_layout.h"
 
 namespace flexslip {
