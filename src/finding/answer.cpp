@@ -38,10 +38,9 @@ bool presumes_too_much(T test) {
   return test.analysis.stiffness_implausible || test.analysis.model_implausible || lost_stiffness(*test.judgement);
 }
 
-Finding checked(std::string_view code, const Check& check, std::string passed, std::string failed,
-                std::string short_form, std::string remedy) {
-  Finding finding{.code = code,
-                  .severity = check.outcome == CheckOutcome::passed ? Severity::passed : Severity::doubt,
+Finding checked(const Check& check, std::string passed, std::string failed, std::string short_form,
+                std::string remedy) {
+  Finding finding{.severity = check.outcome == CheckOutcome::passed ? Severity::passed : Severity::doubt,
                   .sentence = check.outcome == CheckOutcome::passed ? std::move(passed) : std::move(failed)};
   if (finding.severity == Severity::doubt) {
     finding.short_form = std::move(short_form);
@@ -51,9 +50,7 @@ Finding checked(std::string_view code, const Check& check, std::string passed, s
   return finding;
 }
 
-Finding unjudged(std::string_view code, std::string sentence) {
-  return {.code = code, .severity = Severity::unjudged, .sentence = std::move(sentence)};
-}
+Finding unjudged(std::string sentence) { return {.severity = Severity::unjudged, .sentence = std::move(sentence)}; }
 
 // What would make a bending stiffness so many times too large or too small; a clause.
 std::string likely_slip_of_units(double times) {
@@ -112,8 +109,7 @@ double greatest_deflection(T test) {
 Found no_force(T test) {
   const auto& force = test.analysis.record.force;
   if (is_fitted(test) || force.empty() || *std::max_element(force.begin(), force.end()) > 0) return std::nullopt;
-  return Finding{.code = "no_force",
-                 .severity = Severity::refusal,
+  return Finding{.severity = Severity::refusal,
                  .sentence = "The force is nowhere above zero.",
                  .short_form = "no force above zero",
                  .remedy = "Check which column is the force, and its sign."};
@@ -122,7 +118,6 @@ Found no_force(T test) {
 Found no_initial_slope(T test) {
   if (test.analysis.status != AnalysisStatus::no_initial_slope || no_force(test)) return std::nullopt;
   return Finding{
-      .code = "no_initial_slope",
       .severity = Severity::refusal,
       .sentence = "The force does not rise where the record begins, so the bending stiffness cannot be read off it.",
       .short_form = "no initial slope",
@@ -133,8 +128,7 @@ Found too_deep(T test) {
   const double deepest = greatest_deflection(test);
   if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= farthest_deflection || no_force(test))
     return std::nullopt;
-  return Finding{.code = "too_deep",
-                 .severity = Severity::refusal,
+  return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format("The deflection reaches {}, {:.2g} times the span of {}. No specimen bends so "
                                          "far over its supports.",
                                          Print(test).length(deepest), deepest, Print(test).length(1)),
@@ -150,7 +144,6 @@ Found too_few_rows(T test) {
   if (test.analysis.status != AnalysisStatus::too_few_points || rows >= least_rows || too_deep(test) || no_force(test))
     return std::nullopt;
   return Finding{
-      .code = "too_few_rows",
       .severity = Severity::refusal,
       .sentence = fmt::format("The loading has {}; {} are needed.", counted(rows, "row", "rows"), least_rows),
       .short_form = "too few rows",
@@ -162,8 +155,7 @@ Found too_few_points(T test) {
   if (test.analysis.status != AnalysisStatus::too_few_points || rows < least_rows || too_deep(test) || no_force(test))
     return std::nullopt;
   const double deepest = greatest_deflection(test), from = friction_told_from(test.analysis.rig.fibre);
-  return Finding{.code = "too_few_points",
-                 .severity = Severity::refusal,
+  return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format(
                      "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and "
                      "twice the thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the "
@@ -211,7 +203,6 @@ Found other_train_in_drops(T test) {
   const double train = 1 / *middle;
   const std::string as_on = roughly(train, Print(test).as(kind::stiffness));
   return Finding{
-      .code = "wrong_load_train",
       .severity = Severity::refusal,
       .sentence = fmt::format("{} of {} drops do not fit the load train stated ({}): while the force falls, "
                               "the specimen bends as on {}.",
@@ -233,7 +224,6 @@ Found wrong_load_train(T test) {
   constexpr double of_a_beam = 48;  // [EI/L^3] force over a small deflection
   const double train = analysis.scales.physical_stiffness(of_a_beam / (times - 1));
   return Finding{
-      .code = "wrong_load_train",
       .severity = Severity::refusal,
       .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if the "
                               "bending stiffness stated is right.",
@@ -251,7 +241,6 @@ Found wrong_stiffness(T test) {
   if (!is_judged || !analysis.stiffness_implausible || wrong_load_train(test)) return std::nullopt;
   const double times = analysis.stiffness_over_slope;
   return Finding{
-      .code = "wrong_stiffness",
       .severity = Severity::refusal,
       .sentence = fmt::format("The bending stiffness stated is {} times that of the record's initial slope{}.",
                               roughly(times, kind::number), likely_slip_of_units(times)),
@@ -265,7 +254,6 @@ Found wrong_stiffness(T test) {
 Found not_explained(T test) {
   if (test.analysis.status != AnalysisStatus::not_explained || no_force(test)) return std::nullopt;
   return Finding{
-      .code = "not_explained",
       .severity = Severity::refusal,
       .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
       .short_form = "no friction explains it",
@@ -281,7 +269,6 @@ Found most_drops_impossible(T test) {
   constexpr std::size_t enough = 3;
   if (drops < enough || 2 * impossible < drops || lost_stiffness(*test.judgement)) return std::nullopt;
   return Finding{
-      .code = "most_drops_impossible",
       .severity = Severity::refusal,
       .sentence = fmt::format("{} of the {} drops cannot be slips on the load train stated ({}).", impossible, drops,
                               train_in_words(test, test.analysis.rig.stiffness)),
@@ -297,8 +284,7 @@ Found no_sliding(T test) {
   const std::string remedy =
       "Check the modulus, the section, the span, the contact and the load train. If they are "
       "right, the specimen gave way: unload and load once more.";
-  return Finding{.code = "no_sliding",
-                 .severity = Severity::refusal,
+  return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
                  .short_form = "no friction explains it",
                  .remedy = remedy};
@@ -307,8 +293,7 @@ Found no_sliding(T test) {
 Found softer_reload(T test) {
   const Judgement& judgement = *test.judgement;
   if (!judgement.softer_reload) return std::nullopt;
-  return Finding{.code = "softer_reload",
-                 .severity = Severity::suspicion,
+  return Finding{.severity = Severity::suspicion,
                  .sentence = fmt::format("The specimen lost stiffness: loaded again, it is {:.0f} ± {:.0f} % softer.",
                                          100 * judgement.loss, 100 * judgement.loss_error),
                  .short_form = fmt::format("{:.0f} % softer when reloaded", 100 * judgement.loss),
@@ -317,8 +302,7 @@ Found softer_reload(T test) {
 
 Found cracks(T test) {
   if (!test.judgement->drops_are_cracks) return std::nullopt;
-  return Finding{.code = "cracks",
-                 .severity = Severity::suspicion,
+  return Finding{.severity = Severity::suspicion,
                  .sentence = "The force rises between the drops as that of a specimen that cracks.",
                  .short_form = "rises as of cracks",
                  .remedy = test.cycles ? "" : "Unload and load once more; a reload shows how much stiffness was lost.",
@@ -328,8 +312,7 @@ Found cracks(T test) {
 Found impossible_drops(T test) {
   const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
   if (impossible == 0 || most_drops_impossible(test)) return std::nullopt;
-  return Finding{.code = "impossible_drops",
-                 .severity = 2 * impossible >= drops ? Severity::suspicion : Severity::doubt,
+  return Finding{.severity = 2 * impossible >= drops ? Severity::suspicion : Severity::doubt,
                  .sentence = drops == 1            ? std::string("The drop cannot be a slip.")
                              : impossible == drops ? fmt::format("None of the {} drops can be a slip.", drops)
                                                    : fmt::format("{} of the {} drops cannot be {}.", impossible, drops,
@@ -349,7 +332,6 @@ Found implausible_friction(T test) {
                         analysis.suspects.points.size(), analysis.suspects.points_judged)
           : fmt::format("at least {:.2f} on average (95 %)", analysis.fit.mu0.low);
   return Finding{
-      .code = "implausible_friction",
       .severity = Severity::suspicion,
       .sentence = fmt::format("The record needs implausible friction, {}.", how),
       .short_form = fmt::format("friction above {:.2g}", most),
@@ -369,53 +351,50 @@ Found misses_force(T test) {
   const std::string misses =
       fmt::format("The fit, run forward, misses the force by {:.2g} % of its greatest (limit {:g} %).", 100 * share,
                   100 * most_residual);
-  return checked("misses_force", *check, misses, misses, "the fit misses the force",
+  return checked(*check, misses, misses, "the fit misses the force",
                  "Check the modulus, the section, the span and the units.");
 }
 
 Found drops_differ(T test) {
-  constexpr std::string_view code = "drops_differ";
   const Check* check = check_of(test, CheckKind::drops);
   if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged(code, "Drops of the fit say nothing where the fit is not to be used.");
+  if (presumes_too_much(test)) return unjudged("Drops of the fit say nothing where the fit is not to be used.");
   if (check->outcome == CheckOutcome::not_possible)
-    return unjudged(code, "The model has no profiles whose drops could be counted.");
+    return unjudged("The model has no profiles whose drops could be counted.");
   const auto number = [&](std::string_view name) { return number_of(*check, name); };
   const double low = number("draws_low"), high = number("draws_high");
   const std::string sentence =
       fmt::format("Profiles drawn from the fit show {} drops, the record {:.0f}{}.",
                   low < high ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("{:.0f}", low),
                   number("record"), check->outcome == CheckOutcome::passed ? "" : ", more than chance allows");
-  return checked(code, *check, sentence, sentence,
+  return checked(*check, sentence, sentence,
                  fmt::format("{:.0f} drops, fit {:.0f} to {:.0f}", number("record"), low, high),
                  "See in the table of drops which ones can be cracks.");
 }
 
 Found coloured_noise(T test) {
-  constexpr std::string_view code = "coloured_noise";
   const Check* check = check_of(test, CheckKind::whiteness);
   if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged(code, "What the fit leaves says nothing where it is not to be used.");
+  if (presumes_too_much(test)) return unjudged("What the fit leaves says nothing where it is not to be used.");
   if (check->outcome == CheckOutcome::not_possible)
-    return unjudged(code, "A constant friction cannot predict the next reading.");
+    return unjudged("A constant friction cannot predict the next reading.");
   const double p = number_of(*check, "p_value");
   const std::string probability =
       p < least_p_of_noise ? fmt::format("p < {:g}", least_p_of_noise) : fmt::format("p = {}", significant(p, 2));
   return checked(
-      code, *check,
+      *check,
       fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, least_p_of_noise),
       fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, least_p_of_noise),
       "residuals are not noise", "Something is not in the model; a simulated record without noise fails here, too.");
 }
 
 Found simpler_fits_better(T test) {
-  constexpr std::string_view code = "simpler_fits_better";
   const Check* check = check_of(test, CheckKind::nesting);
   if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged(code, "Explanations are not compared where none is to be used.");
+  if (presumes_too_much(test)) return unjudged("Explanations are not compared where none is to be used.");
   if (check->outcome == CheckOutcome::not_possible)
-    return unjudged(code, "The likeliest explanation contains no simpler one.");
-  return checked(code, *check, "No simpler explanation fits better.",
+    return unjudged("The likeliest explanation contains no simpler one.");
+  return checked(*check, "No simpler explanation fits better.",
                  fmt::format("A simpler explanation fits better, by {:.1f} in ln L.",
                              std::max(number_of(*check, "most_below"), 0.0)),
                  "a simpler explanation fits better",
@@ -426,19 +405,18 @@ Found unstable(T test) {
   const Check* check = check_of(test, CheckKind::stability);
   if (!check) return std::nullopt;
   if (check->numbers.empty())
-    return checked("unstable", *check, "", "With the force changed in its ninth digit there is no fit.",
+    return checked(*check, "", "With the force changed in its ninth digit there is no fit.",
                    "no fit if the ninth digit changes", "Check the record.");
   const std::string moves =
       fmt::format("With the force changed in its ninth digit, friction moves by {:.1g} of its error{}.",
                   number_of(*check, "mu0_moved"),
                   number_of(*check, "same_explanation") > 0 ? "" : ", and another explanation is the likeliest");
-  return checked("unstable", *check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
+  return checked(*check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
 }
 
 Found falling_friction(T test) {
   if (!test.judgement->friction_falls) return std::nullopt;
-  return Finding{.code = "falling_friction",
-                 .severity = Severity::doubt,
+  return Finding{.severity = Severity::doubt,
                  .sentence =
                      "Friction decreases along the record, as it would if stiffness were lost or if rollers were "
                      "taken for edges.",
@@ -452,8 +430,7 @@ Found changed_reload(T test) {
   const Judgement& judgement = *test.judgement;
   if (!judgement.changed_reload) return std::nullopt;
   const std::string_view how = judgement.loss > 0 ? "softer" : "stiffer";
-  return Finding{.code = "changed_reload",
-                 .severity = Severity::doubt,
+  return Finding{.severity = Severity::doubt,
                  .sentence = fmt::format("Loaded again, the specimen is {:.0f} ± {:.0f} % {} than at first.",
                                          100 * std::abs(judgement.loss), 100 * judgement.loss_error, how),
                  .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(judgement.loss), how),
@@ -466,8 +443,7 @@ Found coarse_force(T test) {
   constexpr double relevant = 0.05;  // of the greatest force
   const auto& force = analysis.record.force;
   if (!(analysis.drops.smallest_fall > relevant * *std::max_element(force.begin(), force.end()))) return std::nullopt;
-  return Finding{.code = "coarse_force",
-                 .severity = Severity::doubt,
+  return Finding{.severity = Severity::doubt,
                  .sentence = fmt::format("A drop of less than {} could not be seen.",
                                          Print(test).own(analysis.drops.smallest_fall, kind::force)),
                  .short_form = "force too coarse for drops",
@@ -488,8 +464,7 @@ Found undecided_drops(T test) {
   const Judgement& judgement = *test.judgement;
   if (test.analysis.drops.drops.empty() || judgement.drops != CrackVerdict::cannot_be_told) return std::nullopt;
   const SlipOrCrack& rises = test.analysis.slip_or_crack;
-  return Finding{.code = "undecided_drops",
-                 .severity = Severity::doubt,
+  return Finding{.severity = Severity::doubt,
                  .sentence = rises.judged ? "How the force rises between the drops does not tell slips from cracks."
                                           : "Too few drops, or rows between them, tell slips from cracks.",
                  .short_form = "slips or cracks",
@@ -498,8 +473,7 @@ Found undecided_drops(T test) {
 
 Found few_rows(T test) {
   if (!test.judgement->few_rows) return std::nullopt;
-  return Finding{.code = "few_rows",
-                 .severity = Severity::doubt,
+  return Finding{.severity = Severity::doubt,
                  .sentence =
                      "Most rises between drops have fewer than five rows: drops and waves of friction may be "
                      "missed.",
@@ -509,8 +483,7 @@ Found few_rows(T test) {
 
 Found below_frictionless(T test) {
   if (!(test.analysis.friction_read.median < least_friction)) return std::nullopt;
-  return Finding{.code = "below_frictionless",
-                 .severity = Severity::doubt,
+  return Finding{.severity = Severity::doubt,
                  .sentence = "The force lies below the frictionless curve." + late_beginning(test),
                  .short_form = "below the frictionless curve",
                  .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
@@ -521,8 +494,7 @@ Found settling_contact(T test) {
   if (contact.status != ContactStatus::found || !contact.settles ||
       !(contact.offset.value > two_sided * contact.offset.standard_error))
     return std::nullopt;
-  return Finding{.code = "settling_contact",
-                 .severity = Severity::doubt,
+  return Finding{.severity = Severity::doubt,
                  .sentence = fmt::format(
                      "The curve bends where it begins: the contact may lie {} farther.",
                      readable(contact.offset.value, contact.offset.standard_error, Print(test).as(kind::length))),
@@ -535,16 +507,15 @@ Found settling_contact(T test) {
 Found unexpected_stiffness(T test) {
   const Check* check = check_of(test, CheckKind::stiffness);
   if (!check) return std::nullopt;
-  constexpr std::string_view code = "unexpected_stiffness";
   if (check->outcome == CheckOutcome::not_possible)
-    return unjudged(code, "The bending stiffness is not fitted with a constant friction.");
+    return unjudged("The bending stiffness is not fitted with a constant friction.");
   const std::string sentence =
       fmt::format("The bending stiffness of the fit is {} from that {}, {:.1f} times its error (limit {:g}).",
                   signed_percent(number_of(*check, "fitted_over_nominal") - 1),
                   test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
                   most_stiffness_errors);
   return checked(
-      code, *check, sentence, sentence + late_beginning(test),
+      *check, sentence, sentence + late_beginning(test),
       fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
       find_contact_or_check(test,
                             "the modulus, the section, the span, the units and the radius of the "
@@ -556,7 +527,7 @@ Found unexpected_stiffness(T test) {
 Found only_a_limit(T test) {
   const Check* check = check_of(test, CheckKind::friction);
   if (!check || presumes_too_much(test)) return std::nullopt;
-  Finding finding = checked("only_a_limit", *check, "Friction can be distinguished from zero.",
+  Finding finding = checked(*check, "Friction can be distinguished from zero.",
                             fmt::format("Friction cannot be distinguished from zero; it is at most {} (95 %).",
                                         significant(number_of(*check, "mu0_high"), 2)),
                             "only a limit", "Bend farther, or state the bending stiffness more exactly.");
@@ -569,8 +540,7 @@ Found no_reload(T test) {
   if (test.analysis.drops.drops.empty() || std::isfinite(judgement.loss) || undecided_drops(test) ||
       lost_stiffness(judgement))
     return std::nullopt;
-  return Finding{.code = "no_reload",
-                 .severity = Severity::note,
+  return Finding{.severity = Severity::note,
                  .sentence = "Without a reload nothing bounds what stiffness was lost besides.",
                  .remedy = reload_remedy(test)};
 }
@@ -580,7 +550,6 @@ Found jumps(T test) {
   if (!std::isfinite(judgement.stiffness_for_all)) return std::nullopt;
   const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
   return Finding{
-      .code = "jumps",
       .severity = Severity::note,
       .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
                               percent(judgement.jumped)),
@@ -595,8 +564,7 @@ Found imaged_length(T test) {
   const ImagedLength& imaged = *test.imaged;
   const double unit = test.analysis.scales.span();
   const Kind length = Print(test).as(kind::length);
-  return Finding{.code = "imaged_length",
-                 .severity = Severity::note,
+  return Finding{.severity = Severity::note,
                  .sentence = fmt::format(
                      "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
                      readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
@@ -604,7 +572,7 @@ Found imaged_length(T test) {
                      roughly(unit * imaged.scatter, length))};
 }
 
-// A rule that presumes an answer of the analysis, and one that does not.
+// A rule, under the code of what it finds; does it presume an answer of the analysis?
 struct Rule {
   std::string_view code;
   Found (*find)(T test);
@@ -931,7 +899,10 @@ std::vector<Finding> findings_of(T test) {
   std::vector<Finding> findings;
   for (const Rule& rule : rules) {
     if (rule.presumes_an_answer && !is_fitted(test)) continue;
-    if (Found found = rule.find(test)) findings.push_back(std::move(*found));
+    if (Found found = rule.find(test)) {
+      found->code = rule.code;
+      findings.push_back(std::move(*found));
+    }
   }
   return findings;
 }

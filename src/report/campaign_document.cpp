@@ -161,6 +161,7 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
                titled("EI", units.bending_stiffness), titled("Residual", units.force), "Drops",
                titled("Work", units.energy), "Work (%)", "Doubts"},
       .rows = {},
+      .folding = Folding::never,
       .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"},
       .paper = {.label = "friction",
                 .caption =
@@ -350,7 +351,7 @@ Rows column_rows(const Campaign& campaign) {
            "force; clear: 15\u00a0% or more; nominal: between"},
           {"Friction",
            "μ₀, averaged over the length that slid; σ is its roughness, ℓ the correlation length; ± are standard "
-           "errors"},
+           "errors, ranges in parentheses 95 % intervals"},
           {"A, λ", "of the likeliest wave of friction; brackets mark a wave that is only indicative"},
           {"Height, Slope",
            "half of crest to trough of the wave of the surface that would show it, and the rms of the slopes "
@@ -413,25 +414,26 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
                                  const std::vector<std::string>& links) {
   PrintedTable tests = test_rows(campaign, written);
   tests.links = links;
-  Chapter first{"", {}};
-  if (!tests.rows.empty())
-    first.blocks.emplace_back(Pictures{[&campaign] { return std::vector{distribution_figure(campaign)}; }});
-  first.blocks.emplace_back(std::move(tests));
-  return {first,
-          {"By category: mean (smallest to largest)",
-           {spread_of_all(campaign) ? category_rows(campaign) : PrintedTable{},
-            Rows{{"literature", literature_in_words(campaign)}}}},
-          {"Between specimens", {specimen_rows(campaign)}},
-          {"Shared by several tests", {shared_rows(campaign)}},
-          {"Not evaluated", {failure_rows(campaign)}},
-          {"A surface that would explain it", {surface_of_waves(campaign)}},
-          {"Force curves", {Pictures{[&campaign] { return atlas_pages(campaign); }}}},
-          {"What the columns say", {first.blocks.size() > 1 ? column_rows(campaign) : Rows{}}}};
+  const bool has_answers = !tests.rows.empty();
+  std::vector<Chapter> chapters;
+  if (has_answers)
+    chapters = {{"", {Pictures{[&campaign] { return std::vector{distribution_figure(campaign)}; }}, tests}},
+                {"By category: mean (smallest to largest)",
+                 {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
+                {"Between specimens", {specimen_rows(campaign)}}};
+  chapters.push_back({"Shared by several tests", {shared_rows(campaign)}});
+  chapters.push_back({"Not evaluated", {failure_rows(campaign)}});
+  if (has_answers)
+    for (const Chapter& chapter : {Chapter{"A surface that would explain it", {surface_of_waves(campaign)}},
+                                   Chapter{"Force curves", {Pictures{[&campaign] { return atlas_pages(campaign); }}}},
+                                   Chapter{"What the columns say", {column_rows(campaign)}}})
+      chapters.push_back(chapter);
+  return chapters;
 }
 
 std::string campaign_text(const Campaign& campaign) {
   std::vector<Chapter> chapters = document_of(campaign, with_error);
-  chapters.front().blocks.insert(chapters.front().blocks.begin(), answer_of(campaign));
+  chapters.insert(chapters.begin(), {"", {answer_of(campaign)}});
   return in_text(chapters);
 }
 

@@ -38,12 +38,23 @@ std::string laid_out(const PrintedTable& all, std::size_t width) {
     widths.push_back(width_of(table.head[i]));
     for (const auto& row : table.rows) widths[i] = std::max(widths[i], width_of(row[i]));
   }
+  const std::size_t last = table.head.size() - 1;
+  const bool ends_in_words = last > 0 && !is_of_numbers(table, last);
   std::string out;
   const auto add = [&](const std::vector<std::string>& cells) {
     std::string line = " ";
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      line += "  " + padded(printable(cells[i]), widths[i], is_of_numbers(table, i));
-    line.erase(line.find_last_not_of(' ') + 1);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string cell = printable(cells[i]);
+      line += "  ";
+      // Words at the end of a line go on below it, where there is room for them.
+      constexpr std::size_t least_room = 30;
+      if (const std::size_t indent = width_of(line);
+          i == last && ends_in_words && all.on_terminal.empty() && indent + least_room <= width)
+        line = wrapped(cell, std::string(indent, ' '), line, width);
+      else
+        line += padded(cell, widths[i], is_of_numbers(table, i));
+    }
+    line.erase(line.find_last_not_of(" \n") + 1);
     out += (all.on_terminal.empty() ? line : cut_to(line, width)) + '\n';
   };
   add(table.head);
@@ -77,6 +88,13 @@ struct AsText {
     return "";
   }
 };
+
+// Is there an empty line between two blocks? Around tables, and after the answer.
+bool are_apart(const Block& above, const Block& below, const Chapter& chapter) {
+  const auto is_table = [](const Block& block) { return std::holds_alternative<PrintedTable>(block); };
+  return is_table(above) || is_table(below) ||
+         (chapter.title.empty() && std::holds_alternative<std::string>(above) && std::holds_alternative<Rows>(below));
+}
 
 // ---- For a paper
 
@@ -198,15 +216,17 @@ std::string in_text(const std::vector<Chapter>& chapters, std::size_t width) {
   std::string out;
   for (const Chapter& chapter : chapters) {
     std::string words;
-    bool after_paragraph = false;
+    const Block* above = nullptr;
     for (const Block& block : chapter.blocks) {
       const std::string text = std::visit(AsText{!chapter.title.empty(), width}, block);
-      const bool is_paragraph = std::holds_alternative<std::string>(block);
-      if (!text.empty()) words += (after_paragraph && !is_paragraph && chapter.title.empty() ? "\n" : "") + text;
-      if (!text.empty()) after_paragraph = is_paragraph;
+      if (text.empty()) continue;
+      if (above && are_apart(*above, block, chapter)) words += '\n';
+      words += text;
+      above = &block;
     }
     if (words.empty()) continue;
-    if (!chapter.title.empty()) out += fmt::format("\n[[{}]]\n", chapter.title);
+    if (!out.empty() || !chapter.title.empty()) out += '\n';
+    if (!chapter.title.empty()) out += fmt::format("[[{}]]\n", chapter.title);
     out += words;
   }
   return out;

@@ -28,7 +28,7 @@ h1 { font-size: 1.15rem; font-weight: 600; color: var(--soft); margin: 0 0 .6rem
 h2 { font-size: 1.15rem; margin: 2.4rem 0 .5rem; }
 .answer b { letter-spacing: .02em; margin-right: .5rem; } .answer .slip, .answer .no_drops { color: #007a58; }
 .answer .undecided { color: #a66f00; } .answer .crack, .answer .check_input, .answer .no_answer { color: #c04a00; }
-dl.rows { display: grid; grid-template-columns: fit-content(16rem) 1fr; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); } dl.rows dd { margin: 0; }
+dl.rows { display: grid; grid-template-columns: fit-content(16rem) 1fr; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); min-width: 6.5rem; } dl.rows dd { margin: 0; }
 .source { font-size: .88rem; color: var(--soft); border-top: 1px solid var(--line); padding-top: .6rem; }
 details summary { cursor: pointer; color: var(--soft); }
 .answer { font-size: 1.4rem; line-height: 1.38; margin: 0 0 1.6rem; text-wrap: pretty; }
@@ -101,10 +101,10 @@ struct AsHtml {
       if (!words.empty()) out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", in_page(label), in_page(words));
     return out.empty() ? "" : fmt::format("<dl class=\"rows\">\n{}</dl>\n", out);
   }
-  // A long one is folded, unless it leads to other pages; one of many columns takes the width of the window.
+  // A long one is folded; one of many columns takes the width of the window.
   std::string operator()(const PrintedTable& table) const {
     if (table.rows.empty()) return "";
-    constexpr std::size_t most_open = 12, most_columns = 9;
+    constexpr std::size_t most_open = 12, most_columns = 7;
     std::string rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       rows += fmt::format("<tr>{}</tr>\n",
@@ -112,9 +112,13 @@ struct AsHtml {
     const std::string html =
         fmt::format("<div class=\"scroll{}\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
                     table.head.size() > most_columns ? " wide" : "", cells_in_html(table, table.head, "th"), rows);
-    return table.rows.size() <= most_open || !table.links.empty()
+    return table.folding == Folding::never || (table.folding == Folding::of_long && table.rows.size() <= most_open)
                ? html
-               : fmt::format("<details><summary>A table of {} rows</summary>\n{}</details>\n", table.rows.size(), html);
+               : fmt::format("<details><summary>{}</summary>\n{}</details>\n",
+                             table.folding == Folding::always
+                                 ? in_page(fmt::format("{}: {}", table.head.front(), table.head.back()))
+                                 : fmt::format("A table of {} rows", table.rows.size()),
+                             html);
   }
   std::string operator()(const Pictures&) const { return next_pictures(); }
   std::string operator()(const Verbatim& lines) const {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "fibre/limits.h"
+#include "finding/printed.h"
 #include "io/text_table.h"
 
 namespace flexslip {
@@ -55,6 +56,15 @@ Json entry(const Json& row, std::string_view path) {
   const auto found = row.is_object() ? row.find(std::string(path.substr(0, dot))) : row.end();
   if (found == row.end()) return nullptr;
   return dot == std::string_view::npos ? *found : entry(*found, path.substr(dot + 1));
+}
+
+// The ends of the 95 % interval of an estimate, in the unit of its value.
+std::string with_ends(const Estimate& estimate, const Kind& kind) {
+  const auto unit = best_unit(std::max(std::abs(estimate.value), estimate.standard_error), kind);
+  const MatchedDigits digits = matched_digits(estimate, unit.empty() ? 1 : from_si(1, parse_unit(unit)));
+  return digits.low.empty()
+             ? ""
+             : fmt::format("{} to {}{}{}", digits.low, digits.high, unit.empty() ? "" : " ", typeset(unit));
 }
 
 double number_or_nan(const Json& value) { return value.is_number() ? value.get<double>() : not_a_number; }
@@ -124,6 +134,63 @@ bool begins_as_number(std::string_view cell) {
   return !cell.empty() && (std::string_view("0123456789-+").find(cell.front()) != std::string_view::npos);
 }
 
+// What an answer says under a name, of the whole answer or of a group in it.
+Json entry_of(const FieldList& answer, const void* of, const Frame& frame, std::string_view path) {
+  const std::string_view first = path.substr(0, path.find('.'));
+  const auto found = std::find_if(answer.fields().begin(), answer.fields().end(),
+                                  [&](const Field& field) { return field.what.name == first; });
+  Json top = Json::object();
+  put(top, first, found->of(of, frame));
+  return entry(top, path);
+}
+
+// A meaning without what it says of JSON.
+std::string meaning_for_people(std::string_view meaning) {
+  return std::string(meaning.substr(0, std::min(meaning.find("; null"), meaning.find("; its error from scatter"))));
+}
+
+// The entries of a group, those of the groups in it under both names; lists are tables of their own.
+void add_told(PrintedTable& table, const std::vector<Description>& entries, const Json& values, const Frame& frame,
+              const std::string& above) {
+  for (const Description& each : entries) {
+    const Json value = entry(values, each.name);
+    const std::string name = above + std::string(each.name);
+    const Kind& kind = frame.reduced ? kind::number : frame.in_inches ? in_inches(each.kind) : each.kind;
+    std::string cell, interval;
+    switch (each.shape) {
+      case Shape::group:
+        add_told(table, each.entries, value, frame, name + ".");
+        break;
+      case Shape::estimate:
+        if (!value.is_object()) break;
+        cell = readable(number_or_nan(value["value"]), number_or_nan(value["standard_error"]), kind);
+        if (const Json ends = value["interval95"]; ends.is_array() && ends[0].is_number() && ends[0] != ends[1])
+          interval = with_ends(
+              {number_or_nan(value["value"]), number_or_nan(value["standard_error"]), ends[0], ends[1]}, kind);
+        break;
+      case Shape::quantity:
+        if (value.is_object()) cell = readable(number_or_nan(value["value"]), kind);
+        break;
+      case Shape::number:
+        if (std::isfinite(number_or_nan(value))) cell = readable(number_or_nan(value), kind);
+        break;
+      case Shape::count:
+        if (!value.is_null()) cell = value.dump();
+        break;
+      case Shape::yes_no:
+        if (value.is_boolean()) cell = value.get<bool>() ? "yes" : "no";
+        break;
+      case Shape::words:
+        if (value.is_string() && each.name != "unit") cell = printable(value.get<std::string>());
+        break;
+      default:
+        break;
+    }
+    if (!cell.empty()) table.rows.push_back({name, cell, interval, meaning_for_people(each.meaning)});
+    if (each.shape == Shape::estimate) add_told(table, each.entries, value, frame, name + ".");
+  }
+}
+
 }  // namespace
 
 bool is_of_numbers(const PrintedTable& table, std::size_t column) {
@@ -166,12 +233,7 @@ PrintedTable printed(const std::vector<NumberColumn>& columns) {
 PrintedTable shown(const FieldList& answer, const void* of, const Frame& frame, std::string_view list,
                    const std::vector<Shown>& columns) {
   const Description what = described(answer.descriptions(), list);
-  const std::string_view first = list.substr(0, list.find('.'));
-  const auto found = std::find_if(answer.fields().begin(), answer.fields().end(),
-                                  [&](const Field& field) { return field.what.name == first; });
-  Json top = Json::object();
-  put(top, first, found->of(of, frame));
-  const Json entries = entry(top, list);
+  const Json entries = entry_of(answer, of, frame, list);
   PrintedTable table;
   table.rows.resize(entries.size());
   for (const Shown& column : columns) {
@@ -179,6 +241,15 @@ PrintedTable shown(const FieldList& answer, const void* of, const Frame& frame, 
     table.head.push_back(cells.head.front());
     for (std::size_t i = 0; i < entries.size(); ++i) table.rows[i].push_back(cells.rows[i].front());
   }
+  return table;
+}
+
+PrintedTable told(const FieldList& answer, const void* of, const Frame& frame, std::string_view group) {
+  const Description what = described(answer.descriptions(), group);
+  PrintedTable table{.head = {std::string(group), "Value", "95 % interval", meaning_for_people(what.meaning)},
+                     .rows = {},
+                     .folding = Folding::always};
+  add_told(table, what.entries, entry_of(answer, of, frame, group), frame, "");
   return table;
 }
 

@@ -22,11 +22,15 @@ struct OnPaper {
   std::vector<std::size_t> crossed{};  // rows that have a × behind their first cell
 };
 
+// Is a table on a page folded, so that its rows show when they are asked for?
+enum class Folding { never, of_long, always };  // of_long: of more than 12 rows
+
 // Columns of words stand to the left, as the first does; columns of numbers to the right.
 struct PrintedTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> links{};  // where the first cells lead on a page; empty where nowhere
+  Folding folding = Folding::of_long;
   // Headings of the columns that a terminal has room for, the last of them cut where the line ends; all if there are none.
   std::vector<std::string_view> on_terminal{};
   OnPaper paper{};
@@ -70,6 +74,15 @@ template <class Row>
 PrintedTable shown(const Fields<Row>& answer, const Row& of, const Frame& frame, std::string_view list,
                    const std::vector<Shown>& columns) {
   return shown(answer.untyped(), &of, frame, list, columns);
+}
+
+// A group in an answer, a row a number, an estimate, a count or words that are there: its name, value, interval and meaning, as they are described. Folded.
+// Fails:      std::invalid_argument for a group that is not described.
+PrintedTable told(const FieldList& answer, const void* of, const Frame& frame, std::string_view group);
+
+template <class Row>
+PrintedTable told(const Fields<Row>& answer, const Row& of, const Frame& frame, std::string_view group) {
+  return told(answer.untyped(), &of, frame, group);
 }
 
 }  // namespace flexslip

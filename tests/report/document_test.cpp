@@ -27,8 +27,9 @@ std::vector<Chapter> small_document() {
 
 TEST_CASE("by hand: a terminal shows words, rows and tables, no pictures, nothing that says nothing") {
   CHECK(in_text(small_document(), 40) ==
-        "\n[[Friction & wear]]\n   It is -0.5.\n   Slip   Fall\n   1       0.2\n   12    -0.15\n   work            a < "
-        "b\n   "
+        "\n[[Friction & wear]]\n   It is -0.5.\n\n   Slip   Fall\n   1       0.2\n   12    -0.15\n\n   work            "
+        "a < "
+        "b\n\n   "
         "Test   Doubts\n   a <b>  one doubt; another doubt; a …\n");
 }
 
@@ -49,14 +50,18 @@ TEST_CASE("by hand: a page shows the same and the pictures, numbers to the right
   for (const char* part : {"none", "left out", "Nothing to say"}) CHECK_FALSE(has(html, part));
 }
 
-TEST_CASE("by hand: a table of more than 12 rows is folded, unless it leads to other pages") {
+TEST_CASE("by hand: a table of more than 12 rows is folded, unless it is to stay open") {
   PrintedTable table{{"Row"}, {}};
   for (int i = 0; i < 13; ++i) table.rows.push_back({std::to_string(i)});
   const auto html = [&] { return in_html({{"All", {table}}}, {}); };
   CHECK(has(html(), "<details><summary>A table of 13 rows</summary>"));
-  table.links.resize(13);
+  table.folding = Folding::never;
   CHECK_FALSE(has(html(), "<details>"));
-  table.links.clear();
+  table.folding = Folding::of_long;
   table.rows.pop_back();
   CHECK_FALSE(has(html(), "<details>"));
+  table.head = {"Row", "What it is"};
+  for (auto& row : table.rows) row.emplace_back("a row");
+  table.folding = Folding::always;
+  CHECK(has(html(), "<details><summary>Row: What it is</summary>"));
 }

@@ -28,7 +28,7 @@ std::string campaign_of_one(const FittedTest& test) {
 }  // namespace
 
 TEST_CASE("every finding there is: screen, text, page, JSON and campaign print its very words") {
-  // What the verdict is made of is told by the rows of the screen, in other words.
+  // What the verdict is made of is told by the rows of the screen, in other words; a campaign has the verdict.
   constexpr std::array told_by_rows{"cracks", "undecided_drops"};
   for (const Situation& each : situations()) {
     INFO(each.code);
@@ -48,7 +48,7 @@ TEST_CASE("every finding there is: screen, text, page, JSON and campaign print i
       return one.at("code") == each.code && one.at("sentence") == finding.sentence &&
              one.at("remedy") == finding.remedy;
     }));
-    if (on_screen)
+    if (on_screen && each.code != "softer_reload")
       CHECK(
           has(campaign_of_one(each.test), html_escaped(is_fitted(each.test) ? finding.short_form : finding.sentence)));
   }

@@ -71,6 +71,27 @@ TEST_CASE("limit: of a group that is missing, and of an empty list, there are no
   CHECK(shown(fields(), Whole{whole.parts, true}, {}, "group.parts", columns).rows.size() == 2);
 }
 
+TEST_CASE("table: a group as it describes itself, what is missing left out") {
+  const Whole with_group{whole.parts, true};
+  const auto of_group = Fields<Whole>().group(
+      "group", "what it is of; null without it",
+      Fields<Part>()
+          .number("length", kind::length, "of the part", &Part::length)
+          .number("share", "of the whole", &Part::share)
+          .estimate("estimate", kind::length, "its length; null if not known",
+                    [](const Part& each) { return normal_estimate(each.length, 0.01); })
+          .words("verdict", "good or not", &Part::verdict)
+          .yes_no("flag", "it holds", [](const Part&) { return true; }),
+      [](const Whole& of) -> const auto& { return of.parts[1]; });
+  const PrintedTable table = told(of_group, with_group, {.scales = Scales(2e-3, 1)}, "group");
+  CHECK(table.head == std::vector<std::string>{"group", "Value", "95 % interval", "what it is of"});
+  CHECK(table.rows == std::vector<std::vector<std::string>>{{"length", "250 µm", "", "of the part"},
+                                                            {"estimate", "250 ± 20 µm", "211 to 289 µm", "its length"},
+                                                            {"verdict", "bad", "", "good or not"},
+                                                            {"flag", "yes", "", "it holds"}});
+  CHECK_THROWS_AS(told(of_group, with_group, {}, "troop"), std::invalid_argument);
+}
+
 TEST_CASE("table: what is of numbers stands to the right, and columns are picked by their headings") {
   const PrintedTable table{{"Name", "Value", "Range", "Words", "Nothing"},
                            {{"1", "−5 N", "at most 0.3", "1 of 2", ""}, {"2", "", "± 0.2", "none", ""}}};
