@@ -15,8 +15,8 @@
 #include "io/text_file.h"
 #include "parts.h"
 #include "plain.h"
+#include "report/campaign_document.h"
 #include "report/campaign_report.h"
-#include "report/campaign_text.h"
 #include "report/figures.h"
 
 namespace flexslip::python {

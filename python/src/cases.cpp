@@ -9,7 +9,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "answers/key_fields.h"
+#include "answers/all_answers.h"
 #include "case/case_file.h"
 #include "case/case_keys.h"
 #include "data/names.h"

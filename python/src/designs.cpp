@@ -16,7 +16,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/design_words.h"
+#include "report/design_document.h"
 #include "report/figures.h"
 
 namespace flexslip::python {
@@ -54,7 +54,7 @@ void add_designs(py::module_& module) {
   py::class_<DesignAnswer, std::shared_ptr<DesignAnswer>>(module, "DesignAnswer")
       .def("told", told)
       .def("figures", [](const DesignAnswer& answer) { return one_figure(design_figure(answer)); })
-      .def("text", design_text);
+      .def("text", [](const DesignAnswer& answer) { return in_text(document_of(answer)); });
   py::class_<Map, std::shared_ptr<Map>>(module, "DesignMap")
       .def("told", told_map)
       .def("entries", [](const Map& map) { return plain(design_map_fields(map.axes).descriptions()); })

@@ -8,7 +8,7 @@
 #include <pybind11/stl.h>
 
 #include "answers/fit_fields.h"
-#include "answers/fit_tables.h"
+#include "answers/profile_fields.h"
 #include "case/analysis_choice.h"
 #include "case/fitted.h"
 #include "figures.h"
@@ -18,8 +18,6 @@
 #include "parts.h"
 #include "plain.h"
 #include "report/fit_document.h"
-#include "report/fit_screen.h"
-#include "report/fit_words.h"
 #include "report/report.h"
 
 namespace flexslip::python {

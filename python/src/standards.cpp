@@ -9,7 +9,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/small_deflection_words.h"
+#include "report/modulus_document.h"
 
 namespace flexslip::python {
 namespace {

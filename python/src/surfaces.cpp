@@ -14,7 +14,7 @@
 #include "parts.h"
 #include "plain.h"
 #include "report/figures.h"
-#include "report/surface_words.h"
+#include "report/surface_document.h"
 
 namespace flexslip::python {
 namespace {
@@ -81,7 +81,7 @@ void add_surfaces(py::module_& module) {
              out.append(plain(surface_figure(study)));
              return out;
            })
-      .def("text", surface_text)
+      .def("text", [](const SurfaceStudy& study) { return in_text(document_of(study)); })
       .def("in_short", surface_in_short);
   module.def("surface", [](const std::string& path, const py::dict& words) {
     const Given given(words);

@@ -11,7 +11,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "answers/sweep_fields.h"
+#include "answers/design_fields.h"
 #include "data/names.h"
 #include "design/design_result.h"
 #include "design/sweep_digest.h"

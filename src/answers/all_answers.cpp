@@ -1,21 +1,18 @@
 #include "answers/all_answers.h"
 
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "answers/campaign_fields.h"
 #include "answers/design_fields.h"
-#include "answers/equilibrium_fields.h"
 #include "answers/fit_fields.h"
-#include "answers/fit_tables.h"
-#include "answers/key_fields.h"
 #include "answers/path_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "answers/state_fields.h"
 #include "answers/surface_fields.h"
-#include "answers/sweep_fields.h"
 #include "data/names.h"
 #include "instruments/export_fields.h"
 
@@ -58,6 +55,21 @@ std::vector<Description> sweep_columns() {
 }
 
 }  // namespace
+
+Fields<CaseKey> key_fields() {
+  const auto text = [](std::string_view CaseKey::*part) {
+    return [part](const CaseKey& key) { return (key.*part).empty() ? std::nullopt : std::optional(key.*part); };
+  };
+  return Fields<CaseKey>()
+      .words("section", "section of the case file", &CaseKey::section)
+      .words("name", "name of the key", &CaseKey::name)
+      .words("holds", "values that the key takes", what_holds)
+      .words("example", "example of a value", text(&CaseKey::example))
+      .words("reduced", "example of a value in a reduced case", text(&CaseKey::reduced))
+      .words("flag", "flag that says the same on the command line", text(&CaseKey::flag))
+      .words("meaning", "meaning of the key", &CaseKey::meaning)
+      .words("more", "text that follows the meaning on the page of case files", &CaseKey::more);
+}
 
 std::vector<AnswerDescription> all_answers() {
   static const std::array<std::string, 1> draws{"draw_1, draw_2, …"};

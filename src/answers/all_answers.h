@@ -1,13 +1,16 @@
-// Every answer of every command, by what it holds: the page docs/results.md is made of it.
+// Every answer of every command, by what it holds, of which the page docs/results.md is made; and what `keys --json` tells of a key of case files.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "case/case_keys.h"
 #include "result/fields.h"
 
 namespace flexslip {
+
+Fields<CaseKey> key_fields();
 
 struct AnswerDescription {
   std::string_view command;  // "fit --json"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "answers/friction_fields.h"
+#include "answers/fit_fields.h"
 #include "numerics/elementary.h"
 #include "result/mechanics.h"
 
@@ -354,6 +354,16 @@ ResultTable shared_table(const Campaign& campaign) {
                    shared_fields(Fields<SharedParameter>().estimate_in(
                        "value", "value of the shared parameter", &SharedParameter::estimate, &SharedParameter::unit)),
                    campaign.shared);
+}
+
+std::vector<std::pair<std::string, ResultTable>> sheets_of(const Campaign& campaign) {
+  std::vector<std::pair<std::string, ResultTable>> sheets{{"Tests", in_best_units(test_table(campaign))},
+                                                          {"Categories", in_best_units(category_table(campaign))}};
+  if (ResultTable specimens = specimen_table(campaign); !specimens.rows.empty())
+    sheets.emplace_back("Specimens", in_best_units(std::move(specimens)));
+  sheets.emplace_back("Failures", failure_table(campaign));
+  if (!campaign.shared.empty()) sheets.emplace_back("Shared", shared_table(campaign));
+  return sheets;
 }
 
 }  // namespace flexslip

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "campaign/campaign.h"
@@ -46,5 +47,8 @@ ResultTable category_table(const Campaign& campaign);
 ResultTable specimen_table(const Campaign& campaign);
 ResultTable failure_table(const Campaign& campaign);
 ResultTable shared_table(const Campaign& campaign);
+
+// All of them that say something, in the units that read best, under their names in a workbook.
+std::vector<std::pair<std::string, ResultTable>> sheets_of(const Campaign& campaign);
 
 }  // namespace flexslip

@@ -2,28 +2,749 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "answers/cycles_fields.h"
-#include "answers/drop_fields.h"
-#include "answers/friction_fields.h"
-#include "answers/implied_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "case/analysis_fields.h"
 #include "data/names.h"
 #include "finding/answer.h"
-#include "finding/fit_findings.h"
+#include "finding/finding.h"
 #include "result/mechanics.h"
 
 namespace flexslip {
 namespace {
 
 using T = const FittedTest&;
+
+// ---- The drops of the force and the rises between them
+
+// A drop of the force and the record that it is in.
+struct DropOf {
+  const Record& record;
+  const Slip& slip;
+};
+
+// A point that needs more friction than is plausible.
+struct SuspectPoint {
+  std::size_t index;
+  const ProfilePoint* read;  // null where no friction explains it
+};
+
+Fields<Slip> slip_fields() {
+  return Fields<Slip>()
+      .row("row_before", "row of the file before the slip", [](const Slip& slip) { return slip.drop.before; })
+      .row("row_after", "row of the file after the slip", [](const Slip& slip) { return slip.drop.after; })
+      .number("length_before", kind::length,
+              "length between the supports before the slip: the span and what was pulled in", &Slip::S_before)
+      .number("length_after", kind::length,
+              "length between the supports after the slip: the span and what was pulled in", &Slip::S_after)
+      .number("mu_before", "friction before the slip", &Slip::mu_before)
+      .number("mu_after", "friction after the slip", &Slip::mu_after);
+}
+
+Fields<RiseExplanation> rise_fields() {
+  return Fields<RiseExplanation>()
+      .number("bic", "Bayesian information criterion of the explanation", &RiseExplanation::bic)
+      .number("friction", "mean friction of the explanation", &RiseExplanation::friction)
+      .number("stiffness_left", "bending stiffness after the last drop divided by that before the first",
+              &RiseExplanation::left);
+}
+
+Fields<Tooth> tooth_fields() {
+  return Fields<Tooth>()
+      .row("first_row", "first row of the rise in the file", &Tooth::first)
+      .row("last_row", "last row of the rise in the file", [](const Tooth& tooth) { return tooth.last - 1; })
+      .number("length_before", kind::length, "length between the supports where the rise begins", &Tooth::S_begin)
+      .number("length_after", kind::length, "length between the supports where the rise ends", &Tooth::S_end)
+      .number("q_before", "mobilised friction where the rise begins", &Tooth::q_begin)
+      .number("q_after", "mobilised friction where the rise ends", &Tooth::q_end)
+      .estimate("slope", kind::stiffness, "mean slope of force over stage position in the rise", &Tooth::slope)
+      .number("stick_slope", kind::stiffness, "slope of force over stage position for a specimen that sticks",
+              &Tooth::stick_slope)
+      .number("slide_slope", kind::stiffness,
+              "slope of force over stage position for a specimen that slides at constant friction", &Tooth::slide_slope)
+      .estimate("position", kind::number,
+                "position p of the slope between sliding (0) and sticking (1); its error from scatter",
+                &Tooth::position)
+      .number("position_systematic", "error of position from EI, contact and load train, common to all rises",
+              &Tooth::position_systematic)
+      .estimate("advance", kind::length, "length pulled in (both supports) during the rise", &Tooth::advance)
+      .words("verdict", "what the specimen does during the rise: sliding, as_if_stuck or undecided",
+             [](const Tooth& tooth) { return name_of(tooth.verdict); })
+      .number("compliant_position", "position p of a stuck specimen on supports that yield as fitted",
+              &Tooth::compliant_position)
+      .number("compliant_deviation", "position minus compliant_position, in standard errors",
+              &Tooth::compliant_deviation)
+      .yes_no("compliant_rejected", "the deviation is too large: the specimen slides even on such supports",
+              &Tooth::compliant_rejected);
+}
+
+Fields<SupportCompliance> compliance_fields() {
+  return Fields<SupportCompliance>()
+      .words(
+          "status", "whether a compliance was found: ok, too_few_teeth or none_fits",
+          [](const SupportCompliance& compliance) {
+            return name_in_order<ComplianceStatus::none_fits>(compliance.status, {"ok", "too_few_teeth", "none_fits"});
+          })
+      .only_where([](const SupportCompliance& compliance) { return compliance.status == ComplianceStatus::ok; })
+      .number("value", kind::compliance, "compliance of both supports together, if the specimen were stuck",
+              [](const SupportCompliance& compliance) { return compliance.estimate.value; })
+      .number("standard_error", kind::compliance, "standard error of value, from scatter",
+              [](const SupportCompliance& compliance) { return compliance.estimate.standard_error; })
+      .number("systematic", kind::compliance, "error of value from EI, contact and load train",
+              &SupportCompliance::systematic)
+      .words("unit", "unit of value and its errors",
+             [](const SupportCompliance&, const Frame& frame) { return unit_of(kind::compliance, frame.reduced); })
+      .number("chi_squared", "chi-squared of the slopes about the compliance", &SupportCompliance::chi_squared)
+      .count("freedom", "degrees of freedom of chi_squared", &SupportCompliance::freedom)
+      .number("p_value", "probability of a chi_squared at least this large for a stuck specimen",
+              &SupportCompliance::p_value);
+}
+
+Fields<DropOf> drop_fields() {
+  using D = const DropOf&;
+  const auto before = [](std::vector<double> Record::*column) {
+    return [column](D drop) { return (drop.record.*column)[drop.slip.drop.before]; };
+  };
+  const auto after = [](std::vector<double> Record::*column) {
+    return [column](D drop) { return (drop.record.*column)[drop.slip.drop.after]; };
+  };
+  return Fields<DropOf>()
+      .row("row_before", "row of the file before the drop", [](D drop) { return drop.slip.drop.before; })
+      .row("row_after", "row of the file after the drop", [](D drop) { return drop.slip.drop.after; })
+      .own("stage", kind::length, "stage position before the drop", before(&Record::stage))
+      .own("deflection_before", kind::length, "deflection before the drop", before(&Record::deflection))
+      .own("deflection_after", kind::length, "deflection after the drop", after(&Record::deflection))
+      .own("force_before", kind::force, "force before the drop", before(&Record::force))
+      .own("force_after", kind::force, "force after the drop", after(&Record::force))
+      .own("force_fall", kind::force, "fall of the force in the drop", [](D drop) { return drop.slip.drop.force_fall; })
+      .number("significance", "fall of the force beyond that of the smooth curve, in standard deviations of the noise",
+              [](D drop) { return drop.slip.drop.significance; })
+      .number("false_alarms", "number of equally significant drops expected in a test of this length without slips",
+              [](D drop) { return drop.slip.drop.false_alarms; })
+      .words("slip",
+             "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or "
+             "moves_out",
+             [](D drop) { return name_of(drop.slip.verdict); })
+      .words("reading", "the same in words, as tables and page print it",
+             [](D drop) { return reading_of(drop.slip.verdict); })
+      .estimate("pulled_in", kind::length, "length pulled in (both supports) if the drop is a slip",
+                [](D drop) { return normal_estimate(drop.slip.S_after - drop.slip.S_before, drop.slip.advance_error); })
+      .number("mu_before", "friction before the drop, if it is a slip", [](D drop) { return drop.slip.mu_before; })
+      .number("mu_after", "friction after the drop, if it is a slip", [](D drop) { return drop.slip.mu_after; });
+}
+
+Fields<TestAnalysis> slips_fields() {
+  const auto summary = [](auto part) {
+    return [part](const TestAnalysis& analysis) { return analysis.slip_summary.*part; };
+  };
+  return Fields<TestAnalysis>()
+      .count("count", "number of drops that can be slips", summary(&SlipSummary::count))
+      .number("median_spacing", kind::length,
+              "median length of specimen that passes over each support from the beginning of one slip to the next",
+              summary(&SlipSummary::median_spacing))
+      .number("mean_spacing", kind::length,
+              "mean length of specimen that passes over each support from one slip to the next",
+              summary(&SlipSummary::mean_spacing))
+      .number("median_fall_of_mu", "median fall of friction in a slip", summary(&SlipSummary::median_fall))
+      .list("slips", "drops that can be slips", slip_fields(), [](const TestAnalysis& analysis) {
+        std::vector<Slip> possible;
+        for (const Slip& slip : analysis.slips)
+          if (slip.verdict == SlipVerdict::possible) possible.push_back(slip);
+        return possible;
+      });
+}
+
+Fields<SlipOrCrack> slip_or_crack_fields() {
+  const Fields<RiseExplanation> rise = rise_fields();
+  return Fields<SlipOrCrack>()
+      .words("verdict", "whether cracks alone can make the drops: not_by_cracks_alone, cracks or cannot_be_told",
+             [](const SlipOrCrack& judged) { return name_of(judged.verdict); })
+      .number("margin", "D*: BIC of the best explanation by cracks minus BIC of the best by slips",
+              &SlipOrCrack::margin)
+      .number("margin_arrested", "D: like margin, without cracks that grow during a rise",
+              &SlipOrCrack::margin_arrested)
+      .count("rises", "number of rises between drops that are judged", &SlipOrCrack::rises)
+      .count("stiffer_rises", "number of judged rises that grow stiffer towards their end", &SlipOrCrack::stiffer_rises)
+      .group("cracks", "explanation by cracks that arrest, friction free to vary", rise, &SlipOrCrack::cracks)
+      .group("cracks_constant", "explanation by cracks that arrest, friction constant", rise,
+             &SlipOrCrack::cracks_constant)
+      .group("cracks_running", "explanation by cracks that grow during a rise", rise, &SlipOrCrack::cracks_running)
+      .group("slip", "explanation by slips alone", rise, &SlipOrCrack::slip)
+      .group("slip_and_cracks", "explanation by slips and cracks", rise, &SlipOrCrack::slip_and_cracks);
+}
+
+Fields<FittedTest> teeth_fields() {
+  const auto count = [](ToothVerdict verdict) {
+    return [verdict](T test) {
+      const auto& teeth = test.analysis.teeth->teeth;
+      return std::count_if(teeth.begin(), teeth.end(), [&](const Tooth& tooth) { return tooth.verdict == verdict; });
+    };
+  };
+  return Fields<FittedTest>()
+      .number("confidence", "one-sided confidence of each verdict", [](T) { return tooth_confidence; })
+      .number("least_share", "share of the stage's motion that is pulled in, below which the specimen is called stuck",
+              [](T test) { return test.provenance.options.teeth.least_share; })
+      .group(
+          "compliance", "compliance of the supports that would explain the slopes of a stuck specimen",
+          compliance_fields(), [](T test) -> const auto& { return test.analysis.teeth->compliance; })
+      .count("sliding", "number of rises in which the specimen slides", count(ToothVerdict::sliding))
+      .count("as_if_stuck", "number of rises that cannot be distinguished from sticking",
+             count(ToothVerdict::as_if_stuck))
+      .count("undecided", "number of rises that remain undecided", count(ToothVerdict::undecided))
+      .count("too_short", "number of rises with fewer than four rows",
+             [](T test) { return test.analysis.teeth->too_short; })
+      .count("unexplained", "number of rises whose middle no friction explains",
+             [](T test) { return test.analysis.teeth->unexplained; })
+      .list("teeth", "rises between drops", tooth_fields(), [](T test) { return test.analysis.teeth->teeth; });
+}
+
+std::vector<SuspectPoint> suspects_of(T test) {
+  std::vector<SuspectPoint> all;
+  const auto& points = test.analysis.profile.points;
+  for (const auto index : test.analysis.suspects.points) {
+    const auto found = std::lower_bound(points.begin(), points.end(), index,
+                                        [](const ProfilePoint& point, std::size_t i) { return point.index < i; });
+    all.push_back({index, found != points.end() && found->index == index ? &*found : nullptr});
+  }
+  return all;
+}
+
+Fields<SuspectPoint> suspect_fields() {
+  const auto read = [](auto value) {
+    return [value](const SuspectPoint& point) {
+      return point.read ? std::optional<double>(std::invoke(value, *point.read)) : std::nullopt;
+    };
+  };
+  return Fields<SuspectPoint>()
+      .row("row", "row of the file", &SuspectPoint::index)
+      .number("length", kind::length, "length between the supports: the span and what was pulled in",
+              read(&ProfilePoint::S))
+      .number("mu", "friction that the point needs", read(&ProfilePoint::mu))
+      .number("mu_error", "standard error of mu", read(standard_error));
+}
+
+Fields<SuspectReport> suspect_criteria_fields() {
+  return Fields<SuspectReport>()
+      .number("limit", "limit above which friction is implausible", &SuspectReport::limit)
+      .count("points_judged", "number of points judged, at deflections beyond a tenth of the span",
+             &SuspectReport::points_judged)
+      .count("points_above_limit", "number of judged points above the limit",
+             [](const SuspectReport& report) { return report.points.size(); })
+      .count("points_above_limit_beyond_error",
+             "number of judged points above the limit by more than 1.96 standard errors", &SuspectReport::beyond_error)
+      .count("points_above_euler_bernoulli",
+             "number of judged points with a force above 48 EI w/L³, the criterion of the paper",
+             &SuspectReport::above_euler_bernoulli);
+}
+
+// ---- Friction: parameters, waves, explanations, checks
+
+// A part of the fit, where there is one.
+template <class Part>
+auto of_fit(Part FrictionFit::*part) {
+  return [part](T test) { return test.analysis.fit.*part; };
+}
+
+Fields<WaveEstimate> wave_fields() {
+  return Fields<WaveEstimate>()
+      .estimate(parameter::amplitude, &WaveEstimate::amplitude)
+      .estimate(parameter::wavelength, &WaveEstimate::wavelength)
+      .estimate(parameter::phase, &WaveEstimate::phase)
+      .estimate("phase_at_middle", kind::angle, "phase of the wave at the reference", &WaveEstimate::phase_at_middle);
+}
+
+Fields<FittedTest> parameter_fields() {
+  const auto wave = [](std::size_t i) {
+    return [i](T test) -> const WaveEstimate* {
+      const auto& fit = test.analysis.fit;
+      return fit.wave_claimed && i < fit.waves.size() ? &fit.waves[i] : nullptr;
+    };
+  };
+  Fields<WaveEstimate> second;
+  second
+      .estimate("amplitude_2", kind::number, "amplitude of the second wave, relative to mu0", &WaveEstimate::amplitude)
+      .estimate("wavelength_2", kind::length, "wavelength of the second wave, along the specimen",
+                &WaveEstimate::wavelength)
+      .estimate("phase_2", kind::angle, "phase of the second wave at the length 0", &WaveEstimate::phase)
+      .estimate("phase_at_middle_2", kind::angle, "phase of the second wave at the reference",
+                &WaveEstimate::phase_at_middle);
+  return Fields<FittedTest>()
+      .left_out_where_missing()
+      .only_where(is_fitted)
+      .estimate(parameter::mu0.name, parameter::mu0.kind, parameter::mu0.meaning, of_fit(&FrictionFit::mu0),
+                Fields<FittedTest>().yes_no("bound", parameter::bound, of_fit(&FrictionFit::mu0_is_bound)))
+      .all_of(wave_fields(), wave(0))
+      .all_of(second, wave(1))
+      .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model != ProfileModel::constant; })
+      .estimate("drift", kind::inverse_length, "slope of friction along the specimen", of_fit(&FrictionFit::drift))
+      .estimate("force_noise", kind::force, "standard deviation of a force reading, from the fit",
+                of_fit(&FrictionFit::noise))
+      .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model == ProfileModel::roughness; })
+      .estimate(parameter::roughness, of_fit(&FrictionFit::roughness))
+      .estimate(parameter::correlation_length, of_fit(&FrictionFit::length))
+      .only_where(is_fitted)
+      .estimate(parameter::bending_stiffness, of_fit(&FrictionFit::bending_stiffness))
+      .estimate("reference", kind::length,
+                "length between the contacts to which phase_at_middle refers, and mu0 if there is a drift or a wave",
+                [](T test) { return normal_estimate(test.analysis.fit.S_middle, 0); })
+      .anywhere()
+      .own_estimate(
+          "contact_offset", kind::length, "stage position of the contact in the file, which is subtracted",
+          [](T test) { return normal_estimate(test.measurement.contact_offset, test.measurement.contact_error); });
+}
+
+Fields<FittedTest> likeliest_wave_fields() {
+  return Fields<FittedTest>()
+      .yes_no("claimed", "the evidence supports the wave, and it is shorter than a quarter of the specimen seen",
+              of_fit(&FrictionFit::wave_claimed))
+      .number("log_evidence", "ln of the ratio of the evidence with and without a wave",
+              of_fit(&FrictionFit::log_evidence_of_wave))
+      .all_of(
+          wave_fields(), [](T test) -> const auto& { return test.analysis.fit.waves.front(); });
+}
+
+Fields<Explanation> explanation_fields() {
+  return Fields<Explanation>()
+      .words("kernel", "kernel of the roughness: exponential, matern_3_2, matern_5_2 or none",
+             [](const Explanation& each) { return name_of(each.kernel); })
+      .numbers("wavelengths", kind::length, "wavelengths of the waves in the explanation",
+               [](const Explanation& each) { return each.wavelengths; })
+      .number("weight", "weight of the explanation; all weights add up to 1", &Explanation::weight)
+      .number("log_evidence", "ln of the evidence of the explanation", &Explanation::log_evidence)
+      .number("log_likelihood", "ln of the likelihood of the explanation at the maximum of its posterior",
+              &Explanation::log_likelihood);
+}
+
+// All of the fit that is made of the bands along the fibre.
+Fields<FittedTest> band_fields() {
+  return Fields<FittedTest>()
+      .numbers("length", kind::length, "length between the contacts",
+               [](T test) {
+                 std::vector<double> lengths;
+                 for (const double S : test.analysis.fit.band.S)
+                   lengths.push_back(test.analysis.fit.between_contacts(S));
+                 return lengths;
+               })
+      .numbers("drawn_in", kind::length, "length pulled in (both supports)",
+               [](T test) {
+                 std::vector<double> lengths;
+                 for (const double S : test.analysis.fit.band.S) lengths.push_back(S - 1);
+                 return lengths;
+               })
+      .own_numbers("mean", kind::number, "mean friction at this length",
+                   [](T test) { return test.analysis.fit.band.mean; })
+      .own_numbers("deviation", kind::number, "standard deviation of friction at this length",
+                   [](T test) { return test.analysis.fit.band.deviation; });
+}
+
+Fields<Check> check_fields() {
+  Fields<Check> fields;
+  fields
+      .words("name", "name of the check: residuals, drops, whiteness, nesting, friction, stability or stiffness",
+             [](const Check& check) { return name_of(check.kind); })
+      .yes_no("passed", "whether the check passed; null if it was not possible",
+              [](const Check& check) {
+                return check.outcome == CheckOutcome::not_possible
+                           ? std::nullopt
+                           : std::optional(check.outcome == CheckOutcome::passed);
+              })
+      .left_out_where_missing();
+  struct Number {
+    std::string_view name;
+    const Kind& kind;
+    std::string_view meaning;
+  };
+  for (const auto& [name, kind, meaning] :
+       {Number{"residual_rms", kind::force,
+               "root mean square difference between the force and the mean of the fit run forward"},
+        Number{"greatest_force", kind::force, "greatest force measured"},
+        Number{"threshold", kind::force, "smallest fall that counts as a drop"},
+        Number{"record", kind::number, "number of drops in the record"},
+        Number{"draws_low", kind::number, "fewest drops with a profile drawn from the fit"},
+        Number{"draws_median", kind::number, "median number of drops with profiles drawn from the fit"},
+        Number{"draws_high", kind::number, "most drops with a profile drawn from the fit"},
+        Number{"record_fall", kind::force, "mean fall of the force in the drops of the record"},
+        Number{"draws_fall", kind::force, "mean fall of the force in the drops with profiles drawn from the fit"},
+        Number{"ljung_box", kind::number, "Ljung-Box statistic of the residuals"},
+        Number{"lags", kind::number, "number of lags in the Ljung-Box statistic"},
+        Number{"p_value", kind::number, "probability of a value at least this large from noise alone"},
+        Number{"most_below", kind::number,
+               "largest amount by which ln L of an explanation lies below that of one that it contains"},
+        Number{"mu0_high", kind::number, "upper end of the 95 % interval of mu0"},
+        Number{"mu0_moved", kind::number,
+               "shift of mu0, in standard errors, when the force changes in its ninth digit"},
+        Number{"same_explanation", kind::number,
+               "1 if the likeliest explanation stays when the force changes in its ninth digit, else 0"},
+        Number{"fitted_over_nominal", kind::number, "bending stiffness of the fit divided by the nominal one"},
+        Number{"errors", kind::number, "difference between the two bending stiffnesses, in errors of the nominal one"}})
+    fields.number(name, kind, meaning, [name = name](const Check& check) {
+      const auto found = std::find_if(check.numbers.begin(), check.numbers.end(),
+                                      [&](const CheckNumber& number) { return number.name == name; });
+      return found == check.numbers.end() ? std::nullopt : std::optional(found->value);
+    });
+  return fields;
+}
+
+// ---- The surface that would explain it, and a trace it is held against
+
+const WaveEstimate* wave_of(T test) {
+  return test.analysis.fit.waves.empty() ? nullptr : &test.analysis.fit.waves.front();
+}
+
+Fields<HeldSurface> held_fields() {
+  using H = const HeldSurface&;
+  return Fields<HeldSurface>()
+      .words("file", "file of the trace, as it was given", &HeldSurface::file)
+      .own("step", kind::length, "distance between the heights of the trace", &HeldSurface::step)
+      .own("field", kind::length, "width of the trace", &HeldSurface::width)
+      .own("pixel", kind::length, "smallest difference between heights; null if heights are as fine as their noise",
+           [](H held) { return held.pixel > 0 ? std::optional(held.pixel) : std::nullopt; })
+      .own_estimate("rms_slope", kind::number, "rms slope of the trace, of waves from shortest to longest",
+                    [](H held) { return held.texture.drowned ? std::nullopt : std::optional(held.texture.rms_slope); })
+      .own("shortest", kind::length, "shortest wavelength in rms_slope", [](H held) { return held.texture.shortest; })
+      .own("longest", kind::length, "longest wavelength in rms_slope", [](H held) { return held.texture.longest; })
+      .own("least_amplitude_by_spectrum", kind::length,
+           "smallest amplitude of a coherent wave, as long as that of friction, that would stand out from the trace; "
+           "null without a wave",
+           [](H held) { return held.wave ? std::optional(held.wave->least_by_spectrum) : std::nullopt; })
+      .own("least_amplitude_by_pixels", kind::length,
+           "smallest amplitude that shows by the paper's rule; null if the pixel is unknown",
+           [](H held) {
+             return held.wave && held.wave->least_by_pixels > 0 ? std::optional(held.wave->least_by_pixels)
+                                                                : std::nullopt;
+           })
+      .number("correlation", "correlation of the slopes at the best place",
+              [](H held) { return held.placement.correlation; })
+      .number("p_value", "probability that chance gives as high a correlation at any place, in either direction",
+              [](H held) { return held.placement.p_value; })
+      .count("places", "number of places that were tried, in both directions",
+             [](H held) { return held.placement.places; })
+      .own("begin", kind::length, "position on the trace at which the support stood at first, at the best place",
+           &HeldSurface::begin)
+      .yes_no("turned", "the trace runs in the other direction at the best place",
+              [](H held) { return held.placement.turned; })
+      .own("overlap", kind::length, "overlap of trace and friction at the best place",
+           [](H held) { return held.placement.overlap; });
+}
+
+Fields<FittedTest> implied_fields() {
+  const auto of = [](auto part) { return [part](T test) { return (*test.implied).*part; }; };
+  const auto mean = [](std::vector<double> ImpliedProfile::*part) {
+    return [part](T test) { return test.implied->mean.*part; };
+  };
+  return Fields<FittedTest>()
+      .number("base_friction", "friction of the flat surface, for which the slopes are zero on average",
+              of(&ImpliedSurface::base))
+      .estimate("rms_slope", kind::number, "rms slope that would explain the friction, of waves up to longest",
+                of(&ImpliedSurface::rms_slope))
+      .estimate("rms_height", kind::length, "rms height that would explain the friction, of waves up to longest",
+                of(&ImpliedSurface::rms_height))
+      .number("longest", kind::length, "longest wavelength in rms_slope and rms_height, a quarter of the specimen seen",
+              of(&ImpliedSurface::longest))
+      .estimate("wave_height", kind::length,
+                "amplitude of the wave of height that would explain the likeliest wave of friction; null without one",
+                [](T test) { return wave_of(test) ? std::optional(wave_of(test)->height) : std::nullopt; })
+      .number("wavelength", kind::length, "wavelength of the likeliest wave of friction",
+              [](T test) { return wave_of(test) ? std::optional(wave_of(test)->wavelength.value) : std::nullopt; })
+      .yes_no("wave_claimed", "the evidence supports the wave",
+              [](T test) { return wave_of(test) ? std::optional(test.analysis.fit.wave_claimed) : std::nullopt; })
+      .number("pixel_wanted", kind::length,
+              "pixel needed to see the wave by the paper's rule, ten pixels from crest to trough",
+              [](T test) {
+                return wave_of(test) ? std::optional(wanted_image(1, 2 * wave_of(test)->height.value).pixel)
+                                     : std::nullopt;
+              })
+      .number("field_wanted", kind::length, "field needed to see the wave by the paper's rule, ten waves",
+              [](T test) {
+                return wave_of(test) ? std::optional(wanted_image(wave_of(test)->wavelength.value, 0).field)
+                                     : std::nullopt;
+              })
+      .group("profile", "surface along the specimen",
+             Fields<FittedTest>()
+                 .numbers("position", kind::length, "position from midspan", of(&ImpliedSurface::position))
+                 .numbers("slope", kind::number, "slope of the surface, from the mean of the fit",
+                          mean(&ImpliedProfile::slope))
+                 .numbers("slope_deviation", kind::number, "standard deviation among the draws",
+                          of(&ImpliedSurface::slope_deviation))
+                 .numbers("height", kind::length, "height of the surface, from the mean of the fit, without tilt",
+                          mean(&ImpliedProfile::height))
+                 .numbers("height_deviation", kind::length, "standard deviation among the draws",
+                          of(&ImpliedSurface::height_deviation)))
+      .group("against_trace", "comparison with a measured height trace; null without one", held_fields(),
+             [](T test) { return test.held; });
+}
+
+// ---- Loading and unloading
+
+std::string_view name_of(CyclesStatus status) {
+  return name_in_order<CyclesStatus::not_converged>(status, {"ok", "no_mirror", "too_few_points", "not_converged"});
+}
+
+std::string_view name_of(LoadingStatus status) {
+  return name_in_order<LoadingStatus::no_reference>(
+      status, {"ok", "loaded_too_little", "window_not_covered", "too_few_points", "not_rising", "still_drawn_in",
+               "no_reference"});
+}
+
+std::string_view name_of(DamageVerdict verdict) {
+  return name_in_order<DamageVerdict::undecided>(verdict, {"damaged", "not_damaged", "undecided"});
+}
+
+// One of the loops of a test.
+struct LoopOf {
+  const FittedTest& test;
+  std::size_t i;
+  const FrictionLoop& loop() const { return test.cycles->friction.loops[i]; }
+  const LoopEnergy& energy() const { return test.cycles->energy[i]; }
+};
+using L = const LoopOf&;
+
+// A place of a table of friction.
+struct LoopPlace {
+  double S, mu;
+  std::optional<double> error;
+};
+
+std::vector<LoopPlace> places_of(const FrictionTable& table, const std::vector<double>& errors = {}) {
+  std::vector<LoopPlace> places;
+  for (std::size_t i = 0; i < table.S.size(); ++i)
+    places.push_back({table.S[i], table.mu[i], errors.empty() ? std::nullopt : std::optional(errors[i])});
+  return places;
+}
+
+Fields<LoopPlace> place_fields() {
+  return Fields<LoopPlace>()
+      .number("length", kind::length, "length between the supports: the span and what was pulled in", &LoopPlace::S)
+      .number("drawn_in", kind::length, "length pulled in (both supports)", [](const LoopPlace& p) { return p.S - 1; })
+      .number("position", kind::length,
+              "position of the support along the specimen, from midspan: half of length, on edges",
+              [](const LoopPlace& p) { return p.S / 2; })
+      .number("mu", "friction at this place", &LoopPlace::mu);
+}
+
+Fields<BumpCorrelation> correlation_fields() {
+  return Fields<BumpCorrelation>()
+      .number("value", "Pearson's r of friction in the two directions, without slow trends", &BumpCorrelation::value)
+      .number("low", "lower end of the 95 % interval of value", &BumpCorrelation::low)
+      .number("high", "upper end of the 95 % interval of value", &BumpCorrelation::high)
+      .number("effective_points", "effective number of independent places", &BumpCorrelation::effective_points);
+}
+
+Fields<Leg> leg_fields() {
+  return Fields<Leg>()
+      .row("first_row", "first row of the leg in the file", &Leg::first)
+      .row("last_row", "last row of the leg in the file", [](const Leg& leg) { return leg.last - 1; });
+}
+
+Fields<LoopCorner> corner_fields() {
+  return Fields<LoopCorner>()
+      .row("row", "row of the file", &LoopCorner::index)
+      .number("length", kind::length, "length between the supports: the span and what was pulled in", &LoopCorner::S)
+      .number("q", "mobilised friction", &LoopCorner::q);
+}
+
+Fields<FrictionLoop> corners_fields() {
+  const Fields<LoopCorner> corner = corner_fields();
+  return Fields<FrictionLoop>()
+      .group("start", "first sliding point of the loading", corner, &FrictionLoop::start)
+      .group("turn", "point at which the stage turned back", corner, &FrictionLoop::turn)
+      .group("slides_back", "point at which the specimen began to slide out", corner, &FrictionLoop::slides_back)
+      .group("end", "last point of the unloading", corner, &FrictionLoop::end);
+}
+
+Fields<LoopEnergy> loop_energy_fields() {
+  return Fields<LoopEnergy>()
+      .number("loading", kind::energy, "work put in during loading, the apparent work of fracture",
+              &LoopEnergy::loading)
+      .number("unloading", kind::energy, "work given back during unloading; null if the loop was not unloaded",
+              &LoopEnergy::unloading)
+      .number("stored", kind::energy, "bending energy gained between the beginning and the end of the loop",
+              &LoopEnergy::stored)
+      .number("lost", kind::energy,
+              "area of the loop minus the stored energy; null if the loop is not closed or was not loaded",
+              &LoopEnergy::lost)
+      .number("lost_share", "lost divided by loading",
+              [](const LoopEnergy& energy) { return energy.lost / energy.loading; })
+      .number("friction", kind::energy, "heat of friction during sliding", &LoopEnergy::friction);
+}
+
+Fields<LoopOf> loop_fields() {
+  const auto leg_of = [](std::optional<std::size_t> FrictionLoop::*leg) {
+    return [leg](L loop) -> const Leg* {
+      const auto& which = loop.loop().*leg;
+      return which ? &loop.test.cycles->friction.legs[*which] : nullptr;
+    };
+  };
+  const auto part = [](auto member) { return [member](L loop) { return loop.loop().*member; }; };
+  const auto row_of = [](const LoopOf& of, bool last) {
+    const auto& [loading, unloading] = std::pair(of.loop().loading, of.loop().unloading);
+    const auto& legs = of.test.cycles->friction.legs;
+    return last ? legs[unloading ? *unloading : *loading].last - 1 : legs[loading ? *loading : *unloading].first;
+  };
+  return Fields<LoopOf>()
+      .row("first_row", "first row of the loop in the file", [row_of](L loop) { return row_of(loop, false); })
+      .row("last_row", "last row of the loop in the file", [row_of](L loop) { return row_of(loop, true); })
+      .group("loading", "rows of the loading; null without one", leg_fields(), leg_of(&FrictionLoop::loading))
+      .group("unloading", "rows of the unloading; null without one", leg_fields(), leg_of(&FrictionLoop::unloading))
+      .estimate("contact", kind::length, "stage position of the contact", part(&FrictionLoop::contact))
+      .group(
+          "corners", "corners of the loop of friction over length; null if it has none", corners_fields(),
+          [](L loop) -> const auto& { return loop.loop(); })
+      .number("stick_advance", kind::length,
+              "length pulled in after the turn, while the specimen should stick: 0 in the model",
+              part(&FrictionLoop::stick_advance))
+      .count("places", "number of places at which the directions are compared", part(&FrictionLoop::places))
+      .only_where([](L loop) { return loop.loop().places > 0; })
+      .estimate("mu_in", kind::number, "mean friction while sliding in, over the places", part(&FrictionLoop::mu_in))
+      .estimate("mu_out", kind::number, "mean friction while sliding out, over the places", part(&FrictionLoop::mu_out))
+      .estimate("mean_difference", kind::number,
+                "mean difference between the two directions, after EI and contact were chosen so that they agree",
+                part(&FrictionLoop::mean_difference))
+      .estimate("rms_difference", kind::number,
+                "root mean square difference between the two directions from place to place",
+                part(&FrictionLoop::rms_difference))
+      .group("correlation", "correlation of the bumps of friction in the two directions", correlation_fields(),
+             part(&FrictionLoop::correlation))
+      .anywhere()
+      .group(
+          "energy", "work on the specimen, beyond the deflection at which friction shows", loop_energy_fields(),
+          [](L loop) -> const auto& { return loop.energy(); })
+      .number("replay_rms", "rms residual of one profile for all loops, run forward, as a share of the greatest force",
+              [](L loop) {
+                const auto& rms = loop.test.cycles->replay.residual_rms;
+                return loop.i < rms.size() ? std::optional(rms[loop.i]) : std::nullopt;
+              })
+      .list("profile", "friction along the specimen, supported by both directions",
+            place_fields().number("mu_error", "standard error of mu", &LoopPlace::error),
+            [](L loop) { return places_of(loop.loop().table, loop.loop().error); });
+}
+
+Fields<LoadingStiffness> loading_fields() {
+  using S = const LoadingStiffness&;
+  const auto is_reference = [](S loading) {
+    return loading.status == LoadingStatus::ok && loading.ratio.standard_error == 0;
+  };
+  return Fields<LoadingStiffness>()
+      .words("status",
+             "whether the loading is compared: ok, reference (the first), or why not: loaded_too_little, "
+             "window_not_covered, "
+             "too_few_points, not_rising, still_drawn_in, no_reference",
+             [is_reference](S loading) {
+               if (is_reference(loading)) return std::string_view("reference");
+               return name_of(loading.status);
+             })
+      .only_where([](S loading) { return loading.status == LoadingStatus::ok; })
+      .own_numbers("rows", kind::number, "first and last row of the window in the file",
+                   [](S loading, const Frame& frame) {
+                     return std::vector{frame.row(loading.first), frame.row(loading.last - 1)};
+                   })
+      .own_estimate("slope", kind::stiffness, "slope of force over deflection in the window; its error from scatter",
+                    &LoadingStiffness::slope)
+      .only_where([is_reference](S loading) { return loading.status == LoadingStatus::ok && !is_reference(loading); })
+      .own_estimate("ratio", kind::number, "slope divided by that of the first loading; its error from scatter",
+                    &LoadingStiffness::ratio)
+      .number("ratio_systematic",
+              "half the difference between the ratios in the lower and the upper half of the window",
+              &LoadingStiffness::ratio_systematic)
+      .words("verdict", "whether the specimen lost stiffness: damaged, not_damaged or undecided",
+             [](S loading) { return name_of(loading.verdict); });
+}
+
+Fields<CyclicPoint> point_fields() {
+  return Fields<CyclicPoint>()
+      .row("row", "row of the file", &CyclicPoint::index)
+      .number("length", kind::length, "length between the supports: the span and what was pulled in", &CyclicPoint::S)
+      .number("q", "mobilised friction: μ while sliding in, −μ while sliding out, in between while stuck",
+              &CyclicPoint::q)
+      .number("q_error", "standard error of q from noise, EI and contact", &CyclicPoint::standard_error)
+      .words("motion", "how the specimen moves: slip_in, slip_out or stick", [](const CyclicPoint& point) {
+        return name_in_order<LegMotion::stuck>(point.motion, {"slip_in", "slip_out", "stick"});
+      });
+}
+
+Fields<BuildUpLength> build_up_fields() {
+  return Fields<BuildUpLength>()
+      .number("value", kind::length, "build-up length of friction, in length of sliding over both supports",
+              [](const BuildUpLength& build_up) { return build_up.length.value; })
+      .number("standard_error", kind::length,
+              "standard error from the scatter between reversals; null for a single one",
+              [](const BuildUpLength& build_up) { return build_up.length.standard_error; })
+      .number("least", kind::length, "smallest build-up length that could be detected", &BuildUpLength::least)
+      .count("reversals", "number of reversals used", &BuildUpLength::reversals)
+      .yes_no("told", "the build-up length differs significantly from zero", &BuildUpLength::is_told);
+}
+
+const CyclicFriction& friction_of(T test) { return test.cycles->friction; }
+bool is_mirrored(T test) { return friction_of(test).status == CyclesStatus::ok; }
+bool is_measurable(T test) { return is_mirrored(test) || friction_of(test).status == CyclesStatus::no_mirror; }
+
+Estimate stiffness_of(T test) { return exponential(friction_of(test).log_stiffness); }
+
+std::vector<LoopOf> loops_of(T test) {
+  std::vector<LoopOf> loops;
+  if (is_measurable(test))
+    for (std::size_t i = 0; i < friction_of(test).loops.size(); ++i) loops.push_back({test, i});
+  return loops;
+}
+
+Fields<FittedTest> cycles_fields() {
+  const auto if_measurable = [](T test, auto points) { return is_measurable(test) ? points : decltype(points){}; };
+  return Fields<FittedTest>()
+      .in_frame([](T test) {
+        return Frame{.scales = test.analysis.scales,
+                     .reduced = test.reduced,
+                     .in_inches = is_in_inches(test.measurement.test),
+                     .row = [&test](std::size_t point) { return cyclic_file_row(test.measurement, point); }};
+      })
+      .words("status",
+             "whether the loops were evaluated: ok, no_mirror (no part of the specimen slid both ways), too_few_points "
+             "or not_converged",
+             [](T test) { return name_of(friction_of(test).status); })
+      .only_where(is_measurable)
+      .estimate("bending_stiffness", kind::bending_stiffness,
+                "EI at which friction is the same in loading and unloading", stiffness_of,
+                Fields<FittedTest>().number("relative_to_nominal",
+                                            "value divided by the stated EI, or by that of the initial slope",
+                                            [](T test) { return stiffness_of(test).value; }))
+      .only_where(is_mirrored)
+      .estimate("asymmetry", kind::number,
+                "friction while sliding in minus friction while sliding out, fitted beside EI and contacts",
+                [](T test) { return friction_of(test).asymmetry; })
+      .group("correlation", "correlation of the bumps of friction in the two directions, over all loops",
+             correlation_fields(), [](T test) { return friction_of(test).correlation; })
+      .number("mu_in", "mean friction while sliding in, over the places of all loops",
+              [](T test) { return direction_means(friction_of(test)).in; })
+      .number("mu_out", "mean friction while sliding out, over the places of all loops",
+              [](T test) { return direction_means(friction_of(test)).out; })
+      .number("rms_difference", "root mean square difference between the two directions from place to place",
+              [](T test) { return direction_means(friction_of(test)).rms_difference; })
+      .yes_no("beyond_friction",
+              "asymmetry is significant and larger than friction itself, which is an error of the model",
+              [](T test) { return is_beyond_friction(friction_of(test)); })
+      .anywhere()
+      .group("build_up_length", "length over which friction builds up after a reversal (Dahl); null without a reversal",
+             build_up_fields(), [](T test) { return test.cycles->build_up; })
+      .only_where(is_measurable)
+      .number("force_noise", kind::force, "standard deviation of one force reading",
+              [](T test) { return friction_of(test).force_noise; })
+      .anywhere()
+      .list("loops", "loops: each loading with the unloading that follows", loop_fields(), loops_of)
+      .list(
+          "loading_stiffness", "stiffness of each loading compared with the first", loading_fields(),
+          [](T test) -> const auto& { return test.cycles->stiffness; })
+      .list("profile", "friction along the specimen, from all loops", place_fields(),
+            [if_measurable](T test) { return if_measurable(test, places_of(friction_of(test).table)); })
+      .list("points", "mobilised friction, point by point", point_fields(),
+            [if_measurable](T test) { return if_measurable(test, friction_of(test).points); });
+}
+
+// ---- All of it
 
 bool is_not_explained(T test) { return test.analysis.status == AnalysisStatus::not_explained; }
 
@@ -74,6 +795,14 @@ Fields<Finding> finding_fields() {
              &Finding::short_form)
       .words("remedy", "what to do; empty where there is nothing to do", &Finding::remedy)
       .list("numbers", "what the sentence rests on", finding_number_fields(), &Finding::numbers);
+}
+
+Fields<Answer> answer_fields() {
+  return Fields<Answer>()
+      .group("verdict", "what the test comes to", verdict_of_fit_fields(), &Answer::verdict)
+      .list("answer", "the rows of the screen", answer_row_fields(), &Answer::rows)
+      .list("findings", "all that was found out, the weightiest first", finding_fields(), &Answer::findings)
+      .words("next", "the one step that would tell most; empty where there is none", &Answer::next);
 }
 
 // Domain: judgement is given.
@@ -222,12 +951,7 @@ Fields<FittedTest> every_fit_field() {
       .words("model", "fitted friction model: roughness, constant, drift, sinusoid or sinusoids",
              [](T test) { return name_of(test.analysis.fit.model); })
       .anywhere()
-      .group("verdict", "what the test comes to", verdict_of_fit_fields(),
-             [](T test) { return answer_of(test).verdict; })
-      .list("answer", "the rows of the screen", answer_row_fields(), [](T test) { return answer_of(test).rows; })
-      .list("findings", "all that was found out, the weightiest first", finding_fields(), findings_of)
-      .words("next", "the one step that would tell most; empty where there is none",
-             [](T test) { return answer_of(test).next; })
+      .all_of(answer_fields(), [](T test) { return answer_of(test); })
       .words("category", "how clear the sawtooth is: clear, nominal or none",
              [](T test) { return name_of(test.analysis.category); })
       .yes_no("suspect", "judgement.standing is suspect or untrusted, or no sliding explains the record",

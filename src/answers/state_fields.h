@@ -1,10 +1,12 @@
-// Single states of the fibre, as `state` and `invert` tell them: in reduced variables, described once.
+// States, as `state`, `invert` and `equilibrium` tell them, described once: single ones in reduced variables, and curves of them.
 #pragma once
 
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "bending_test/equilibrium.h"
+#include "case/equilibrium_study.h"
 #include "fibre/elastica.h"
 #include "fibre/supported_state.h"
 #include "result/fields.h"
@@ -47,5 +49,28 @@ Fields<States<State>> states_fields(std::string_view status, const Fields<State>
 
 inline constexpr std::string_view no_state = "ok, or beyond_branch: some rows have no state";
 inline constexpr std::string_view no_friction = "ok, or no_friction: some rows are explained by none";
+
+struct ToldEquilibrium {
+  EquilibriumPoint point;
+  double between_contacts;  // [L]
+};
+
+struct EquilibriumColumns {
+  bool region;    // all equilibria, not the curve of loading
+  bool drawn_in;  // is not told by the length
+};
+
+Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns);
+
+// Of `equilibrium --json`.
+struct Equilibria {
+  std::string_view status;
+  std::vector<ToldEquilibrium> points;
+};
+Fields<Equilibria> equilibria_fields(const EquilibriumColumns& columns);
+
+// What a study tells, and in which columns.
+Equilibria told_of(const EquilibriumStudy& study);
+EquilibriumColumns columns_of(const EquilibriumStudy& study);
 
 }  // namespace flexslip

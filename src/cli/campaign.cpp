@@ -19,8 +19,8 @@
 #include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
+#include "report/campaign_document.h"
 #include "report/campaign_report.h"
-#include "report/campaign_text.h"
 
 namespace flexslip {
 namespace {

@@ -17,7 +17,7 @@
 #include "design/design_map.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/design_words.h"
+#include "report/design_document.h"
 #include "report/figures.h"
 
 namespace flexslip {
@@ -61,7 +61,7 @@ void run_design(const DesignRequest& request) {
     write_json(request.output.path, design_fields()({answer, design_in_short(answer), changes_in_words(answer)},
                                                     {answer.scales, input.reduced()}));
   else
-    write_text(request.output.path, design_text(answer));
+    write_text(request.output.path, in_text(document_of(answer)));
 }
 
 }  // namespace

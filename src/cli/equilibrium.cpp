@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "answers/equilibrium_fields.h"
+#include "answers/state_fields.h"
 #include "case/equilibrium_study.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "answers/fit_fields.h"
-#include "answers/fit_tables.h"
+#include "answers/profile_fields.h"
 #include "case/fitted.h"
 #include "cli/analysis_flags.h"
 #include "cli/case_flags.h"
@@ -17,9 +17,6 @@
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/fit_document.h"
-#include "report/fit_screen.h"
-#include "report/fit_words.h"
-#include "report/page.h"
 #include "report/report.h"
 
 namespace flexslip {

@@ -10,7 +10,7 @@
 #include "cli/commands.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/plain_text.h"
+#include "report/document.h"
 
 namespace flexslip {
 namespace {

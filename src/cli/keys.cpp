@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "answers/key_fields.h"
+#include "answers/all_answers.h"
 #include "case/case_keys.h"
 #include "cli/commands.h"
 #include "cli/output.h"

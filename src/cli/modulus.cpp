@@ -11,9 +11,7 @@
 #include "cli/output.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/plain_text.h"
-#include "report/preparation_words.h"
-#include "report/small_deflection_words.h"
+#include "report/modulus_document.h"
 
 namespace flexslip {
 namespace {
@@ -23,15 +21,6 @@ struct ModulusRequest {
   std::vector<std::string> window;
   Output output;
 };
-
-std::string text_of(const StandardTest& test) {
-  std::string text = laid_out(small_deflection_table(test));
-  text += '\n';
-  for (const auto& words : small_deflection_in_words(test)) text += wrapped(words, "");
-  text += "\nFrom the file to the record:\n";
-  for (const auto& words : preparation_in_words(test.measurement.preparation)) text += wrapped(words, "   ", " - ");
-  return text;
-}
 
 void run_modulus(const ModulusRequest& request) {
   const auto window = window_of(request.window);
@@ -46,7 +35,7 @@ void run_modulus(const ModulusRequest& request) {
   if (request.output.json) {
     write_json(request.output.path, modulus_fields()(test, frame_of(test)));
   } else {
-    write_text(request.output.path, text_of(test));
+    write_text(request.output.path, in_text(document_of(test)));
   }
   if (study.numbers.status != SmallDeflectionStatus::ok)
     throw CalculationFailed(fmt::format("{}: {}", study.measurement.file, small_deflection_in_words(test).front()));

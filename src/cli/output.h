@@ -13,7 +13,8 @@
 #include <CLI/CLI.hpp>
 
 #include "report/draw.h"
-#include "report/fit_screen.h"
+#include "report/fit_document.h"
+#include "result/table.h"
 #include "result/table.h"
 
 namespace flexslip {

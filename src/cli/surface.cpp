@@ -11,7 +11,7 @@
 #include "cli/trace_flags.h"
 #include "io/text_file.h"
 #include "report/figures.h"
-#include "report/surface_words.h"
+#include "report/surface_document.h"
 
 namespace flexslip {
 namespace {
@@ -33,7 +33,7 @@ void run_surface(const SurfaceRequest& request) {
   if (request.output.json)
     write_json(request.output.path, surface_fields()(study, {}));
   else
-    write_text(request.output.path, surface_text(study));
+    write_text(request.output.path, in_text(document_of(study)));
   if (study.texture.drowned) throw CalculationFailed(fmt::format("{}: {}", study.file.source, surface_in_short(study)));
 }
 

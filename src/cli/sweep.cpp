@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "answers/sweep_fields.h"
+#include "answers/design_fields.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"

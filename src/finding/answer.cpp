@@ -1,6 +1,7 @@
 #include "finding/answer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -10,15 +11,607 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "finding/digits.h"
-#include "finding/fit_findings.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
 
 namespace flexslip {
 namespace {
 
+// ---- Findings
+
 using T = const FittedTest&;
+using Found = std::optional<Finding>;
+
+constexpr double two_sided = 1.96;
+constexpr std::string_view reload_bounds = "that bounds what stiffness was lost";
+
+bool is_on_edges(T test) { return test.analysis.rig.fibre.supports().radius == 0; }
+
+const Check* check_of(T test, CheckKind kind) {
+  const auto& checks = test.analysis.checks;
+  const auto found = std::find_if(checks.begin(), checks.end(), [&](const Check& check) { return check.kind == kind; });
+  return found == checks.end() ? nullptr : &*found;
+}
+
+// A check that presumes sliding says nothing of a fit that is not to be used, or of a specimen that lost stiffness.
+bool presumes_too_much(T test) {
+  return test.analysis.stiffness_implausible || test.analysis.model_implausible || lost_stiffness(*test.judgement);
+}
+
+Finding checked(const Check& check, std::string passed, std::string failed, std::string short_form,
+                std::string remedy) {
+  Finding finding{.severity = check.outcome == CheckOutcome::passed ? Severity::passed : Severity::doubt,
+                  .sentence = check.outcome == CheckOutcome::passed ? std::move(passed) : std::move(failed)};
+  if (finding.severity == Severity::doubt) {
+    finding.short_form = std::move(short_form);
+    finding.remedy = std::move(remedy);
+  }
+  for (const CheckNumber& number : check.numbers) finding.numbers.push_back({number.name, number.value});
+  return finding;
+}
+
+Finding unjudged(std::string sentence) { return {.severity = Severity::unjudged, .sentence = std::move(sentence)}; }
+
+// What would make a bending stiffness so many times too large or too small; a clause.
+std::string likely_slip_of_units(double times) {
+  struct Slip {
+    double times;
+    std::string_view words;
+  };
+  constexpr std::array slips{Slip{1.0 / 16, ", about 1/16: perhaps a radius for the diameter"},
+                             Slip{16, ", about 16: perhaps a diameter for the radius"},
+                             Slip{1e-3, ", about 1/1000: perhaps a unit of force or modulus, N for mN or MPa for GPa"},
+                             Slip{1e3, ", about 1000: perhaps a unit of force or modulus, mN for N or GPa for MPa"},
+                             Slip{1e-6, ", about a millionth: perhaps a unit of force or modulus"},
+                             Slip{1e6, ", about a million: perhaps a unit of force or modulus"}};
+  constexpr double near = 1.5;  // friction and a guess of the modulus move the ratio by less
+  for (const auto& slip : slips)
+    if (times < near * slip.times && times > slip.times / near) return std::string(slip.words);
+  return "";
+}
+
+// By how much a record misses what sliding gives; a clause.
+std::string by_how_much(T test) {
+  const TestAnalysis& analysis = test.analysis;
+  const double below = 1 - analysis.over_frictionless.median, deepest = 1 - analysis.over_frictionless.least;
+  constexpr double noticeable = 0.01;
+  if (below > noticeable)
+    return fmt::format(": past a tenth of the span its force lies {} below the frictionless curve", percent(below));
+  if (deepest > noticeable)
+    return fmt::format(": its force falls to {} below the frictionless curve", percent(deepest));
+  return is_fitted(test)
+             ? fmt::format(": the best fit misses the force by {} of its greatest",
+                           percent_of(analysis.fit.residual_rms,
+                                      *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end())))
+             : "";
+}
+
+// Where the curve begins later than the contact is taken to be, by two of its errors; else empty.
+std::string late_beginning(T test) {
+  const Contact& contact = test.analysis.contact;
+  const Estimate& toe = contact.offset;
+  if (contact.status != ContactStatus::found || !(toe.value > 2 * toe.standard_error)) return "";
+  return fmt::format(" A line through the first part of the curve meets zero force {} behind the contact.",
+                     readable(toe.value, toe.standard_error, Print(test).as(kind::length)));
+}
+
+std::string find_contact_or_check(T test, const std::string& remedy) {
+  return (late_beginning(test).empty() ? "Check " : "Try contact = \"find\" under [record]; check ") + remedy;
+}
+
+double greatest_deflection(T test) {
+  const auto& w = test.analysis.reduced.deflection;
+  return w.empty() ? 0 : *std::max_element(w.begin(), w.end());
+}
+
+// ---- Why a record has no answer
+
+Found no_force(T test) {
+  const auto& force = test.analysis.record.force;
+  if (is_fitted(test) || force.empty() || *std::max_element(force.begin(), force.end()) > 0) return std::nullopt;
+  return Finding{.severity = Severity::refusal,
+                 .sentence = "The force is nowhere above zero.",
+                 .short_form = "no force above zero",
+                 .remedy = "Check which column is the force, and its sign."};
+}
+
+Found no_initial_slope(T test) {
+  if (test.analysis.status != AnalysisStatus::no_initial_slope || no_force(test)) return std::nullopt;
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = "The force does not rise where the record begins, so the bending stiffness cannot be read off it.",
+      .short_form = "no initial slope",
+      .remedy = "State the bending stiffness, or the modulus and the section."};
+}
+
+Found too_deep(T test) {
+  const double deepest = greatest_deflection(test);
+  if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= farthest_deflection || no_force(test))
+    return std::nullopt;
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format("The deflection reaches {}, {:.2g} times the span of {}. No specimen bends so "
+                                         "far over its supports.",
+                                         Print(test).length(deepest), deepest, Print(test).length(1)),
+                 .short_form = "deflection beyond the span",
+                 .remedy = "Check the units, and where the displacement counts from.",
+                 .numbers = {{"deflection_over_span", deepest}}};
+}
+
+constexpr std::size_t least_rows = 30;
+
+Found too_few_rows(T test) {
+  const std::size_t rows = test.analysis.record.force.size();
+  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= least_rows || too_deep(test) || no_force(test))
+    return std::nullopt;
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("The loading has {}; {} are needed.", counted(rows, "row", "rows"), least_rows),
+      .short_form = "too few rows",
+      .remedy = "Record more rows."};
+}
+
+Found too_few_points(T test) {
+  const std::size_t rows = test.analysis.record.force.size();
+  if (test.analysis.status != AnalysisStatus::too_few_points || rows < least_rows || too_deep(test) || no_force(test))
+    return std::nullopt;
+  const double deepest = greatest_deflection(test), from = friction_told_from(test.analysis.rig.fibre);
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format(
+                     "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and "
+                     "twice the thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the "
+                     "span of {}.",
+                     counted(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
+                     Print(test).length(1)),
+                 .short_form = "bent too little",
+                 .remedy =
+                     "If the deflection should be larger, check the units; if not, bend a thinner specimen, or "
+                     "bend farther.",
+                 .numbers = {{"deflection_over_span", deepest}}};
+}
+
+std::string train_in_words(T test, double stiffness) {
+  return std::isfinite(stiffness) ? Print(test).own(test.analysis.scales.physical_stiffness(stiffness), kind::stiffness)
+                                  : "∞";
+}
+
+// A stage moves evenly from row to row: what the specimen bends in a drop beyond the rows before it is what the load train gives back. Those drops do
+// not fit in which that is off by more than half of what the load train stated makes it, and by more than the stage moves meanwhile.
+Found other_train_in_drops(T test) {
+  const Record& record = test.analysis.record;
+  const std::vector<Drop>& drops = test.analysis.drops.drops;
+  const double stated = 1 / test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
+  constexpr std::size_t enough = 3, most_rows = 5;
+  std::size_t misfits = 0;
+  std::vector<double> compliances;  // [m/N]
+  for (std::size_t i = 0; i < drops.size(); ++i) {
+    const auto [before, after] = std::pair(drops[i].before, drops[i].after);
+    const std::size_t rows = std::min(before - (i == 0 ? 0 : std::min(drops[i - 1].after, before)), most_rows);
+    if (rows == 0) continue;
+    const double times = static_cast<double>(after - before) / static_cast<double>(rows);
+    const auto usual = [&](const std::vector<double>& column) {
+      return times * (column[before] - column[before - rows]);
+    };
+    const double farther = record.deflection[after] - record.deflection[before] - usual(record.deflection);
+    const double relief = record.force[before] - record.force[after] + usual(record.force);
+    compliances.push_back(farther / relief);
+    misfits += std::abs(farther - stated * relief) > 0.5 * stated * relief + usual(record.stage);
+  }
+  if (misfits < enough || 2 * misfits < drops.size()) return std::nullopt;
+  const auto middle = compliances.begin() + static_cast<std::ptrdiff_t>(compliances.size() / 2);
+  std::nth_element(compliances.begin(), middle, compliances.end());
+  if (!(*middle > 0)) return std::nullopt;
+  const double train = 1 / *middle;
+  const std::string as_on = roughly(train, Print(test).as(kind::stiffness));
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("{} of {} drops do not fit the load train stated ({}): while the force falls, "
+                              "the specimen bends as on {}.",
+                              misfits, drops.size(), train_in_words(test, test.analysis.rig.stiffness), as_on),
+      .short_form = fmt::format("load train as of {}", as_on),
+      .remedy = "State the stiffness of the load train under [rig].",
+      .numbers = {{"misfits", static_cast<double>(misfits)}, {"load_train", train, kind::stiffness}}};
+}
+
+// Where the deflection is that of the stage, a load train that gives makes the specimen look too soft.
+Found wrong_load_train(T test) {
+  const TestAnalysis& analysis = test.analysis;
+  if (!is_fitted(test) && analysis.status != AnalysisStatus::not_explained) return std::nullopt;
+  if (Found found = other_train_in_drops(test)) return found;
+  const double times = analysis.stiffness_over_slope;
+  if (std::isfinite(analysis.rig.stiffness) || !analysis.stiffness_implausible || !(times > 1) ||
+      !likely_slip_of_units(times).empty())
+    return std::nullopt;
+  constexpr double of_a_beam = 48;  // [EI/L^3] force over a small deflection
+  const double train = analysis.scales.physical_stiffness(of_a_beam / (times - 1));
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if the "
+                              "bending stiffness stated is right.",
+                              roughly(train, Print(test).as(kind::stiffness))),
+      .short_form = fmt::format("load train as of {}", roughly(train, Print(test).as(kind::stiffness))),
+      .remedy =
+          "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the section "
+          "and the span.",
+      .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
+}
+
+Found wrong_stiffness(T test) {
+  const TestAnalysis& analysis = test.analysis;
+  const bool is_judged = is_fitted(test) || analysis.status == AnalysisStatus::not_explained;
+  if (!is_judged || !analysis.stiffness_implausible || wrong_load_train(test)) return std::nullopt;
+  const double times = analysis.stiffness_over_slope;
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("The bending stiffness stated is {} times that of the record's initial slope{}.",
+                              roughly(times, kind::number), likely_slip_of_units(times)),
+      .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
+      .remedy =
+          "Check the modulus, the section, the span, the load train, the columns and their units; "
+          "modulus = \"fit\" takes the stiffness from the record.",
+      .numbers = {{"stated_over_slope", times}}};
+}
+
+Found not_explained(T test) {
+  if (test.analysis.status != AnalysisStatus::not_explained || no_force(test)) return std::nullopt;
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
+      .short_form = "no friction explains it",
+      .remedy =
+          "Check the columns (flexslip read FILE shows them), their units, the span, the section, the modulus "
+          "and the load train."};
+}
+
+// ---- What stands against an answer
+
+Found most_drops_impossible(T test) {
+  const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
+  constexpr std::size_t enough = 3;
+  if (drops < enough || 2 * impossible < drops || lost_stiffness(*test.judgement)) return std::nullopt;
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("{} of the {} drops cannot be slips on the load train stated ({}).", impossible, drops,
+                              train_in_words(test, test.analysis.rig.stiffness)),
+      .short_form = fmt::format("{} of {} drops are no slips", impossible, drops),
+      .remedy =
+          "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these "
+          "drops.",
+      .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
+}
+
+Found no_sliding(T test) {
+  if (!test.analysis.model_implausible) return std::nullopt;
+  const std::string remedy =
+      "Check the modulus, the section, the span, the contact and the load train. If they are "
+      "right, the specimen gave way: unload and load once more.";
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
+                 .short_form = "no friction explains it",
+                 .remedy = remedy};
+}
+
+Found softer_reload(T test) {
+  const Judgement& judgement = *test.judgement;
+  if (!judgement.softer_reload) return std::nullopt;
+  return Finding{.severity = Severity::suspicion,
+                 .sentence = fmt::format("The specimen lost stiffness: loaded again, it is {:.0f} ± {:.0f} % softer.",
+                                         100 * judgement.loss, 100 * judgement.loss_error),
+                 .short_form = fmt::format("{:.0f} % softer when reloaded", 100 * judgement.loss),
+                 .numbers = {{"loss", judgement.loss}, {"loss_error", judgement.loss_error}}};
+}
+
+Found cracks(T test) {
+  if (!test.judgement->drops_are_cracks) return std::nullopt;
+  return Finding{.severity = Severity::suspicion,
+                 .sentence = "The force rises between the drops as that of a specimen that cracks.",
+                 .short_form = "rises as of cracks",
+                 .remedy = test.cycles ? "" : "Unload and load once more; a reload shows how much stiffness was lost.",
+                 .numbers = {{"margin", test.analysis.slip_or_crack.margin}}};
+}
+
+Found impossible_drops(T test) {
+  const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
+  if (impossible == 0 || most_drops_impossible(test)) return std::nullopt;
+  return Finding{.severity = 2 * impossible >= drops ? Severity::suspicion : Severity::doubt,
+                 .sentence = drops == 1            ? std::string("The drop cannot be a slip.")
+                             : impossible == drops ? fmt::format("None of the {} drops can be a slip.", drops)
+                                                   : fmt::format("{} of the {} drops cannot be {}.", impossible, drops,
+                                                                 impossible == 1 ? "a slip" : "slips"),
+                 .short_form = fmt::format("{} of {} drops no slip", impossible, drops),
+                 .remedy = "Look at what happened there: a break, a spike of the load cell, or a crack.",
+                 .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
+}
+
+Found implausible_friction(T test) {
+  const TestAnalysis& analysis = test.analysis;
+  const double most = std::min(analysis.suspects.limit, analysis.most_friction);
+  if (!analysis.suspects.suspect && !(analysis.fit.mu0.low > most)) return std::nullopt;
+  const std::string how =
+      analysis.suspects.suspect
+          ? fmt::format("above {:.3g} at {} of {} points past a tenth of the span", analysis.suspects.limit,
+                        analysis.suspects.points.size(), analysis.suspects.points_judged)
+          : fmt::format("at least {:.2f} on average (95 %)", analysis.fit.mu0.low);
+  return Finding{
+      .severity = Severity::suspicion,
+      .sentence = fmt::format("The record needs implausible friction, {}.", how),
+      .short_form = fmt::format("friction above {:.2g}", most),
+      .remedy =
+          analysis.fit.mu0.low > analysis.most_friction
+              ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether they are stuck.",
+                            analysis.most_friction)
+          : is_on_edges(test) ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges "
+                                "read so."
+                              : "Image the supports: the length pulled in shows whether the specimen slides."};
+}
+
+Found misses_force(T test) {
+  const Check* check = check_of(test, CheckKind::residuals);
+  if (!check) return std::nullopt;
+  const double share = number_of(*check, "residual_rms") / number_of(*check, "greatest_force");
+  const std::string misses =
+      fmt::format("The fit, run forward, misses the force by {:.2g} % of its greatest (limit {:g} %).", 100 * share,
+                  100 * most_residual);
+  return checked(*check, misses, misses, "the fit misses the force",
+                 "Check the modulus, the section, the span and the units.");
+}
+
+Found drops_differ(T test) {
+  const Check* check = check_of(test, CheckKind::drops);
+  if (!check) return std::nullopt;
+  if (presumes_too_much(test)) return unjudged("Drops of the fit say nothing where the fit is not to be used.");
+  if (check->outcome == CheckOutcome::not_possible)
+    return unjudged("The model has no profiles whose drops could be counted.");
+  const auto number = [&](std::string_view name) { return number_of(*check, name); };
+  const double low = number("draws_low"), high = number("draws_high");
+  const std::string sentence =
+      fmt::format("Profiles drawn from the fit show {} drops, the record {:.0f}{}.",
+                  low < high ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("{:.0f}", low),
+                  number("record"), check->outcome == CheckOutcome::passed ? "" : ", more than chance allows");
+  return checked(*check, sentence, sentence,
+                 fmt::format("{:.0f} drops, fit {:.0f} to {:.0f}", number("record"), low, high),
+                 "See in the table of drops which ones can be cracks.");
+}
+
+Found coloured_noise(T test) {
+  const Check* check = check_of(test, CheckKind::whiteness);
+  if (!check) return std::nullopt;
+  if (presumes_too_much(test)) return unjudged("What the fit leaves says nothing where it is not to be used.");
+  if (check->outcome == CheckOutcome::not_possible)
+    return unjudged("A constant friction cannot predict the next reading.");
+  const double p = number_of(*check, "p_value");
+  const std::string probability =
+      p < least_p_of_noise ? fmt::format("p < {:g}", least_p_of_noise) : fmt::format("p = {}", significant(p, 2));
+  return checked(
+      *check,
+      fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, least_p_of_noise),
+      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, least_p_of_noise),
+      "residuals are not noise", "Something is not in the model; a simulated record without noise fails here, too.");
+}
+
+Found simpler_fits_better(T test) {
+  const Check* check = check_of(test, CheckKind::nesting);
+  if (!check) return std::nullopt;
+  if (presumes_too_much(test)) return unjudged("Explanations are not compared where none is to be used.");
+  if (check->outcome == CheckOutcome::not_possible)
+    return unjudged("The likeliest explanation contains no simpler one.");
+  return checked(*check, "No simpler explanation fits better.",
+                 fmt::format("A simpler explanation fits better, by {:.1f} in ln L.",
+                             std::max(number_of(*check, "most_below"), 0.0)),
+                 "a simpler explanation fits better",
+                 "The best fit was not found: compare fit --model constant and --model drift.");
+}
+
+Found unstable(T test) {
+  const Check* check = check_of(test, CheckKind::stability);
+  if (!check) return std::nullopt;
+  if (check->numbers.empty())
+    return checked(*check, "", "With the force changed in its ninth digit there is no fit.",
+                   "no fit if the ninth digit changes", "Check the record.");
+  const std::string moves =
+      fmt::format("With the force changed in its ninth digit, friction moves by {:.1g} of its error{}.",
+                  number_of(*check, "mu0_moved"),
+                  number_of(*check, "same_explanation") > 0 ? "" : ", and another explanation is the likeliest");
+  return checked(*check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
+}
+
+Found falling_friction(T test) {
+  if (!test.judgement->friction_falls) return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence =
+                     "Friction decreases along the record, as it would if stiffness were lost or if rollers were "
+                     "taken for edges.",
+                 .short_form = "friction decreases",
+                 .remedy = is_on_edges(test)
+                               ? "State [rig] roller_radius if the supports are not edges; if they are, image them."
+                               : "Image the supports: the length pulled in shows whether the specimen slides."};
+}
+
+Found changed_reload(T test) {
+  const Judgement& judgement = *test.judgement;
+  if (!judgement.changed_reload) return std::nullopt;
+  const std::string_view how = judgement.loss > 0 ? "softer" : "stiffer";
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("Loaded again, the specimen is {:.0f} ± {:.0f} % {} than at first.",
+                                         100 * std::abs(judgement.loss), 100 * judgement.loss_error, how),
+                 .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(judgement.loss), how),
+                 .remedy = judgement.loss > 0 ? "" : "See whether the contact or the rig has changed.",
+                 .numbers = {{"loss", judgement.loss}, {"loss_error", judgement.loss_error}}};
+}
+
+Found coarse_force(T test) {
+  const TestAnalysis& analysis = test.analysis;
+  constexpr double relevant = 0.05;  // of the greatest force
+  const auto& force = analysis.record.force;
+  if (!(analysis.drops.smallest_fall > relevant * *std::max_element(force.begin(), force.end()))) return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("A drop of less than {} could not be seen.",
+                                         Print(test).own(analysis.drops.smallest_fall, kind::force)),
+                 .short_form = "force too coarse for drops",
+                 .remedy = "Record the force more finely.",
+                 .numbers = {{"smallest_fall", analysis.drops.smallest_fall, kind::force}}};
+}
+
+// Unloading once more tells slips from cracks, wherever that can still be done.
+std::string reload_remedy(T test) {
+  if (test.measurement.end == MeasurementEnd::failure || test.measurement.end == MeasurementEnd::until)
+    return fmt::format("In the next test unload before the specimen breaks, and load once more; {}.", reload_bounds);
+  if (test.cycles && test.cycles->stiffness.size() > 1)
+    return "Unload to almost no force and load once more, as far as at first; these loadings cannot be compared.";
+  return fmt::format("{} once more; {}.", test.cycles ? "Load" : "Unload and load", reload_bounds);
+}
+
+Found undecided_drops(T test) {
+  const Judgement& judgement = *test.judgement;
+  if (test.analysis.drops.drops.empty() || judgement.drops != CrackVerdict::cannot_be_told) return std::nullopt;
+  const SlipOrCrack& rises = test.analysis.slip_or_crack;
+  return Finding{.severity = Severity::doubt,
+                 .sentence = rises.judged ? "How the force rises between the drops does not tell slips from cracks."
+                                          : "Too few drops, or rows between them, tell slips from cracks.",
+                 .short_form = "slips or cracks",
+                 .remedy = reload_remedy(test)};
+}
+
+Found few_rows(T test) {
+  if (!test.judgement->few_rows) return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence =
+                     "Most rises between drops have fewer than five rows: drops and waves of friction may be "
+                     "missed.",
+                 .short_form = "few rows between drops",
+                 .remedy = "Record more rows."};
+}
+
+Found below_frictionless(T test) {
+  if (!(test.analysis.friction_read.median < least_friction)) return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence = "The force lies below the frictionless curve." + late_beginning(test),
+                 .short_form = "below the frictionless curve",
+                 .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
+}
+
+Found settling_contact(T test) {
+  const Contact& contact = test.analysis.contact;
+  if (contact.status != ContactStatus::found || !contact.settles ||
+      !(contact.offset.value > two_sided * contact.offset.standard_error))
+    return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format(
+                     "The curve bends where it begins: the contact may lie {} farther.",
+                     readable(contact.offset.value, contact.offset.standard_error, Print(test).as(kind::length))),
+                 .short_form = "the contact settles",
+                 .remedy = "See whether the answer stays with contact = \"find\" under [record].",
+                 .numbers = {{"offset", contact.offset.value, kind::length},
+                             {"offset_error", contact.offset.standard_error, kind::length}}};
+}
+
+Found unexpected_stiffness(T test) {
+  const Check* check = check_of(test, CheckKind::stiffness);
+  if (!check) return std::nullopt;
+  if (check->outcome == CheckOutcome::not_possible)
+    return unjudged("The bending stiffness is not fitted with a constant friction.");
+  const std::string sentence =
+      fmt::format("The bending stiffness of the fit is {} from that {}, {:.1f} times its error (limit {:g}).",
+                  signed_percent(number_of(*check, "fitted_over_nominal") - 1),
+                  test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
+                  most_stiffness_errors);
+  return checked(
+      *check, sentence, sentence + late_beginning(test),
+      fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
+      find_contact_or_check(test,
+                            "the modulus, the section, the span, the units and the radius of the "
+                            "supports."));
+}
+
+// ---- What is worth knowing, and casts no doubt
+
+Found only_a_limit(T test) {
+  const Check* check = check_of(test, CheckKind::friction);
+  if (!check || presumes_too_much(test)) return std::nullopt;
+  Finding finding = checked(*check, "Friction can be distinguished from zero.",
+                            fmt::format("Friction cannot be distinguished from zero; it is at most {} (95 %).",
+                                        significant(number_of(*check, "mu0_high"), 2)),
+                            "only a limit", "Bend farther, or state the bending stiffness more exactly.");
+  if (finding.severity == Severity::doubt) finding.severity = Severity::note;
+  return finding;
+}
+
+Found no_reload(T test) {
+  const Judgement& judgement = *test.judgement;
+  if (test.analysis.drops.drops.empty() || std::isfinite(judgement.loss) || undecided_drops(test) ||
+      lost_stiffness(judgement))
+    return std::nullopt;
+  return Finding{.severity = Severity::note,
+                 .sentence = "Without a reload nothing bounds what stiffness was lost besides.",
+                 .remedy = reload_remedy(test)};
+}
+
+Found jumps(T test) {
+  const Judgement& judgement = *test.judgement;
+  if (!std::isfinite(judgement.stiffness_for_all)) return std::nullopt;
+  const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
+  return Finding{
+      .severity = Severity::note,
+      .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
+                              percent(judgement.jumped)),
+      .remedy = fmt::format("A stiffer rig shows more: on {} or more the force falls only smoothly with such a "
+                            "mean friction.",
+                            Print(test).own(least, kind::stiffness)),
+      .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
+}
+
+Found imaged_length(T test) {
+  if (!test.imaged || test.imaged->points.empty()) return std::nullopt;
+  const ImagedLength& imaged = *test.imaged;
+  const double unit = test.analysis.scales.span();
+  const Kind length = Print(test).as(kind::length);
+  return Finding{.severity = Severity::note,
+                 .sentence = fmt::format(
+                     "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
+                     readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
+                     imaged.offset.value > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
+                     roughly(unit * imaged.scatter, length))};
+}
+
+// A rule, under the code of what it finds; does it presume an answer of the analysis?
+struct Rule {
+  std::string_view code;
+  Found (*find)(T test);
+  bool presumes_an_answer;
+};
+
+constexpr std::array rules{
+    Rule{"no_force", no_force, false},
+    Rule{"no_initial_slope", no_initial_slope, false},
+    Rule{"too_deep", too_deep, false},
+    Rule{"too_few_rows", too_few_rows, false},
+    Rule{"too_few_points", too_few_points, false},
+    Rule{"wrong_load_train", wrong_load_train, false},
+    Rule{"wrong_stiffness", wrong_stiffness, false},
+    Rule{"not_explained", not_explained, false},
+    Rule{"softer_reload", softer_reload, true},
+    Rule{"cracks", cracks, true},
+    Rule{"most_drops_impossible", most_drops_impossible, true},
+    Rule{"no_sliding", no_sliding, true},
+    Rule{"impossible_drops", impossible_drops, true},
+    Rule{"implausible_friction", implausible_friction, true},
+    Rule{"misses_force", misses_force, true},
+    Rule{"drops_differ", drops_differ, true},
+    Rule{"coloured_noise", coloured_noise, true},
+    Rule{"simpler_fits_better", simpler_fits_better, true},
+    Rule{"unstable", unstable, true},
+    Rule{"falling_friction", falling_friction, true},
+    Rule{"changed_reload", changed_reload, true},
+    Rule{"coarse_force", coarse_force, true},
+    Rule{"undecided_drops", undecided_drops, true},
+    Rule{"few_rows", few_rows, true},
+    Rule{"below_frictionless", below_frictionless, true},
+    Rule{"settling_contact", settling_contact, true},
+    Rule{"unexpected_stiffness", unexpected_stiffness, true},
+    Rule{"only_a_limit", only_a_limit, true},
+    Rule{"no_reload", no_reload, true},
+    Rule{"jumps", jumps, true},
+    Rule{"imaged_length", imaged_length, true},
+};
 
 const Finding* finding_in(const std::vector<Finding>& findings, std::string_view code) {
   const auto found =
@@ -42,16 +635,20 @@ double lost_by_rises(const SlipOrCrack& rises) {
 
 // ---- The verdict
 
+// Nothing of a friction that is only a limit, or that cannot be.
+bool tells_work(T test) { return !test.analysis.fit.mu0_is_bound && !implausible_friction(test); }
+
 std::string work_in_short(T test) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
-  if (test.analysis.fit.mu0_is_bound || !(share > worth_saying)) return "";
+  if (!tells_work(test) || !(share > worth_saying)) return "";
   return fmt::format("{} of the work was friction, not toughness", percent(share));
 }
 
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
-  if (const Finding* wrong = finding_in(findings, "wrong_stiffness"))
-    return {VerdictCode::check_input, {wrong->sentence}, wrong->code};
+  for (const std::string_view wrong : {"wrong_load_train", "wrong_stiffness"})
+    if (const Finding* found = finding_in(findings, wrong))
+      return {VerdictCode::check_input, {found->sentence}, found->code};
   if (!is_fitted(test)) {
     const Finding& reason = findings.front();
     return {VerdictCode::no_answer, {reason.sentence}, reason.code};
@@ -266,7 +863,7 @@ std::string assumed_in_words(T test) {
   if (supports.half_depth == 0) parts.emplace_back("no thickness");
   if (test.stiffness != StiffnessSource::stated)
     parts.push_back(fmt::format("EI to {:.2g} %", 100 * test.analysis.bending_stiffness_error));
-  parts.push_back(measurement.contact == ContactSource::first_point
+  parts.push_back(measurement.contact == ContactSource::first_point || measurement.contact_offset == 0
                       ? "contact at the zero of the file"
                       : fmt::format("contact at {}, as {}", print.own(measurement.contact_offset, kind::length),
                                     measurement.contact == ContactSource::stated ? "stated" : "found"));
@@ -280,8 +877,7 @@ std::vector<AnswerRow> rows_of(T test, Standing standing) {
   if (tells) {
     if (drops_of(test) > 0) rows.push_back({"slip or crack", slip_or_crack_in_words(test)});
     rows.push_back({"friction", friction_in_words(test)});
-    if (!lost_stiffness(*test.judgement) && !test.analysis.fit.mu0_is_bound)
-      rows.push_back({"work", work_in_words(test)});
+    if (!lost_stiffness(*test.judgement) && tells_work(test)) rows.push_back({"work", work_in_words(test)});
     if (const std::string reload = reload_in_words(test); !reload.empty()) rows.push_back({"reload", reload});
   }
   rows.push_back({"stiffness", stiffness_in_words(test, tells && !lost_stiffness(*test.judgement))});
@@ -298,6 +894,39 @@ std::string next_step(const Verdict& verdict, const std::vector<Finding>& findin
 }
 
 }  // namespace
+
+std::vector<Finding> findings_of(T test) {
+  std::vector<Finding> findings;
+  for (const Rule& rule : rules) {
+    if (rule.presumes_an_answer && !is_fitted(test)) continue;
+    if (Found found = rule.find(test)) {
+      found->code = rule.code;
+      findings.push_back(std::move(*found));
+    }
+  }
+  return findings;
+}
+
+Standing standing_of(const std::vector<Finding>& findings) {
+  Severity worst = Severity::note;
+  for (const Finding& finding : findings) worst = std::min(worst, finding.severity);
+  switch (worst) {
+    case Severity::refusal:
+      return Standing::untrusted;
+    case Severity::suspicion:
+      return Standing::suspect;
+    case Severity::doubt:
+      return Standing::doubtful;
+    default:
+      return Standing::sound;
+  }
+}
+
+std::vector<std::string_view> finding_codes() {
+  std::vector<std::string_view> codes;
+  for (const Rule& rule : rules) codes.push_back(rule.code);
+  return codes;
+}
 
 std::string mean_friction(const FrictionFit& fit) {
   return fit.mu0_is_bound ? fmt::format("at most {}", significant(fit.mu0.high, 2))

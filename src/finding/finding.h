@@ -31,7 +31,7 @@ struct FindingNumber {
 };
 
 struct Finding {
-  std::string_view code;
+  std::string_view code{};  // as the rule has it that finds it
   Severity severity;
   std::string sentence;      // whole sentences, understood when read alone
   std::string short_form{};  // a few words, for a table of many tests; empty where it says nothing against a test
@@ -58,7 +58,7 @@ struct Verdict {
 std::string sentence_of(const Verdict& verdict);
 
 struct AnswerRow {
-  std::string_view label;  // "drops"
+  std::string label;  // "drops"
   std::string words;
 };
 

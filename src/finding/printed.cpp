@@ -6,51 +6,30 @@
 #include <fmt/format.h>
 
 namespace flexslip {
-namespace {
+MatchedDigits matched_digits(const Estimate& estimate, double factor) {
+  const double error = factor * estimate.standard_error;
+  constexpr double rounding = 1e-9;  // a value that is held has no error but this
+  if (!std::isfinite(error) || error <= rounding * std::abs(factor * estimate.value))
+    return {fmt::format("{:.4g}", factor * estimate.value), "", "", ""};
+  // Rounded first: of 0.0996, two digits are 0.10.
+  const double exponent = std::floor(std::log10(error));
+  const double rounded = std::round(error / std::pow(10, exponent - 1)) * std::pow(10, exponent - 1);
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(rounded) + 1e-9)), 0, 12);
+  const auto print = [&](double value) {
+    const std::string text = fmt::format("{:.{}f}", factor * value, decimals);
+    return text.find_first_of("123456789") == std::string::npos && text.front() == '-' ? text.substr(1) : text;
+  };
+  return {print(estimate.value), print(estimate.standard_error), print(estimate.low), print(estimate.high)};
+}
 
-class PrintedColumn {
- public:
-  explicit PrintedColumn(const NumberColumn& column) {
-    double largest = 0;
-    for (const double value : column.values)
-      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-    const std::string_view unit = best_unit(largest, column.kind);
-    if (!unit.empty()) scale_ = parse_unit(unit);
-    title_ = unit.empty()           ? column.title
-             : column.title.empty() ? typeset(unit)
-                                    : fmt::format("{} ({})", column.title, typeset(unit));
-    const double shown = from_si(largest, scale_);
-    decimals_ = shown > 0 ? std::clamp(column.digits - 1 - static_cast<int>(std::floor(std::log10(shown))), 0, 9) : 1;
-  }
-  const std::string& title() const { return title_; }
-  std::string cell(double value) const {
-    if (!std::isfinite(value)) return "";
-    const double shown = from_si(value, scale_);
-    const bool is_zero = std::abs(shown) < 0.5 * std::pow(10, -decimals_);
-    return fmt::format("{:.{}f}", is_zero ? 0 : shown, decimals_);
-  }
-
- private:
-  std::string title_;
-  Unit scale_{};
-  int decimals_ = 1;
-};
-
-}  // namespace
+std::string significant(double value, int digits) {
+  if (!std::isfinite(value)) return "";
+  const int exponent = value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
+  return fmt::format("{:.{}f}", value, std::clamp(digits - 1 - exponent, 0, 12));
+}
 
 std::string Print::own(double value, const Kind& kind) const {
   return std::isfinite(value) ? readable(value, as(kind)) : "not known";
-}
-
-PrintedTable printed(const std::vector<NumberColumn>& columns) {
-  PrintedTable table;
-  for (const auto& column : columns) {
-    const PrintedColumn print(column);
-    table.head.push_back(print.title());
-    table.rows.resize(column.values.size());
-    for (std::size_t i = 0; i < column.values.size(); ++i) table.rows[i].push_back(print.cell(column.values[i]));
-  }
-  return table;
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {

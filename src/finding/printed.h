@@ -1,21 +1,29 @@
-// Numbers of one test, or of a design, in print, alone and in tables: each in the unit that reads best, or reduced without units.
+// Numbers in print: with no more digits than their uncertainty leaves them, each in the unit that reads best, or reduced without
+// units.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "case/fitted.h"
+#include "data/estimate.h"
 #include "io/quantity.h"
 
 namespace flexslip {
 
-// A table for people: every cell as it is printed.
-struct PrintedTable {
-  std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;
+// A number and its standard uncertainty, two digits of the latter.
+struct MatchedDigits {
+  std::string value;
+  std::string error;      // empty if it is not known, or the value is held; it then has four significant digits
+  std::string low, high;  // ends of the 95 % interval, likewise
 };
+
+// Domain:     factor > 0: from the unit of the estimate to that shown.
+MatchedDigits matched_digits(const Estimate& estimate, double factor);
+
+// A number with this many significant digits, trailing zeros among them, without an exponent. Domain: digits >= 1.
+std::string significant(double value, int digits);
 
 class Print {
  public:
@@ -34,17 +42,6 @@ class Print {
   const Case& test_;
   const Scales& scales_;
 };
-
-// A column of numbers in one unit, which stands in its title.
-struct NumberColumn {
-  std::string title;
-  std::vector<double> values;  // in the units of the test; NaN leaves a cell empty
-  Kind kind;
-  int digits = 4;  // of the largest
-};
-
-// Domain: columns of one length.
-PrintedTable printed(const std::vector<NumberColumn>& columns);
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 

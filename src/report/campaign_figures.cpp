@@ -11,7 +11,7 @@
 
 #include "io/text.h"
 #include "io/text_table.h"
-#include "report/campaign_words.h"
+#include "report/campaign_document.h"
 #include "report/figures.h"
 #include "result/table.h"
 

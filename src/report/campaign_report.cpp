@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <future>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -13,17 +12,15 @@
 
 #include "answers/campaign_fields.h"
 #include "answers/fit_fields.h"
-#include "answers/fit_tables.h"
+#include "answers/profile_fields.h"
 #include "campaign/campaign_plan.h"
 #include "io/durable_file.h"
 #include "io/text_file.h"
+#include "report/campaign_document.h"
 #include "report/figures.h"
-#include "report/campaign_latex.h"
-#include "report/campaign_surface_words.h"
-#include "report/campaign_words.h"
-#include "report/campaign_xlsx.h"
 #include "report/page.h"
 #include "report/report.h"
+#include "report/workbook.h"
 #include "result/table.h"
 
 namespace flexslip {
@@ -69,31 +66,14 @@ const std::array table_files{
               [](const std::string& path, const Campaign& campaign) { write_csv(path, specimen_table(campaign)); }},
     TableFile{"campaign.json", "all of it, for scripts",
               [](const std::string& path, const Campaign& campaign) { write_json(path, campaign_json(campaign)); }},
-    TableFile{"campaign.xlsx", "for spreadsheets", write_campaign_xlsx},
+    TableFile{"campaign.xlsx", "for spreadsheets",
+              [](const std::string& path, const Campaign& campaign) {
+                write_workbook(path, "Friction in bending tests", sheets_of(campaign));
+              }},
     TableFile{"tables.tex", "for LaTeX, with booktabs and longtable",
-              [](const std::string& path, const Campaign& campaign) { write_text(path, campaign_latex(campaign)); }}};
-
-std::string file_list() {
-  std::string items;
-  for (const TableFile& file : table_files)
-    items += fmt::format("<li><a href=\"{0}\">{0}</a>: {1}</li>\n", file.name, file.holds);
-  return fmt::format("<ul class=\"files\">\n{}</ul>\n", items);
-}
-
-const std::vector<std::string> picture_formats{"svg", "pdf", "png"};
-
-// All of them, two at a time: gnuplot keeps to one core.
-DrawStatus draw_all(const std::vector<Plot>& plots, const std::string& folder) {
-  const auto draw_every_second = [&](std::size_t first) {
-    DrawStatus drawn = DrawStatus::drawn;
-    for (std::size_t i = first; i < plots.size(); i += 2) drawn = draw(plots[i], folder, picture_formats);
-    return drawn;
-  };
-  auto others = std::async(std::launch::async, draw_every_second, 1);
-  const DrawStatus drawn = draw_every_second(0);
-  others.get();
-  return drawn;
-}
+              [](const std::string& path, const Campaign& campaign) {
+                write_text(path, in_latex(document_of(campaign, with_error)));
+              }}};
 
 // Of a run before, besides what it was writing when it was stopped: its pages, as there may be fewer now.
 bool is_old_figure(const fs::path& file) {
@@ -129,43 +109,12 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   remove_from(folder, is_unfinished);
   for (const TableFile& file : table_files) file.write((fs::path(folder) / file.name).string(), campaign);
   if (!with_figures) return DrawStatus::drawn;
-  const std::string figures = (fs::path(folder) / "figures").string();
-  make_folder(figures);
-  remove_from(figures, is_old_figure);
-  const bool answered = std::any_of(campaign.tests.begin(), campaign.tests.end(),
-                                    [](const CampaignTest& test) { return test.summary.has_value(); });
-  std::vector<Plot> plots;
-  if (answered) plots.push_back(distribution_figure(campaign));
-  for (auto& page : atlas_pages(campaign)) plots.push_back(std::move(page));
-  const DrawStatus drawn = draw_all(plots, figures);
-  std::vector<std::string> pictures;
-  pictures.reserve(plots.size());
-  for (const auto& plot : plots)
-    pictures.push_back(html_figure(folder, plot, drawn, static_cast<int>(pictures.size()) + 1));
-
-  std::string body;
-  if (answered) {
-    body += pictures.front() + section("By category") + html_table(category_rows(campaign));
-    body += paragraph("Mean (smallest to largest). " + category_rule());
-    if (const std::string surfaces = surfaces_in_words(campaign); !surfaces.empty()) body += paragraph(surfaces);
-    if (const auto specimens = specimen_rows(campaign); !specimens.rows.empty())
-      body += section("Between specimens") + html_table(specimens) + paragraph(specimen_rule());
-    body += section("Test by test") +
-            html_word_table(test_rows(campaign, with_interval), links_to_tests(folder, campaign)) +
-            paragraph("In parentheses: 95 % intervals. A test that tells no friction, or only a limit, has no share.");
-  }
-  if (const auto failures = failure_rows(campaign); !failures.rows.empty())
-    body += section("Not evaluated") + html_word_table(failures);
-  if (!campaign.shared.empty())
-    body += section("Shared by several tests") + html_table(shared_rows(campaign)) + paragraph(sharing_rule());
-  if (pictures.size() > 1) {
-    body += section("Force curves");
-    for (std::size_t i = 1; i < pictures.size(); ++i) body += pictures[i];
-  }
-  body += section("Files") + file_list() + paragraph(fmt::format("FlexSlip {}.", FLEXSLIP_VERSION));
-  write_text((fs::path(folder) / "report.html").string(),
-             page("Friction in a campaign of bending tests", answer_in_html(answer_of(campaign)), body));
-  return drawn;
+  remove_from(fs::path(folder) / "figures", is_old_figure);
+  std::vector<Chapter> chapters = document_of(campaign, with_interval, links_to_tests(folder, campaign));
+  FilesBeside files;
+  for (const TableFile& file : table_files) files.files.push_back({file.name, file.holds});
+  chapters.push_back({"Files", {files, fmt::format("FlexSlip {}.", FLEXSLIP_VERSION)}});
+  return write_page(folder, "Friction in a campaign of bending tests", answer_in_html(answer_of(campaign)), chapters);
 }
 
 void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option) {

@@ -2,155 +2,258 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "io/text.h"
 #include "io/text_table.h"
-#include "report/plain_text.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::string_view indent = "   ";
+// ---- For a terminal
 
-// Of standard input nothing is known.
-std::string bytes_of(const InputFile& file) { return file.sha256.empty() ? "" : fmt::format("{}", file.bytes); }
+std::string padded(std::string_view text, std::size_t width, bool to_the_right) {
+  const std::string space(width - std::min(width, width_of(text)), ' ');
+  return to_the_right ? space + std::string(text) : std::string(text) + space;
+}
+
+// Where the first word ends; a percent sign belongs to its number.
+std::size_t end_of_word(std::string_view text) {
+  std::size_t end = text.find(' ');
+  while (end < text.size() - 1 && text[end + 1] == '%') end = text.find(' ', end + 1);
+  return std::min(end, text.size());
+}
+
+std::string cut_to(const std::string& line, std::size_t width) {
+  if (width_of(line) <= width) return line;
+  const std::string begin = wrapped(line, "", "", width - 2);
+  return begin.substr(0, begin.find('\n')) + " …";
+}
+
+std::string laid_out(const PrintedTable& all, std::size_t width) {
+  const PrintedTable table = picked(all, all.on_terminal);
+  std::vector<std::size_t> widths;
+  for (std::size_t i = 0; i < table.head.size(); ++i) {
+    widths.push_back(width_of(table.head[i]));
+    for (const auto& row : table.rows) widths[i] = std::max(widths[i], width_of(row[i]));
+  }
+  const std::size_t last = table.head.size() - 1;
+  const bool ends_in_words = last > 0 && !is_of_numbers(table, last);
+  std::string out;
+  const auto add = [&](const std::vector<std::string>& cells) {
+    std::string line = " ";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string cell = printable(cells[i]);
+      line += "  ";
+      // Words at the end of a line go on below it, where there is room for them.
+      constexpr std::size_t least_room = 30;
+      if (const std::size_t indent = width_of(line);
+          i == last && ends_in_words && all.on_terminal.empty() && indent + least_room <= width)
+        line = wrapped(cell, std::string(indent, ' '), line, width);
+      else
+        line += padded(cell, widths[i], is_of_numbers(table, i));
+    }
+    line.erase(line.find_last_not_of(" \n") + 1);
+    out += (all.on_terminal.empty() ? line : cut_to(line, width)) + '\n';
+  };
+  add(table.head);
+  for (const auto& row : table.rows) add(row);
+  return out;
+}
 
 struct AsText {
-  std::string operator()(const std::string& words) const { return wrapped(words, indent, indent); }
-  std::string operator()(const Bullets& list) const {
-    std::string out;
-    for (const auto& item : list.items) out += wrapped(item, indent, " - ");
-    return out;
+  bool has_title;
+  std::size_t width;
+
+  std::string operator()(const std::string& words) const {
+    const std::string indent(has_title ? 3 : 0, ' ');
+    return words.empty() ? "" : wrapped(words, indent, indent, width);
   }
-  std::string operator()(const PrintedTable& table) const { return laid_out(table); }
-  std::string operator()(const std::vector<ParameterRow>& rows) const {
-    const auto cells = [](const ParameterRow& row) {
-      return std::array{row.name, row.value, row.interval.empty() ? "" : fmt::format("[{}]", row.interval), row.remark};
-    };
-    std::array<std::size_t, 4> widths{};
-    for (const auto& row : rows)
-      for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(cells(row)[i]));
+  std::string operator()(const Rows& rows) const {
+    std::size_t label_width = 13;
+    for (const auto& [label, words] : rows)
+      if (!words.empty()) label_width = std::max(label_width, width_of(label));
     std::string out;
-    for (const auto& row : rows) {
-      std::string line = " ";
-      for (std::size_t i = 0; i < widths.size(); ++i) line += "  " + padded_right(cells(row)[i], widths[i]);
-      out += line.erase(line.find_last_not_of(' ') + 1) + '\n';
+    for (const auto& [label, words] : rows) {
+      if (words.empty()) continue;
+      const std::string begin = fmt::format("{}{}   ", has_title ? "   " : "  ", padded(label, label_width, false));
+      out += wrapped(printable(words), std::string(width_of(begin), ' '), begin, width);
     }
     return out;
   }
-  std::string operator()(const std::vector<PreparationRow>& rows) const {
-    Bullets list;
-    for (const auto& row : rows) list.items.push_back(step_in_words(row));
-    return (*this)(list);
-  }
-  std::string operator()(const Files& of) const {
-    PrintedTable table{{"File", "Bytes", "SHA-256"}, {}};
-    for (const auto& file : of.files) table.rows.push_back({printable(file.name), bytes_of(file), file.sha256});
-    return laid_out(table);
-  }
-  std::string operator()(const Picture&) const { return ""; }
-  std::string operator()(const Verbatim&) const { return ""; }
-};
-
-struct AsHtml {
-  const std::function<std::string(const Plot&)>& figure;
-
-  std::string operator()(const std::string& words) const { return paragraph(words); }
-  std::string operator()(const Bullets& list) const {
-    std::string out = "<ul>\n";
-    for (const auto& item : list.items) out += fmt::format("<li>{}</li>\n", typeset_minus(html_escaped(item)));
-    return out + "</ul>\n";
-  }
-  // A long one is folded.
-  std::string operator()(const PrintedTable& table) const {
-    constexpr std::size_t most_open = 12;
-    return table.rows.size() <= most_open
-               ? html_table(table)
-               : fmt::format("<details><summary>A table of {} rows</summary>\n{}</details>\n", table.rows.size(),
-                             html_table(table));
-  }
-  std::string operator()(const std::vector<ParameterRow>& rows) const {
-    std::string out =
-        "<div class=\"scroll\"><table "
-        "class=\"parameters\">\n<thead><tr><th></th><th>Parameter</th><th>Value</th><th>95 "
-        "% interval</th><th></th></tr></thead>\n<tbody>\n";
-    for (const auto& row : rows)
-      out += fmt::format(
-          "<tr><td>{}</td><td><code>{}</code>, {}</td><td class=\"value\">{}</td><td class=\"value\">{}</td><td "
-          "class=\"remark\">{}</td></tr>\n",
-          html_escaped(row.symbol), html_escaped(row.name), html_escaped(row.meaning),
-          typeset_minus(html_escaped(row.value)), typeset_minus(html_escaped(row.interval)),
-          typeset_minus(html_escaped(row.remark)));
-    return out + "</tbody></table></div>\n";
-  }
-  std::string operator()(const std::vector<PreparationRow>& rows) const {
-    std::string out =
-        "<div class=\"scroll\"><table class=\"parameters\">\n<thead><tr><th>Step</th><th>What was "
-        "done</th><th>Value</th><th>Rows</th><th>To change this</th></tr></thead>\n<tbody>\n";
-    for (const auto& row : rows)
-      out += fmt::format(
-          "<tr><td>{}</td><td>{}</td><td class=\"value\">{}</td><td "
-          "class=\"value\">{}</td><td><code>{}</code></td></tr>\n",
-          html_escaped(row.name), typeset_minus(html_escaped(row.done)), typeset_minus(html_escaped(row.value)),
-          html_escaped(row.rows), html_escaped(row.otherwise));
-    return out + "</tbody></table></div>\n";
-  }
-  std::string operator()(const Files& of) const {
-    std::string out =
-        "<div class=\"scroll\"><table><thead><tr><th>File</th><th>Bytes</th><th>SHA-256</th></tr></thead><tbody>\n";
-    for (const auto& file : of.files)
-      out += fmt::format("<tr><td>{}</td><td>{}</td><td><code>{}</code></td></tr>\n", html_escaped(file.name),
-                         bytes_of(file), file.sha256);
-    return out + "</tbody></table></div>\n";
-  }
-  std::string operator()(const Picture& picture) const { return figure(picture.plot()); }
-  std::string operator()(const Verbatim& lines) const {
-    return fmt::format("<pre>{}</pre>\n", html_escaped(lines.text));
+  std::string operator()(const PrintedTable& table) const { return table.rows.empty() ? "" : laid_out(table, width); }
+  template <class OnAPageAlone>
+  std::string operator()(const OnAPageAlone&) const {
+    return "";
   }
 };
+
+// Is there an empty line between two blocks? Around tables, and after the answer.
+bool are_apart(const Block& above, const Block& below, const Chapter& chapter) {
+  const auto is_table = [](const Block& block) { return std::holds_alternative<PrintedTable>(block); };
+  return is_table(above) || is_table(below) ||
+         (chapter.title.empty() && std::holds_alternative<std::string>(above) && std::holds_alternative<Rows>(below));
+}
+
+// ---- For a paper
+
+// Characters that LaTeX takes for more; [ and * are an argument of the row's end before them.
+constexpr std::array<std::pair<char, std::string_view>, 15> commands{{{'\\', "\\textbackslash{}"},
+                                                                      {'{', "\\{"},
+                                                                      {'}', "\\}"},
+                                                                      {'$', "\\$"},
+                                                                      {'&', "\\&"},
+                                                                      {'#', "\\#"},
+                                                                      {'_', "\\_"},
+                                                                      {'%', "\\%"},
+                                                                      {'^', "\\textasciicircum{}"},
+                                                                      {'~', "\\textasciitilde{}"},
+                                                                      {'<', "\\textless{}"},
+                                                                      {'>', "\\textgreater{}"},
+                                                                      {'|', "\\textbar{}"},
+                                                                      {'[', "{[}"},
+                                                                      {'*', "{*}"}}};
+
+// Of our tables, beyond the letters that the fonts of a document have.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> symbols{{{"\"", "''"},
+                                                                                 {"μ₀", "$\\mu_0$"},
+                                                                                 {"σ", "$\\sigma$"},
+                                                                                 {"ℓ", "$\\ell$"},
+                                                                                 {"λ", "$\\lambda$"},
+                                                                                 {"μ", "$\\mu$"},
+                                                                                 {"µ", "$\\mu$"},
+                                                                                 {"±", "$\\pm$"},
+                                                                                 {"×", "$\\times$"},
+                                                                                 {"²", "$^{2}$"},
+                                                                                 {"³", "$^{3}$"},
+                                                                                 {"⁴", "$^{4}$"},
+                                                                                 {"–", "--"},
+                                                                                 {"\u00a0", "~"}}};
+
+// A cell of numbers: a hyphen before a digit is a minus sign, and a limit has its sign.
+std::string latex_of_numbers(std::string_view cell) {
+  constexpr std::string_view limit = "at most ";
+  if (cell.starts_with(limit)) return "$\\leq$ " + latex_of_numbers(cell.substr(limit.size()));
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i + 1 < cell.size(); ++i) {
+    const bool begins = i == 0 || cell[i - 1] == ' ' || cell[i - 1] == '(' || cell[i - 1] == '[';
+    if (cell[i] != '-' || !begins || cell[i + 1] < '0' || cell[i + 1] > '9') continue;
+    out += latex_escaped(cell.substr(from, i - from)) + "$-$";
+    from = i + 1;
+  }
+  return out + latex_escaped(cell.substr(from));
+}
+
+std::string latex_row(const std::vector<std::string>& cells, std::string_view mark = "") {
+  std::string row = latex_escaped(cells.front() + std::string(mark));
+  for (std::size_t i = 1; i < cells.size(); ++i) row += " & " + (cells[i].empty() ? "{}" : latex_of_numbers(cells[i]));
+  return row + " \\\\\n";
+}
+
+// On one page, or with groups of rows on as many as they take.
+std::string latex_table(const PrintedTable& all) {
+  const OnPaper& paper = all.paper;
+  const PrintedTable table = picked(all, paper.columns);
+  std::string columns = "l";
+  for (std::size_t i = 1; i < table.head.size(); ++i) columns += is_of_numbers(table, i) ? 'r' : 'l';
+  const std::string head = latex_row(table.head);
+  const auto row = [&](std::size_t i) {
+    const bool crossed = std::find(paper.crossed.begin(), paper.crossed.end(), i) != paper.crossed.end();
+    return latex_row(table.rows[i], crossed ? " ×" : "");
+  };
+  std::string rows;
+  if (paper.groups.empty()) {
+    if (table.rows.empty()) return "";
+    for (std::size_t i = 0; i < table.rows.size(); ++i) rows += row(i);
+    return fmt::format(
+        "\n\\begin{{table}}\n\\centering\\footnotesize\n\\caption{{{}}}\n\\label{{tab:{}}}\n\\begin{{tabular}}{{{}}}\n"
+        "\\toprule\n{}\\midrule\n{}\\bottomrule\n\\end{{tabular}}\n\\end{{table}}\n",
+        paper.caption, paper.label, columns, head, rows);
+  }
+  for (const auto& [title, members] : paper.groups) {
+    rows += fmt::format("{}\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\*\n", rows.empty() ? "" : "\\addlinespace\n",
+                        table.head.size(), title);
+    for (const std::size_t i : members) rows += row(i);
+  }
+  return fmt::format(
+      "{{\\footnotesize\\setlength{{\\tabcolsep}}{{4pt}}\n\\begin{{longtable}}{{{}}}\n\\caption{{{}}}\n"
+      "\\label{{tab:{}}}\\\\\n\\toprule\n{}\\midrule\n\\endfirsthead\n\\toprule\n{}\\midrule\n\\endhead\n\\bottomrule\n"
+      "\\endfoot\n{}\\end{{longtable}}}}\n",
+      columns, paper.caption, paper.label, head, head, rows);
+}
 
 }  // namespace
 
-Chapter& Chapter::say(const std::string& words) {
-  if (!words.empty()) blocks.emplace_back(words);
-  return *this;
+std::size_t width_of(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-Chapter& Chapter::say(const std::vector<std::string>& paragraphs) {
-  for (const auto& words : paragraphs) say(words);
-  return *this;
+std::string wrapped(std::string_view text, std::string_view indent, std::string_view begin, std::size_t most) {
+  std::string out(begin);
+  std::size_t length = width_of(begin);
+  bool first = true;
+  while (!text.empty()) {
+    const std::size_t space = end_of_word(text);
+    const std::string_view word = text.substr(0, space);
+    text.remove_prefix(std::min(space + 1, text.size()));
+    if (!first && length + 1 + width_of(word) > most) {
+      out += fmt::format("\n{}", indent);
+      length = width_of(indent);
+    } else if (!first) {
+      out += ' ';
+      ++length;
+    }
+    first = false;
+    out += word;
+    length += width_of(word);
+  }
+  return out + '\n';
 }
 
-Chapter& Chapter::show(PrintedTable table) {
-  if (!table.rows.empty()) blocks.emplace_back(std::move(table));
-  return *this;
-}
-
-Chapter& Chapter::show(Block block) {
-  blocks.push_back(std::move(block));
-  return *this;
-}
-
-std::string in_text(const std::vector<Chapter>& chapters) {
+std::string in_text(const std::vector<Chapter>& chapters, std::size_t width) {
   std::string out;
   for (const Chapter& chapter : chapters) {
-    if (!chapter.title.empty()) out += fmt::format("\n[[{}]]\n", chapter.title);
-    for (const Block& block : chapter.blocks) out += std::visit(AsText(), block);
+    std::string words;
+    const Block* above = nullptr;
+    for (const Block& block : chapter.blocks) {
+      const std::string text = std::visit(AsText{!chapter.title.empty(), width}, block);
+      if (text.empty()) continue;
+      if (above && are_apart(*above, block, chapter)) words += '\n';
+      words += text;
+      above = &block;
+    }
+    if (words.empty()) continue;
+    if (!out.empty() || !chapter.title.empty()) out += '\n';
+    if (!chapter.title.empty()) out += fmt::format("[[{}]]\n", chapter.title);
+    out += words;
   }
   return out;
 }
 
-std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string(const Plot&)>& figure) {
+std::string in_latex(const std::vector<Chapter>& chapters) {
+  std::string out = fmt::format(
+      "% FlexSlip {}. Needs \\usepackage{{booktabs,longtable}}; letters beyond those of the document's fonts, in "
+      "names, need others.\n",
+      FLEXSLIP_VERSION);
+  for (const Chapter& chapter : chapters)
+    for (const Block& block : chapter.blocks)
+      if (const auto* table = std::get_if<PrintedTable>(&block); table && !table->paper.label.empty())
+        out += latex_table(*table);
+  return out;
+}
+
+std::string latex_escaped(std::string_view text) {
   std::string out;
-  for (const Chapter& each : chapters) {
-    if (!each.title.empty()) out += section(each.title);
-    for (const Block& block : each.blocks) out += std::visit(AsHtml{figure}, block);
+  for (const char c : printable(text)) {
+    const auto known =
+        std::find_if(commands.begin(), commands.end(), [c](const auto& each) { return each.first == c; });
+    out += known == commands.end() ? std::string(1, c) : std::string(known->second);
   }
+  for (const auto& [symbol, command] : symbols)
+    for (auto at = out.find(symbol); at != std::string::npos; at = out.find(symbol, at + command.size()))
+      out.replace(at, symbol.size(), command);
   return out;
 }
 

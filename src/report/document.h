@@ -1,53 +1,61 @@
-// An answer for people, as chapters of words, tables and pictures: said once, and laid out for a terminal and for a page.
+// An answer for people, as chapters of words, rows, tables and pictures: made once, and laid out for a terminal, a page and a paper.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "finding/printed.h"
-#include "report/fit_print.h"
-#include "report/page.h"
-#include "report/preparation_words.h"
+#include "finding/finding.h"
+#include "report/plot.h"
+#include "report/table.h"
 
 namespace flexslip {
 
-struct Bullets {
-  std::vector<std::string> items;
-};
+// Quantities with what is said of each; those without words are left out.
+using Rows = std::vector<AnswerRow>;
 
-// On a page alone; made when it is drawn.
-struct Picture {
-  std::function<Plot()> plot;
+// On a page alone: what is drawn when the page is made; what a machine reads, line by line; and files beside the page with what each holds.
+struct Pictures {
+  std::function<std::vector<Plot>()> plots;
 };
-
-// What a machine reads, line by line; on a page alone.
 struct Verbatim {
   std::string text;
 };
-
-struct Files {
-  std::vector<InputFile> files;
+struct FilesBeside {
+  Rows files;
 };
 
-using Block = std::variant<std::string, Bullets, PrintedTable, std::vector<ParameterRow>, std::vector<PreparationRow>,
-                           Files, Picture, Verbatim>;
+using Block = std::variant<std::string, Rows, PrintedTable, Pictures, Verbatim, FilesBeside>;
 
+// A chapter of which nothing is to be shown is left out, its title too; what has no title comes right after the answer.
 struct Chapter {
-  std::string title;  // empty: what comes right after the answer
-  std::vector<Block> blocks{};
-
-  Chapter& say(const std::string& words);  // a paragraph; nothing if there are no words
-  Chapter& say(const std::vector<std::string>& paragraphs);
-  Chapter& show(PrintedTable table);  // nothing if it has no rows
-  Chapter& show(Block block);         // as it is
+  std::string title;
+  std::vector<Block> blocks;
 };
 
-// Without pictures and what a machine reads.
-std::string in_text(const std::vector<Chapter>& chapters);
+// ---- For a terminal
 
-// Domain:     figure gives the HTML of a picture.
-std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string(const Plot&)>& figure);
+inline constexpr std::size_t line_length = 100;  // characters, where there is no terminal
+
+// Of so many characters a line, but tables of numbers, which are as wide as they are.
+std::string in_text(const std::vector<Chapter>& chapters, std::size_t width = line_length);
+
+// Characters, not bytes.
+std::size_t width_of(std::string_view text);
+
+// Breaks a text at spaces, to lines of so many characters; lines after the first begin with the indent, the first with `begin`.
+std::string wrapped(std::string_view text, std::string_view indent, std::string_view begin = "",
+                    std::size_t length = line_length);
+
+// ---- For a paper
+
+// The tables that have a label, each to \input into a document that loads booktabs and longtable.
+std::string in_latex(const std::vector<Chapter>& chapters);
+
+// Text as LaTeX prints it.
+std::string latex_escaped(std::string_view text);
 
 }  // namespace flexslip

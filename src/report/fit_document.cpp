@@ -1,145 +1,444 @@
 #include "report/fit_document.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "answers/fit_fields.h"
 #include "finding/answer.h"
-#include "report/cycles_words.h"
+#include "finding/printed.h"
+#include "inference/process_mode.h"
+#include "io/text_table.h"
 #include "report/figures.h"
-#include "report/fit_screen.h"
-#include "report/fit_words.h"
-#include "report/implied_words.h"
-#include "report/plain_text.h"
-#include "report/small_deflection_words.h"
-#include "report/teeth_words.h"
+#include "report/modulus_document.h"
 
 namespace flexslip {
 namespace {
 
-// Two texts, of which either may be empty.
-std::string joined(const std::string& first, const std::string& second) {
-  return first + (first.empty() || second.empty() ? "" : " ") + second;
+using T = const FittedTest&;
+
+Pictures picture(Plot (*drawn)(T), T test) {
+  return {[drawn, &test] { return std::vector{drawn(test)}; }};
 }
 
-Picture picture(Plot (*drawn)(const FittedTest&), const FittedTest& test) {
-  return {[drawn, &test] { return drawn(test); }};
+// ---- The screen
+
+std::string_view colour_of(VerdictCode code) {
+  switch (code) {
+    case VerdictCode::slip:
+    case VerdictCode::no_drops:
+      return "\x1b[1;32m";
+    case VerdictCode::undecided:
+      return "\x1b[1;33m";
+    default:
+      return "\x1b[1;31m";
+  }
+}
+
+std::string coloured(std::string line, const std::string& name, const Verdict& verdict) {
+  constexpr std::string_view bold = "\x1b[1m", plain = "\x1b[0m";
+  const std::string_view word = word_of(verdict.code);
+  if (const auto at = line.find(word, name.size()); at != std::string::npos)
+    line.replace(at, word.size(), fmt::format("{}{}{}", colour_of(verdict.code), word, plain));
+  return fmt::format("{}{}{}{}", bold, name, plain, line.substr(name.size()));
+}
+
+std::string with_remedy(const Finding& finding) {
+  return finding.sentence + (finding.remedy.empty() ? "" : " " + finding.remedy);
+}
+
+// ---- What is told of each chapter: the numbers of a group of the answer, and lists of it as tables
+
+PrintedTable numbers(T test, std::string_view group) { return told(fit_fields(), test, frame_of(test), group); }
+
+// Open on a page.
+PrintedTable open_numbers(T test, std::string_view group) {
+  PrintedTable table = numbers(test, group);
+  table.folding = Folding::never;
+  return table;
+}
+
+PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& columns) {
+  return shown(fit_fields(), test, frame_of(test), list, columns);
 }
 
 // What a reader of numbers should know that are given all the same; empty where there is nothing.
-std::string caution_of(const FittedTest& test, const Answer& answer) {
-  if (lost_stiffness(test.judgement.value()))
+std::string caution_of(T test, const Answer& answer) {
+  if (lost_stiffness(*test.judgement))
     return "The numbers below assume that the specimen kept its stiffness; the record speaks against that.";
   return is_trusted(answer.standing)
              ? ""
              : "The fit is not to be used: it tells no friction. What is drawn of it shows where it fails.";
 }
 
-Chapter friction_chapter(const FittedTest& test, const Answer& answer) {
-  Chapter chapter{"Friction"};
-  if (!is_trusted(answer.standing)) return chapter.say(caution_of(test, answer));
-  chapter.say(joined(caution_of(test, answer), friction_in_words(test)))
-      .say(fmt::format("The parameters of the model, {}:", model_in_words(test.analysis.fit.model)))
-      .show(parameter_rows(test))
-      .say(joined(strain_in_words(test), friction_in_literature(test)));
+// Where μ₀ lies to what the literature gives.
+std::string in_literature(T test) {
+  const auto& [value, error, low, high] = test.analysis.fit.mu0;
+  if (!test.materials) return "state [specimen] material and [rig] support_material to compare friction with it";
+  const auto known = literature_of(test);
+  if (!known) return fmt::format("nothing about {} on {}", test.materials->specimen, test.materials->support);
+  const std::string range =
+      known->low < known->high ? fmt::format("{:g} to {:g}", known->low, known->high) : fmt::format("{:g}", known->low);
+  const std::string source = fmt::format("{} for {} on {} ({})", range, known->specimen, known->support, known->source);
+  if (test.analysis.fit.mu0_is_bound) return source + (high < known->low ? "; friction is below it" : "");
+  if (value >= known->low && value <= known->high) return source + "; friction is within it";
+  const double away = value < known->low ? known->low - value : value - known->high;
+  return fmt::format("{}; friction {} it{}", source,
+                     low <= known->high && high >= known->low ? "agrees with"
+                     : value < known->low                     ? "is below"
+                                                              : "is above",
+                     error > 0 ? fmt::format(", {:.1f} standard errors away", away / error) : "");
+}
+
+Chapter friction_chapter(T test, const Answer& answer) {
+  const std::string caution = caution_of(test, answer);
+  if (!is_trusted(answer.standing)) return {"Friction", {caution}};
+  const TestAnalysis& analysis = test.analysis;
+  const Supports& supports = analysis.rig.fibre.supports();
+  const Print print(test);
+  const double modulus = test.section_moment ? analysis.scales.bending_stiffness() / *test.section_moment : NAN;
+  const Estimate& EI = analysis.fit.bending_stiffness;
+  return {
+      "Friction",
+      {caution, open_numbers(test, "parameters"),
+       Rows{{"model", std::string(name_of(analysis.fit.model))},
+            {"literature", in_literature(test)},
+            {"modulus", !test.section_moment
+                            ? ""
+                            : fmt::format("E {} to {} (95 %)", print.own(modulus * EI.low, kind::pressure),
+                                          print.own(modulus * EI.high, kind::pressure))},
+            {"readings",
+             analysis.fit.model == ProfileModel::constant
+                 ? ""
+                 : fmt::format("{} tell of friction; errors one row apart have a correlation of {:.2f}, as found",
+                               analysis.fit.readings, analysis.fit.noise_correlation)},
+            {"supports", fmt::format("friction acts {}", supports.half_depth > 0
+                                                             ? "at the surface of the specimen, " +
+                                                                   print.length(supports.half_depth) + " from its axis"
+                                                             : "at the axis of the specimen")}},
+       numbers(test, "friction_read"), numbers(test, "bending"), numbers(test, "imaged_length")}};
+}
+
+// ---- Whether friction repeats
+
+std::string_view in_words(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::exponential:
+      return "exponential";
+    case Kernel::matern_3_2:
+      return "Matérn 3/2";
+    case Kernel::matern_5_2:
+      return "Matérn 5/2";
+    case Kernel::none:
+      break;
+  }
+  return "none";
+}
+
+// What the answer averages over, the likeliest first.
+PrintedTable explanation_table(T test) {
+  PrintedTable table{{"Roughness", "Wave", "Weight", "ln evidence minus the best"}, {}};
+  const auto& explanations = test.analysis.fit.explanations;
+  if (explanations.size() < 2) return table;
+  for (std::size_t i = 0; i < std::min(listed_explanations, explanations.size()); ++i) {
+    const auto& each = explanations[i];
+    std::string waves;
+    for (const double wavelength : each.wavelengths)
+      waves += (waves.empty() ? "" : ", ") + Print(test).length(wavelength);
+    table.rows.push_back({std::string(in_words(each.kernel)), waves.empty() ? "none" : waves,
+                          each.weight < 0.0005 ? "< 0.1 %" : percent_of(each.weight, 1),
+                          fmt::format("{:.1f}", each.log_evidence - explanations.front().log_evidence)});
+  }
+  return table;
+}
+
+Chapter wave_chapter(T test) {
+  Chapter chapter{"Does it repeat along the specimen?",
+                  {test.analysis.fit.waves.empty()
+                       ? std::string("No wave of friction explains the record better than none, or the model has none.")
+                       : fmt::format("A wave is claimed above a log_evidence of {}.", claiming_gain),
+                   numbers(test, "wave")}};
+  if (has_waves(test)) chapter.blocks.emplace_back(picture(wavelength_figure, test));
+  for (Block& block : std::vector<Block>{
+           explanation_table(test),
+           listed(test, "one_side_at_a_time", {{"One side at a time", "name"}, {"Length", "value"}}),
+           lengths_of(test.analysis.fit).empty() ? std::string()
+                                                 : std::string("Where the supports are not alike or friction falls, "
+                                                               "the specimen slides over one at a time: friction "
+                                                               "is then that of the weaker side. Images of both "
+                                                               "supports tell, or the specimen tested again, turned "
+                                                               "end for end."),
+           test.implied ? numbers(test, "surface") : PrintedTable{},
+           test.implied && test.cycles
+               ? std::string("Slopes make friction high in one direction where it is low in the other.")
+               : std::string()})
+    chapter.blocks.push_back(std::move(block));
   return chapter;
 }
 
-Chapter wave_chapter(const FittedTest& test) {
-  Chapter chapter{"Does it repeat along the specimen?"};
-  chapter.say(joined(joined(wave_in_words(test), sides_in_words(test)), smoothing_in_words(test)))
-      .say(implied_in_words(test));
-  if (has_waves(test)) chapter.show(picture(wavelength_figure, test));
-  if (test.analysis.fit.explanations.size() > 1)
-    chapter.say("The answer is an average over these explanations, weighted as listed:").show(explanation_table(test));
-  return chapter;
-}
+// ---- Checks
 
-Chapter findings_chapter(const Answer& answer) {
-  Bullets bullets;
+Chapter checks_chapter(T test, const Answer& answer) {
+  Rows rows;
   for (const Finding& finding : answer.findings)
-    bullets.items.push_back(joined(fmt::format("{}: {}", name_of(finding.severity), finding.sentence), finding.remedy));
-  return Chapter{"What was checked"}.show(std::move(bullets));
+    rows.push_back({std::string(name_of(finding.severity)), with_remedy(finding)});
+  Chapter chapter{"What was checked", {rows}};
+  if (!is_fitted(test)) return chapter;
+  chapter.blocks.emplace_back(numbers(test, "suspect_criteria"));
+  chapter.blocks.emplace_back(
+      std::string("A test is suspect where more than 5 % of the points judged are above the limit. Friction alone "
+                  "lifts a sound curve "
+                  "above the Euler–Bernoulli line, by 5 % at μ = 0.6."));
+  if (is_trusted(answer.standing)) chapter.blocks.emplace_back(numbers(test, "replay"));
+  return chapter;
 }
 
-std::vector<Chapter> slip_chapters(const FittedTest& test, const Answer& answer) {
-  const auto& analysis = test.analysis;
-  if (!is_trusted(answer.standing)) return {Chapter{"Drops"}.show(drop_table(test))};
-  std::vector<Chapter> chapters{Chapter{"Drops and slips"}.say(slips_in_words(test)).show(drop_table(test))};
-  if (!analysis.drops.drops.empty() || !analysis.model.snaps.empty())
-    chapters.push_back(Chapter{"Snaps of the fit's mean"}.say(snaps_in_words(test)).show(snap_table(test)));
-  Chapter teeth{"Stick or slide"};
-  teeth.say(teeth_in_words(test));
-  if (has_judged_teeth(test)) teeth.show(picture(teeth_figure, test));
-  if (analysis.teeth && !analysis.teeth->teeth.empty()) teeth.show(tooth_table(test));
-  chapters.push_back(std::move(teeth));
-  return chapters;
+// ---- Drops
+
+Chapter drops_chapter(T test, const Answer& answer) {
+  const bool trusted = is_trusted(answer.standing) && test.analysis.slip_summary.count > 0;
+  return {"Drops",
+          {numbers(test, "noise"), trusted ? numbers(test, "slips") : PrintedTable{}, numbers(test, "slip_or_crack"),
+           listed(test, "drops",
+                  {{.heading = "Rows", .field = "row_before", .last = "row_after"},
+                   {"Stage", "stage"},
+                   {"Force before", "force_before"},
+                   {"Fall", "force_fall", 3},
+                   {"in noise (σ)", "significance", 3},
+                   {"Pulled in (both supports)", "pulled_in", 3},
+                   {"μ before", "mu_before", 3},
+                   {"μ after", "mu_after", 3},
+                   {"Reading", "reading"}})}};
 }
 
-Chapter cycles_chapter(const FittedTest& test) {
-  Chapter chapter{"Load and unload"};
-  if (has_loops(test)) chapter.show(picture(loops_figure, test)).show(picture(boxes_figure, test));
-  chapter.say(cycles_in_words(test));
-  chapter.show(loop_table(test)).show(loop_energy_table(test));
-  return chapter.say(reloading_in_words(test)).show(loading_table(test));
+Chapter snaps_chapter(T test) {
+  const std::size_t snaps = test.analysis.model.snaps.size(), drops = test.analysis.drops.drops.size();
+  if (snaps + drops == 0) return {};
+  return {"Snaps of the fit's mean",
+          {fmt::format(
+               "{} where the force drops {}. A mean is smoother than any one profile, and not every drop is a snap.",
+               counted(snaps, "snap", "snaps"), drops == 1 ? "once" : fmt::format("{} times", drops)),
+           listed(test, "snaps",
+                  {{"Stage", "stage"},
+                   {"Deflection before", "deflection_before"},
+                   {"after", "deflection_after"},
+                   {"Force before", "force_before"},
+                   {"after", "force_after"},
+                   {"Length before", "length_before"},
+                   {"after", "length_after"}})}};
 }
 
-Chapter energy_chapter(const FittedTest& test, const Answer& answer) {
-  Chapter chapter{test.cycles ? "Where the work of the first loading went" : "Where the work went"};
-  return chapter.say(caution_of(test, answer)).show(energy_table(test));
+Chapter teeth_chapter(T test) {
+  const std::string title = "Stick or slide";
+  if (!test.analysis.teeth)
+    return {title, {std::string("There are no rises to judge: fewer than two drops, or no load train is stated.")}};
+  Chapter chapter{
+      title,
+      {numbers(test, "teeth"),
+       std::string("A rise that is as if stuck need not be stuck: sliding is as steep where friction rises "
+                   "steeply. Just after a reversal, where the specimen must stick, the authors' tests pull in 8 to "
+                   "35 % of the stage's motion. Supports that yield imitate sliding, as does friction that builds "
+                   "up, in rises that pull in less than three times its length.")}};
+  if (has_judged_teeth(test)) chapter.blocks.emplace_back(picture(teeth_figure, test));
+  chapter.blocks.emplace_back(listed(test, "teeth.teeth",
+                                     {{.heading = "Rows", .field = "first_row", .last = "last_row"},
+                                      {"Slope", "slope"},
+                                      {"if stuck", "stick_slope"},
+                                      {"if sliding", "slide_slope"},
+                                      {"Position p", "position"},
+                                      {"common error", "position_systematic", 2},
+                                      {"Pulled in (both supports)", "advance", 3},
+                                      {.heading = "Verdict",
+                                       .field = "verdict",
+                                       .in_words = {{"sliding", "slides"}, {"as_if_stuck", "as if stuck"}}}}));
+  return chapter;
 }
 
-Chapter provenance_chapter(const FittedTest& test) {
-  const auto& provenance = test.provenance;
-  Chapter chapter{"Provenance"};
-  return chapter
-      .say(fmt::format("FlexSlip {}. Options: model {}; {:g} false alarms a test; friction suspect above {:g}.",
-                       provenance.version, name_of(provenance.options.fit.model),
-                       provenance.options.drops.false_alarms_per_test, provenance.options.suspect_limit))
-      .show(Files{provenance.inputs})
-      .show(Verbatim{provenance.test});
+// ---- Loading and unloading
+
+// What friction that builds up after a reversal leaves of the waves and the roughness as fitted; "" where none is told.
+std::string smoothing_in_words(T test) {
+  const auto& build_up = test.cycles->build_up;
+  if (!build_up || !build_up->is_told()) return "";
+  const auto& fit = test.analysis.fit;
+  const auto wave = [&](double wavelength) {
+    return fmt::format("a wave of {} is larger at the contact by {:.0f} %",
+                       roughly(test.analysis.scales.physical_length(wavelength), Print(test).as(kind::length)),
+                       100 * (1 / share_read(*build_up, wavelength) - 1));
+  };
+  std::vector<std::string> waves{wave(std::numbers::pi * build_up->length.value)};
+  if (fit.model != ProfileModel::roughness || fit.wave_claimed)
+    for (const auto& each : fit.waves) waves.push_back(wave(each.wavelength.value));
+  return fmt::format(" Friction that builds up smooths what is read off: {}.", fmt::join(waves, ", "));
 }
 
-Chapter preparation_chapter(const FittedTest& test) {
-  Chapter chapter{"From the file to the record"};
-  return chapter.show(preparation_rows(test.measurement.preparation));
+Chapter cycles_chapter(T test) {
+  Chapter chapter{"Load and unload", {}};
+  if (has_loops(test))
+    chapter.blocks.emplace_back(Pictures{[&test] { return std::vector{loops_figure(test), boxes_figure(test)}; }});
+  for (
+      Block& block : std::vector<Block>{
+          numbers(test, "cycles"),
+          "EI and contacts are those with which sliding in and sliding out mirror each other; that the means agree is "
+          "no "
+          "evidence, and other points to compare change EI by another 1 to 2 % in the authors' tests. Bumps that "
+          "correlate "
+          "belong, in part at least, to the specimen's surface; where friction is high in one direction and low in the "
+          "other, an error that depends only on the deflection is at work. The fit assumes full friction from the "
+          "beginning "
+          "of sliding." +
+              smoothing_in_words(test),
+          listed(test, "cycles.loops",
+                 {{"Loop", ""},
+                  {.heading = "Rows", .field = "first_row", .last = "last_row"},
+                  {"Contact", "contact"},
+                  {"μ sliding in", "mu_in"},
+                  {"μ sliding out", "mu_out"},
+                  {"difference, rms", "rms_difference"},
+                  {"correlation", "correlation.value", 2},
+                  {"95 % from", "correlation.low", 2},
+                  {"to", "correlation.high", 2}}),
+          listed(test, "cycles.loops",
+                 {{"Loop", ""},
+                  {"Put in", "energy.loading"},
+                  {"Given back", "energy.unloading"},
+                  {"Lost", "energy.lost"},
+                  {.heading = "Lost, of the work put in (%)", .field = "energy.lost_share", .digits = 3, .factor = 100},
+                  {"by friction", "energy.friction"},
+                  {.heading = "Replay, rms (%)", .field = "replay_rms", .digits = 2, .factor = 100}}),
+          listed(test, "cycles.loading_stiffness",
+                 {{"Loading", ""},
+                  {"Rows", "rows"},
+                  {"Slope", "slope"},
+                  {"ratio to the first", "ratio"},
+                  {"error from the window", "ratio_systematic", 2},
+                  {.heading = "Verdict", .field = "verdict", .in_words = {{"not_damaged", "not damaged"}}},
+                  {.heading = "Remark",
+                  .field = "status",
+                  .in_words = {{"ok", ""},
+                               {"reference", "the reference"},
+                               {"loaded_too_little", "not loaded far enough"},
+                               {"window_not_covered", "not unloaded far enough"},
+                               {"too_few_points", "too few rows"},
+                               {"not_rising", "the force does not rise"},
+                               {"still_drawn_in", "friction still holds the length pulled in"},
+                               {"no_reference", "the first loading has no slope"}}}}),
+          test.cycles->stiffness.size() < 2
+              ? std::string()
+              : fmt::format(
+                    "Damage lowers the initial stiffness of a reload; friction does not. The verdicts are on a loss of "
+                    "{:.0f} % or more, at {:.0f} %, by the slope between {:.0f} and {:.0f} % of the smallest peak "
+                    "force; "
+                    "a contact that settles differently is not in the errors.",
+                    100 * relevant_loss, 100 * loading_confidence, 100 * loading_window_from,
+                    100 * loading_window_up_to)})
+    chapter.blocks.push_back(std::move(block));
+  return chapter;
+}
+
+// ---- The record, and where it comes from
+
+Chapter preparation_chapter(T test) {
+  return {"From the file to the record",
+          {preparation_rows(test.measurement.preparation), numbers(test, "contact"),
+           is_fitted(test) ? numbers(test, "nominal_bending_stiffness") : PrintedTable{}}};
+}
+
+Chapter provenance_chapter(T test) {
+  const Provenance& provenance = test.provenance;
+  PrintedTable files{{"File", "Bytes", "SHA-256"}, {}};
+  for (const InputFile& file : provenance.inputs)  // of standard input nothing is known
+    files.rows.push_back({file.name, file.sha256.empty() ? "" : fmt::format("{}", file.bytes), file.sha256});
+  return {"Provenance",
+          {fmt::format("FlexSlip {}.", provenance.version), numbers(test, "provenance.options"), files,
+           Verbatim{provenance.test}}};
 }
 
 }  // namespace
 
+Rows rows_of(const Answer& answer) {
+  Rows rows = answer.rows;
+  for (const Finding& doubt : doubts_of(answer))
+    rows.push_back({std::string(name_of(doubt.severity)), with_remedy(doubt)});
+  return rows;
+}
+
+std::string last_line_of(const Answer& answer) {
+  const std::string checks = checks_in_words(answer), next = next_in_words(answer);
+  return checks + (checks.empty() || next.empty() ? "" : " ") + next;
+}
+
+std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style) {
+  constexpr std::size_t most_doubts = 3;
+  const std::string shown_name = printable(name);
+  const std::string begin = fmt::format("{}  {}   ", shown_name, word_of(answer.verdict.code));
+  const std::string title = wrapped(fmt::format("{}", fmt::join(answer.verdict.parts, " · ")),
+                                    std::string(std::min<std::size_t>(width_of(begin), 12), ' '), begin, style.width);
+  Rows rows = rows_of(answer);
+  const std::size_t doubts = rows.size() - answer.rows.size(), left_out = doubts - std::min(doubts, most_doubts);
+  rows.resize(rows.size() - left_out);
+  std::string last = last_line_of(answer);
+  if (left_out > 0) last = fmt::format("{}: --full. {}", counted(left_out, "more doubt", "more doubts"), last);
+  return (style.colour ? coloured(title, shown_name, answer.verdict) : title) + "\n" +
+         in_text({{"", {rows, last}}}, style.width);
+}
+
 std::vector<Chapter> document_of(const FittedTest& test) {
-  const AnalysisStatus status = test.analysis.status;
-  if (status != AnalysisStatus::ok) {
-    std::vector<Chapter> chapters;
-    if (status == AnalysisStatus::not_explained) chapters.push_back(Chapter{""}.show(picture(record_figure, test)));
-    chapters.push_back(preparation_chapter(test));
-    chapters.push_back(provenance_chapter(test));
-    return chapters;
-  }
   const Answer answer = answer_of(test);
+  if (!is_fitted(test)) {
+    Chapter record{};
+    if (test.analysis.status == AnalysisStatus::not_explained) record.blocks.emplace_back(picture(record_figure, test));
+    return {record, checks_chapter(test, answer), preparation_chapter(test), provenance_chapter(test)};
+  }
   const bool trusted = is_trusted(answer.standing);
-  std::vector<Chapter> chapters{Chapter{""}.show(picture(force_figure, test)).show(picture(profile_figure, test)),
-                                friction_chapter(test, answer)};
-  if (trusted) chapters.push_back(wave_chapter(test));
-  chapters.push_back(findings_chapter(answer));
-  for (Chapter& chapter : slip_chapters(test, answer)) chapters.push_back(std::move(chapter));
-  if (test.cycles) chapters.push_back(cycles_chapter(test));
-  if (trusted) chapters.push_back(energy_chapter(test, answer));
-  chapters.push_back(
-      Chapter{"Can it be trusted?"}.say(suspicion_in_words(test)).say(trusted ? replay_in_words(test) : ""));
-  const StandardTest standard = standard_test(test);
-  chapters.push_back(Chapter{"Small deflection, as the standards have it"}
-                         .show(small_deflection_table(standard))
-                         .say(small_deflection_in_words(standard))
-                         .say(trusted ? small_deflection_and_fit(test) : ""));
-  chapters.push_back(preparation_chapter(test));
-  chapters.push_back(Chapter{"What was assumed"}.show(Bullets{assumptions_of(test)}));
-  chapters.push_back(provenance_chapter(test));
-  return chapters;
+  return {{"", {picture(force_figure, test), picture(profile_figure, test)}},
+          friction_chapter(test, answer),
+          trusted ? wave_chapter(test) : Chapter{},
+          checks_chapter(test, answer),
+          drops_chapter(test, answer),
+          trusted ? snaps_chapter(test) : Chapter{},
+          trusted ? teeth_chapter(test) : Chapter{},
+          test.cycles ? cycles_chapter(test) : Chapter{},
+          trusted ? Chapter{test.cycles ? "Where the work of the first loading went" : "Where the work went",
+                            {caution_of(test, answer), open_numbers(test, "energy")}}
+                  : Chapter{},
+          small_deflection_chapter(test),
+          preparation_chapter(test),
+          provenance_chapter(test)};
 }
 
 std::string fit_text(const FittedTest& test) {
   return fit_screen(test.name, answer_of(test)) + in_text(document_of(test));
+}
+
+std::string why_no_answer(const FittedTest& test) {
+  if (is_fitted(test)) return "";
+  const Answer answer = answer_of(test);
+  return fmt::format("{}: {} {}", test.measurement.file, answer.findings.front().sentence, answer.next);
+}
+
+Rows preparation_rows(const Preparation& preparation) {
+  Rows rows;
+  for (const PreparationStep& step : preparation.steps) {
+    std::vector<std::string> about;
+    if (const auto& value = step.value)
+      about.push_back(value->error ? readable(value->value, *value->error, value->kind)
+                                   : readable(value->value, value->kind));
+    if (step.rows) about.push_back(fmt::format("rows {} to {}", step.rows->first, step.rows->last));
+    rows.push_back(
+        {step.name, fmt::format("{}{}{}", step.done, about.empty() ? "" : fmt::format(" ({})", fmt::join(about, "; ")),
+                                step.otherwise ? "; to change this: " + step.otherwise->in_case() : "")});
+  }
+  return rows;
+}
+
+std::optional<LiteratureFriction> literature_of(const FittedTest& test) {
+  return test.materials ? friction_in_literature(*test.materials) : std::nullopt;
 }
 
 }  // namespace flexslip

@@ -6,8 +6,7 @@
 #include "inference/analysis_curves.h"
 #include "inference/process_mode.h"
 #include "report/figures.h"
-#include "report/fit_print.h"
-#include "report/fit_words.h"
+#include "report/fit_document.h"
 
 namespace flexslip {
 namespace {

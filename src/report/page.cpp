@@ -1,7 +1,10 @@
 #include "report/page.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <future>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -25,8 +28,8 @@ h1 { font-size: 1.15rem; font-weight: 600; color: var(--soft); margin: 0 0 .6rem
 h2 { font-size: 1.15rem; margin: 2.4rem 0 .5rem; }
 .answer b { letter-spacing: .02em; margin-right: .5rem; } .answer .slip, .answer .no_drops { color: #007a58; }
 .answer .undecided { color: #a66f00; } .answer .crack, .answer .check_input, .answer .no_answer { color: #c04a00; }
-dl.rows { display: grid; grid-template-columns: 7.5rem 1fr; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); } dl.rows dd { margin: 0; }
-dl.source { font-size: .88rem; color: var(--soft); border-top: 1px solid var(--line); padding-top: .6rem; }
+dl.rows { display: grid; grid-template-columns: fit-content(16rem) 1fr; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); min-width: 6.5rem; } dl.rows dd { margin: 0; }
+.source { font-size: .88rem; color: var(--soft); border-top: 1px solid var(--line); padding-top: .6rem; }
 details summary { cursor: pointer; color: var(--soft); }
 .answer { font-size: 1.4rem; line-height: 1.38; margin: 0 0 1.6rem; text-wrap: pretty; }
 figure { margin: 1.4rem 0 1.8rem; }
@@ -43,16 +46,9 @@ table { border-collapse: collapse; font-size: .88rem; line-height: 1.35; width: 
 th { text-align: left; font-weight: 600; border-bottom: 1.5px solid var(--text); vertical-align: bottom; }
 th, td { padding: .22rem 1rem .22rem 0; }
 td { border-bottom: 1px solid var(--line); vertical-align: top; }
-table.numbers td + td, table.numbers th + th { text-align: right; }
-table.numbers td:last-child, table.numbers th:last-child { padding-right: 0; }
-table.words td { white-space: nowrap; padding-right: .8rem; } table.words td:last-child { white-space: normal; min-width: 14rem; }
-table.words td:first-child { position: sticky; left: 0; background: var(--back); }
-td.value, table.numbers td { white-space: nowrap; }
-table.parameters td:first-child { white-space: nowrap; width: 3rem; }
-table.parameters td:nth-child(2) { width: 35%; }
-td.remark { color: var(--soft); }
-tr.chosen td { font-weight: 600; }
-ul { padding-left: 1.1rem; } li { margin: .2rem 0; }
+th.n, td.n { text-align: right; } td.n, td:first-child { white-space: nowrap; }
+.wide td { white-space: nowrap; padding-right: .8rem; } .wide td:last-child { white-space: normal; min-width: 14rem; }
+.wide td:first-child { position: sticky; left: 0; background: var(--back); }
 code, pre { font: .82rem/1.45 ui-monospace, "DejaVu Sans Mono", Consolas, monospace; overflow-wrap: anywhere; }
 pre { border-left: 3px solid var(--line); margin: .6rem 0; padding: .2rem 0 .2rem .9rem; white-space: pre-wrap; }
 a { color: var(--mark); }
@@ -63,17 +59,78 @@ a { color: var(--mark); }
   body { max-width: none; padding: 0; }
   .answer { margin-bottom: .8rem; } h2 { margin-top: 1.6rem; } figure { margin: .8rem 0 1.2rem; }
   .scroll { overflow: visible; } .wide { left: 0; transform: none; width: auto; } .plate { width: 94%; }
-  figure, tr, li { break-inside: avoid; } h2, h2 + p { break-after: avoid; }
-  .files { display: none; } table.words { font-size: 6.2pt; } table.words td, table.words th { padding-right: .4rem; }
-  table.words td, table.words td:last-child { white-space: normal; min-width: 0; }
+  figure, tr { break-inside: avoid; } h2, h2 + p { break-after: avoid; }
+  .files { display: none; } .wide table { font-size: 6.2pt; } .wide td, .wide th { padding-right: .4rem; }
+  .wide td, .wide td:last-child { white-space: normal; min-width: 0; }
 }
 )";
 
-std::string cells(const std::vector<std::string>& row, std::string_view tag) {
+// A hyphen before a number is a minus sign.
+std::string in_page(const std::string& words) {
+  const std::string text = html_escaped(words);
   std::string out;
-  for (const auto& cell : row) out += fmt::format("<{}>{}</{}>", tag, typeset_minus(html_escaped(cell)), tag);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '(';
+    const bool number = i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
+    out += text[i] == '-' && begins && number ? std::string("−") : std::string(1, text[i]);
+  }
   return out;
 }
+
+std::string cells_in_html(const PrintedTable& table, const std::vector<std::string>& row, std::string_view tag,
+                          const std::string& link = "") {
+  std::string out;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::string words = i == 0 && !link.empty()
+                                  ? fmt::format("<a href=\"{}\">{}</a>", html_escaped(link), in_page(row[i]))
+                                  : in_page(row[i]);
+    out += fmt::format("<{}{}>{}</{}>", tag, is_of_numbers(table, i) ? " class=\"n\"" : "", words, tag);
+  }
+  return out;
+}
+
+struct AsHtml {
+  const std::function<std::string()>& next_pictures;
+
+  std::string operator()(const std::string& words) const {
+    return words.empty() ? "" : fmt::format("<p>{}</p>\n", in_page(words));
+  }
+  std::string operator()(const Rows& rows) const {
+    std::string out;
+    for (const auto& [label, words] : rows)
+      if (!words.empty()) out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", in_page(label), in_page(words));
+    return out.empty() ? "" : fmt::format("<dl class=\"rows\">\n{}</dl>\n", out);
+  }
+  // A long one is folded; one of many columns takes the width of the window.
+  std::string operator()(const PrintedTable& table) const {
+    if (table.rows.empty()) return "";
+    constexpr std::size_t most_open = 12, most_columns = 7;
+    std::string rows;
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      rows += fmt::format("<tr>{}</tr>\n",
+                          cells_in_html(table, table.rows[i], "td", table.links.empty() ? "" : table.links[i]));
+    const std::string html =
+        fmt::format("<div class=\"scroll{}\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+                    table.head.size() > most_columns ? " wide" : "", cells_in_html(table, table.head, "th"), rows);
+    return table.folding == Folding::never || (table.folding == Folding::of_long && table.rows.size() <= most_open)
+               ? html
+               : fmt::format("<details><summary>{}</summary>\n{}</details>\n",
+                             table.folding == Folding::always
+                                 ? in_page(fmt::format("{}: {}", table.head.front(), table.head.back()))
+                                 : fmt::format("A table of {} rows", table.rows.size()),
+                             html);
+  }
+  std::string operator()(const Pictures&) const { return next_pictures(); }
+  std::string operator()(const Verbatim& lines) const {
+    return fmt::format("<pre>{}</pre>\n", html_escaped(lines.text));
+  }
+  std::string operator()(const FilesBeside& beside) const {
+    std::string out;
+    for (const auto& [name, holds] : beside.files)
+      out += fmt::format("<dt><a href=\"{0}\">{0}</a></dt><dd>{1}</dd>\n", name, html_escaped(holds));
+    return fmt::format("<dl class=\"rows files\">\n{}</dl>\n", out);
+  }
+};
 
 // Several pictures in one page must not share the names of their parts.
 std::string inline_svg(const fs::path& path, const Plot& plot) {
@@ -93,42 +150,8 @@ std::string inline_svg(const fs::path& path, const Plot& plot) {
   return svg;
 }
 
-}  // namespace
-
-std::string typeset_minus(const std::string& text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '(';
-    const bool number = i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
-    out += text[i] == '-' && begins && number ? std::string("−") : std::string(1, text[i]);
-  }
-  return out;
-}
-
-std::string html_table(const PrintedTable& table, std::size_t marked) {
-  std::string out =
-      fmt::format("<div class=\"scroll\"><table class=\"numbers\">\n<thead><tr>{}</tr></thead>\n<tbody>\n",
-                  cells(table.head, "th"));
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    out += fmt::format("<tr{}>{}</tr>\n", i == marked ? " class=\"chosen\"" : "", cells(table.rows[i], "td"));
-  return out + "</tbody></table></div>\n";
-}
-
-std::string html_word_table(const PrintedTable& table, const std::vector<std::string>& links) {
-  std::string out =
-      fmt::format("<div class=\"scroll wide\"><table class=\"words\">\n<thead><tr>{}</tr></thead>\n<tbody>\n",
-                  cells(table.head, "th"));
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto& row = table.rows[i];
-    const bool linked = i < links.size() && !links[i].empty();
-    out += linked ? fmt::format("<tr><td><a href=\"{}\">{}</a></td>{}</tr>\n", html_escaped(links[i]),
-                                html_escaped(row.front()), cells({row.begin() + 1, row.end()}, "td"))
-                  : fmt::format("<tr>{}</tr>\n", cells(row, "td"));
-  }
-  return out + "</tbody></table></div>\n";
-}
-
-std::string html_figure(const std::string& folder, const Plot& plot, DrawStatus drawn, int number) {
+// The picture itself, its caption and links to its files.
+std::string html_figure(const std::string& folder, const Plot& plot, DrawStatus drawn, std::size_t number) {
   const std::string base = "figures/" + plot.name;
   const bool narrow = plot.width < two_columns;
   const std::string picture = drawn == DrawStatus::drawn
@@ -150,31 +173,72 @@ std::string html_figure(const std::string& folder, const Plot& plot, DrawStatus 
       narrow ? " class=\"narrow\"" : "", picture, number, html_escaped(plot.caption), files);
 }
 
-std::string page(const std::string& title, const std::string& head, const std::string& body) {
+// All of them, two at a time: gnuplot keeps to one core.
+DrawStatus draw_all(const std::vector<Plot>& plots, const std::string& folder) {
+  const auto draw_every_second = [&](std::size_t first) {
+    DrawStatus drawn = DrawStatus::drawn;
+    for (std::size_t i = first; i < plots.size(); i += 2) drawn = draw(plots[i], folder, {"svg", "pdf", "png"});
+    return drawn;
+  };
+  auto others = std::async(std::launch::async, draw_every_second, 1);
+  const DrawStatus drawn = draw_every_second(0);
+  others.get();
+  return drawn;
+}
+
+}  // namespace
+
+std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string()>& next_pictures) {
+  std::string out;
+  for (const Chapter& chapter : chapters) {
+    std::string html;
+    for (const Block& block : chapter.blocks) html += std::visit(AsHtml{next_pictures}, block);
+    if (!html.empty() && !chapter.title.empty()) out += fmt::format("<h2>{}</h2>\n", html_escaped(chapter.title));
+    out += html;
+  }
+  return out;
+}
+
+std::string answer_in_html(const std::string& words, const Verdict* verdict) {
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width, "
-      "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n"
-      "{}{}</main>\n"
-      "</body>\n</html>\n",
-      html_escaped(title), page_style, html_escaped(title), head, body);
+      "<p class=\"answer\">{}{}</p>\n",
+      verdict ? fmt::format("<b class=\"{}\">{}</b> ", name_of(verdict->code), word_of(verdict->code)) : "",
+      in_page(words));
 }
 
-std::string answer_in_html(const std::string& words) {
-  return fmt::format("<p class=\"answer\">{}</p>\n", typeset_minus(html_escaped(words)));
+DrawStatus write_page(const std::string& folder, const std::string& title, const std::string& answer,
+                      const std::vector<Chapter>& chapters) {
+  std::vector<Plot> plots;
+  std::vector<std::size_t> ends;  // of the pictures of a block
+  for (const Chapter& chapter : chapters)
+    for (const Block& block : chapter.blocks)
+      if (const auto* pictures = std::get_if<Pictures>(&block)) {
+        for (Plot& plot : pictures->plots()) plots.push_back(std::move(plot));
+        ends.push_back(plots.size());
+      }
+  const std::string figures = (fs::path(folder) / "figures").string();
+  make_folder(figures);
+  const DrawStatus drawn = draw_all(plots, figures);
+  std::size_t figure = 0, block = 0;
+  const std::string body = in_html(chapters, [&] {
+    std::string html;
+    for (; figure < ends[block]; ++figure) html += html_figure(folder, plots[figure], drawn, figure + 1);
+    ++block;
+    return html;
+  });
+  write_text(
+      (fs::path(folder) / "report.html").string(),
+      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+                  "content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n"
+                  "</head>\n<body>\n<main>\n<h1>{0}</h1>\n{2}{3}</main>\n</body>\n</html>\n",
+                  html_escaped(title), page_style, answer, body));
+  return drawn;
 }
-
-std::string paragraph(const std::string& words) {
-  return fmt::format("<p>{}</p>\n", typeset_minus(html_escaped(words)));
-}
-
-std::string section(const std::string& title) { return fmt::format("<h2>{}</h2>\n", html_escaped(title)); }
 
 void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!error) return;
-  throw unwritable(folder, error.message());
+  if (error) throw unwritable(folder, error.message());
 }
 
 }  // namespace flexslip

@@ -35,54 +35,36 @@ std::string date_of_today() {
   return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
-std::string row(std::string_view label, const std::string& words) {
-  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", label, typeset_minus(html_escaped(words)));
-}
-
 // The verdict, the rows, what speaks against it; specimen, rig, file, date, command and citation.
 std::string head_of(const FittedTest& test, const Answer& answer) {
   const Case& input = test.measurement.test;
   const Print print(test);
-  std::string out = fmt::format("<p class=\"answer\"><b class=\"{}\">{}</b> {}</p>\n", name_of(answer.verdict.code),
-                                word_of(answer.verdict.code),
-                                typeset_minus(html_escaped(fmt::format("{}", fmt::join(answer.verdict.parts, " · ")))));
-  out += "<dl class=\"rows\">\n";
-  for (const AnswerRow& each : answer.rows) out += row(each.label, each.words);
-  for (const Finding& doubt : doubts_of(answer))
-    out += row(name_of(doubt.severity), doubt.sentence + (doubt.remedy.empty() ? "" : " " + doubt.remedy));
-  std::string last = checks_in_words(answer);
-  if (const std::string next = next_in_words(answer); !next.empty()) last += (last.empty() ? "" : " ") + next;
-  out += row("checks", last) + "</dl>\n<dl class=\"rows source\">\n";
   const double stiffness = rig_stiffness_of(input);
-  out += row("rig", fmt::format("span {}, load train {}", print.length(1),
-                                std::isfinite(stiffness) ? print.own(stiffness, kind::stiffness) : "infinitely stiff"));
-  out += row("file", fmt::format("{}, rows {} to {}", test.measurement.file, file_row(test, 0), last_row(test)));
-  // What was given by flags is a case all the same: it stands under Provenance.
-  out += row("made", fmt::format("{}, by FlexSlip {}: flexslip fit {}", date_of_today(), test.provenance.version,
-                                 input.source.empty() ? "CASE.toml, the case below" : input.source));
-  out += row("model", "Fang, Kochiyama and Kesari (2021), J. Mech. Behav. Biomed. Mater., 104787");
-  return out + "</dl>\n";
+  Rows rows = rows_of(answer);
+  rows.push_back({"checks", last_line_of(answer)});
+  const Rows source{
+      {"rig", fmt::format("span {}, load train {}", print.length(1),
+                          std::isfinite(stiffness) ? print.own(stiffness, kind::stiffness) : "infinitely stiff")},
+      {"file", fmt::format("{}, rows {} to {}", test.measurement.file, file_row(test, 0), last_row(test))},
+      // What was given by flags is a case all the same: it stands under Provenance.
+      {"made", fmt::format("{}, by FlexSlip {}: flexslip fit {}", date_of_today(), test.provenance.version,
+                           input.source.empty() ? "CASE.toml, the case below" : input.source)},
+      {"model", "Fang, Kochiyama and Kesari (2021), J. Mech. Behav. Biomed. Mater., 104787"}};
+  return answer_in_html(fmt::format("{}", fmt::join(answer.verdict.parts, " · ")), &answer.verdict) +
+         in_html({{"", {rows}}}, {}) + fmt::format("<div class=\"source\">{}</div>\n", in_html({{"", {source}}}, {}));
 }
 
 }  // namespace
 
 DrawStatus write_report(const std::string& folder, const FittedTest& test, const std::string& studio) {
-  const fs::path base(folder);
-  make_folder((base / "figures").string());
   const std::string link =
       studio.empty() ? ""
                      : fmt::format(
                            "<p class=\"files\"><a href=\"{}\">Open this test in the studio</a>: see it move, change "
                            "it, fit it again, in this browser.</p>\n",
                            html_escaped(studio));
-  DrawStatus drawn = DrawStatus::drawn;
-  const std::string body = in_html(document_of(test), [&, number = 0](const Plot& plot) mutable {
-    drawn = draw(plot, (base / "figures").string(), {"svg", "pdf", "png"});
-    return html_figure(folder, plot, drawn, ++number);
-  });
-  write_text((base / "report.html").string(),
-             page(test.name + ": friction in a bending test", head_of(test, answer_of(test)), link + body));
-  return drawn;
+  return write_page(folder, test.name + ": friction in a bending test", head_of(test, answer_of(test)) + link,
+                    document_of(test));
 }
 
 void announce_report(CallFiles& files, const std::string& folder, const std::string& option) {

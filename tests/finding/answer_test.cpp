@@ -7,129 +7,11 @@
 
 #include <doctest/doctest.h>
 
-#include "case/case_file.h"
-#include "finding/fit_findings.h"
+#include "tests/finding/situations.h"
 #include "tests/has.h"
 
 namespace flexslip {
 namespace {
-
-FittedTest example(const std::string& name) {
-  return fit_test(read_case(FLEXSLIP_SOURCE_DIR "/examples/" + name + "/case.toml"), {});
-}
-
-const FittedTest& slipping() {
-  static const FittedTest test = example("simulated");
-  return test;
-}
-
-// The example that slips, changed so.
-template <class Change>
-FittedTest changed(const Change& change) {
-  FittedTest test = slipping();
-  change(test);
-  return test;
-}
-
-Check& check_of(FittedTest& test, CheckKind kind) {
-  return *std::find_if(test.analysis.checks.begin(), test.analysis.checks.end(),
-                       [&](const Check& check) { return check.kind == kind; });
-}
-
-const Finding* found(const Answer& answer, std::string_view code) {
-  const auto at = std::find_if(answer.findings.begin(), answer.findings.end(),
-                               [&](const Finding& finding) { return finding.code == code; });
-  return at == answer.findings.end() ? nullptr : &*at;
-}
-
-// Each a test of which that is found which it is named by.
-struct Situation {
-  std::string_view code;
-  Severity severity;
-  FittedTest test;
-};
-
-std::vector<Situation> situations() {
-  std::vector<Situation> all;
-  const auto add = [&](std::string_view code, Severity severity, const auto& change) {
-    all.push_back({code, severity, changed(change)});
-  };
-  add("no_force", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
-    for (double& force : test.analysis.record.force) force = -1;
-  });
-  add("no_initial_slope", Severity::refusal,
-      [](FittedTest& test) { test.analysis.status = AnalysisStatus::no_initial_slope; });
-  add("too_deep", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
-    test.analysis.reduced.deflection.back() = 3.9;
-  });
-  add("too_few_rows", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
-    test.analysis.record.force.resize(12);
-  });
-  add("too_few_points", Severity::refusal,
-      [](FittedTest& test) { test.analysis.status = AnalysisStatus::too_few_points; });
-  add("wrong_stiffness", Severity::refusal, [](FittedTest& test) {
-    test.analysis.stiffness_implausible = true;
-    test.analysis.stiffness_over_slope = 16;
-  });
-  add("not_explained", Severity::refusal,
-      [](FittedTest& test) { test.analysis.status = AnalysisStatus::not_explained; });
-  add("softer_reload", Severity::suspicion, [](FittedTest& test) {
-    test.judgement->softer_reload = true;
-    test.judgement->loss = 0.2;
-    test.judgement->loss_error = 0.01;
-  });
-  add("cracks", Severity::suspicion, [](FittedTest& test) {
-    test.judgement->drops_are_cracks = true;
-    test.judgement->drops = CrackVerdict::cracks;
-  });
-  add("most_drops_impossible", Severity::refusal, [](FittedTest& test) { test.judgement->impossible = 30; });
-  add("no_sliding", Severity::refusal, [](FittedTest& test) { test.analysis.model_implausible = true; });
-  add("impossible_drops", Severity::doubt, [](FittedTest& test) { test.judgement->impossible = 2; });
-  add("implausible_friction", Severity::suspicion, [](FittedTest& test) { test.analysis.fit.mu0.low = 1.01; });
-  for (const auto& [code, kind] :
-       {std::pair{"misses_force", CheckKind::residuals}, std::pair{"drops_differ", CheckKind::drops},
-        std::pair{"coloured_noise", CheckKind::whiteness}, std::pair{"simpler_fits_better", CheckKind::nesting},
-        std::pair{"unexpected_stiffness", CheckKind::stiffness}})
-    add(code, Severity::doubt,
-        [kind = kind](FittedTest& test) { check_of(test, kind).outcome = CheckOutcome::failed; });
-  add("unstable", Severity::doubt, [](FittedTest& test) {
-    test.analysis.checks.push_back(
-        {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5, false}, {"same_explanation", 0, false}}});
-  });
-  add("falling_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
-  add("changed_reload", Severity::doubt, [](FittedTest& test) {
-    test.judgement->changed_reload = true;
-    test.judgement->loss = -0.2;
-    test.judgement->loss_error = 0.01;
-  });
-  add("coarse_force", Severity::doubt,
-      [](FittedTest& test) { test.analysis.drops.smallest_fall = 0.1 * test.analysis.record.force.back(); });
-  add("undecided_drops", Severity::doubt,
-      [](FittedTest& test) { test.judgement->drops = CrackVerdict::cannot_be_told; });
-  add("few_rows", Severity::doubt, [](FittedTest& test) { test.judgement->few_rows = true; });
-  add("below_frictionless", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });
-  add("settling_contact", Severity::doubt, [](FittedTest& test) {
-    test.analysis.contact.status = ContactStatus::found;
-    test.analysis.contact.settles = true;
-    test.analysis.contact.offset = normal_estimate(2e-6, 1e-7);
-  });
-  add("only_a_limit", Severity::note, [](FittedTest& test) {
-    check_of(test, CheckKind::friction).outcome = CheckOutcome::failed;
-    test.analysis.fit.mu0_is_bound = true;
-  });
-  add("no_reload", Severity::note, [](FittedTest&) {});
-  add("jumps", Severity::note, [](FittedTest& test) {
-    test.judgement->jumped = 0.6;
-    test.judgement->stiffness_for_all = 300;
-  });
-  add("imaged_length", Severity::note, [](FittedTest& test) {
-    test.imaged = ImagedLength{.points = {{}, {}}, .offset = normal_estimate(0.001, 0.0001), .scatter = 0.002};
-  });
-  return all;
-}
 
 bool is_sentence(const std::string& text) {
   return !text.empty() && text.back() == '.' && !std::islower(static_cast<unsigned char>(text.front()));
@@ -172,11 +54,13 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
     const Severity severity = each.severity;
     const FittedTest& test = each.test;
     INFO(code);
-    const VerdictCode expected = code == "wrong_stiffness" || code == "most_drops_impossible" ? VerdictCode::check_input
-                                 : code == "softer_reload" || code == "cracks"                ? VerdictCode::crack
-                                 : severity == Severity::refusal                              ? VerdictCode::no_answer
-                                 : code == "undecided_drops" || code == "impossible_drops"    ? VerdictCode::undecided
-                                                                                              : VerdictCode::slip;
+    const VerdictCode expected =
+        code == "wrong_load_train" || code == "wrong_stiffness" || code == "most_drops_impossible"
+            ? VerdictCode::check_input
+        : code == "softer_reload" || code == "cracks"             ? VerdictCode::crack
+        : severity == Severity::refusal                           ? VerdictCode::no_answer
+        : code == "undecided_drops" || code == "impossible_drops" ? VerdictCode::undecided
+                                                                  : VerdictCode::slip;
     CHECK(verdict(test) == expected);
   }
   CHECK(verdict(changed([](FittedTest& test) {
@@ -230,6 +114,66 @@ TEST_CASE("standing: by the weightiest finding") {
                                              : severity == Severity::doubt     ? Standing::doubtful
                                                                                : Standing::sound));
   }
+}
+
+TEST_CASE("wrong load train: named before the bending stiffness, with that which the record is as on") {
+  const auto train_of = [](const Answer& answer) {
+    CHECK(answer.verdict.code == VerdictCode::check_input);
+    CHECK(answer.verdict.finding == "wrong_load_train");
+    CHECK_FALSE(found(answer, "wrong_stiffness"));
+    return found(answer, "wrong_load_train")->numbers.at(1).name == "load_train"
+               ? found(answer, "wrong_load_train")->numbers.at(1).value
+               : found(answer, "wrong_load_train")->numbers.at(0).value;
+  };
+  constexpr double stiffness = 90.65;  // [N/m] of the example
+  // The stage for the deflection: the initial slope is that of specimen and load train, and friction steepens it.
+  const Case stiff =
+      read_case(FLEXSLIP_SOURCE_DIR "/examples/simulated/case.toml", std::vector<std::string>{"rig.stiffness=\"inf\""});
+  const Answer by_slope = answer_of(fit_test(stiff, {}));
+  CHECK(train_of(by_slope) == doctest::Approx(stiffness).epsilon(0.1));
+  CHECK(has(sentence_of(by_slope.verdict), "CHECK INPUT: The initial slope does not fit the load train stated (∞)"));
+  // The deflection for the stage: it jumps in every drop, by what the load train gives back.
+  const Answer by_drops = answer_of(changed([](FittedTest& test) {
+    test.analysis.rig.stiffness = std::numeric_limits<double>::infinity();
+    test.analysis.record.stage = test.analysis.record.deflection;
+  }));
+  CHECK(train_of(by_drops) == doctest::Approx(stiffness).epsilon(0.02));
+  CHECK(has(sentence_of(by_drops.verdict), "of 35 drops do not fit the load train stated (∞)"));
+  CHECK(has(sentence_of(by_drops.verdict), "as on 91 N/m."));
+}
+
+TEST_CASE("contact: at the zero of the file, also where that is stated") {
+  const auto assumed = [](ContactSource source, double offset) {
+    return answer_of(changed([=](FittedTest& test) {
+             test.measurement.contact = source;
+             test.measurement.contact_offset = offset;
+           }))
+        .rows.back()
+        .words;
+  };
+  CHECK(has(assumed(ContactSource::stated, 0), "contact at the zero of the file;"));
+  CHECK(has(assumed(ContactSource::found, 0), "contact at the zero of the file;"));
+  CHECK(has(assumed(ContactSource::stated, 2e-6), "contact at 2 µm, as stated;"));
+}
+
+TEST_CASE("work: no share of it is claimed of a friction that cannot be") {
+  const auto claims = [](const FittedTest& test) {
+    const Answer answer = answer_of(test);
+    return has(sentence_of(answer.verdict), "of the work") ||
+           std::any_of(answer.rows.begin(), answer.rows.end(),
+                       [](const AnswerRow& row) { return row.label == "work"; });
+  };
+  const auto without_drops = [](FittedTest& test) {
+    test.analysis.drops.drops.clear();
+    test.analysis.slips.clear();
+  };
+  CHECK(claims(slipping()));
+  CHECK(claims(changed(without_drops)));
+  CHECK_FALSE(claims(changed([&](FittedTest& test) {
+    without_drops(test);
+    test.analysis.fit.mu0.low = 1.01;
+  })));
+  CHECK_FALSE(claims(changed([](FittedTest& test) { test.analysis.suspects.suspect = true; })));
 }
 
 }  // namespace flexslip

@@ -135,6 +135,23 @@ class Snippets(InFolder):
         print(counted, file=sys.stderr)
         self.assertGreater(counted["run"], 25)
 
+    def test_screens_are_what_the_program_prints(self):
+        """A block of text that begins as a screen does, "NAME  VERDICT   …", is that of examples/NAME, line by line; "…" stands for lines left out."""
+        begins = re.compile(r"(\w+)  (SLIP|UNDECIDED|CRACK|NO DROPS|CHECK INPUT|NO ANSWER)   ")
+        shown = 0
+        for page in PAGES:
+            for language, body in blocks(page):
+                screen = begins.match(body)
+                if not screen or not (SOURCE / "examples" / screen.group(1) / "case.toml").exists():
+                    self.assertFalse(screen and language == "text", f"{page.name} shows {body.splitlines()[0]}, which is no example's")
+                    continue
+                shown += 1
+                with self.subTest(page.name, screen=screen.group(0)):
+                    printed = run("fit", SOURCE / "examples" / screen.group(1) / "case.toml").stdout
+                    for part in re.split(r"^ *…\n", body, flags=re.MULTILINE):
+                        self.assertIn(part.rstrip("\n"), printed)
+        self.assertGreaterEqual(shown, 1)  # that of README.md
+
     def test_what_is_not_run_is_there(self):
         for (name, words), _ in NOT_RUN.items():
             page = next((page for page in PAGES if page.name == name), None)

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "report/plain_text.h"
+#include "report/page.h"
 #include "tests/has.h"
 
 using namespace flexslip;
@@ -10,53 +10,58 @@ using namespace flexslip;
 namespace {
 
 std::vector<Chapter> small_document() {
-  Chapter first{""};
-  first.show(Picture{[] {
-    Plot plot{};
-    plot.caption = "A caption.";
-    return plot;
-  }});
-  Chapter second{"Friction & wear"};
-  second.say("It is -0.5.")
-      .say("")
-      .show(PrintedTable{{"Slip", "Fall"}, {{"1", "0.2"}}})
-      .show(PrintedTable{{"none"}, {}})
-      .show(Bullets{{"one", "a < b"}})
-      .show(Verbatim{"[rig]\n\nspan = '1 mm'\n"});
-  return {first, second};
+  PrintedTable numbers{{"Slip", "Fall"}, {{"1", "0.2"}, {"12", "-0.15"}}};
+  PrintedTable names{.head = {"Test", "μ", "Doubts"},
+                     .rows = {{"a <b>", "0.5", "one doubt; another doubt; a third one, and a fourth"}},
+                     .links = {"tests/a%20/report.html"},
+                     .on_terminal = {"Test", "Doubts"}};
+  return {{"", {Pictures{[] { return std::vector<Plot>(1); }}}},
+          {"Friction & wear",
+           {std::string("It is -0.5."), std::string(), numbers, PrintedTable{{"none"}, {}},
+            Rows{{"work", "a < b"}, {"left out", ""}}, Verbatim{"[rig]\n\nspan = '1 mm'\n"}, names,
+            FilesBeside{{{"tests.csv", "a row per test"}}}}},
+          {"Nothing to say", {std::string(), Rows{{"left out", ""}}}}};
 }
 
 }  // namespace
 
-TEST_CASE("by hand: a terminal shows words, tables and lists, no pictures and no tables without rows") {
-  CHECK(in_text(small_document()) == "\n[[Friction & wear]]\n   It is -0.5.\n" +
-                                         laid_out({{"Slip", "Fall"}, {{"1", "0.2"}}}) + " - one\n - a < b\n");
+TEST_CASE("by hand: a terminal shows words, rows and tables, no pictures, nothing that says nothing") {
+  CHECK(in_text(small_document(), 40) ==
+        "\n[[Friction & wear]]\n   It is -0.5.\n\n   Slip   Fall\n   1       0.2\n   12    -0.15\n\n   work            "
+        "a < "
+        "b\n\n   "
+        "Test   Doubts\n   a <b>  one doubt; another doubt; a …\n");
 }
 
-TEST_CASE("by hand: a page shows the same and the pictures") {
-  const std::string html = in_html(small_document(), [](const Plot& plot) { return "(" + plot.caption + ")"; });
-  for (const char* part : {"(A caption.)<h2>Friction &amp; wear</h2>", "<p>It is \u22120.5.</p>", "<th>Fall</th>",
-                           "<td>0.2</td>", "<li>one</li>\n<li>a &lt; b</li>", "<pre>[rig]\n\nspan = '1 mm'\n</pre>"})
-    CHECK(has(html, part));
-  CHECK_FALSE(has(html, "none"));
+TEST_CASE("by hand: words are apart from the rows below them where no title stands above") {
+  CHECK(in_text({{"", {std::string("The answer."), Rows{{"work", "0.2 mJ"}}, std::string("Next: nothing.")}}}) ==
+        "The answer.\n\n  work            0.2 mJ\nNext: nothing.\n");
 }
 
-TEST_CASE("by hand: rows of parameters, of steps and of files in both layouts") {
-  Chapter chapter{"All"};
-  chapter
-      .show(std::vector<ParameterRow>{{"mu0", "μ₀", "mean friction", "0.50 ± 0.01", "0.48 to 0.52", ""},
-                                      {"drift", "", "along it", "-1", "", "held"}})
-      .show(std::vector<PreparationRow>{{"zero", "the force counts from there", "-3 mN", "1 to 40", "[record] zero"}})
-      .show(Files{{{"run -2.csv", 12, "ab"}, {"-", 0, ""}}});
-  CHECK(in_text({chapter}) ==
-        "\n[[All]]\n   mu0    0.50 ± 0.01  [0.48 to 0.52]\n   drift  -1                           held\n - zero: the "
-        "force "
-        "counts from there (-3 mN; rows 1 to 40); to change this: [record] zero\n" +
-            laid_out({{"File", "Bytes", "SHA-256"}, {{"run -2.csv", "12", "ab"}, {"-", "", ""}}}));
-  const std::string html = in_html({chapter}, [](const Plot&) { return ""; });
+TEST_CASE("by hand: a page shows the same and the pictures, numbers to the right") {
+  const std::string html = in_html(small_document(), [] { return std::string("(a figure)"); });
   for (const char* part :
-       {"<td>μ₀</td><td><code>mu0</code>, mean friction</td><td class=\"value\">0.50 ± 0.01</td>", "\u22121</td>",
-        "<td class=\"value\">\u22123 mN</td><td class=\"value\">1 to 40</td><td><code>[record] zero</code></td>",
-        "<td>run -2.csv</td><td>12</td><td><code>ab</code></td>"})
+       {"(a figure)<h2>Friction &amp; wear</h2>", "<p>It is \u22120.5.</p>", "<th class=\"n\">Fall</th>",
+        "<td>12</td><td class=\"n\">\u22120.15</td>", "<dt>work</dt><dd>a &lt; b</dd>",
+        "<pre>[rig]\n\nspan = '1 mm'\n</pre>",
+        "<td><a href=\"tests/a%20/report.html\">a &lt;b&gt;</a></td><td class=\"n\">0.5</td><td>one doubt",
+        "<dt><a href=\"tests.csv\">tests.csv</a></dt><dd>a row per test</dd>"})
     CHECK_MESSAGE(has(html, part), part, " in ", html);
+  for (const char* part : {"none", "left out", "Nothing to say"}) CHECK_FALSE(has(html, part));
+}
+
+TEST_CASE("by hand: a table of more than 12 rows is folded, unless it is to stay open") {
+  PrintedTable table{{"Row"}, {}};
+  for (int i = 0; i < 13; ++i) table.rows.push_back({std::to_string(i)});
+  const auto html = [&] { return in_html({{"All", {table}}}, {}); };
+  CHECK(has(html(), "<details><summary>A table of 13 rows</summary>"));
+  table.folding = Folding::never;
+  CHECK_FALSE(has(html(), "<details>"));
+  table.folding = Folding::of_long;
+  table.rows.pop_back();
+  CHECK_FALSE(has(html(), "<details>"));
+  table.head = {"Row", "What it is"};
+  for (auto& row : table.rows) row.emplace_back("a row");
+  table.folding = Folding::always;
+  CHECK(has(html(), "<details><summary>Row: What it is</summary>"));
 }

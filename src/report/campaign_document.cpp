@@ -1,0 +1,440 @@
+#include "report/campaign_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "answers/campaign_fields.h"
+#include "finding/finding.h"
+#include "finding/printed.h"
+#include "io/quantity.h"
+#include "io/text_table.h"
+#include "report/campaign_figures.h"
+#include "surface/resolution.h"
+
+namespace flexslip {
+namespace {
+
+// ---- Numbers in print
+
+// In the unit of print that suits it, if it is one of lengths, moduli or bending stiffnesses.
+TableUnit print_unit(double value, const std::string& si_unit) {
+  if (si_unit == "1") return {"", 1};
+  const Unit si = parse_unit(si_unit);
+  for (const Kind* kind : {&kind::length, &kind::pressure, &kind::bending_stiffness})
+    if (kind->dimension == si.dimension) return best_unit_of({value}, *kind);
+  return {si_unit, 1};
+}
+
+struct CampaignUnits {
+  TableUnit length, bending_stiffness, force, energy;
+};
+
+CampaignUnits units_of(const Campaign& campaign) {
+  std::vector<double> wavelengths, stiffnesses, residuals, works;
+  for (const auto& test : campaign.tests) {
+    if (!test.summary) continue;
+    if (test.summary->wavelength) wavelengths.push_back(test.summary->wavelength->value);
+    stiffnesses.push_back(test.summary->bending_stiffness.value);
+    residuals.push_back(test.summary->residual_rms);
+    works.push_back(test.summary->work_of_fracture);
+  }
+  return {best_unit_of(std::move(wavelengths), kind::length),
+          best_unit_of(std::move(stiffnesses), kind::bending_stiffness),
+          best_unit_of(std::move(residuals), kind::force), best_unit_of(std::move(works), kind::energy)};
+}
+
+std::string titled(std::string_view symbol, const TableUnit& unit) {
+  return fmt::format("{} ({})", symbol, typeset(unit.name));
+}
+
+// Mean (least to greatest).
+std::string of_spread(const Spread& spread, double factor, int decimals) {
+  if (spread.count == 0) return "";
+  const std::string mean = fmt::format("{:.{}f}", factor * spread.mean, decimals);
+  return spread.count == 1 ? mean
+                           : fmt::format("{} ({:.{}f} to {:.{}f})", mean, factor * spread.min, decimals,
+                                         factor * spread.max, decimals);
+}
+
+// "at most 0.09", "at most 0.03 to 0.09".
+std::string at_most(const Spread& limits) {
+  return limits.count == 1 ? fmt::format("at most {}", significant(limits.max, 2))
+                           : fmt::format("at most {} to {}", significant(limits.min, 2), significant(limits.max, 2));
+}
+
+std::string of_friction(const CategorySpread& category) {
+  const std::string told = of_spread(category.mu0, 1, 3);
+  if (category.mu0_limit.count == 0) return told;
+  const std::string limits = fmt::format("{} {}", category.mu0_limit.count, at_most(category.mu0_limit));
+  return told.empty() ? limits : fmt::format("{} of {}; {}", told, category.mu0.count, limits);
+}
+
+// ---- The answer
+
+template <class Predicate>
+std::string enumerated(const Campaign& campaign, Predicate belongs, std::string_view is, std::string_view are) {
+  constexpr std::size_t most_names = 8;
+  std::vector<std::string> names;
+  for (const auto& test : campaign.tests)
+    if (belongs(test)) names.push_back(printable(test.name));
+  if (names.empty()) return "";
+  const std::size_t shown = std::min(names.size(), most_names);
+  std::string out = names.front();
+  for (std::size_t i = 1; i < shown; ++i) out += (i + 1 == names.size() ? " and " : ", ") + names[i];
+  if (shown < names.size()) out += fmt::format(" and {} more", names.size() - shown);
+  return fmt::format("{} {}", out, names.size() == 1 ? is : are);
+}
+
+bool is_failure(const CampaignTest& test) { return !test.summary; }
+bool is_untrusted(const CampaignTest& test) { return test.summary && !is_trusted(test.summary->standing); }
+bool is_suspect(const CampaignTest& test) { return test.summary && test.summary->suspect && !is_untrusted(test); }
+
+// "21 slip, 9 undecided, 0 crack, 8 without drops"; the others where there are some.
+std::string verdicts_in_words(const Campaign& campaign) {
+  const auto count = [&](VerdictCode code) {
+    return std::count_if(campaign.tests.begin(), campaign.tests.end(),
+                         [&](const CampaignTest& test) { return test.verdict == word_of(code); });
+  };
+  std::string words =
+      fmt::format("{} slip, {} undecided, {} crack, {} without drops", count(VerdictCode::slip),
+                  count(VerdictCode::undecided), count(VerdictCode::crack), count(VerdictCode::no_drops));
+  if (const auto wrong = count(VerdictCode::check_input); wrong > 0)
+    words += fmt::format(", {} to check the input of", wrong);
+  if (const auto none = count(VerdictCode::no_answer); none > 0) words += fmt::format(", {} without an answer", none);
+  return words;
+}
+
+// Of the work under the curves, what went into friction.
+std::string work_in_words(const Campaign& campaign) {
+  std::vector<double> shares;
+  for (const CampaignTest& test : campaign.tests)
+    if (test.summary && !test.summary->suspect && std::isfinite(test.summary->friction_share))
+      shares.push_back(test.summary->friction_share);
+  if (shares.empty()) return "";
+  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+  return fmt::format("; {} of the work{}", percent(mean),
+                     shares.size() == 1 ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, percent(*most)));
+}
+
+// Over the tests that are not suspect, or over all if all are; null without tests.
+const CategorySpread* spread_of_all(const Campaign& campaign) {
+  const auto all = std::find_if(campaign.categories.begin(), campaign.categories.end(),
+                                [](const CategorySummary& category) { return !category.category; });
+  if (all == campaign.categories.end()) return nullptr;
+  return all->without_suspects.tests > 0 ? &all->without_suspects : &all->with_suspects;
+}
+
+std::string friction_in_words(const Campaign& campaign) {
+  const CategorySpread* over = spread_of_all(campaign);
+  if (!over) return "";
+  const Spread& mu0 = over->mu0;
+  const std::string limits =
+      over->mu0_limit.count == 0
+          ? ""
+          : fmt::format("{} only that it is {}", counted(over->mu0_limit.count, "test tells", "tests tell"),
+                        at_most(over->mu0_limit));
+  if (mu0.count == 0)
+    return limits.empty() ? " No test tells friction." : fmt::format(" No test tells friction from zero; {}.", limits);
+  return fmt::format(" Friction {:.2f}{}{}{}.", mu0.mean,
+                     mu0.count == 1 ? ""
+                                    : fmt::format(" averaged over {} specimens, {:.2f} to {:.2f} between them",
+                                                  mu0.count, mu0.min, mu0.max),
+                     limits.empty() ? "" : "; " + limits, work_in_words(campaign));
+}
+
+// ---- Tables
+
+PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
+  const CampaignUnits units = units_of(campaign);
+  const double per_length = units.length.factor;
+  PrintedTable table{
+      .head = {"Test", "Verdict", "Sawtooth", "Standing", "Friction", titled("Spacing", units.length), "σ",
+               titled("ℓ", units.length), "A", titled("λ", units.length), titled("Height", units.length), "Slope",
+               titled("EI", units.bending_stiffness), titled("Residual", units.force), "Drops",
+               titled("Work", units.energy), "Work (%)", "Doubts"},
+      .rows = {},
+      .folding = Folding::never,
+      .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"},
+      .paper = {.label = "friction",
+                .caption =
+                    "Friction in bending tests, by the sawtooth of their force curves: friction averaged over the "
+                    "length that slid, amplitude $A$ and wavelength $\\lambda$ of one wave of friction along the "
+                    "specimen (in brackets where it is only indicative), height (half of crest to trough) and rms "
+                    "slope of a surface that would explain them, bending stiffness $EI$, root mean square of "
+                    "measured less model force, drops of the force, and the share of the work that was friction; "
+                    "$\\pm$ standard error, $\\times$ suspect.",
+                .columns = {"Test", "Friction", "A", "λ", "Height", "Slope", "EI", "Residual", "Drops", "Work (%"}}};
+  for (const auto& [category, title] : {std::pair{SawtoothCategory::clear, "Clear sawtooth"},
+                                        {SawtoothCategory::nominal, "Nominal sawtooth"},
+                                        {SawtoothCategory::none, "No sawtooth, or hardly any"}}) {
+    std::vector<std::size_t> members;
+    std::size_t row = 0;
+    for (const auto& test : campaign.tests) {
+      if (!test.summary) continue;
+      if (test.summary->category == category) members.push_back(row);
+      ++row;
+    }
+    if (!members.empty()) table.paper.groups.emplace_back(title, members);
+  }
+  for (const auto& test : campaign.tests) {
+    if (!test.summary) continue;
+    const TestSummary& summary = *test.summary;
+    if (summary.suspect) table.paper.crossed.push_back(table.rows.size());
+    const bool tells = std::isfinite(summary.mu0.value);
+    const bool is_rough = summary.model == ProfileModel::roughness && tells;
+    const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
+      if (!estimate) return std::string();
+      return summary.wave_claimed ? written(*estimate, factor) : fmt::format("[{}]", written(*estimate, factor));
+    };
+    std::vector<std::string> remarks = test.remarks;
+    if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
+    const double share = summary.friction_share;
+    table.rows.push_back(
+        {test.name, test.verdict, std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
+         !tells                 ? ""
+         : summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
+                                : written(summary.mu0, 1),
+         significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
+         is_rough ? written(summary.correlation_length, per_length) : "", of_wave(summary.amplitude, 1),
+         of_wave(summary.wavelength, per_length), of_wave(summary.surface_height, per_length),
+         summary.surface_slope ? written(*summary.surface_slope, 1) : "",
+         written(summary.bending_stiffness, units.bending_stiffness.factor),
+         significant(units.force.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
+         significant(units.energy.factor * summary.work_of_fracture, 3),
+         std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
+         fmt::format("{}", fmt::join(remarks, "; "))});
+  }
+  return table;
+}
+
+PrintedTable category_rows(const Campaign& campaign) {
+  const TableUnit length = units_of(campaign).length;
+  PrintedTable table{.head = {"Sawtooth", "Suspects", "Tests", "Friction", "A", titled("λ", length),
+                              titled("Height", length), "Slope"},
+                     .rows = {},
+                     .on_terminal = {"Sawtooth", "Suspects", "Tests", "Friction", "λ"},
+                     .paper = {.label = "friction-categories",
+                               .caption = "Friction by category of the sawtooth: mean (least to greatest)."}};
+  for (const auto& category : campaign.categories)
+    for (const auto* spreads : {&category.without_suspects, &category.with_suspects}) {
+      // Brackets where some of the waves are only indicative.
+      const auto of_waves = [&](const Spread& spread, double factor, int decimals) {
+        const std::string words = of_spread(spread, factor, decimals);
+        return words.empty() || spreads->waves_claimed == spread.count ? words : fmt::format("[{}]", words);
+      };
+      table.rows.push_back(
+          {std::string(key_of(category)), spreads == &category.without_suspects ? "left out" : "counted in",
+           fmt::format("{}", spreads->tests), of_friction(*spreads), of_waves(spreads->amplitude, 1, 3),
+           of_waves(spreads->wavelength, length.factor, 1), of_waves(spreads->surface_height, length.factor, 3),
+           of_spread(spreads->surface_slope, 1, 3)});
+    }
+  return table;
+}
+
+PrintedTable specimen_rows(const Campaign& campaign) {
+  PrintedTable table{
+      .head = {"Sawtooth", "Parameter", "Tests", "Typical", "Specimens differ by"},
+      .rows = {},
+      .paper = {.label = "friction-specimens",
+                .caption = "Friction between specimens, suspects left out: mean of $\\mu_0$ and its "
+                           "standard deviation between specimens; middle roughness $\\sigma$ and "
+                           "correlation length $\\ell$, and the factor by which specimens differ; 95\\,\\% "
+                           "intervals."}};
+  for (const auto& line : specimen_lines(campaign)) {
+    const auto [unit, factor] = print_unit(line.typical.value, line.unit);
+    const std::string sign = line.by_factors ? "a factor " : "± ";
+    const std::string typical = with_interval(line.typical, factor);
+    table.rows.push_back({line.category,
+                          line.parameter == "mu0"         ? "μ₀"
+                          : line.parameter == "roughness" ? "σ"
+                                                          : "ℓ",
+                          fmt::format("{}", line.between->tests.size()),
+                          unit.empty() ? typical : fmt::format("{} {}", typical, typeset(unit)),
+                          line.between->population.spread_is_bound
+                              ? fmt::format("{}{} at most", sign, significant(line.spread.high, 2))
+                              : sign + with_interval(line.spread, 1)});
+  }
+  return table;
+}
+
+PrintedTable shared_rows(const Campaign& campaign) {
+  PrintedTable table{
+      .head = {"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"},
+      .rows = {},
+      .paper = {.label = "friction-shared",
+                .caption = "One value for several tests, with its 95\\,\\% interval; $p$: probability that "
+                           "tests that share it differ as much."}};
+  for (const auto& shared : campaign.shared) {
+    const std::string tests = fmt::format("{}", shared.tests);
+    if (!std::isfinite(shared.estimate.value)) {
+      table.rows.push_back({shared.name, "not told", "", "", tests, ""});
+      continue;
+    }
+    const auto [unit, factor] = print_unit(shared.estimate.value, shared.unit);
+    const MatchedDigits digits = matched_digits(shared.estimate, factor);
+    table.rows.push_back({shared.name, with_error(shared.estimate, factor),
+                          digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit),
+                          tests,
+                          shared.agreement < 1e-4 ? "none" : fmt::format("p = {}", significant(shared.agreement, 2))});
+  }
+  return table;
+}
+
+Rows failure_rows(const Campaign& campaign) {
+  Rows rows;
+  for (const auto& test : campaign.tests)
+    if (!test.summary) rows.push_back({printable(test.name), test.reason});
+  return rows;
+}
+
+// ---- What tables do not say
+
+// How friction lies to the literature, test by test.
+std::string literature_in_words(const Campaign& campaign) {
+  const auto literature = literature_of(campaign);
+  const CategorySpread* over = spread_of_all(campaign);
+  if (!literature || !over || over->mu0.count == 0) return "";
+  const bool all_are_suspect = std::all_of(campaign.tests.begin(), campaign.tests.end(), [](const CampaignTest& test) {
+    return !test.summary || test.summary->suspect;
+  });
+  const auto agree = std::count_if(campaign.tests.begin(), campaign.tests.end(), [&](const CampaignTest& test) {
+    return test.summary && (all_are_suspect || !test.summary->suspect) && !test.summary->mu0_is_bound &&
+           test.summary->mu0.low <= literature->high && test.summary->mu0.high >= literature->low;
+  });
+  return fmt::format("{:g} to {:g} for {} on {}; the mean is {} it, and {} of {} agree with it", literature->low,
+                     literature->high, literature->specimen, literature->support,
+                     over->mu0.mean < literature->low    ? "below"
+                     : over->mu0.mean > literature->high ? "above"
+                                                         : "within",
+                     agree, counted(over->mu0.count, "test", "tests"));
+}
+
+// What surface would explain the waves that are claimed, and what images would settle it.
+Rows surface_of_waves(const Campaign& campaign) {
+  std::vector<double> heights, wavelengths;
+  for (const auto& test : campaign.tests) {
+    if (!test.summary || test.summary->suspect || !test.summary->wave_claimed || !test.summary->surface_height)
+      continue;
+    heights.push_back(test.summary->surface_height->value);
+    wavelengths.push_back(test.summary->wavelength->value);
+  }
+  if (heights.empty()) return {};
+  const auto length = [](double value) { return readable(value, kind::length); };
+  const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
+  const double mean = std::accumulate(heights.begin(), heights.end(), 0.0) / static_cast<double>(heights.size());
+  // The least wave wants the finest pixel, the longest the widest field.
+  const WantedImage wanted = wanted_image(*std::max_element(wavelengths.begin(), wavelengths.end()), 2 * *least);
+  return {{"height",
+           fmt::format("waves {} high (half of crest to trough; {} to {}) would explain the waves of friction that "
+                       "are claimed, by their slopes",
+                       length(mean), length(*least), length(*most))},
+          {"image",
+           fmt::format("with pixels of {} it shows those of the mean height; with pixels of {} in fields of {} it "
+                       "settles it for every test (the paper's rule: ten pixels from crest to trough, ten waves in "
+                       "the field)",
+                       length(wanted_image(1, 2 * mean).pixel), length(wanted.pixel), length(wanted.field))},
+          {"trace", "flexslip surface tells what one resolves, and fit --surface whether it fits"}};
+}
+
+// What the columns say, of those tables that there are.
+Rows column_rows(const Campaign& campaign) {
+  return {{"Sawtooth",
+           "none: fewer than three drops of the force, or drops that add up to less than 3\u00a0% of the greatest "
+           "force; clear: 15\u00a0% or more; nominal: between"},
+          {"Friction",
+           "μ₀, averaged over the length that slid; σ is its roughness, ℓ the correlation length; ± are standard "
+           "errors, ranges in parentheses 95 % intervals"},
+          {"A, λ", "of the likeliest wave of friction; brackets mark a wave that is only indicative"},
+          {"Height, Slope",
+           "half of crest to trough of the wave of the surface that would show it, and the rms of the slopes "
+           "that would show how friction varies"},
+          {"Work (%)",
+           "share of the work that went into friction; a test that tells no friction, or only a limit, has none"},
+          {"Typical",
+           specimen_rows(campaign).rows.empty()
+               ? ""
+               : "mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with 95 % intervals; specimens "
+                 "differ by the standard deviation of μ₀, and by a factor up or down in σ and ℓ; the error of each "
+                 "record is taken off, and suspects are left out"},
+          {"Agreement",
+           campaign.shared.empty()
+               ? ""
+               : "probability that tests which share one value would differ as much as these; below 0.01 the value "
+                 "is a mean of different ones, and its error says nothing"}};
+}
+
+}  // namespace
+
+std::string with_interval(const Estimate& estimate, double factor) {
+  const MatchedDigits digits = matched_digits(estimate, factor);
+  return digits.low.empty() ? digits.value : fmt::format("{} ({} to {})", digits.value, digits.low, digits.high);
+}
+
+std::string with_error(const Estimate& estimate, double factor) {
+  const MatchedDigits digits = matched_digits(estimate, factor);
+  return digits.error.empty() ? digits.value : fmt::format("{} ± {}", digits.value, digits.error);
+}
+
+std::optional<LiteratureFriction> literature_of(const Campaign& campaign) {
+  std::optional<Materials> all;
+  for (const auto& test : campaign.tests) {
+    if (!test.summary) continue;
+    if (!test.materials || (all && *all != *test.materials)) return std::nullopt;
+    all = test.materials;
+  }
+  return all ? friction_in_literature(*all) : std::nullopt;
+}
+
+std::string answer_of(const Campaign& campaign) {
+  if (campaign.tests.empty()) return "No tests.";
+  if (std::all_of(campaign.tests.begin(), campaign.tests.end(), is_failure))
+    return fmt::format("No answer: {}.",
+                       campaign.tests.size() == 1
+                           ? "the test could not be evaluated"
+                           : fmt::format("none of the {} tests could be evaluated", campaign.tests.size()));
+  std::string answer = fmt::format("{}: {}.{}", counted(campaign.tests.size(), "test", "tests"),
+                                   verdicts_in_words(campaign), friction_in_words(campaign));
+  for (const std::string& words :
+       {enumerated(campaign, is_suspect, "is suspect", "are suspect"),
+        enumerated(campaign, is_untrusted, "is not to be trusted", "are not to be trusted"),
+        enumerated(campaign, is_failure, "could not be evaluated", "could not be evaluated")})
+    if (!words.empty()) answer += fmt::format(" {}.", words);
+  return answer;
+}
+
+std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* written,
+                                 const std::vector<std::string>& links) {
+  PrintedTable tests = test_rows(campaign, written);
+  tests.links = links;
+  const bool has_answers = !tests.rows.empty();
+  std::vector<Chapter> chapters;
+  if (has_answers)
+    chapters = {{"", {Pictures{[&campaign] { return std::vector{distribution_figure(campaign)}; }}, tests}},
+                {"By category: mean (smallest to largest)",
+                 {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
+                {"Between specimens", {specimen_rows(campaign)}}};
+  chapters.push_back({"Shared by several tests", {shared_rows(campaign)}});
+  chapters.push_back({"Not evaluated", {failure_rows(campaign)}});
+  if (has_answers)
+    for (const Chapter& chapter : {Chapter{"A surface that would explain it", {surface_of_waves(campaign)}},
+                                   Chapter{"Force curves", {Pictures{[&campaign] { return atlas_pages(campaign); }}}},
+                                   Chapter{"What the columns say", {column_rows(campaign)}}})
+      chapters.push_back(chapter);
+  return chapters;
+}
+
+std::string campaign_text(const Campaign& campaign) {
+  std::vector<Chapter> chapters = document_of(campaign, with_error);
+  chapters.insert(chapters.begin(), {"", {answer_of(campaign)}});
+  return in_text(chapters);
+}
+
+}  // namespace flexslip

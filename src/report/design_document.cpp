@@ -1,0 +1,283 @@
+#include "report/design_document.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "finding/printed.h"
+#include "inference/profile.h"
+
+namespace flexslip {
+namespace {
+
+class InUnits : public Print {
+ public:
+  explicit InUnits(const DesignAnswer& answer) : Print(answer.input.given(), answer.scales) {}
+
+  // [units of the case]
+  std::string stiffness(double value) const {
+    return std::isfinite(value) ? own(value, kind::stiffness) : "infinite stiffness";
+  }
+  // A number of few digits, all of them; of inches and pounds, which turn few into many, six.
+  std::string exactly(double value, const Kind& kind) const {
+    const Kind shown = as(kind);
+    const std::string_view unit = best_unit(value, shown);
+    const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
+    return typeset(scale.factor == 1 ? exact_text(value, shown)
+                                     : fmt::format("{:.6g} {}", from_si(value, scale), unit));
+  }
+};
+
+// To three digits, no less than it is.
+double rounded_to_enough(double value) {
+  if (value == 0) return value;
+  const double step = std::pow(10, std::floor(std::log10(value)) - 2);
+  return step * std::ceil(value / step);
+}
+
+std::string share(double part, double whole) {
+  const double percentage = std::max(0.0, 100 * part / whole);  // what is rounding may be below
+  return percentage > 0 && percentage < 0.1 ? "less than 0.1 %"
+                                            : fmt::format("{:.{}f} %", percentage, percentage < 10 ? 1 : 0);
+}
+
+bool hidden(const DesignOutcome& outcome) { return outcome.snaps > 0 && outcome.drops == 0; }
+
+std::string strain_text(double strain) { return fmt::format("{:.2g} %", 100 * strain); }
+
+std::string first_snap_in_words(const DesignAnswer& answer, const InUnits& shown) {
+  if (!answer.outcome.first_snap) return "none";
+  const auto& first = *answer.outcome.first_snap;
+  const std::string before = shown.force(first.F_before), after = shown.force(first.F_after);
+  return fmt::format("at the stage position {}, a deflection of {}: the force falls {}", shown.length(first.stage),
+                     shown.length(first.w),
+                     before == after ? fmt::format("by {} from {}", shown.force(first.F_before - first.F_after), before)
+                                     : fmt::format("from {} to {}", before, after));
+}
+
+std::string record_in_words(const DesignAnswer& answer, const InUnits& shown) {
+  const DesignOutcome& outcome = answer.outcome;
+  const std::string record =
+      answer.design.step > 0 ? fmt::format("with a reading every {}", shown.length(answer.design.step)) : "continuous";
+  if (outcome.drops == 0)
+    return fmt::format("{}: the force never falls; its maximum is {}", record, shown.force(outcome.greatest_force));
+  return fmt::format("{}: the force falls {}, by {} at most ({} of the greatest force, {}){}{}", record,
+                     outcome.drops == 1 ? "once" : fmt::format("{} times", outcome.drops),
+                     shown.force(outcome.largest_drop), share(outcome.largest_drop, outcome.greatest_force),
+                     shown.force(outcome.greatest_force),
+                     outcome.drops == 1 ? "" : fmt::format(", {} on average", shown.force(outcome.mean_drop)),
+                     outcome.snaps > outcome.drops ? "; snaps between the same two readings appear as one fall"
+                     : outcome.snaps == 0 && outcome.drops > 1
+                         ? "; these falls are no snaps: the force follows a friction that varies, "
+                           "on any load train"
+                         : "");
+}
+
+std::string strain_in_words(const DesignAnswer& answer, const InUnits& shown) {
+  const double curvature = answer.outcome.greatest_curvature;
+  return !answer.surface
+             ? ""
+             : fmt::format("up to {} at the surface{}", strain_text(answer.surface->strain(curvature)),
+                           answer.input.reduced()
+                               ? ""
+                               : fmt::format(" ({})", shown.own(answer.surface->stress(curvature), kind::pressure)));
+}
+
+// The stiffness at and above which nothing snaps, beside that of this rig.
+std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) {
+  const std::string yours = shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness));
+  if (answer.critical == 0) {
+    const bool varies = std::isfinite(answer.design.friction.smooth_scale()) || !answer.design.friction.knots().empty();
+    return fmt::format("{}; none, however soft, lets the specimen snap in this test{}", yours,
+                       varies
+                           ? ""
+                           : ": friction that is uniform along the specimen makes no sawtooth; state an amplitude and "
+                             "a wavelength, such as those of a fit");
+  }
+  if (!std::isfinite(answer.critical))
+    return fmt::format("{}; the specimen snaps on any, even if the deflection itself is controlled", yours);
+  const double critical = rounded_to_enough(answer.scales.physical_stiffness(answer.critical));
+  const bool is_too_soft = answer.outcome.snaps == 0 && answer.design.rig.stiffness < answer.critical;
+  return fmt::format(
+      "{}; {}at {} or more the specimen does not snap{}{}", yours,
+      answer.input.support_compliance() > 0 ? "with the supports together, " : "", shown.stiffness(critical),
+      is_too_soft ? fmt::format("; here it does not, as this rig bends it by no more than {}",
+                                shown.length(answer.outcome.w_reached))
+                  : "",
+      critical * answer.input.support_compliance() >= 1 ? "; on these supports no load train reaches that" : "");
+}
+
+std::string work_of_design_in_words(const DesignAnswer& answer, const InUnits& shown) {
+  const DesignOutcome& outcome = answer.outcome;
+  return fmt::format("{} on the specimen: friction at the supports takes {}{}; the rest bends it",
+                     shown.energy(outcome.work), share(outcome.friction_heat, outcome.work),
+                     outcome.snaps > 0
+                         ? fmt::format(", and snaps set free {} beyond that", share(outcome.released, outcome.work))
+                         : "");
+}
+
+std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
+  if (!answer.phases) return "";
+  const PhaseStudy& study = *answer.phases;
+  const std::string least = shown.force(study.least_drop), most = shown.force(study.largest_drop);
+  return fmt::format(
+      "seldom known before a test: the specimen snaps with {} of {}{}{}",
+      study.snapping == 0              ? "none"
+      : study.snapping == study.phases ? "each"
+                                       : fmt::format("{}", study.snapping),
+      study.phases,
+      !(study.largest_drop > 0)
+          ? ""
+          : fmt::format(", and the largest drop is {}", least == most ? most : fmt::format("{} to {}", least, most)),
+      study.snapping == 0 ? ""
+      : std::isfinite(study.critical)
+          ? fmt::format("; with a load train{} of {} or more with none",
+                        answer.input.support_compliance() > 0 ? " and supports together" : "",
+                        shown.stiffness(rounded_to_enough(answer.scales.physical_stiffness(study.critical))))
+          : "; with some of them however stiff the load train is");
+}
+
+// What is changed, if to more and if to less, and what stands before its values.
+struct ChangeWords {
+  DesignParameter parameter;
+  std::string_view more, less, of_more, of_less;
+};
+constexpr std::array changes_known{
+    ChangeWords{DesignParameter::stiffness, "a stiffer load train", "a softer load train", "", ""},
+    ChangeWords{DesignParameter::span, "a longer support span", "a shorter support span", "", ""},
+    ChangeWords{DesignParameter::diameter, "a thicker specimen", "a thinner specimen", "a diameter of ",
+                "a diameter of "},
+    ChangeWords{DesignParameter::height, "a thicker specimen", "a thinner specimen", "a height of ", "a height of "},
+    ChangeWords{DesignParameter::width, "a wider specimen", "a narrower specimen", "a width of ", "a width of "},
+    ChangeWords{DesignParameter::modulus, "a stiffer specimen", "a softer specimen", "a modulus of ", "a modulus of "},
+    ChangeWords{DesignParameter::mu0, "supports with more friction", "lubricated supports", "mu0 ", "mu0 "},
+    ChangeWords{DesignParameter::amplitude, "rougher supports or specimens", "polished supports", "an amplitude of ",
+                "an amplitude of "},
+    ChangeWords{DesignParameter::wavelength, "another specimen, with roughness of a longer wavelength",
+                "another specimen, with roughness of a shorter wavelength", "", ""},
+    ChangeWords{DesignParameter::travel, "loading farther", "stopping before the first snap",
+                "up to the stage position ", "at the stage position "},
+    ChangeWords{DesignParameter::pin_friction, "rollers that turn harder on their pins",
+                "rollers that turn more easily on their pins", "pin_friction ", "pin_friction "}};
+
+std::string change_in_words(const DesignChange& change, const InUnits& shown) {
+  const auto known = std::find_if(changes_known.begin(), changes_known.end(),
+                                  [&](const ChangeWords& each) { return each.parameter == change.parameter; });
+  if (known == changes_known.end()) throw std::invalid_argument("no change of this parameter is looked for");
+  const Kind& kind = described(change.parameter).kind;
+  const bool more = change.to > change.from;
+  return fmt::format(
+      "{}: {}{}{} instead of {}", more ? known->more : known->less, more ? known->of_more : known->of_less,
+      shown.exactly(change.printed, kind),
+      !change.and_beyond ? ""
+      : more             ? " or more"
+                         : " or less",
+      change.parameter == DesignParameter::stiffness ? shown.stiffness(change.from) : shown.own(change.from, kind));
+}
+
+bool falls_no_less(const DesignOutcome& then, const DesignOutcome& now) {
+  return then.largest_drop * now.greatest_force >= now.largest_drop * then.greatest_force;
+}
+
+// The force may fall without a snap: friction that varies along the specimen makes it wavy on any rig.
+std::string what_remains(const DesignAnswer& answer, const DesignChange& change) {
+  const DesignOutcome& then = change.outcome;
+  if (answer.outcome.snaps == 0 || then.drops == 0) return "";
+  const double part = then.largest_drop / then.greatest_force;
+  return fmt::format(" (smooth falls of {}{} remain{})", part < 0.001 ? "" : "up to ",
+                     share(then.largest_drop, then.greatest_force),
+                     falls_no_less(then, answer.outcome)
+                         ? fmt::format("; now the force drops by {}",
+                                       share(answer.outcome.largest_drop, answer.outcome.greatest_force))
+                         : "");
+}
+
+std::string answer_in_short(const DesignAnswer& answer) {
+  const InUnits shown(answer);
+  const DesignOutcome& outcome = answer.outcome;
+  if (hidden(outcome))
+    return fmt::format("The specimen will snap {}, but readings {} apart will not show it.",
+                       outcome.snaps == 1 ? "once" : fmt::format("{} times", outcome.snaps),
+                       shown.length(answer.design.step));
+  constexpr double stands_out = 0.05;  // of the largest fall, which is then a smooth one
+  if (outcome.snaps > 1 && outcome.largest_snap < stands_out * outcome.largest_drop)
+    return fmt::format("No visible sawtooth: the specimen will snap {} times, but by no more than {} each.",
+                       outcome.snaps, shown.force(outcome.largest_snap));
+  if (outcome.snaps > 0) {
+    const std::string most = fmt::format("{}, {} of the greatest force", shown.force(outcome.largest_drop),
+                                         share(outcome.largest_drop, outcome.greatest_force));
+    return outcome.snaps == 1 ? fmt::format("Yes: the specimen will snap, once. The force drops by up to {}.", most)
+                              : fmt::format("Yes, you will see a sawtooth: the force drops by up to {}.", most);
+  }
+  if (outcome.drops == 1) return "No sawtooth: the specimen slides without a snap, past a smooth peak of the force.";
+  if (outcome.drops > 1)
+    return "No sawtooth, but a wavy force: the specimen slides without a snap, and the force falls only smoothly.";
+  return "No sawtooth: the specimen slides without a snap, and the force never falls.";
+}
+
+}  // namespace
+
+std::string design_in_short(const DesignAnswer& answer) {
+  std::string words = answer_in_short(answer);
+  if (answer.outcome.status == DesignStatus::ok) return words;
+  const std::string where = InUnits(answer).length(answer.outcome.stage_reached);
+  if (answer.outcome.status == DesignStatus::breaks)
+    return fmt::format("The specimen will break at the stage position {}, at a bending strain of {}{}. Up to there: {}",
+                       where, strain_text(answer.surface->strain(answer.outcome.greatest_curvature)),
+                       answer.outcome.snaps == 0 ? ", before the first snap" : "", words);
+  return fmt::format("The specimen will slip through its supports at the stage position {}. Up to there: {}",
+                     InUnits(answer).length(answer.outcome.stage_reached), words);
+}
+
+std::vector<std::string> changes_in_words(const DesignAnswer& answer) {
+  const InUnits shown(answer);
+  std::vector<std::string> words;
+  words.reserve(answer.changes.size());
+  for (const DesignChange& change : answer.changes)
+    words.push_back(change_in_words(change, shown) + what_remains(answer, change));
+  return words;
+}
+
+std::vector<Chapter> document_of(const DesignAnswer& answer) {
+  const InUnits shown(answer);
+  const DesignOutcome& outcome = answer.outcome;
+  const double from = friction_told_from(answer.design.rig.fibre);
+  const auto limit = answer.input.pin_limit();
+  const Rows rows{
+      {"first snap", first_snap_in_words(answer, shown)},
+      {"snaps", fmt::format("{} up to the stage position {}, a deflection of {}",
+                            outcome.snaps == 0 ? "none" : fmt::format("{}", outcome.snaps),
+                            shown.length(outcome.stage_reached), shown.length(outcome.w_reached))},
+      {"record", record_in_words(answer, shown)},
+      {"load train", critical_in_words(answer, shown)},
+      {"work", work_of_design_in_words(answer, shown)},
+      {"strain", strain_in_words(answer, shown)},
+      {"nose", answer.wraps_nose ? "the specimen wraps around it; from there on it is taken to be sharp" : ""},
+      {"rollers", limit ? fmt::format("turn on their pins at a friction of {}, which the specimen's own cannot exceed",
+                                      readable(*limit, kind::number))
+                        : ""},
+      {"phase", phases_in_words(answer, shown)},
+      {"friction", from > 0.5 * outcome.w_reached
+                       ? fmt::format("can be read off only beyond a deflection of {} (the larger of a twentieth of the "
+                                     "span and twice the thickness)",
+                                     shown.length(from))
+                       : ""}};
+  Rows changes;
+  for (const std::string& words : changes_in_words(answer)) {
+    const std::size_t colon = words.find(": ");
+    changes.push_back({words.substr(0, colon), words.substr(colon + 2)});
+  }
+  const std::string_view otherwise = outcome.snaps > 0 ? "keep it from snapping" : "make it snap";
+  return {{"", {design_in_short(answer), rows}},
+          {fmt::format("What would {}", otherwise),
+           {changes.empty()
+                ? std::string("No single change was found.")
+                : std::string("Any one of these, if everything else stays the same. Without \"or more\" or \"or "
+                              "less\" it is known only at this value."),
+            changes}}};
+}
+
+}  // namespace flexslip

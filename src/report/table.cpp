@@ -1,0 +1,256 @@
+#include "report/table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "fibre/limits.h"
+#include "finding/printed.h"
+#include "io/text_table.h"
+
+namespace flexslip {
+namespace {
+
+class PrintedColumn {
+ public:
+  explicit PrintedColumn(const NumberColumn& column) {
+    double largest = 0;
+    for (const double value : column.values)
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    const std::string_view unit = best_unit(largest, column.kind);
+    if (!unit.empty()) scale_ = parse_unit(unit);
+    title_ = unit.empty()           ? column.title
+             : column.title.empty() ? typeset(unit)
+                                    : fmt::format("{} ({})", column.title, typeset(unit));
+    const double shown = from_si(largest, scale_);
+    decimals_ = shown > 0 ? std::clamp(column.digits - 1 - static_cast<int>(std::floor(std::log10(shown))), 0, 9) : 1;
+  }
+  const std::string& title() const { return title_; }
+  std::string cell(double value) const {
+    if (!std::isfinite(value)) return "";
+    const double shown = from_si(value, scale_);
+    const bool is_zero = std::abs(shown) < 0.5 * std::pow(10, -decimals_);
+    return fmt::format("{:.{}f}", is_zero ? 0 : shown, decimals_);
+  }
+
+ private:
+  std::string title_;
+  Unit scale_{};
+  int decimals_ = 1;
+};
+
+// Of an entry of a group: first the group.
+Description described(const std::vector<Description>& fields, std::string_view path) {
+  const std::size_t dot = path.find('.');
+  const std::string_view name = path.substr(0, dot);
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const Description& each) { return each.name == name; });
+  if (found == fields.end()) throw std::invalid_argument(fmt::format("no field '{}'", path));
+  return dot == std::string_view::npos ? *found : described(found->entries, path.substr(dot + 1));
+}
+
+Json entry(const Json& row, std::string_view path) {
+  const std::size_t dot = path.find('.');
+  const auto found = row.is_object() ? row.find(std::string(path.substr(0, dot))) : row.end();
+  if (found == row.end()) return nullptr;
+  return dot == std::string_view::npos ? *found : entry(*found, path.substr(dot + 1));
+}
+
+// The ends of the 95 % interval of an estimate, in the unit of its value.
+std::string with_ends(const Estimate& estimate, const Kind& kind) {
+  const auto unit = best_unit(std::max(std::abs(estimate.value), estimate.standard_error), kind);
+  const MatchedDigits digits = matched_digits(estimate, unit.empty() ? 1 : from_si(1, parse_unit(unit)));
+  return digits.low.empty()
+             ? ""
+             : fmt::format("{} to {}{}{}", digits.low, digits.high, unit.empty() ? "" : " ", typeset(unit));
+}
+
+double number_or_nan(const Json& value) { return value.is_number() ? value.get<double>() : not_a_number; }
+
+std::string words_for(const Json& value, const Shown& column) {
+  if (!value.is_string()) return "";
+  const auto words = value.get<std::string>();
+  const auto said = std::find_if(column.in_words.begin(), column.in_words.end(),
+                                 [&](const auto& each) { return each.first == words; });
+  return said == column.in_words.end() ? printable(words) : std::string(said->second);
+}
+
+// A column of one cell per row, under its heading.
+PrintedTable column_of(const std::vector<Description>& fields, const Json& rows, const Frame& frame,
+                       const Shown& column) {
+  PrintedTable cells{{column.heading}, {}};
+  const auto add = [&](std::string cell) { cells.rows.push_back({std::move(cell)}); };
+  if (column.field.empty()) {
+    for (std::size_t i = 0; i < rows.size(); ++i) add(fmt::format("{}", i + 1));
+    return cells;
+  }
+  const Description field = described(fields, column.field);
+  const Kind& kind = frame.reduced ? kind::number : frame.in_inches ? in_inches(field.kind) : field.kind;
+  switch (field.shape) {
+    case Shape::number: {
+      NumberColumn numbers{column.heading, {}, kind, column.digits};
+      for (const Json& row : rows) numbers.values.push_back(column.factor * number_or_nan(entry(row, column.field)));
+      return printed({numbers});
+    }
+    case Shape::estimate:
+      for (const Json& row : rows) {
+        const Json estimate = entry(row, column.field);
+        const Json value = entry(estimate, "value");
+        add(value.is_number() ? readable(number_or_nan(value), number_or_nan(entry(estimate, "standard_error")), kind)
+                              : "");
+      }
+      return cells;
+    case Shape::count:
+      if (!column.last.empty()) described(fields, column.last);
+      for (const Json& row : rows) {
+        const Json first = entry(row, column.field);
+        const Json last = column.last.empty() ? nullptr : entry(row, column.last);
+        add(first.is_null() ? "" : last.is_null() ? first.dump() : fmt::format("{}–{}", first.dump(), last.dump()));
+      }
+      return cells;
+    case Shape::numbers:
+      for (const Json& row : rows) {
+        std::string range;
+        for (const Json& value : entry(row, column.field))
+          range += (range.empty() ? "" : "–") + (value.is_number() ? fmt::format("{}", value.get<double>()) : "");
+        add(std::move(range));
+      }
+      return cells;
+    case Shape::words:
+      for (const Json& row : rows) add(words_for(entry(row, column.field), column));
+      return cells;
+    default:
+      throw std::invalid_argument(fmt::format("'{}' is no column of a printed table", column.field));
+  }
+}
+
+bool begins_as_number(std::string_view cell) {
+  for (const std::string_view before : {"at most ", "a factor ", "p = ", "± ", "< ", "(", "["})
+    if (cell.starts_with(before)) cell.remove_prefix(before.size());
+  constexpr std::string_view minus = "−";
+  if (cell.starts_with(minus)) cell.remove_prefix(minus.size());
+  return !cell.empty() && (std::string_view("0123456789-+").find(cell.front()) != std::string_view::npos);
+}
+
+// What an answer says under a name, of the whole answer or of a group in it.
+Json entry_of(const FieldList& answer, const void* of, const Frame& frame, std::string_view path) {
+  const std::string_view first = path.substr(0, path.find('.'));
+  const auto found = std::find_if(answer.fields().begin(), answer.fields().end(),
+                                  [&](const Field& field) { return field.what.name == first; });
+  Json top = Json::object();
+  put(top, first, found->of(of, frame));
+  return entry(top, path);
+}
+
+// A meaning without what it says of JSON.
+std::string meaning_for_people(std::string_view meaning) {
+  return std::string(meaning.substr(0, std::min(meaning.find("; null"), meaning.find("; its error from scatter"))));
+}
+
+// The entries of a group, those of the groups in it under both names; lists are tables of their own.
+void add_told(PrintedTable& table, const std::vector<Description>& entries, const Json& values, const Frame& frame,
+              const std::string& above) {
+  for (const Description& each : entries) {
+    const Json value = entry(values, each.name);
+    const std::string name = above + std::string(each.name);
+    const Kind& kind = frame.reduced ? kind::number : frame.in_inches ? in_inches(each.kind) : each.kind;
+    std::string cell, interval;
+    switch (each.shape) {
+      case Shape::group:
+        add_told(table, each.entries, value, frame, name + ".");
+        break;
+      case Shape::estimate:
+        if (!value.is_object()) break;
+        cell = readable(number_or_nan(value["value"]), number_or_nan(value["standard_error"]), kind);
+        if (const Json ends = value["interval95"]; ends.is_array() && ends[0].is_number() && ends[0] != ends[1])
+          interval = with_ends(
+              {number_or_nan(value["value"]), number_or_nan(value["standard_error"]), ends[0], ends[1]}, kind);
+        break;
+      case Shape::quantity:
+        if (value.is_object()) cell = readable(number_or_nan(value["value"]), kind);
+        break;
+      case Shape::number:
+        if (std::isfinite(number_or_nan(value))) cell = readable(number_or_nan(value), kind);
+        break;
+      case Shape::count:
+        if (!value.is_null()) cell = value.dump();
+        break;
+      case Shape::yes_no:
+        if (value.is_boolean()) cell = value.get<bool>() ? "yes" : "no";
+        break;
+      case Shape::words:
+        if (value.is_string() && each.name != "unit") cell = printable(value.get<std::string>());
+        break;
+      default:
+        break;
+    }
+    if (!cell.empty()) table.rows.push_back({name, cell, interval, meaning_for_people(each.meaning)});
+    if (each.shape == Shape::estimate) add_told(table, each.entries, value, frame, name + ".");
+  }
+}
+
+}  // namespace
+
+bool is_of_numbers(const PrintedTable& table, std::size_t column) {
+  if (column == 0) return false;
+  bool has_some = table.rows.empty();
+  for (const auto& row : table.rows) {
+    if (row[column].empty()) continue;
+    if (!begins_as_number(row[column])) return false;
+    has_some = true;
+  }
+  return has_some;
+}
+
+PrintedTable picked(const PrintedTable& table, const std::vector<std::string_view>& columns) {
+  if (columns.empty()) return table;
+  PrintedTable some;
+  some.rows.resize(table.rows.size());
+  for (const std::string_view column : columns) {
+    const auto found = std::find_if(table.head.begin(), table.head.end(),
+                                    [&](const std::string& heading) { return heading.starts_with(column); });
+    if (found == table.head.end()) throw std::invalid_argument(fmt::format("no column '{}'", column));
+    some.head.push_back(*found);
+    const auto index = static_cast<std::size_t>(found - table.head.begin());
+    for (std::size_t i = 0; i < table.rows.size(); ++i) some.rows[i].push_back(table.rows[i][index]);
+  }
+  return some;
+}
+
+PrintedTable printed(const std::vector<NumberColumn>& columns) {
+  PrintedTable table;
+  for (const auto& column : columns) {
+    const PrintedColumn print(column);
+    table.head.push_back(print.title());
+    table.rows.resize(column.values.size());
+    for (std::size_t i = 0; i < column.values.size(); ++i) table.rows[i].push_back(print.cell(column.values[i]));
+  }
+  return table;
+}
+
+PrintedTable shown(const FieldList& answer, const void* of, const Frame& frame, std::string_view list,
+                   const std::vector<Shown>& columns) {
+  const Description what = described(answer.descriptions(), list);
+  const Json entries = entry_of(answer, of, frame, list);
+  PrintedTable table;
+  table.rows.resize(entries.size());
+  for (const Shown& column : columns) {
+    const PrintedTable cells = column_of(what.entries, entries, frame, column);
+    table.head.push_back(cells.head.front());
+    for (std::size_t i = 0; i < entries.size(); ++i) table.rows[i].push_back(cells.rows[i].front());
+  }
+  return table;
+}
+
+PrintedTable told(const FieldList& answer, const void* of, const Frame& frame, std::string_view group) {
+  const Description what = described(answer.descriptions(), group);
+  PrintedTable table{.head = {std::string(group), "Value", "95 % interval", meaning_for_people(what.meaning)},
+                     .rows = {},
+                     .folding = Folding::always};
+  add_told(table, what.entries, entry_of(answer, of, frame, group), frame, "");
+  return table;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,138 @@
+// Tests of which each finding that there is is found: the example that slips, changed.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "case/case_file.h"
+#include "finding/answer.h"
+
+namespace flexslip {
+
+inline FittedTest example(const std::string& name) {
+  return fit_test(read_case(FLEXSLIP_SOURCE_DIR "/examples/" + name + "/case.toml"), {});
+}
+
+inline const FittedTest& slipping() {
+  static const FittedTest test = example("simulated");
+  return test;
+}
+
+// The example that slips, changed so.
+template <class Change>
+FittedTest changed(const Change& change) {
+  FittedTest test = slipping();
+  change(test);
+  return test;
+}
+
+inline Check& check_of(FittedTest& test, CheckKind kind) {
+  return *std::find_if(test.analysis.checks.begin(), test.analysis.checks.end(),
+                       [&](const Check& check) { return check.kind == kind; });
+}
+
+inline const Finding* found(const Answer& answer, std::string_view code) {
+  const auto at = std::find_if(answer.findings.begin(), answer.findings.end(),
+                               [&](const Finding& finding) { return finding.code == code; });
+  return at == answer.findings.end() ? nullptr : &*at;
+}
+
+// Each a test of which that is found which it is named by.
+struct Situation {
+  std::string_view code;
+  Severity severity;
+  FittedTest test;
+};
+
+inline std::vector<Situation> situations() {
+  std::vector<Situation> all;
+  const auto add = [&](std::string_view code, Severity severity, const auto& change) {
+    all.push_back({code, severity, changed(change)});
+  };
+  add("no_force", Severity::refusal, [](FittedTest& test) {
+    test.analysis.status = AnalysisStatus::too_few_points;
+    for (double& force : test.analysis.record.force) force = -1;
+  });
+  add("no_initial_slope", Severity::refusal,
+      [](FittedTest& test) { test.analysis.status = AnalysisStatus::no_initial_slope; });
+  add("too_deep", Severity::refusal, [](FittedTest& test) {
+    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.reduced.deflection.back() = 3.9;
+  });
+  add("too_few_rows", Severity::refusal, [](FittedTest& test) {
+    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.record.force.resize(12);
+  });
+  add("too_few_points", Severity::refusal,
+      [](FittedTest& test) { test.analysis.status = AnalysisStatus::too_few_points; });
+  add("wrong_load_train", Severity::refusal, [](FittedTest& test) {
+    test.analysis.rig.stiffness = std::numeric_limits<double>::infinity();
+    test.analysis.stiffness_implausible = true;
+    test.analysis.stiffness_over_slope = 1.5;
+  });
+  add("wrong_stiffness", Severity::refusal, [](FittedTest& test) {
+    test.analysis.stiffness_implausible = true;
+    test.analysis.stiffness_over_slope = 16;
+  });
+  add("not_explained", Severity::refusal,
+      [](FittedTest& test) { test.analysis.status = AnalysisStatus::not_explained; });
+  add("softer_reload", Severity::suspicion, [](FittedTest& test) {
+    test.judgement->softer_reload = true;
+    test.judgement->loss = 0.2;
+    test.judgement->loss_error = 0.01;
+  });
+  add("cracks", Severity::suspicion, [](FittedTest& test) {
+    test.judgement->drops_are_cracks = true;
+    test.judgement->drops = CrackVerdict::cracks;
+  });
+  add("most_drops_impossible", Severity::refusal, [](FittedTest& test) { test.judgement->impossible = 30; });
+  add("no_sliding", Severity::refusal, [](FittedTest& test) { test.analysis.model_implausible = true; });
+  add("impossible_drops", Severity::doubt, [](FittedTest& test) { test.judgement->impossible = 2; });
+  add("implausible_friction", Severity::suspicion, [](FittedTest& test) { test.analysis.fit.mu0.low = 1.01; });
+  for (const auto& [code, kind] :
+       {std::pair{"misses_force", CheckKind::residuals}, std::pair{"drops_differ", CheckKind::drops},
+        std::pair{"coloured_noise", CheckKind::whiteness}, std::pair{"simpler_fits_better", CheckKind::nesting},
+        std::pair{"unexpected_stiffness", CheckKind::stiffness}})
+    add(code, Severity::doubt,
+        [kind = kind](FittedTest& test) { check_of(test, kind).outcome = CheckOutcome::failed; });
+  add("unstable", Severity::doubt, [](FittedTest& test) {
+    test.analysis.checks.push_back(
+        {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5, false}, {"same_explanation", 0, false}}});
+  });
+  add("falling_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
+  add("changed_reload", Severity::doubt, [](FittedTest& test) {
+    test.judgement->changed_reload = true;
+    test.judgement->loss = -0.2;
+    test.judgement->loss_error = 0.01;
+  });
+  add("coarse_force", Severity::doubt,
+      [](FittedTest& test) { test.analysis.drops.smallest_fall = 0.1 * test.analysis.record.force.back(); });
+  add("undecided_drops", Severity::doubt,
+      [](FittedTest& test) { test.judgement->drops = CrackVerdict::cannot_be_told; });
+  add("few_rows", Severity::doubt, [](FittedTest& test) { test.judgement->few_rows = true; });
+  add("below_frictionless", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });
+  add("settling_contact", Severity::doubt, [](FittedTest& test) {
+    test.analysis.contact.status = ContactStatus::found;
+    test.analysis.contact.settles = true;
+    test.analysis.contact.offset = normal_estimate(2e-6, 1e-7);
+  });
+  add("only_a_limit", Severity::note, [](FittedTest& test) {
+    check_of(test, CheckKind::friction).outcome = CheckOutcome::failed;
+    test.analysis.fit.mu0_is_bound = true;
+  });
+  add("no_reload", Severity::note, [](FittedTest&) {});
+  add("jumps", Severity::note, [](FittedTest& test) {
+    test.judgement->jumped = 0.6;
+    test.judgement->stiffness_for_all = 300;
+  });
+  add("imaged_length", Severity::note, [](FittedTest& test) {
+    test.imaged = ImagedLength{.points = {{}, {}}, .offset = normal_estimate(0.001, 0.0001), .scatter = 0.002};
+  });
+  return all;
+}
+
+}  // namespace flexslip

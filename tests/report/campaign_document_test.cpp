@@ -1,0 +1,89 @@
+#include "report/campaign_document.h"
+
+#include <algorithm>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "tests/has.h"
+#include "tests/report/some_campaign.h"
+
+using namespace flexslip;
+
+namespace {
+
+// The table whose first columns are these; empty where the document has none.
+PrintedTable table_with(const std::vector<Chapter>& chapters, const std::string& first, const std::string& second) {
+  for (const Chapter& chapter : chapters)
+    for (const Block& block : chapter.blocks)
+      if (const auto* table = std::get_if<PrintedTable>(&block);
+          table && table->head.size() > 1 && table->head[0] == first && table->head[1] == second)
+        return *table;
+  return {};
+}
+
+std::string on_one_line(const Campaign& campaign) { return in_text(document_of(campaign, with_error), 10'000); }
+
+}  // namespace
+
+TEST_CASE("table: the answer of a campaign counted by hand") {
+  CHECK(answer_of(some_campaign()) ==
+        "6 tests: 4 slip, 0 undecided, 0 crack, 1 without drops, 1 without an answer. Friction 0.51 averaged over 4 "
+        "specimens, 0.30 to 0.75 between them; 25 % of the work (25 to 25 %). SS8 is suspect. SS99 could not be "
+        "evaluated.");
+  CHECK(has(on_one_line(some_campaign()),
+            "0.5 to 0.721 for glass on steel; the mean is within it, and 1 of 4 tests agree with it"));
+  auto of_maize = some_campaign();
+  of_maize.tests.front().materials = Materials{"maize", "steel"};
+  CHECK_FALSE(has(on_one_line(of_maize), "literature"));
+  CHECK(answer_of(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})) ==
+        "1 test: 0 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.30; 25 % of the work.");
+}
+
+TEST_CASE("table: what surface would explain the waves of a campaign, and what would settle it") {
+  const std::string words = on_one_line(some_campaign());
+  CHECK(has(words, "waves 110 nm high (half of crest to trough; 110 nm to 110 nm) would explain"));
+  CHECK(has(words, "with pixels of 22 nm it shows those of the mean height"));  // 2 h/10
+  const std::string none = "A surface that would explain it";
+  CHECK_FALSE(has(on_one_line(no_tests()), none));
+  CHECK_FALSE(has(on_one_line(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})), none));
+  CampaignTest indicative = some_test("SS2", SawtoothCategory::clear, 0.5, 11e-6);
+  indicative.summary->wave_claimed = false;  // no reason to image anything
+  CHECK_FALSE(has(on_one_line(campaign_of({indicative})), none));
+}
+
+TEST_CASE("limit: no tests, none with an answer, all suspect") {
+  CHECK(answer_of(no_tests()) == "No tests.");
+  CHECK(campaign_text(no_tests()) == "No tests.\n");
+  CHECK(answer_of(only_failures()) == "No answer: none of the 2 tests could be evaluated.");
+  CHECK(has(campaign_text(only_failures()), "   SS1                 a.csv:17: column 'F_N': expected a number"));
+  const std::string suspect = answer_of(campaign_of({some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6)}));
+  CHECK(has(suspect, " Friction 1.25. SS8 is suspect."));
+}
+
+TEST_CASE("table: rows for people, each with as many cells as the head") {
+  const auto chapters = document_of(some_campaign(), with_interval);
+  for (const Chapter& chapter : chapters)
+    for (const Block& block : chapter.blocks)
+      if (const auto* table = std::get_if<PrintedTable>(&block))
+        for (const auto& row : table->rows) CHECK(row.size() == table->head.size());
+  const PrintedTable tests = table_with(chapters, "Test", "Verdict");
+  CHECK(tests.head[9] == "λ (µm)");
+  CHECK(tests.rows[0][4] == "0.600 (0.576 to 0.624)");
+  CHECK(tests.rows[0][9] == "10.90 (10.50 to 11.30)");
+  CHECK(tests.rows[0][10] == "0.110 (0.050 to 0.170)");
+  CHECK(tests.rows[0][11] == "0.050 (0.030 to 0.070)");
+  CHECK(tests.rows[3][9].empty());
+  CHECK(table_with(chapters, "Sawtooth", "Suspects").rows[1][3] == "0.750 (0.400 to 1.250)");
+  CHECK(table_with(chapters, "Parameter", "Value").rows[0][1] == "29.6 ± 1.2");
+  CHECK(table_with(chapters, "Parameter", "Value").rows[0][3] == "GPa");
+}
+
+TEST_CASE("by hand: a line a test on a terminal, its doubts cut where the line ends") {
+  Campaign campaign = some_campaign();
+  campaign.tests[1].remarks = {"friction decreases", "10 drops, fit 2 to 5", "residuals are not noise", "few rows"};
+  std::string text = campaign_text(campaign);
+  for (auto at = text.find("  "); at != std::string::npos; at = text.find("  ", at)) text.erase(at, 1);
+  CHECK_MESSAGE(has(text, "\n Test Verdict Friction Spacing (µm) Work (%) Doubts\n"), text);
+  CHECK_MESSAGE(has(text, "\n SS4 SLIP 0.400 ± 0.012 8.0 25 friction decreases; 10 drops, …\n"), text);
+}

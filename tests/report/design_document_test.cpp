@@ -1,0 +1,67 @@
+#include "report/design_document.h"
+
+#include <limits>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "tests/design/some_design.h"
+
+namespace flexslip {
+namespace {
+
+// Of a finer roughness than the example's, for more teeth.
+DesignCase fine() { return design_of(with("40 um", "10.9 um")); }
+
+std::string all_words(const DesignAnswer& answer) { return in_text(document_of(answer), 10'000); }
+
+bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("table: the answer in a sentence, for every kind of test") {
+  const auto with_value = [](DesignParameter parameter, double value) {
+    DesignCase input = fine();
+    input.set(parameter, value);
+    return design_in_short(answer_of(input));
+  };
+  CHECK(design_in_short(answer_of(fine())).starts_with("Yes, you will see a sawtooth: the force drops by up to "));
+  CHECK(with_value(DesignParameter::travel, 466e-6).starts_with("Yes: the specimen will snap, once."));
+  CHECK(with_value(DesignParameter::stiffness, 600).starts_with("No sawtooth, but a wavy force"));
+  CHECK(with_value(DesignParameter::mu0, 0).ends_with("past a smooth peak of the force."));
+  CHECK(with_value(DesignParameter::travel, 300e-6).ends_with("and the force never falls."));
+  DesignCase waves = fine();  // too small to be seen, past the peak of the force
+  waves.set(DesignParameter::amplitude, 0.0015);
+  waves.set(DesignParameter::wavelength, 400e-9);
+  CHECK(design_in_short(answer_of(waves)).starts_with("No visible sawtooth: the specimen will snap "));
+  DesignCase coarse = fine();
+  coarse.set(DesignParameter::travel, 466e-6);
+  coarse.set(DesignParameter::step, 233e-6);
+  CHECK(design_in_short(answer_of(coarse)).ends_with("but readings 233 µm apart will not show it."));
+}
+
+TEST_CASE("identity: the words say the numbers of the answer") {
+  const auto answer = answer_of(fine());
+  const std::string all = all_words(answer);
+  const auto& scales = answer.scales;
+  const auto& outcome = answer.outcome;
+  CHECK(holds(all, readable(scales.physical_length(outcome.first_snap.value().stage), kind::length)));
+  CHECK(holds(all, "a deflection of " + readable(scales.physical_length(outcome.w_reached), kind::length)));
+  CHECK(holds(all, readable(scales.physical_force(outcome.largest_drop), kind::force) + " at most"));
+  CHECK(holds(all, std::to_string(outcome.snaps) + " up to the stage position"));
+  CHECK(holds(all, "the specimen snaps with each of 24"));
+  CHECK(changes_in_words(answer).size() == answer.changes.size());
+}
+
+TEST_CASE("limit: what is infinite, or nothing, is told in words") {
+  DesignCase input = fine();
+  input.set(DesignParameter::stiffness, std::numeric_limits<double>::infinity());
+  CHECK(holds(all_words(answer_of(input)), "load train      infinite stiffness; "));
+  input.set(DesignParameter::mu0, 0);
+  const std::string slippery = all_words(answer_of(input));
+  CHECK(holds(slippery, "none, however soft, lets the specimen snap"));
+  CHECK_FALSE(holds(slippery, "nan"));
+  CHECK_FALSE(holds(slippery, " inf "));
+}
+
+}  // namespace flexslip

@@ -1,0 +1,67 @@
+#include "report/fit_document.h"
+
+#include <algorithm>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "answers/fit_fields.h"
+#include "campaign/campaign.h"
+#include "inference/campaign.h"
+#include "io/text.h"
+#include "report/campaign_document.h"
+#include "report/page.h"
+#include "tests/finding/situations.h"
+#include "tests/has.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t one_line = 100'000;
+
+std::string campaign_of_one(const FittedTest& test) {
+  Campaign campaign{.tests = {campaign_test_of(test, "case.toml")}, .categories = {}, .shared = {}};
+  if (campaign.tests[0].summary) campaign.categories = summarise(std::vector{*campaign.tests[0].summary});
+  return in_html(document_of(campaign, with_error), [] { return std::string(); });
+}
+
+}  // namespace
+
+TEST_CASE("every finding there is: screen, text, page, JSON and campaign print its very words") {
+  // What the verdict is made of is told by the rows of the screen, in other words; a campaign has the verdict.
+  constexpr std::array told_by_rows{"cracks", "undecided_drops"};
+  for (const Situation& each : situations()) {
+    INFO(each.code);
+    const Answer answer = answer_of(each.test);
+    const Finding& finding = *found(answer, each.code);
+    INFO(finding.sentence);
+    const bool on_screen = each.severity <= Severity::doubt &&
+                           std::find(told_by_rows.begin(), told_by_rows.end(), each.code) == told_by_rows.end();
+    const std::string screen = fit_screen("test", answer, {.width = one_line});
+    if (on_screen) CHECK(has(screen, finding.sentence));
+    CHECK(has(in_text(document_of(each.test), one_line), finding.sentence));
+    const std::string page = in_html(document_of(each.test), [] { return std::string(); });
+    CHECK(has(page, html_escaped(finding.sentence)));
+    CHECK(has(page, html_escaped(finding.remedy)));
+    const Json json = fit_json(each.test);
+    CHECK(std::any_of(json.at("findings").begin(), json.at("findings").end(), [&](const Json& one) {
+      return one.at("code") == each.code && one.at("sentence") == finding.sentence &&
+             one.at("remedy") == finding.remedy;
+    }));
+    if (on_screen && each.code != "softer_reload")
+      CHECK(
+          has(campaign_of_one(each.test), html_escaped(is_fitted(each.test) ? finding.short_form : finding.sentence)));
+  }
+}
+
+TEST_CASE("document: the rows of an answer and its doubts stand as on the screen") {
+  const Answer answer =
+      answer_of(changed([](FittedTest& test) { test.judgement->friction_falls = test.judgement->few_rows = true; }));
+  const Rows rows = rows_of(answer);
+  REQUIRE(rows.size() == answer.rows.size() + 2);
+  CHECK(rows[answer.rows.size()].label == "doubt");
+  const std::string screen = fit_screen("test", answer, {.width = one_line});
+  for (const AnswerRow& row : rows) CHECK(has(screen, row.words));
+}
+
+}  // namespace flexslip
