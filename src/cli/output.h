@@ -15,7 +15,6 @@
 #include "report/draw.h"
 #include "report/fit_document.h"
 #include "result/table.h"
-#include "result/table.h"
 
 namespace flexslip {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "case/fitted.h"
-#include "data/estimate.h"
+#include "numerics/statistics.h"
 #include "io/quantity.h"
 
 namespace flexslip {

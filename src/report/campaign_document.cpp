@@ -15,8 +15,8 @@
 #include "finding/printed.h"
 #include "io/quantity.h"
 #include "io/text_table.h"
-#include "report/campaign_figures.h"
-#include "surface/resolution.h"
+#include "report/figures.h"
+#include "surface/texture.h"
 
 namespace flexslip {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
+#include "numerics/elementary.h"
 #include "finding/printed.h"
 #include "io/text_table.h"
 
