@@ -10,7 +10,7 @@
 
 #include "design/design_answer.h"
 #include "design/design_map.h"
-#include "design/sweep_file.h"
+#include "design/design_result.h"
 #include "result/fields.h"
 
 namespace flexslip {

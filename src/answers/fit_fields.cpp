@@ -10,7 +10,7 @@
 
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
-#include "case/analysis_fields.h"
+#include "case/fitted.h"
 #include "data/names.h"
 #include "finding/answer.h"
 #include "finding/finding.h"

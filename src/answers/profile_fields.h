@@ -8,7 +8,7 @@
 
 #include "case/fitted.h"
 #include "case/measurement.h"
-#include "case/problem.h"
+#include "case/mechanics.h"
 #include "data/record.h"
 #include "inference/profile.h"
 #include "result/fields.h"

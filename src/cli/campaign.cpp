@@ -12,7 +12,7 @@
 
 #include "answers/campaign_fields.h"
 #include "campaign/campaign_run.h"
-#include "cli/analysis_flags.h"
+#include "campaign/campaign.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
@@ -40,7 +40,7 @@ struct CampaignRequest {
 
 CampaignOptions options_of(const CampaignRequest& request) {
   CampaignOptions options;
-  options.analysis = [&request](const Case& input) { return options_for(input, request.flags); };
+  options.analysis = [&request](const Test& input) { return options_for(input, request.flags); };
   options.threads = request.jobs;
   options.stop = &interrupted();
   if (!request.report.empty()) keep_tests_in(request.report, request.test_reports, options);

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "answers/equilibrium_fields.h"
 #include "answers/state_fields.h"
 #include "case/equilibrium_study.h"
+#include "case/studies.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"

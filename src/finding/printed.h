@@ -27,7 +27,7 @@ std::string significant(double value, int digits);
 
 class Print {
  public:
-  Print(const Case& test, const Scales& scales) : test_(test), scales_(scales) {}
+  Print(const Test& test, const Scales& scales) : test_(test), scales_(scales) {}
   explicit Print(const FittedTest& test) : Print(test.measurement.test, test.analysis.scales) {}
 
   Kind as(const Kind& kind) const { return kind_in(test_, kind); }
@@ -39,7 +39,7 @@ class Print {
   std::string own(double value, const Kind& kind) const;
 
  private:
-  const Case& test_;
+  const Test& test_;
   const Scales& scales_;
 };
 

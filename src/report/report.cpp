@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "case/case_file.h"
-#include "case/stiffness_used.h"
+#include "case/mechanics.h"
 #include "finding/answer.h"
 #include "finding/printed.h"
 #include "io/text.h"
@@ -37,7 +37,7 @@ std::string date_of_today() {
 
 // The verdict, the rows, what speaks against it; specimen, rig, file, date, command and citation.
 std::string head_of(const FittedTest& test, const Answer& answer) {
-  const Case& input = test.measurement.test;
+  const Test& input = test.measurement.test;
   const Print print(test);
   const double stiffness = rig_stiffness_of(input);
   Rows rows = rows_of(answer);
