@@ -9,7 +9,6 @@
 #include "answers/campaign_fields.h"
 #include "campaign/campaign.h"
 #include "campaign/campaign_run.h"
-#include "campaign/campaign.h"
 #include "case/fitted.h"
 #include "figures.h"
 #include "interruptible.h"

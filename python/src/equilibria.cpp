@@ -5,9 +5,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "answers/equilibrium_fields.h"
 #include "answers/state_fields.h"
-#include "case/equilibrium_study.h"
 #include "case/studies.h"
 #include "figures.h"
 #include "interruptible.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bending_test/equilibrium.h"
-#include "case/equilibrium_study.h"
+#include "case/studies.h"
 #include "fibre/elastica.h"
 #include "fibre/supported_state.h"
 #include "result/fields.h"

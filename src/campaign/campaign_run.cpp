@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign_plan.h"
-#include "campaign/campaign_run.h"
 #include "case/fitted.h"
 #include "io/input_error.h"
 #include "io/parallel.h"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "case/test.h"
-#include "numerics/elementary.h"
 #include "io/quantity.h"
 #include "numerics/elementary.h"
 

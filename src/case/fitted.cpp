@@ -17,7 +17,6 @@
 #include "case/mechanics.h"
 #include "data/names.h"
 #include "io/input_error.h"
-#include "numerics/elementary.h"
 #include "io/sha256.h"
 #include "io/table.h"
 #include "numerics/elementary.h"

@@ -11,11 +11,9 @@
 
 #include "case/mechanics.h"
 #include "data/contact.h"
-#include "data/contact.h"
 #include "data/record.h"
 #include "instruments/export.h"
 #include "io/input_error.h"
-#include "numerics/elementary.h"
 #include "io/quantity.h"
 #include "io/table.h"
 #include "numerics/elementary.h"

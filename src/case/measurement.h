@@ -10,7 +10,6 @@
 
 #include "case/case_file.h"
 #include "data/record.h"
-#include "data/record.h"
 #include "io/quantity.h"
 
 namespace flexslip {

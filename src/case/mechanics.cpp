@@ -10,19 +10,17 @@
 
 #include <fmt/format.h>
 
-#include "bending_test/stage_steps.h"
+#include "bending_test/history.h"
 #include "case/surface_study.h"
 #include "contact/build_up.h"
-#include "contact/capped.h"
-#include "contact/on_slopes.h"
 #include "contact/over_rollers.h"
 #include "data/names.h"
 #include "fibre/elastica.h"
-#include "fibre/limits.h"
-#include "inference/stiffness_from_slope.h"
+#include "inference/analysis.h"
 #include "instruments/trace_file.h"
 #include "io/quantity.h"
 #include "io/table.h"
+#include "numerics/elementary.h"
 #include "surface/slope_friction.h"
 
 namespace flexslip {

@@ -9,13 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include "bending_test/bending_test.h"
-#include "bending_test/cracking_fibre.h"
+#include "bending_test/history.h"
+#include "bending_test/motion.h"
 #include "bending_test/rig.h"
 #include "case/case_file.h"
 #include "case/measurement.h"
 #include "data/scales.h"
-#include "data/surface_strain.h"
+#include "data/section.h"
 #include "inference/profile.h"
 
 namespace flexslip {

@@ -11,9 +11,8 @@
 #include "bending_test/rolling.h"
 #include "data/names.h"
 #include "data/section.h"
-#include "data/surface_strain.h"
-#include "fibre/elementary.h"
 #include "io/input_error.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -10,11 +10,8 @@
 #include <vector>
 
 #include "bending_test/history.h"
-#include "bending_test/history.h"
 #include "case/case_file.h"
 #include "case/mechanics.h"
-#include "case/problem.h"
-#include "case/simulation.h"
 #include "data/record.h"
 #include "data/scales.h"
 

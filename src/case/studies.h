@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bending_test/portrait.h"
+#include "bending_test/history.h"
 #include "case/case_file.h"
 #include "case/measurement.h"
 #include "case/mechanics.h"

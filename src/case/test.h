@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "bending_test/bending_test.h"
+#include "bending_test/motion.h"
 #include "data/section.h"
 #include "io/table.h"
 

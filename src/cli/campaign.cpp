@@ -12,7 +12,6 @@
 
 #include "answers/campaign_fields.h"
 #include "campaign/campaign_run.h"
-#include "campaign/campaign.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "case/mechanics.h"
-#include "case/problem.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {

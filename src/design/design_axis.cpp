@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "fibre/elastica.h"
-#include "fibre/limits.h"
 #include "io/input_error.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include "bending_test/rig.h"
-#include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/parallel.h"
 #include "io/quantity.h"
 #include "io/text.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -279,6 +279,30 @@ std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis
   });
   if (stop && *stop) return {};
   return points;
+}
+
+std::vector<BorderPiece> border_of_snapping(const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points) {
+  const std::size_t columns = points_of(axes.at(1)), rows = points.size() / columns;
+  const auto at = [&](std::size_t i, std::size_t j) { return &points[i * columns + j]; };
+  std::vector<BorderPiece> border;
+  for (std::size_t i = 0; i + 1 < rows; ++i)
+    for (std::size_t j = 0; j + 1 < columns; ++j) {
+      const std::array corners{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1), at(i, j)};
+      std::vector<std::array<double, 2>> crossings;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const MapPoint &a = *corners[c], &b = *corners[c + 1];
+        if (std::isnan(a.margin) || std::isnan(b.margin) || (a.margin > 0) == (b.margin > 0)) continue;
+        const double share = a.margin / (a.margin - b.margin);
+        auto& crossing = crossings.emplace_back();
+        for (std::size_t k = 0; k < 2; ++k) {
+          const AxisRange& range = std::get<AxisRange>(axes[k].values);
+          crossing[k] = range.spacing == Spacing::logarithmic ? a.values[k] * std::pow(b.values[k] / a.values[k], share)
+                                                              : std::lerp(a.values[k], b.values[k], share);
+        }
+      }
+      for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) border.push_back({crossings[c], crossings[c + 1]});
+    }
+  return border;
 }
 
 }  // namespace flexslip

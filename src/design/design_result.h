@@ -12,7 +12,7 @@
 #include "bending_test/design.h"
 #include "case/mechanics.h"
 #include "data/scales.h"
-#include "data/surface_strain.h"
+#include "data/section.h"
 #include "design/design_axis.h"
 #include "result/fields.h"
 
@@ -86,5 +86,12 @@ struct MapPoint {
 // Fails:      with an empty list once `stop` is true: at the end of the designs under way.
 std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis>& axes, unsigned threads,
                                  const std::atomic<bool>* stop = nullptr);
+
+// Where the margin of a map over two axes vanishes: on the edges of the grid's cells, evenly in the logarithm of a logarithmic axis, and straight
+// between them.
+struct BorderPiece {
+  std::array<double, 2> from, to;  // the two parameters
+};
+std::vector<BorderPiece> border_of_snapping(const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points);
 
 }  // namespace flexslip

@@ -17,9 +17,9 @@
 #include "case/keys.h"
 #include "case/toml.h"
 #include "design/design_result.h"
-#include "fibre/limits.h"
 #include "io/sha256.h"
 #include "io/table.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

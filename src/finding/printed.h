@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "case/fitted.h"
-#include "numerics/statistics.h"
 #include "io/quantity.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 

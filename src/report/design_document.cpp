@@ -15,7 +15,7 @@ namespace {
 
 class InUnits : public Print {
  public:
-  explicit InUnits(const DesignAnswer& answer) : Print(answer.input.given(), answer.scales) {}
+  explicit InUnits(const DesignAnswer& answer) : Print(answer.input, answer.scales) {}
 
   // [units of the case]
   std::string stiffness(double value) const {
@@ -81,7 +81,7 @@ std::string strain_in_words(const DesignAnswer& answer, const InUnits& shown) {
   return !answer.surface
              ? ""
              : fmt::format("up to {} at the surface{}", strain_text(answer.surface->strain(curvature)),
-                           answer.input.reduced()
+                           answer.input.reduced
                                ? ""
                                : fmt::format(" ({})", shown.own(answer.surface->stress(curvature), kind::pressure)));
 }
@@ -103,11 +103,11 @@ std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) 
   const bool is_too_soft = answer.outcome.snaps == 0 && answer.design.rig.stiffness < answer.critical;
   return fmt::format(
       "{}; {}at {} or more the specimen does not snap{}{}", yours,
-      answer.input.support_compliance() > 0 ? "with the supports together, " : "", shown.stiffness(critical),
+      support_compliance_of(answer.input) > 0 ? "with the supports together, " : "", shown.stiffness(critical),
       is_too_soft ? fmt::format("; here it does not, as this rig bends it by no more than {}",
                                 shown.length(answer.outcome.w_reached))
                   : "",
-      critical * answer.input.support_compliance() >= 1 ? "; on these supports no load train reaches that" : "");
+      critical * support_compliance_of(answer.input) >= 1 ? "; on these supports no load train reaches that" : "");
 }
 
 std::string work_of_design_in_words(const DesignAnswer& answer, const InUnits& shown) {
@@ -135,7 +135,7 @@ std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
       study.snapping == 0 ? ""
       : std::isfinite(study.critical)
           ? fmt::format("; with a load train{} of {} or more with none",
-                        answer.input.support_compliance() > 0 ? " and supports together" : "",
+                        support_compliance_of(answer.input) > 0 ? " and supports together" : "",
                         shown.stiffness(rounded_to_enough(answer.scales.physical_stiffness(study.critical))))
           : "; with some of them however stiff the load train is");
 }
@@ -245,7 +245,7 @@ std::vector<Chapter> document_of(const DesignAnswer& answer) {
   const InUnits shown(answer);
   const DesignOutcome& outcome = answer.outcome;
   const double from = friction_told_from(answer.design.rig.fibre);
-  const auto limit = answer.input.pin_limit();
+  const auto limit = pin_limit_of(answer.input);
   const Rows rows{
       {"first snap", first_snap_in_words(answer, shown)},
       {"snaps", fmt::format("{} up to the stage position {}, a deflection of {}",

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "campaign/campaign.h"
-#include "case/equilibrium_study.h"
 #include "case/fitted.h"
 #include "case/simulated_test.h"
+#include "case/studies.h"
 #include "case/surface_study.h"
 #include "design/design_answer.h"
-#include "design/design_map.h"
+#include "design/design_result.h"
 #include "report/plot.h"
 
 namespace flexslip {
@@ -58,8 +58,7 @@ Plot design_figure(const DesignAnswer& answer);
 
 // Drops and the first snap over one parameter; or the largest drop over two, with the border of those that do not snap.
 // Domain:     one or two axes, and their points; std::invalid_argument otherwise.
-Plot design_map_figure(const DesignCase& input, const std::vector<DesignAxis>& axes,
-                       const std::vector<MapPoint>& points);
+Plot design_map_figure(const Test& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points);
 
 // All equilibria of the specimen in three spaces, if the study asks for the region: deflection and force, length and deflection, length and force
 // (Fig. 7). Otherwise the curve along which it slides, with that of no friction and the Euler-Bernoulli line (Fig. 8A).

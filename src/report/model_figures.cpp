@@ -291,10 +291,10 @@ Plot design_figure(const DesignAnswer& answer) {
   const double least = answer.critical > 0 ? std::min(likely, answer.critical) : likely;
   const bool is_wide = top > wide * least;
 
-  const PlotUnits units{answer.scales, answer.input.reduced(), is_in_inches(answer.input.given())};
+  const PlotUnits units{answer.scales, answer.input.reduced, is_in_inches(answer.input)};
   const PlotUnit w = units.length(design.travel), F = units.force(outcome.greatest_force), k = units.stiffness(top);
   // Supports that give way make a rig of the load train.
-  const bool gives = answer.input.support_compliance() > 0;
+  const bool gives = support_compliance_of(answer.input) > 0;
   Axis stiffness = k.axis(gives ? "Stiffness of the rig *k*" : "Load-train stiffness *k*", is_wide ? least / 3 : 0,
                           (is_wide ? 2 : 1.12) * top);
   stiffness.logarithmic = is_wide;
@@ -385,14 +385,14 @@ struct ParameterAxis {
   }
 };
 
-ParameterAxis parameter_axis(const DesignCase& input, const DesignAxis& over) {
+ParameterAxis parameter_axis(const Test& input, const DesignAxis& over) {
   const auto& range = std::get<AxisRange>(over.values);
-  const Kind kind = input.shown_as(over.parameter.kind);
+  const Kind kind = kind_in(input, over.parameter.kind);
   const bool logarithmic = range.spacing == Spacing::logarithmic;
   const double magnitude =
       logarithmic ? std::sqrt(range.from * range.to) : std::max(std::abs(range.from), std::abs(range.to));
   PlotUnit unit{"", 1};
-  if (!kind.units.empty()) unit = plot_unit(magnitude, kind, input.reduced(), typeset(unit_of(kind, true)));
+  if (!kind.units.empty()) unit = plot_unit(magnitude, kind, input.reduced, typeset(unit_of(kind, true)));
   std::string words(over.parameter.description);
   words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
   if (!over.parameter.symbol.empty()) words += fmt::format(" {}", over.parameter.symbol);
@@ -404,7 +404,7 @@ ParameterAxis parameter_axis(const DesignCase& input, const DesignAxis& over) {
 // [%] Of the greatest force.
 double drop_share(const DesignOutcome& outcome) { return 100 * outcome.largest_drop / outcome.greatest_force; }
 
-Plot line_map(const DesignCase& input, const DesignAxis& over, const std::vector<MapPoint>& points) {
+Plot line_map(const Test& input, const DesignAxis& over, const std::vector<MapPoint>& points) {
   const ParameterAxis x = parameter_axis(input, over);
   const auto first_deflection = [](const DesignResult& result) {  // [units of the case]
     return result.outcome && result.outcome->first_snap
@@ -413,7 +413,7 @@ Plot line_map(const DesignCase& input, const DesignAxis& over, const std::vector
   };
   double deepest = 0;
   for (const auto& point : points) deepest = std::fmax(deepest, first_deflection(point.result));
-  const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, input.shown_as(kind::length), input.reduced(), "L");
+  const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, kind_in(input, kind::length), input.reduced, "L");
   PlotTable designs{"designs",
                     {x.unit.column(over.parameter.name), "largest drop [%]", "mean drop [%]", "friction and snaps [%]",
                      length.column("first snap")}};
@@ -462,7 +462,7 @@ const MapPoint* middle_of(const std::vector<MapPoint>& points, std::size_t colum
   return best;
 }
 
-Plot plane_map(const DesignCase& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points) {
+Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points) {
   ParameterAxis x = parameter_axis(input, axes[0]), y = parameter_axis(input, axes[1]);
   PlotTable designs{"designs",
                     {x.unit.column(axes[0].parameter.name), "left", "right", y.unit.column(axes[1].parameter.name),
@@ -481,7 +481,8 @@ Plot plane_map(const DesignCase& input, const std::vector<DesignAxis>& axes, con
     border.rows.insert(border.rows.end(), {{x(from[0]), y(from[1])}, {x(to[0]), y(to[1])}, {}});
   std::vector<Mark> marks{{Mark::pixels, "designs", {1, 2, 4, 5, 6}},
                           {Mark::line, "border", {0, 1}, {colours::vermillion, 2}, "Border of snapping"},
-                          spot(x(input.value(axes[0].parameter.parameter)), y(input.value(axes[1].parameter.parameter)),
+                          spot(x(value_of(input, axes[0].parameter.parameter).value()),
+                               y(value_of(input, axes[1].parameter.parameter).value()),
                                styles::mark(Symbol::disc, colours::black, 4), "This test")};
   for (const auto& [side, words] : {std::pair{-1.0, "snaps"}, std::pair{1.0, "no snap"}})
     if (const MapPoint* there = middle_of(points, points_of(axes[1]), side))
@@ -508,8 +509,7 @@ Plot plane_map(const DesignCase& input, const std::vector<DesignAxis>& axes, con
 
 }  // namespace
 
-Plot design_map_figure(const DesignCase& input, const std::vector<DesignAxis>& axes,
-                       const std::vector<MapPoint>& points) {
+Plot design_map_figure(const Test& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points) {
   if (axes.size() == 1) return line_map(input, axes.front(), points);
   if (axes.size() == 2) return plane_map(input, axes, points);
   throw std::invalid_argument("a map has one axis or two, not " + std::to_string(axes.size()));

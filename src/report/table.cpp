@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "numerics/elementary.h"
 #include "finding/printed.h"
 #include "io/text_table.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -11,9 +11,7 @@
 
 #include "bending_test/history.h"
 #include "case/mechanics.h"
-#include "case/problem.h"
 #include "case/simulated_test.h"
-#include "case/simulation.h"
 #include "fibre/elastica.h"
 #include "tests/unit.h"
 
