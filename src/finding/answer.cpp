@@ -22,7 +22,6 @@ namespace {
 using T = const FittedTest&;
 using Found = std::optional<Finding>;
 
-constexpr double two_sided = 1.96;
 constexpr std::string_view reload_bounds = "that bounds what stiffness was lost";
 
 bool is_on_edges(T test) { return test.analysis.rig.fibre.supports().radius == 0; }
@@ -492,7 +491,7 @@ Found below_frictionless(T test) {
 Found settling_contact(T test) {
   const Contact& contact = test.analysis.contact;
   if (contact.status != ContactStatus::found || !contact.settles ||
-      !(contact.offset.value > two_sided * contact.offset.standard_error))
+      !(contact.offset.value > two_sided_95 * contact.offset.standard_error))
     return std::nullopt;
   return Finding{.severity = Severity::doubt,
                  .sentence = fmt::format(

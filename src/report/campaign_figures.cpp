@@ -225,7 +225,7 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
     const ForcePlane plane{w, F, greatest(curves.deflection), greatest(curves.force)};
     const auto add = [&](std::size_t table, const std::vector<std::vector<double>>& rows) {
       for (const auto& row : rows) data[table].rows.push_back(row.empty() ? row : std::vector{number, row[0], row[1]});
-      data[table].rows.emplace_back();
+      if (!rows.empty() && !rows.back().empty()) data[table].rows.emplace_back();
     };
     const auto line = [&](const std::vector<double>& deflection, const std::vector<double>& force) {
       PlotTable table = plane.table("");

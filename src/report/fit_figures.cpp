@@ -11,8 +11,6 @@
 namespace flexslip {
 namespace {
 
-constexpr double in_95_percent = 1.96;  // [1] standard deviations of a normal distribution
-
 double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
 // The size that so large a share of the numbers has at most.
@@ -161,7 +159,7 @@ Plot profile_figure(const FittedTest& test) {
                      {slid.column(), "mu", "mu low", "mu high", "mu error of the point", "mu error common to all"}};
   double S_end = fit.S_end, lowest = 0, highest = 0.5;
   for (const auto& point : analysis.profile_at_fit.points) {
-    const double half = in_95_percent * point.from_force;
+    const double half = two_sided_95 * point.from_force;
     measured.rows.push_back({slid(point.S), point.mu, point.mu - half, point.mu + half, point.from_force,
                              std::hypot(point.from_bending_stiffness, point.from_contact)});
     S_end = std::max(S_end, point.S);
@@ -282,8 +280,8 @@ Plot teeth_figure(const FittedTest& test) {
   double lowest = -0.2, highest = 1.15;
   for (const Tooth& tooth : test.analysis.teeth.value().teeth) {
     if (!std::isfinite(tooth.S_begin) || !std::isfinite(tooth.S_end)) continue;
-    const double p = tooth.position.value, noise = in_95_percent * tooth.position.standard_error,
-                 common = in_95_percent * tooth.position_systematic, all = std::hypot(noise, common) + 0.05;
+    const double p = tooth.position.value, noise = two_sided_95 * tooth.position.standard_error,
+                 common = two_sided_95 * tooth.position_systematic, all = std::hypot(noise, common) + 0.05;
     lowest = std::min(lowest, p - all);
     highest = std::max(highest, p + all);
     const double begin = slid(tooth.S_begin), end = slid(tooth.S_end);
@@ -416,7 +414,7 @@ Plot boxes_figure(const FittedTest& test) {
   double x_max = 0;
   const CyclicPoint* before = nullptr;
   for (const CyclicPoint& point : friction.points) {
-    const double x = slid(point.S), error = in_95_percent * point.standard_error;
+    const double x = slid(point.S), error = two_sided_95 * point.standard_error;
     const double motion = point.motion == LegMotion::in ? 0 : point.motion == LegMotion::out ? 1 : 2;
     const double mu = motion == 0 ? point.q : motion == 1 ? -point.q : NAN;
     points.rows.push_back(

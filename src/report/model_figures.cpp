@@ -209,11 +209,14 @@ Plot simulated_figure(const SimulatedTest& test, const std::vector<Crack>& crack
       {Mark::line, "snaps", {0, 1}, styles::snap, snaps_title},
       {Mark::line, "sticking_in", {0, 1}, {colours::blue, 1, Dash::dotted}},
       {Mark::line, "sticking_out", {0, 1}, {colours::vermillion, 1, Dash::dotted}},
-      {Mark::line, "loading", {0, 1}, styles::loading, "Loading"},
-      {Mark::line, "unloading", {0, 1}, styles::unloading, "Unloading"}};
+      {Mark::line, "loading", {0, 1}, styles::loading},
+      {Mark::line, "unloading", {0, 1}, styles::unloading}};
   std::vector<Panel> panels{{.title = "A", .x = w, .y = F, .marks = lines},
                             {.title = "B", .x = S, .y = q, .marks = in_columns(lines, 2, 3)}};
-  panels[0].marks.push_back({.style = {.dash = Dash::dotted}, .title = "Sticking"});
+  const std::vector<Mark> entries{{.style = styles::loading, .title = "Loading"},
+                                  {.style = styles::unloading, .title = "Unloading"},
+                                  {.style = {.dash = Dash::dotted}, .title = "Sticking"}};
+  panels[0].marks.insert(panels[0].marks.end(), entries.begin(), entries.end());
   std::vector<PlotTable> data{std::move(limits), std::move(snaps), part("loading", Direction::loading, false),
                               part("unloading", Direction::unloading, false)};
   for (const bool is_second : {false, true})

@@ -383,7 +383,7 @@ Plot laid_out(Plot plot) {
     panel.y.title.y = middle;
     panel.colour.title = {
         .words = label_of(panel.colour), .x = plot.width - figure_edge - line_height / 2, .y = middle, .upright = true};
-    const std::vector<std::string> title = lines_in(panel.title);
+    const auto title = panel.title.empty() ? std::vector<std::string>{} : lines_in(panel.title);
     for (std::size_t k = 0; k < title.size(); ++k)
       panel.texts.push_back(
           {title[k], left, top + 0.7 + line_height * (static_cast<double>(title.size() - k) - 0.5), Text::left});

@@ -159,7 +159,7 @@ TEST_CASE("plot, by hand: markup") {
 }
 
 TEST_CASE("plot, by hand: an axis has two numbers at least, however low its panel") {
-  const auto ticks = laid_out(with({{.x = {"x"}, .y = {"y"}, .share = 8}, {.x = {"x"}, .y = {"y", "", -0.036, 0.036}}}))
+  const auto ticks = laid_out(with({{.x = {"x"}, .y = {"y"}, .share = 3}, {.x = {"x"}, .y = {"y", "", -0.036, 0.036}}}))
                          .panels[1]
                          .y.ticks;
   std::string texts;
