@@ -13,6 +13,7 @@
 
 #include "finding/printed.h"
 #include "inference/process_mode.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {

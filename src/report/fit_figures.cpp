@@ -5,6 +5,7 @@
 
 #include "inference/analysis_curves.h"
 #include "inference/process_mode.h"
+#include "numerics/statistics.h"
 #include "report/figures.h"
 #include "report/fit_document.h"
 
