@@ -45,7 +45,8 @@ py::list figures(Fitted test) {
   py::list all;
   for (const Chapter& chapter : document_of(test))
     for (const Block& block : chapter.blocks)
-      if (const auto* picture = std::get_if<Picture>(&block)) all.append(plain(picture->plot()));
+      if (const auto* pictures = std::get_if<Pictures>(&block))
+        for (const Plot& plot : pictures->plots()) all.append(plain(plot));
   return all;
 }
 

@@ -49,7 +49,7 @@ bool hidden(const DesignOutcome& outcome) { return outcome.snaps > 0 && outcome.
 std::string strain_text(double strain) { return fmt::format("{:.2g} %", 100 * strain); }
 
 std::string first_snap_in_words(const DesignAnswer& answer, const InUnits& shown) {
-  if (!answer.outcome.first_snap) return "none";
+  if (!answer.outcome.first_snap) return "";
   const auto& first = *answer.outcome.first_snap;
   const std::string before = shown.force(first.F_before), after = shown.force(first.F_after);
   return fmt::format("at the stage position {}, a deflection of {}: the force falls {}", shown.length(first.stage),
