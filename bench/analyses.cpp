@@ -42,7 +42,7 @@ int run(int count, char** arguments) {
   }
   std::printf("case,readings,ms,mu0,mu0_error,starts,starts_at_the_optimum,spread_of_mu0,below_the_best\n");
   for (int i = first; i < count; ++i) {
-    const Case asked = read_case(arguments[i]);
+    const Test asked = read_case(arguments[i]);
     FittedTest test = fit_test(asked, {});  // the first builds tables for all
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 3; ++round) {

@@ -9,7 +9,7 @@
 #include "answers/campaign_fields.h"
 #include "campaign/campaign_run.h"
 #include "campaign/shared_parameters.h"
-#include "case/analysis_choice.h"
+#include "case/fitted.h"
 #include "figures.h"
 #include "interruptible.h"
 #include "io/text_file.h"
@@ -44,7 +44,7 @@ std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::
     choice.options.suspect_limit = asked.suspect_limit;
     choice.options.check_stability = asked.check_stability;
     CampaignOptions options;
-    options.analysis = [&](const Case& input) { return options_for(input, choice); };
+    options.analysis = [&](const Test& input) { return options_for(input, choice); };
     options.threads = asked.jobs;
     options.stop = &stop;
     if (asked.report) keep_tests_in(*asked.report, asked.test_reports, options);

@@ -53,9 +53,9 @@ py::list keys() {
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 // A case whose record is in memory: its columns in SI, in the order of TableColumns.
-Case with_record(const Case& input, const std::vector<std::pair<std::string, Doubles>>& columns,
+Test with_record(const Test& input, const std::vector<std::pair<std::string, Doubles>>& columns,
                  const std::string& name) {
-  Case out = input;
+  Test out = input;
   Table table{name, {}, {{0, 1}}};
   for (const auto& [title, values] : columns)
     table.columns.push_back({title, std::vector<double>(values.data(), values.data() + values.size())});
@@ -76,11 +76,11 @@ Doubles in_si(const Doubles& values, const std::string& text, const std::string&
 }  // namespace
 
 void add_cases(py::module_& module) {
-  py::class_<Case>(module, "Case")
-      .def_readonly("source", &Case::source)
-      .def_readonly("reduced", &Case::reduced)
-      .def("toml", [](const Case& input) { return to_toml(input); })
-      .def("has", [](const Case& input, const std::string& section) {
+  py::class_<Test>(module, "Case")
+      .def_readonly("source", &Test::source)
+      .def_readonly("reduced", &Test::reduced)
+      .def("toml", [](const Test& input) { return to_toml(input); })
+      .def("has", [](const Test& input, const std::string& section) {
         return (section == "specimen" && input.specimen) || (section == "rig" && input.rig) ||
                (section == "friction" && input.friction) || (section == "stage" && input.stage) ||
                (section == "record" && input.record);

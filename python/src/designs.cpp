@@ -11,7 +11,7 @@
 
 #include "answers/design_fields.h"
 #include "design/design_answer.h"
-#include "design/design_map.h"
+#include "design/design_result.h"
 #include "figures.h"
 #include "interruptible.h"
 #include "parts.h"
@@ -25,20 +25,20 @@ namespace {
 namespace py = pybind11;
 
 struct Map {
-  DesignCase input;
+  Test input;
   std::vector<DesignAxis> axes;
   std::vector<MapPoint> points;
 };
 
 py::object told(const DesignAnswer& answer) {
   const Json json = design_fields()({answer, design_in_short(answer), changes_in_words(answer)},
-                                    {answer.scales, answer.input.reduced()});
+                                    {answer.scales, answer.input.reduced});
   return plain(json, design_fields().descriptions());
 }
 
 py::object told_map(const Map& map) {
   const auto fields = design_map_fields(map.axes);
-  return plain(fields({map.points}, {Scales(1, 1), map.input.reduced()}), fields.descriptions());
+  return plain(fields({map.points}, {Scales(1, 1), map.input.reduced}), fields.descriptions());
 }
 
 template <class Type>
@@ -59,13 +59,13 @@ void add_designs(py::module_& module) {
       .def("told", told_map)
       .def("entries", [](const Map& map) { return plain(design_map_fields(map.axes).descriptions()); })
       .def("figures", [](const Map& map) { return one_figure(design_map_figure(map.input, map.axes, map.points)); });
-  module.def("design", [](const Case& input) {
+  module.def("design", [](const Test& input) {
     return interruptible(
-        [&](const std::atomic<bool>&) { return std::make_shared<DesignAnswer>(answer_of(DesignCase(input))); });
+        [&](const std::atomic<bool>&) { return std::make_shared<DesignAnswer>(answer_of(one_loading_of(input))); });
   });
-  module.def("design_map", [](const Case& given, const std::vector<std::string>& over, unsigned threads) {
+  module.def("design_map", [](const Test& given, const std::vector<std::string>& over, unsigned threads) {
     return interruptible([&](const std::atomic<bool>& stop) {
-      const DesignCase input(given);
+      const Test input = one_loading_of(given);
       auto axes = map_axes(input, over);
       auto points = design_map(input, axes, threads, &stop);
       return std::make_shared<Map>(Map{input, std::move(axes), std::move(points)});

@@ -6,7 +6,7 @@
 #include <pybind11/stl.h>
 
 #include "answers/equilibrium_fields.h"
-#include "case/equilibrium_study.h"
+#include "case/studies.h"
 #include "figures.h"
 #include "interruptible.h"
 #include "parts.h"
@@ -44,7 +44,7 @@ void add_equilibria(py::module_& module) {
         out.append(plain(equilibrium_figure(study)));
         return out;
       });
-  module.def("equilibrium", [](const Case& input, bool region, int points, int levels, const std::string& longest) {
+  module.def("equilibrium", [](const Test& input, bool region, int points, int levels, const std::string& longest) {
     return interruptible([&](const std::atomic<bool>&) {
       return std::make_shared<EquilibriumStudy>(
           study_equilibria(input, {.region = region, .points = points, .levels = levels, .longest = longest}));

@@ -9,7 +9,6 @@
 
 #include "answers/fit_fields.h"
 #include "answers/fit_tables.h"
-#include "case/analysis_choice.h"
 #include "case/fitted.h"
 #include "figures.h"
 #include "finding/answer.h"
@@ -26,10 +25,10 @@ namespace flexslip::python {
 namespace {
 
 namespace py = pybind11;
-using Test = const FittedTest&;
+using Fitted = const FittedTest&;
 
 // All of what is told, without the interpreter's lock; then as Python's.
-py::object told(Test test) {
+py::object told(Fitted test) {
   const Json json = [&] {
     const py::gil_scoped_release unlocked;
     return fit_json(test);
@@ -37,14 +36,14 @@ py::object told(Test test) {
   return plain(json, fit_fields().descriptions());
 }
 
-py::dict curves(Test test) {
+py::dict curves(Fitted test) {
   std::vector<CurvePoint> points;
   for (std::size_t i = 0; i < test.analysis.record.force.size(); ++i) points.push_back({test, i, nullptr});
   for (const ProfilePoint& point : profile_of(test).points) points[point.index].read = &point;
   return columns_of_rows(curve_fields(), points, frame_of(test));
 }
 
-py::list figures(Test test) {
+py::list figures(Fitted test) {
   py::list all;
   for (const Chapter& chapter : document_of(test))
     for (const Block& block : chapter.blocks)
@@ -52,7 +51,7 @@ py::list figures(Test test) {
   return all;
 }
 
-std::shared_ptr<FittedTest> fit(const Case& input, const std::string& model, double false_alarms, double suspect_limit,
+std::shared_ptr<FittedTest> fit(const Test& input, const std::string& model, double false_alarms, double suspect_limit,
                                 bool check_stability, const std::optional<std::string>& surface) {
   AnalysisChoice choice{.model = model};
   choice.options.drops.false_alarms_per_test = false_alarms;
@@ -72,14 +71,14 @@ void add_fits(py::module_& module) {
   py::class_<FittedTest, std::shared_ptr<FittedTest>>(module, "FittedTest")
       .def("told", told)
       .def("curves", curves)
-      .def("draws", [](Test test) { return plain(draw_table(test)); })
+      .def("draws", [](Fitted test) { return plain(draw_table(test)); })
       .def("figures", figures)
       .def("why_no_answer", why_no_answer)
-      .def("screen", [](Test test) { return fit_screen(test.name, answer_of(test)); })
+      .def("screen", [](Fitted test) { return fit_screen(test.name, answer_of(test)); })
       .def("text", fit_text)
       .def(
           "write_report",
-          [](Test test, const std::string& folder) { return write_report(folder, test) == DrawStatus::drawn; },
+          [](Fitted test, const std::string& folder) { return write_report(folder, test) == DrawStatus::drawn; },
           py::call_guard<py::gil_scoped_release>());
   module.def("fit", fit, py::arg("case"), py::arg("model"), py::arg("false_alarms"), py::arg("suspect_limit"),
              py::arg("check_stability"), py::arg("surface"));

@@ -9,8 +9,8 @@
 
 #include "answers/path_fields.h"
 #include "answers/profile_fields.h"
-#include "case/inverted_test.h"
 #include "case/simulated_test.h"
+#include "case/studies.h"
 #include "figures.h"
 #include "interruptible.h"
 #include "io/input_error.h"
@@ -25,13 +25,13 @@ namespace py = pybind11;
 
 // With the case that it is of, which its figure needs.
 struct Simulated {
-  Case input;
+  Test input;
   SimulatedTest test;
 };
 
 struct Stopped {};  // thrown to leave a history that nobody waits for
 
-std::shared_ptr<Simulated> run(const Case& input, int points, const std::string& noise, std::uint64_t seed,
+std::shared_ptr<Simulated> run(const Test& input, int points, const std::string& noise, std::uint64_t seed,
                                const std::atomic<bool>& stop) {
   SimulationOptions options{.points = points, .noise = 0, .seed = seed};
   options.progress = [&](std::uint64_t, std::uint64_t) {
@@ -69,7 +69,7 @@ py::list figures(const Simulated& simulated) {
 }
 
 // What is read off a record without a fit.
-py::dict profile(const Case& input) {
+py::dict profile(const Test& input) {
   const InvertedTest test = interruptible([&](const std::atomic<bool>&) { return invert_test(input); });
   const ReadTest read{test.measurement, test.stiffness, test.profile};
   return py::dict(
@@ -85,7 +85,7 @@ void add_simulations(py::module_& module) {
       .def("figures", figures)
       .def_property_readonly("remarks", [](const Simulated& simulated) { return simulated.test.remarks; })
       .def_property_readonly("why_it_ends", [](const Simulated& simulated) { return simulated.test.why_it_ends; });
-  module.def("simulate", [](const Case& input, int points, const std::string& noise, std::uint64_t seed) {
+  module.def("simulate", [](const Test& input, int points, const std::string& noise, std::uint64_t seed) {
     return interruptible([&](const std::atomic<bool>& stop) { return run(input, points, noise, seed, stop); });
   });
   module.def("friction_profile", profile);

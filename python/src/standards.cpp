@@ -5,7 +5,7 @@
 #include <pybind11/stl.h>
 
 #include "answers/standard_fields.h"
-#include "case/modulus_study.h"
+#include "case/studies.h"
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
@@ -16,7 +16,7 @@ namespace {
 
 namespace py = pybind11;
 
-py::dict modulus(const Case& input, const std::vector<std::string>& window) {
+py::dict modulus(const Test& input, const std::vector<std::string>& window) {
   const ModulusStudy study =
       interruptible([&](const std::atomic<bool>&) { return study_modulus(input, window_of(window)); });
   const StandardTest test = told_of(study);

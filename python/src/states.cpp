@@ -15,7 +15,7 @@
 #include <numpy/ufuncobject.h>
 #include <pybind11/pybind11.h>
 
-#include "case/problem.h"
+#include "case/mechanics.h"
 #include "fibre/batch.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"

@@ -7,7 +7,7 @@
 #include <pybind11/stl.h>
 
 #include "answers/surface_fields.h"
-#include "case/surface_choice.h"
+#include "case/surface_study.h"
 #include "figures.h"
 #include "instruments/trace_words.h"
 #include "interruptible.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "design/outcome_fields.h"
+#include "design/design_result.h"
 #include "result/mechanics.h"
 
 namespace flexslip {
@@ -51,8 +51,7 @@ Fields<ToldDesign> changed_parameter_fields() {
   fields.left_out_where_missing();
   for (const DesignParameterName& known : design_parameters())
     fields.own(known.name, known.kind, known.description, [parameter = known.parameter](const ToldDesign& told) {
-      const DesignCase& input = told.answer.input;
-      return input.has(parameter) ? std::optional(input.value(parameter)) : std::nullopt;
+      return value_of(told.answer.input, parameter);
     });
   return fields;
 }
@@ -71,7 +70,7 @@ constexpr std::string_view statuses =
 Fields<ToldDesign> design_fields() {
   return Fields<ToldDesign>()
       .in_frame([](const ToldDesign& told) {
-        return Frame{told.answer.scales, told.answer.input.reduced()};
+        return Frame{told.answer.scales, told.answer.input.reduced};
       })
       .words("status", statuses, [](const ToldDesign& told) { return word_of(status_of(told.answer.outcome)); })
       .all_of(outcome_fields(), outcome_told)
@@ -87,7 +86,7 @@ Fields<ToldDesign> design_fields() {
               [](const ToldDesign& told) { return told.answer.critical; })
       .number("pin_limit",
               "greatest friction that can act, at which the rollers turn on their pins; null for other supports",
-              [](const ToldDesign& told) { return told.answer.input.pin_limit(); })
+              [](const ToldDesign& told) { return pin_limit_of(told.answer.input); })
       .yes_no("snaps_whatever_the_stiffness", "the specimen snaps even if the deflection itself is controlled",
               [](const ToldDesign& told) { return told.answer.critical > 0 && !std::isfinite(told.answer.critical); })
       .group("phases", "what the phase of the friction decides; null if it decides nothing", phase_fields(),

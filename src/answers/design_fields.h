@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "design/design_answer.h"
-#include "design/design_map.h"
+#include "design/design_result.h"
 #include "result/fields.h"
 
 namespace flexslip {

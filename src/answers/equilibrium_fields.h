@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bending_test/equilibrium.h"
-#include "case/equilibrium_study.h"
+#include "case/studies.h"
 #include "result/fields.h"
 
 namespace flexslip {

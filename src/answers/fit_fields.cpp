@@ -14,7 +14,7 @@
 #include "answers/implied_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
-#include "case/analysis_fields.h"
+#include "case/fitted.h"
 #include "data/names.h"
 #include "finding/answer.h"
 #include "finding/fit_findings.h"

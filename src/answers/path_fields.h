@@ -1,7 +1,7 @@
 // What `simulate` tells, described once.
 #pragma once
 
-#include "case/simulation.h"
+#include "case/simulated_test.h"
 #include "result/fields.h"
 
 namespace flexslip {

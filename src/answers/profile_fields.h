@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "case/measurement.h"
-#include "case/problem.h"
+#include "case/mechanics.h"
 #include "data/record.h"
 #include "inference/profile.h"
 #include "result/fields.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "case/supports_share.h"
+#include "case/studies.h"
 
 namespace flexslip {
 namespace {

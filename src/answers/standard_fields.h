@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "case/fitted.h"
-#include "case/modulus_study.h"
+#include "case/studies.h"
 #include "result/fields.h"
 
 namespace flexslip {
@@ -14,7 +14,7 @@ struct StandardTest {
   const Measurement& measurement;
   const BeamGeometry& geometry;
   const SmallDeflection& numbers;
-  std::optional<double> supports_share;  // [1] (case/supports_share.h)
+  std::optional<double> supports_share;  // [1] (case/studies.h)
   bool reduced;
 };
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "design/sweep_file.h"
+#include "design/sweep_parts.h"
 #include "result/fields.h"
 
 namespace flexslip {

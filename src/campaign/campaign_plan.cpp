@@ -65,7 +65,7 @@ toml::table read_common(const std::optional<std::string>& path) {
   return common;
 }
 
-Case case_from(const toml::table& table, const std::string& source, const std::vector<std::string>& changes) {
+Test case_from(const toml::table& table, const std::string& source, const std::vector<std::string>& changes) {
   std::ostringstream text;
   text << toml::toml_formatter(table);
   return read_case(text.str(), source, changes);
@@ -154,7 +154,7 @@ void say(toml::table& table, const TableKey& key, const std::string& cell) {
 }
 
 // A case as a test of a campaign.
-Case checked(Case input) {
+Test checked(Test input) {
   if (!input.record) throw missing(input, "record");
   if (input.reduced)
     throw wrong_value(input, "reduced", "a test in physical units, as in every campaign", "a reduced one",
@@ -227,7 +227,7 @@ std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::tabl
     if (name.empty()) name = file.empty() ? fmt::format("row {}", row.line) : fs::path(file).stem().string();
     PlannedTest test{name, fmt::format("{}:{}", table.source, row.line), InputError({})};
     try {
-      Case input = checked(case_from(text, table.source, changes));
+      Test input = checked(case_from(text, table.source, changes));
       for (auto& [key, line] : input.lines) line = row.line;
       test.input = std::move(input);
     } catch (const InputError& error) {
@@ -259,7 +259,7 @@ std::vector<PlannedTest> plan_of_cases(const std::string& folder, const std::vec
     if (file.extension() != ".toml") continue;
     PlannedTest test{name_of_test(file.string()), file.string(), InputError({})};
     try {
-      Case input = read_case(file.string(), changes);
+      Test input = read_case(file.string(), changes);
       if (!input.record) continue;  // for simulating, or what others have in common
       test.input = checked(std::move(input));
     } catch (const InputError& error) {

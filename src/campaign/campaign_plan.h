@@ -19,7 +19,7 @@ std::string folder_name(std::string_view name);
 struct PlannedTest {
   std::string name;                      // as the user wrote it; folder_name of it is unique in the campaign
   std::string file;                      // what describes the test, as the user named it
-  std::variant<Case, InputError> input;  // or why it cannot be read
+  std::variant<Test, InputError> input;  // or why it cannot be read
 };
 
 // The tests of a campaign.

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign_store.h"
-#include "case/analysis_fields.h"
+#include "case/fitted.h"
 #include "io/parallel.h"
 #include "io/sha256.h"
 #include "io/table.h"
@@ -19,7 +19,7 @@ namespace flexslip {
 namespace {
 
 // All that the answer depends on.
-std::string key_of(const PlannedTest& planned, const Case& input, const AnalysisOptions& options,
+std::string key_of(const PlannedTest& planned, const Test& input, const AnalysisOptions& options,
                    const std::string& presented) {
   const std::string source = input.source.empty() ? "" : digest_of(*open_to_read(input.source)).sha256;
   return sha256_of(fmt::format("{}\n{}\n{}\n{}\n{}\npresented {}\n{}\n{}\n", FLEXSLIP_VERSION, source, planned.name,
@@ -71,7 +71,7 @@ class Runner {
     std::optional<FittedTest> test;
     try {
       if (const auto* error = std::get_if<InputError>(&planned.input)) throw InputError(*error);
-      const Case& input = std::get<Case>(planned.input);
+      const Test& input = std::get<Test>(planned.input);
       const AnalysisOptions options = options_.analysis(input);
       require_file(input.record.value().file);
       if (store_) key = key_of(planned, input, options, options_.presented);

@@ -14,7 +14,7 @@
 namespace flexslip {
 
 struct CampaignOptions {
-  std::function<AnalysisOptions(const Case&)> analysis = [](const Case&) { return AnalysisOptions{}; };
+  std::function<AnalysisOptions(const Test&)> analysis = [](const Test&) { return AnalysisOptions{}; };
   unsigned threads = 1;
   std::optional<std::string> folder;  // where each test is kept once it is done, and found again by a later run
   // Called while the campaign runs, by one thread at a time.

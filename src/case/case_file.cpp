@@ -4,20 +4,17 @@
 #include <array>
 #include <cmath>
 #include <istream>
-#include <iterator>
-#include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
+#include <fmt/ranges.h>
 
-#include "case/case_changes.h"
-#include "case/case_words.h"
-#include "case/friction_section.h"
 #include "case/keys.h"
 #include "case/toml.h"
-#include "io/quantity.h"
 #include "io/table.h"
+#include "io/text.h"
+#include "surface/height_trace.h"
 
 namespace flexslip {
 namespace {
@@ -26,7 +23,7 @@ constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one t
 constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
 constexpr double most_turns = 1e5;             // of a stage programme with its cycles: likewise
 
-// What to write for a section that is missing, or a key of which one alone would not do.
+// What to write for a section that is missing, and for a key of which the example of its row would not do.
 struct Example {
   std::string_view key;
   std::string_view physical;
@@ -46,17 +43,64 @@ constexpr std::array examples{
     Example{"friction", R"(model = "sinusoid", mu0 = 0.5, amplitude = 0.15 and wavelength = "11 um")",
             R"(model = "sinusoid", mu0 = 0.5, amplitude = 0.15 and wavelength = 0.0086)"},
     Example{"stage", R"(program = ["0 um", "900 um"])", "program = [0, 0.7]"},
-    Example{"stage.stage", R"(stage = "stage [um]", the title of its column)",
-            R"(stage = "w_s", the title of its column)"},
     Example{"record", R"(file = "ss14.csv", stage = "w_s_m [m]" and force = "F_N [N]")",
             R"(file = "test.csv", stage = "w_s" and force = "F")"},
     Example{"sweep", R"([sweep] with method = "grid" and [sweep.axes] with mu0 = [0.3, 0.5])",
             R"([sweep] with method = "grid" and [sweep.axes] with mu0 = [0.3, 0.5])"},
-    Example{"sweep.method", R"(method = "grid", or "latin hypercube")", R"(method = "grid", or "latin hypercube")"},
-    Example{"sweep.samples", "samples = 1000", "samples = 1000"},
-    Example{"sweep.seed", "seed = 1", "seed = 1"},
     Example{"sweep.axes", "[sweep.axes] with mu0 = [0.3, 0.5]", "[sweep.axes] with mu0 = [0.3, 0.5]"},
 };
+
+// Keys of a section that exclude each other: the first is refused beside any of the others.
+struct Clash {
+  std::string_view section, key, others, expected, remedy;
+};
+
+constexpr std::string_view one_section = "either a diameter or width and height";
+constexpr std::string_view one_programme = "either a program or a file with stage positions";
+constexpr std::array clashes{
+    Clash{"specimen", "wall", "inner_diameter", "either the inner diameter or the wall of a tube", "delete one"},
+    Clash{"specimen", "width", "diameter|inner_diameter|wall", one_section, "delete one"},
+    Clash{"specimen", "height", "diameter|inner_diameter|wall", one_section, "delete one"},
+    Clash{"specimen", "modulus", "bending_stiffness", "either a modulus or a bending_stiffness", "delete one"},
+    Clash{"specimen", "strength", "strain_at_break", "either a strength or a strain_at_break", "delete one"},
+    Clash{"friction", "trace_step", "position", "either a trace_step or a position", "delete one"},
+    Clash{"stage", "program", "file", one_programme, "delete one"},
+    Clash{"stage", "cycles", "file", one_programme, "delete one"},
+    Clash{"stage", "step", "file", one_programme, "delete it: the rows of the file are the steps"},
+};
+
+// And keys that are nothing without another.
+constexpr std::string_view a_section = "add diameter, or width and height: the strain depends on the depth";
+constexpr std::array needs{
+    Clash{"specimen", "strength", "diameter|width", "a section of the specimen beside it", a_section},
+    Clash{"specimen", "strain_at_break", "diameter|width", "a section of the specimen beside it", a_section},
+    Clash{"friction", "reference", "drift", "a drift beside it",
+          "add drift, or delete reference: without a drift mu0 holds at every length"},
+    Clash{"stage", "stage", "file", "a file beside it, which it describes", "add file = \"run.csv\", or delete it"},
+    Clash{"stage", "time", "file", "a file beside it, which it describes", "add file = \"run.csv\", or delete it"},
+    Clash{"stage", "decimal", "file", "a file beside it, which it describes", "add file = \"run.csv\", or delete it"},
+};
+
+// The keys of each model of friction, in the order of FrictionModel; those with ? may be left out.
+constexpr std::array<std::string_view, 8> keys_of_models{
+    "mu0|drift?|reference?",
+    "mu0|drift?|reference?",
+    "mu0|amplitude|wavelength|phase?|drift?|reference?",
+    "mu0|waves|drift?|reference?",
+    "file|length|mu?",
+    "mu0|rms|correlation_length|seed",
+    "mu0|trace|position?|height?|trace_step?|trace_begin?|direction?|level?|cutoff?|edge_radius?",
+    "",
+};
+
+bool says(const Test& test, std::string_view section, std::string_view name) {
+  return test.lines.contains(fmt::format("{}.{}", section, name));
+}
+
+bool says_one(const Test& test, std::string_view section, std::string_view names) {
+  const auto parts = words_of(names);
+  return std::any_of(parts.begin(), parts.end(), [&](std::string_view name) { return says(test, section, name); });
+}
 
 // "specimen.diameter" as the user finds it: "[specimen] diameter".
 std::string field_name(std::string_view key) {
@@ -71,357 +115,385 @@ std::string field_name(std::string_view key) {
 }
 
 // The line of a key; one that the file does not have is looked for where it would stand, in its section.
-std::size_t line_of(const Case& input, std::string_view key) {
+std::size_t line_of(const Test& test, std::string_view key) {
   while (!key.empty()) {
-    if (const auto at = input.lines.find(key); at != input.lines.end()) return at->second;
+    if (const auto at = test.lines.find(key); at != test.lines.end()) return at->second;
     const std::size_t end = key.find_last_of(".[");
     key = end == std::string_view::npos ? "" : key.substr(0, end);
   }
   return 0;
 }
 
-void note_lines(const toml::node& node, const std::string& key, Case& input) {
-  if (!key.empty()) input.lines[key] = node.source().begin.line;
+void note_lines(const toml::node& node, const std::string& key, Test& test) {
+  if (!key.empty()) test.lines[key] = node.source().begin.line;
   if (const toml::table* table = node.as_table())
     for (auto&& [name, value] : *table)
-      note_lines(value, key.empty() ? std::string(name.str()) : fmt::format("{}.{}", key, name.str()), input);
+      note_lines(value, key.empty() ? std::string(name.str()) : fmt::format("{}.{}", key, name.str()), test);
   if (const toml::array* array = node.as_array())
-    for (std::size_t i = 0; i < array->size(); ++i) note_lines((*array)[i], fmt::format("{}[{}]", key, i + 1), input);
+    for (std::size_t i = 0; i < array->size(); ++i) note_lines((*array)[i], fmt::format("{}[{}]", key, i + 1), test);
 }
 
-Section read_tube(const Keys& keys, double diameter) {
-  const bool has_wall = keys.has("wall");
-  if (has_wall && keys.has("inner_diameter"))
-    keys.refuse("wall", "either the inner diameter or the wall of a tube", "both", "delete one");
-  const double inner = has_wall ? diameter - 2 * keys.quantity("wall") : keys.quantity("inner_diameter");
-  if (inner < diameter && inner > 0) return TubularSection{diameter, inner};
-  keys.refuse(has_wall ? "wall" : "inner_diameter",
-              has_wall ? "a wall thinner than half the diameter" : "an inner diameter below the outer one",
-              kind_of_node(keys.need(has_wall ? "wall" : "inner_diameter")),
-              has_wall ? "leave it out if the specimen is solid" : "check which of the two is which");
+bool is_in_unit(const toml::table& section, std::string_view name, std::string_view symbol) {
+  const auto text = section[name].value_exact<std::string_view>();
+  if (!text || !text->ends_with(symbol)) return false;
+  const std::string_view number = text->substr(0, text->size() - symbol.size());
+  return !number.empty() && (number.back() == ' ' || (number.back() >= '0' && number.back() <= '9'));
 }
 
-std::optional<Section> read_section(const Keys& keys) {
-  const bool is_tube = keys.has("inner_diameter") || keys.has("wall");
-  const bool is_round = keys.has("diameter") || is_tube;
-  const bool is_rectangular = keys.has("width") || keys.has("height");
-  if (is_round && is_rectangular)
-    keys.refuse("diameter", "either a diameter or width and height", "both", "delete one");
-  if (is_round) {
-    const double diameter = keys.quantity("diameter");
-    return is_tube ? read_tube(keys, diameter) : RoundSection{diameter};
+// Reads [friction], to which `further` keys belong with any model, or [friction.other], which has none. The model alone is one to fit.
+void read_friction(const Keys& keys, FrictionInput& friction, const std::vector<std::string>& further) {
+  keys.read(&friction);
+  keys.need("model");
+  std::vector<std::string> known{"model"};
+  const auto names = words_of(keys_of_models.at(static_cast<std::size_t>(*friction.model)));
+  for (const std::string_view name : names) known.emplace_back(name.substr(0, name.find('?')));
+  if (friction.model != FrictionModel::roughness) known.insert(known.end(), further.begin(), further.end());
+  if (friction.model == FrictionModel::roughness && keys.has("other"))
+    keys.refuse("other", "no section [friction.other] beside a model to fit", "one",
+                "write a model to compute with into [friction], such as model = \"constant\" with mu0 = 0.5");
+  keys.only(known);
+  const bool is_to_fit = keys.size() == 1 && !further.empty();
+  for (const std::string_view name : names)
+    if (!is_to_fit && name.back() != '?') keys.need(name);
+  if (friction.model == FrictionModel::surface && !(friction.mu0.value_or(1) > 0))
+    keys.refuse("mu0", "a friction of the flat surface above 0", fmt::format("{:g}", *friction.mu0));
+  if (friction.level > most_degree)
+    keys.refuse("level", fmt::format("a degree of at most {}", most_degree), fmt::format("{}", friction.level));
+  double sum = 0;
+  for (const WaveInput& wave : friction.waves) sum += wave.amplitude;
+  if (sum > 1)
+    keys.refuse("waves", "amplitudes that add up to at most 1", fmt::format("{}", sum),
+                "they are relative to mu0, and friction cannot be negative");
+}
+
+void read_supports(const Keys& keys, Test& test) {
+  FrictionInput& friction = test.friction.emplace();
+  if (keys.size() == 0) return;
+  read_friction(keys, friction, {"static_excess", "other", "build_up_length"});
+  if (const toml::node* node = keys.find("other")) {
+    if (!node->is_table())
+      keys.refuse("other", "a section [friction.other] for the other support", kind_of_node(*node));
+    const Keys side(*node->as_table(), keys.key("other"), test);
+    for (const Keys* each : {&keys, &side})
+      if (each->has("static_excess") && (each == &side || friction.static_excess.value_or(0) > 0))
+        each->refuse("static_excess", "no excess of static friction, as the two supports differ", "one",
+                     "delete it, or [friction.other]");
+    read_friction(side, test.other.emplace(), {});
+    if (test.other->model == FrictionModel::roughness)
+      side.refuse("model", "a model to compute with", "'roughness', which can only be fitted",
+                  "write a model to compute with, such as model = \"constant\"");
   }
-  if (!is_rectangular) return std::nullopt;
-  return RectangularSection{keys.quantity("width"), keys.quantity("height")};
+  for (const std::string_view beside : {"static_excess", "other"})
+    if (friction.build_up_length.value_or(0) > 0 && keys.has(beside))
+      keys.refuse("build_up_length", fmt::format("no build-up length beside {}", beside), "one",
+                  fmt::format("delete it, or {}", beside));
 }
 
-std::vector<CrackInput> read_cracks(const Keys& keys) {
-  std::vector<CrackInput> cracks;
-  for (const Keys& each : keys.tables("cracks", {"deflection", "loss"})) {
-    cracks.push_back({each.quantity("deflection"), each.share("loss")});
-    if (!(cracks.back().loss < 1))
-      each.refuse("loss", "less than 100 % of the bending stiffness that is left",
-                  fmt::format("{}", cracks.back().loss));
+[[noreturn]] void refuse(const Test& test, const std::string& key, std::string expected, std::string found,
+                         std::string remedy = "") {
+  throw wrong_value(test, key, std::move(expected), std::move(found), std::move(remedy));
+}
+
+void check_specimen(const Test& test) {
+  const SpecimenInput& specimen = *test.specimen;
+  const bool is_tube = specimen.inner_diameter || specimen.wall;
+  if (is_tube && !specimen.diameter) throw missing(test, "specimen.diameter");
+  if (specimen.width.has_value() != specimen.height.has_value())
+    throw missing(test, specimen.width ? "specimen.height" : "specimen.width");
+  if (is_tube) {
+    const double inner = specimen.wall ? *specimen.diameter - 2 * *specimen.wall : *specimen.inner_diameter;
+    if (!(inner < *specimen.diameter && inner > 0) && specimen.wall)
+      refuse(test, "specimen.wall", "a wall thinner than half the diameter", readable_length(test, *specimen.wall),
+             "leave it out if the specimen is solid");
+    if (!(inner < *specimen.diameter))
+      refuse(test, "specimen.inner_diameter", "an inner diameter below the outer one", readable_length(test, inner),
+             "check which of the two is which");
   }
-  return cracks;
+  for (std::size_t i = 0; i < specimen.cracks.size(); ++i)
+    if (!(specimen.cracks[i].loss < 1))
+      refuse(test, fmt::format("specimen.cracks[{}].loss", i + 1),
+             "less than 100 % of the bending stiffness that is left", fmt::format("{}", specimen.cracks[i].loss));
+  if (!test.reduced) return;
+  if (specimen.strength)
+    refuse(test, "specimen.strength", "no strength in a reduced case", "", "give strain_at_break instead");
+  if (specimen.modulus)
+    refuse(test, "specimen.modulus", "no modulus in a reduced case", "",
+           "delete it: the bending stiffness is 1, or \"fit\"");
+  const Known* known = specimen.bending_stiffness ? std::get_if<Known>(&*specimen.bending_stiffness) : nullptr;
+  if (known && known->value != 1)
+    refuse(test, "specimen.bending_stiffness", "1, the unit of reduced variables", fmt::format("{}", known->value));
 }
 
-void read_what_it_bears(const Keys& keys, const Case& input, SpecimenInput& specimen) {
-  if (!keys.has("strain_at_break") && !keys.has("strength")) return;
-  const std::string_view name = keys.has("strength") ? "strength" : "strain_at_break";
-  if (keys.has("strength") && keys.has("strain_at_break"))
-    keys.refuse("strength", "either a strength or a strain_at_break", "both", "delete one");
-  if (!specimen.section)
-    keys.refuse(name, "a section of the specimen beside it", "none",
-                "add diameter, or width and height: the strain depends on the depth");
-  if (name == "strain_at_break") specimen.strain_at_break = keys.share("strain_at_break");
-  if (name == "strength" && input.reduced)
-    keys.refuse("strength", "no strength in a reduced case", "", "give strain_at_break instead");
-  if (name == "strength") specimen.strength = keys.quantity("strength");
-}
-
-SpecimenInput read_specimen(const Keys& keys, const Case& input) {
-  keys.only_described();
-  SpecimenInput specimen{read_section(keys), BendingStiffness{Known{1, 0}}};
-  if (keys.has("material")) specimen.material = keys.text("material");
-  if (keys.has("cracks")) specimen.cracks = read_cracks(keys);
-  read_what_it_bears(keys, input, specimen);
-  const bool has_product = keys.has("bending_stiffness");
-  if (keys.has("modulus") && (has_product || input.reduced))
-    keys.refuse("modulus", input.reduced ? "no modulus in a reduced case" : "either a modulus or a bending_stiffness",
-                input.reduced ? "" : "both",
-                input.reduced ? "delete it: the bending stiffness is 1, or \"fit\"" : "delete one");
-  if (has_product) {
-    const StatedStiffness product = keys.estimate("bending_stiffness");
-    const Known* known = std::get_if<Known>(&product);
-    if (input.reduced && known && known->value != 1)
-      keys.refuse("bending_stiffness", "1, the unit of reduced variables", fmt::format("{}", known->value));
-    specimen.rigidity = BendingStiffness{product};
-  } else if (!input.reduced) {
-    specimen.rigidity = Modulus{keys.has("modulus") ? keys.estimate("modulus") : ToFit{}};
-  }
-  return specimen;
-}
-
-void read_rollers(const Keys& keys, const Case& input, RigInput& rig) {
+void check_rig(const Test& test) {
+  const RigInput& rig = *test.rig;
   const auto written = [&](double length) {
-    return input.reduced ? fmt::format("{:.4g}", length) : in_quotes(readable_length(input, length));
+    return test.reduced ? fmt::format("{:.4g}", length) : in_quotes(readable_length(test, length));
   };
-  const std::string rollers = keys.has("rollers") ? keys.word("rollers") : "fixed";
-  if (rollers != "fixed" && !(rig.roller_radius.value_or(0) > 0))
-    keys.refuse("rollers", "rollers with a radius", "none",
-                rig.span
-                    ? fmt::format("add a radius, such as roller_radius = {}, or delete it", written(0.08 * *rig.span))
+  if (test.reduced && rig.span != 1)
+    refuse(test, "rig.span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
+  if (rig.rollers != Rollers::fixed && !(rig.roller_radius.value_or(0) > 0))
+    refuse(test, "rig.rollers", "rollers with a radius", "none",
+           rig.span ? fmt::format("add a radius, such as roller_radius = {}, or delete it", written(0.08 * *rig.span))
                     : "add roller_radius, or delete it");
-  rig.rollers = rollers == "pinned" ? Rollers::pinned : rollers == "loose" ? Rollers::loose : Rollers::fixed;
-  for (const std::string_view of_pins : {"pin_radius", "pin_friction"}) {
-    if (rig.rollers == Rollers::pinned && !keys.has(of_pins))
-      throw missing(input, fmt::format("rig.{}", of_pins), "beside rollers = \"pinned\"",
-                    fmt::format("add that of your rig, such as {} = {}", of_pins,
-                                of_pins == "pin_friction" ? "0.1" : written(0.2 * *rig.roller_radius)));
-    if (rig.rollers != Rollers::pinned && keys.has(of_pins))
-      keys.refuse(of_pins, "rollers on pins beside it", in_quotes(rollers), "write rollers = \"pinned\", or delete it");
+  const bool is_pinned = rig.rollers == Rollers::pinned;
+  for (const auto& [name, member] :
+       {std::pair{"pin_radius", &RigInput::pin_radius}, {"pin_friction", &RigInput::pin_friction}}) {
+    if (is_pinned && !(rig.*member))
+      throw missing(test, fmt::format("rig.{}", name), "beside rollers = \"pinned\"",
+                    fmt::format("add that of your rig, such as {} = {}", name,
+                                member == &RigInput::pin_friction ? "0.1" : written(0.2 * *rig.roller_radius)));
+    if (!is_pinned && rig.*member)
+      refuse(test, fmt::format("rig.{}", name), "rollers on pins beside it",
+             rig.rollers == Rollers::loose ? "'loose'" : "'fixed'", "write rollers = \"pinned\", or delete it");
   }
-  if (rig.rollers != Rollers::pinned) return;
-  rig.pin_radius = keys.quantity("pin_radius");
-  rig.pin_friction = keys.quantity("pin_friction");
-  if (!(rig.pin_radius <= *rig.roller_radius))
-    keys.refuse("pin_radius", "at most the radius of the roller",
-                fmt::format("{:g} times that", rig.pin_radius / *rig.roller_radius), "check the units of both");
-  if (!rig.pins_turn())
-    keys.refuse(
-        "pin_friction", "less than the ratio of the radii of roller and pin", fmt::format("{:g}", rig.pin_friction),
-        fmt::format("write a value below {:.3g}, or a smaller pin_radius", *rig.roller_radius / rig.pin_radius));
+  if (is_pinned && !(*rig.pin_radius <= *rig.roller_radius))
+    refuse(test, "rig.pin_radius", "at most the radius of the roller",
+           fmt::format("{:g} times that", *rig.pin_radius / *rig.roller_radius), "check the units of both");
+  if (is_pinned && !rig.pins_turn())
+    refuse(test, "rig.pin_friction", "less than the ratio of the radii of roller and pin",
+           fmt::format("{:g}", *rig.pin_friction),
+           fmt::format("write a value below {:.3g}, or a smaller pin_radius", *rig.roller_radius / *rig.pin_radius));
+  if (says(test, "rig", "friction_at") && rig.friction_at == FrictionAt::surface && test.specimen &&
+      !section_of(test) && test.specimen->bending_stiffness)
+    refuse(test, "rig.friction_at", "a section of the specimen, as friction acts at its surface", "none",
+           "add diameter, or width and height, to [specimen], or write \"axis\"");
 }
 
-RigInput read_rig(const Keys& keys, const Case& input) {
-  keys.only_described();
-  RigInput rig{keys.optional_quantity("span"), std::nullopt};
-  rig.in_inches = keys.is_in_unit("span", "in");
-  if (input.reduced && rig.span.value_or(1) != 1)
-    keys.refuse("span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
-  if (input.reduced) rig.span = 1;
-  rig.stiffness = keys.optional_quantity("stiffness");
-  if (keys.has("support_material")) rig.support_material = keys.text("support_material");
-  rig.nose_radius = keys.optional_quantity("nose_radius");
-  rig.support_stiffness = keys.optional_quantity("support_stiffness");
-  rig.roller_radius = keys.optional_quantity("roller_radius");
-  read_rollers(keys, input, rig);
-  if (keys.has("friction_at")) {
-    const std::string at = keys.word("friction_at");
-    const bool has_no_depth = input.specimen && !input.specimen->section &&
-                              std::holds_alternative<BendingStiffness>(input.specimen->rigidity);
-    if (at == "surface" && has_no_depth)
-      keys.refuse("friction_at", "a section of the specimen, as friction acts at its surface", "none",
-                  "add diameter, or width and height, to [specimen], or write \"axis\"");
-    rig.friction_at = at == "surface" ? FrictionAt::surface : FrictionAt::axis;
-  }
-  return rig;
-}
-
-char read_decimal(const Keys& keys) { return keys.has("decimal") ? keys.word("decimal").front() : '.'; }
-
-TurningPoints read_turning_points(const Keys& keys) {
-  const toml::node& node = keys.need("program");
-  const toml::array* turns = node.as_array();
-  if (!turns || turns->size() < 2)
-    keys.refuse("program", "at least two stage positions, a start and an end",
-                turns ? std::to_string(turns->size()) : kind_of_node(node));
-  TurningPoints stage{{}, keys.has("cycles") ? keys.whole_number("cycles") : 1, {}};
-  for (std::size_t i = 0; i < turns->size(); ++i)
-    stage.positions.push_back(keys.value((*turns)[i], fmt::format("{}[{}]", keys.key("program"), i + 1),
-                                         *case_key("stage", "program")->kind, case_key("stage", "program")->range));
+void check_stage(const Test& test) {
+  const StageInput& stage = *test.stage;
+  if (stage.file && !stage.stage) throw missing(test, "stage.stage");
+  if (stage.file) return;
+  const auto& positions = stage.program;
+  if (!says(test, "stage", "program")) throw missing(test, "stage.program");
+  if (positions.size() < 2)
+    refuse(test, "stage.program", "at least two stage positions, a start and an end", std::to_string(positions.size()));
   const auto times = static_cast<double>(stage.cycles);
-  if (!(times * static_cast<double>(turns->size() - 1) <= most_turns))
-    keys.refuse(keys.has("cycles") ? "cycles" : "program", fmt::format("at most {:.0e} turning points", most_turns),
-                fmt::format("{:.1e}", times * static_cast<double>(turns->size() - 1)));
-  const toml::node* step = keys.find("step");
-  if (!step || step->value_exact<std::string_view>() == "continuous") return stage;
-  stage.step = keys.quantity("step");
-  const auto& [positions, cycles, length] = stage;
+  if (const double turns = times * static_cast<double>(positions.size() - 1); !(turns <= most_turns))
+    refuse(test, stage.cycles > 1 ? "stage.cycles" : "stage.program",
+           fmt::format("at most {:.0e} turning points", most_turns), fmt::format("{:.1e}", turns));
+  if (!stage.step) return;
   double travel = times * std::abs(positions[1] - positions.back());
   for (std::size_t i = 2; i < positions.size(); ++i) travel += times * std::abs(positions[i] - positions[i - 1]);
   travel += std::abs(positions[1] - positions[0]);
-  if (!(travel / *length <= most_steps))
-    keys.refuse("step", fmt::format("at most {:.0e} steps", most_steps), fmt::format("{:.1e}", travel / *length),
-                "take a larger step, or \"continuous\"");
-  return stage;
+  if (!(travel / *stage.step <= most_steps))
+    refuse(test, "stage.step", fmt::format("at most {:.0e} steps", most_steps),
+           fmt::format("{:.1e}", travel / *stage.step), "take a larger step, or \"continuous\"");
 }
 
-StageInput read_stage(const Keys& keys) {
-  keys.only_described();
-  StageInput stage;
-  const bool is_measured = keys.has("file");
-  for (const std::string_view other : {"program", "cycles", "step"})
-    if (is_measured && keys.has(other))
-      keys.refuse(other, "either a program or a file with stage positions", "both",
-                  other == "step" ? "delete it: the rows of the file are the steps" : "delete one");
-  for (const std::string_view other : {"stage", "time", "decimal"})
-    if (!is_measured && keys.has(other))
-      keys.refuse(other, "a file beside it, which it describes", "none", "add file = \"run.csv\", or delete it");
-  if (is_measured)
-    stage.programme =
-        MeasuredProgramme{keys.path("file"), keys.column("stage"),
-                          keys.has("time") ? std::optional(keys.column("time")) : std::nullopt, read_decimal(keys)};
-  else
-    stage.programme = read_turning_points(keys);
-  stage.snaps = keys.optional_choice("snaps", snap_names).value_or(stage.snaps);
-  return stage;
-}
-
-TableColumns read_table_columns(const Keys& keys) {
-  std::string found;
-  const auto column = [&](std::string_view name) -> std::optional<std::string> {
-    if (!keys.has(name)) return std::nullopt;
-    found += (found.empty() ? "" : " and ") + std::string(name);
-    return keys.column(name);
-  };
-  TableColumns columns{column("stage"), column("deflection"), column("force"), read_decimal(keys)};
-  if (keys.has("length")) columns.length = keys.column("length");
-  if (columns.stage.has_value() + columns.deflection.has_value() + columns.force.has_value() != 2)
-    keys.refuse("stage", "two of the columns stage, deflection and force", found.empty() ? "none" : found,
-                "the third follows from the stiffness of the rig");
-  return columns;
-}
-
-ExportColumns read_export_columns(const Keys& keys, const Case& input) {
-  if (input.reduced)
-    keys.refuse("stage", "two of the columns stage, deflection and force, as the case is reduced", "none",
-                "delete reduced = true if the file is an export of a testing machine, in physical units");
-  const auto text = [&](std::string_view name) {
-    return keys.has(name) ? std::optional(keys.text(name)) : std::nullopt;
-  };
-  ExportColumns columns{.displacement = keys.optional_choice("displacement", displacement_names),
-                        .displacement_column = text("displacement_column"),
-                        .force = text("force"),
-                        .specimen = {},
-                        .calibration = text("calibration"),
-                        .decimal = {}};
-  if (keys.has("specimen")) columns.specimen = static_cast<std::size_t>(keys.whole_number("specimen"));
-  if (keys.has("decimal")) columns.decimal = read_decimal(keys);
-  return columns;
-}
-
-ForceZeroRule read_zero(const Keys& keys) {
-  if (!keys.has("zero") || keys.is_word("zero", "find")) return ToFind{};
-  if (keys.is_word("zero", "keep")) return ToKeep{};
-  return keys.quantity("zero");
-}
-
-ContactRule read_contact(const Keys& keys) {
-  if (!keys.has("contact")) return WhereFree{};
-  if (keys.is_word("contact", "find")) return ToFind{};
-  if (keys.is_word("contact", "first row")) return AtFirstRow{};
-  return keys.quantity("contact");
-}
-
-PlaceInRecord read_place(const Keys& keys, std::string_view name, const Case& input) {
-  const toml::node& node = keys.need(name);
-  if (const toml::table* place = node.as_table()) {
-    const Keys parts(*place, keys.key(name), input);
-    parts.only({"stage", "deflection"});
-    if (parts.size() != 1) keys.refuse(name, "either a stage or a deflection", place->empty() ? "neither" : "both");
-    if (parts.has("stage")) return AtStage{parts.quantity("stage", kind::length, Range::any)};
-    return AtDeflection{parts.quantity("deflection", kind::length, Range::any)};
-  }
-  if (node.is_string()) return AtStage{keys.quantity(name, kind::length, Range::any)};
-  return AtRow{static_cast<std::size_t>(keys.whole_number(name, 1))};
-}
-
-RecordInput read_record(const Keys& keys, const Case& input) {
-  const std::vector<std::string> of_tables{"stage", "deflection"};
-  const std::vector<std::string> of_exports{"displacement", "displacement_column", "specimen", "calibration"};
-  keys.only_described();
-  const auto first_of = [&](const std::vector<std::string>& names) {
-    return std::find_if(names.begin(), names.end(), [&](const std::string& name) { return keys.has(name); });
-  };
-  const auto of_table = first_of(of_tables);
-  const auto of_export = first_of(of_exports);
-  if (of_table != of_tables.end() && of_export != of_exports.end())
-    keys.refuse(*of_export, "either column titles or a description of an export",
-                fmt::format("both {} and {}", *of_table, *of_export), "delete one");
-  const bool is_export = of_export != of_exports.end() || (of_table == of_tables.end() && !keys.has("force"));
-  RecordInput record{.file = keys.path("file"), .columns = {}};
-  if (keys.has("sheet")) record.sheet = keys.name_or_number("sheet");
-  if (is_export && keys.has("length"))
-    keys.refuse("length", "stage or deflection and force beside it, with the titles of their columns",
-                "none, as for the export of a testing machine");
-  if (is_export)
-    record.columns = read_export_columns(keys, input);
-  else
-    record.columns = read_table_columns(keys);
-  record.sign = keys.optional_choice("sign", sign_names).value_or(record.sign);
-  record.zero = read_zero(keys);
-  record.contact = read_contact(keys);
-  record.find_failure = keys.optional_choice("failure", failure_names).value_or(true);
-  if (keys.has("first")) record.first = read_place(keys, "first", input);
-  if (keys.has("until")) record.until = read_place(keys, "until", input);
-  return record;
-}
-
-// What one section alone cannot tell.
-void check_together(const Case& input) {
-  const auto* columns = input.record ? std::get_if<TableColumns>(&input.record->columns) : nullptr;
-  const bool is_export = input.record && !columns;
-  const bool needs_section = input.specimen && std::holds_alternative<Modulus>(input.specimen->rigidity);
-  if (needs_section && !input.specimen->section && !is_export) throw missing(input, "specimen.diameter");
-  if (input.rig && !input.rig->span && !is_export) throw missing(input, "rig.span");
-  if (input.specimen && input.specimen->section && input.rig && input.rig->span) {
-    const double thickness = depth(*input.specimen->section);
-    if (thickness >= *input.rig->span)
-      throw wrong_value(
-          input, depth_key(*input.specimen->section),
-          "a specimen thinner than the span of " + readable(*input.rig->span, kind_in(input, kind::length)),
-          readable(thickness, kind_in(input, kind::length)), "check the units of both");
-  }
-  if (columns && !columns->force && input.rig && input.rig->stiffness && std::isinf(*input.rig->stiffness))
-    throw wrong_value(input, "record", "a force column, as the rig is infinitely stiff", "stage and deflection",
+void check_record(const Test& test) {
+  const RecordInput& record = *test.record;
+  for (const std::string_view of_export : {"displacement", "displacement_column", "specimen", "calibration"})
+    for (const std::string_view of_table : {"stage", "deflection"})
+      if (says(test, "record", of_export) && says(test, "record", of_table))
+        refuse(test, fmt::format("record.{}", of_export), "either column titles or a description of an export",
+               fmt::format("both {} and {}", of_table, of_export), "delete one");
+  if (record.is_export() && record.length)
+    refuse(test, "record.length", "stage or deflection and force beside it, with the titles of their columns",
+           "none, as for the export of a testing machine");
+  if (record.is_export() && test.reduced)
+    refuse(test, "record.stage", "two of the columns stage, deflection and force, as the case is reduced", "none",
+           "delete reduced = true if the file is an export of a testing machine, in physical units");
+  if (record.is_export()) return;
+  std::vector<std::string> found;
+  for (const std::string_view name : {"stage", "deflection", "force"})
+    if (says(test, "record", name)) found.emplace_back(name);
+  if (found.size() != 2)
+    refuse(test, "record.stage", "two of the columns stage, deflection and force",
+           fmt::format("{}", fmt::join(found, " and ")), "the third follows from the stiffness of the rig");
+  if (!record.force && test.rig && test.rig->stiffness && std::isinf(*test.rig->stiffness))
+    throw wrong_value(test, "record", "a force column, as the rig is infinitely stiff", "stage and deflection",
                       "on such a rig the two are the same and do not give the force");
+}
+
+// What no key alone can tell.
+void check(const Test& test) {
+  const auto refuse_if = [&](const Clash& rule, bool is_beside, const char* found) {
+    for (const std::string_view section : {rule.section, rule.section == "friction" ? "friction.other" : rule.section})
+      if (says(test, section, rule.key) && says_one(test, section, rule.others) == is_beside)
+        refuse(test, fmt::format("{}.{}", section, rule.key), std::string(rule.expected), found,
+               std::string(rule.remedy));
+  };
+  for (const Clash& clash : clashes) refuse_if(clash, true, "both");
+  for (const Clash& need : needs) refuse_if(need, false, "none");
+  if (test.specimen) check_specimen(test);
+  if (test.rig) check_rig(test);
+  if (test.stage) check_stage(test);
+  if (test.record) check_record(test);
+  const bool is_export = test.record && test.record->is_export();
+  const auto section = section_of(test);
+  if (test.specimen && !test.specimen->bending_stiffness && !section && !is_export)
+    throw missing(test, "specimen.diameter");
+  if (test.rig && !test.rig->span && !is_export) throw missing(test, "rig.span");
+  if (!section || !test.rig || !test.rig->span || depth(*section) < *test.rig->span) return;
+  throw wrong_value(test, depth_key(*section),
+                    "a specimen thinner than the span of " + readable_length(test, *test.rig->span),
+                    readable_length(test, depth(*section)), "check the units of both");
+}
+
+InputError no_change(std::string found, std::string remedy) {
+  return InputError({.field = "--set",
+                     .expected = "SECTION.KEY=VALUE, as in rig.stiffness=\"90 N/m\"",
+                     .found = std::move(found),
+                     .remedy = std::move(remedy)});
+}
+
+bool is_text(const CaseKey& key, std::string_view value) {
+  if (value.starts_with('"') || value.starts_with('\'')) return false;  // as a file has it
+  switch (key.holds) {
+    case Holds::word:
+    case Holds::text:
+    case Holds::name_or_number:
+    case Holds::title:
+    case Holds::file:
+      return true;
+    default:
+      return value == "inf";  // a number of TOML, and the word of a rig
+  }
+}
+
+std::string full_name(const CaseKey& key) {
+  return key.section.empty() ? std::string(key.name) : fmt::format("{}.{}", key.section, key.name);
+}
+
+// As TOML reads it, or else text.
+void insert(toml::table& section, const std::string& name, const CaseKey& key, const std::string& value) {
+  if (!is_text(key, value)) try {
+      toml::table parsed = parse_toml(fmt::format("value = {}\n", value), "--set");
+      section.insert_or_assign(name, std::move(*parsed.get("value")));
+      return;
+    } catch (const InputError&) {
+    }
+  section.insert_or_assign(name, value);
+}
+
+template <class Section>
+std::vector<std::string> lines_of(const Test& test, Section* part);
+
+// The fewest digits that identify the bits.
+std::string quantity_text(const Test& test, const Kind& kind, double value) {
+  const bool is_plain = test.reduced || kind.dimension == Dimension{} || kind.dimension == kind::angle.dimension;
+  return is_plain ? fmt::format("{}", value) : fmt::format("\"{}\"", exact_text(value, kind));
+}
+
+// Writes values as a case file has them.
+struct Writer {
+  const Test& test;
+  const CaseKey& key;
+
+  std::string operator()(double value) const {
+    const bool in_inches_too = is_in_inches(test) && key.name == "span";
+    return quantity_text(test, !key.kind ? kind::number : in_inches_too ? in_inches(*key.kind) : *key.kind, value);
+  }
+  std::string operator()(const std::string& value) const { return toml_text(value); }
+  std::string operator()(char value) const { return fmt::format("\"{}\"", value); }
+  std::string operator()(const ToFit&) const { return "\"fit\""; }
+  std::string operator()(const Known& known) const {
+    if (known.uncertainty == 0) return (*this)(known.value);
+    return fmt::format("{{ value = {}, uncertainty = {} }}", (*this)(known.value), (*this)(known.uncertainty));
+  }
+  std::string operator()(const AtRow& at) const { return std::to_string(at.row); }
+  std::string operator()(const AtStage& at) const {
+    return fmt::format("{{ stage = {} }}", quantity_text(test, kind::length, at.position));
+  }
+  std::string operator()(const AtDeflection& at) const {
+    return fmt::format("{{ deflection = {} }}", quantity_text(test, kind::length, at.position));
+  }
+  template <class Value>
+  std::string operator()(Value value) const {  // a word, or a whole number
+    const auto number = static_cast<std::uint64_t>(value);
+    return std::is_enum_v<Value> ? toml_text(words_of(key).at(number)) : std::to_string(number);
+  }
+  template <class... Values>
+  std::string operator()(const std::variant<Values...>& value) const {
+    return std::visit(*this, value);
+  }
+  template <class Value>
+  std::string operator()(const std::optional<Value>& value) const {
+    return (*this)(value.value());
+  }
+  template <class Value>
+  std::string operator()(const std::vector<Value>& values) const {
+    std::vector<std::string> texts;
+    for (Value value : values)
+      if constexpr (std::is_same_v<Value, double>)
+        texts.push_back((*this)(value));
+      else
+        texts.push_back(fmt::format("{{ {} }}", fmt::join(lines_of(test, &value), ", ")));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+  }
+};
+// "name = value" of each member of a part that is not what it is where nothing is said.
+template <class Section>
+std::vector<std::string> lines_of(const Test& test, Section* part) {
+  Section nothing{};
+  std::vector<std::string> lines;
+  for (const CaseKey& key : case_keys())
+    if (const Slot slot = key.of(part); slot.index() > 0)
+      std::visit(
+          [&](auto member) {
+            if constexpr (!std::is_same_v<decltype(member), std::monostate>)
+              if (!(*member == *std::get<decltype(member)>(key.of(&nothing))))
+                lines.push_back(fmt::format("{} = {}", key.name, Writer{test, key}(*member)));
+          },
+          slot);
+  return lines;
 }
 
 }  // namespace
 
-Case read_case(std::string_view text, const std::string& source, const std::vector<std::string>& changes) {
+Test read_case(std::string_view text, const std::string& source, const std::vector<std::string>& changes) {
   const toml::table table = with_changes(parse_toml(text, source), changes);
-  Case input{.source = source,
-             .reduced = false,
-             .specimen = {},
-             .rig = {},
-             .friction = {},
-             .stage = {},
-             .record = {},
-             .lines = {}};
-  for (const std::string& change : changes) input.changed.push_back(changed_key(change));
-  note_lines(table, "", input);
-  const Keys top(table, "", input);
+  Test test{.source = source};
+  for (const std::string& change : changes) test.changed.push_back(changed_key(change));
+  note_lines(table, "", test);
+  const Keys top(table, "", test);
   top.only({"reduced", "specimen", "rig", "friction", "stage", "record", "sweep"});
   if (const toml::node* reduced = top.find("reduced")) {
     if (!reduced->is_boolean()) top.refuse("reduced", "true or false", kind_of_node(*reduced));
-    input.reduced = reduced->value_or(false);
+    test.reduced = reduced->value_or(false);
   }
   const auto section = [&](const char* name) -> const toml::table* {
     const toml::node* node = top.find(name);
     if (node && !node->is_table()) top.refuse(name, fmt::format("a section [{}]", name), kind_of_node(*node));
     return node ? node->as_table() : nullptr;
   };
-  const toml::table* specimen = section("specimen");
-  const toml::table* rig = section("rig");
-  const toml::table* friction = section("friction");
-  const toml::table* stage = section("stage");
-  const toml::table* record = section("record");
-  const toml::table nothing;
-  if (specimen || input.reduced)
-    input.specimen = read_specimen({specimen ? *specimen : nothing, "specimen", input}, input);
-  if (rig || input.reduced) input.rig = read_rig({rig ? *rig : nothing, "rig", input}, input);
-  if (friction) input.friction = read_friction({*friction, "friction", input}, input);
-  if (stage) input.stage = read_stage({*stage, "stage", input});
-  if (record) input.record = read_record({*record, "record", input}, input);
-  check_together(input);
-  return input;
+  const auto read = [&](const char* name, auto& part) {
+    if (const toml::table* said = section(name)) Keys(*said, name, test).read(&part.emplace());
+  };
+  read("specimen", test.specimen);
+  read("rig", test.rig);
+  if (test.rig) test.rig->in_inches = is_in_unit(*section("rig"), "span", "in");
+  if (test.reduced) {
+    if (!test.specimen) test.specimen.emplace();
+    if (!test.specimen->bending_stiffness) test.specimen->bending_stiffness = Known{1, 0};
+    if (!test.rig) test.rig.emplace();
+    if (!test.rig->span) test.rig->span = 1;
+  }
+  if (const toml::table* friction = section("friction")) read_supports({*friction, "friction", test}, test);
+  read("stage", test.stage);
+  read("record", test.record);
+  check(test);
+  return test;
 }
 
-Case read_case(const std::string& path, const std::vector<std::string>& changes) {
+Test read_case(const std::string& path, const std::vector<std::string>& changes) {
   return read_case(case_text(path), path == "-" ? "standard input" : path, changes);
+}
+
+std::string to_toml(Test test) {
+  std::string text = test.reduced ? "reduced = true\n" : "";
+  const auto write = [&](std::string_view name, auto& part) {
+    if (!part) return;
+    text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", name);
+    for (const std::string& line : lines_of(test, &*part)) text += line + "\n";
+  };
+  write("specimen", test.specimen);
+  write("rig", test.rig);
+  write("friction", test.friction);
+  write("friction.other", test.other);
+  write("stage", test.stage);
+  write("record", test.record);
+  return text;
 }
 
 std::string case_text(const std::string& path) {
@@ -436,13 +508,13 @@ std::string case_text(const std::string& path) {
   return text;
 }
 
-InputError wrong_value(const Case& input, std::string_view key, std::string expected, std::string found,
+InputError wrong_value(const Test& test, std::string_view key, std::string expected, std::string found,
                        std::string remedy) {
-  const bool is_changed = std::any_of(input.changed.begin(), input.changed.end(), [&](const std::string& each) {
+  const bool is_changed = std::any_of(test.changed.begin(), test.changed.end(), [&](const std::string& each) {
     return key == each || (key.starts_with(each) && (key[each.size()] == '[' || key[each.size()] == '.'));
   });
-  return InputError({.file = is_changed ? "--set" : input.source,
-                     .line = is_changed ? 0 : line_of(input, key),
+  return InputError({.file = is_changed ? "--set" : test.source,
+                     .line = is_changed ? 0 : line_of(test, key),
                      .field = is_changed ? std::string(key) : field_name(key),
                      .expected = std::move(expected),
                      .found = std::move(found),
@@ -450,36 +522,110 @@ InputError wrong_value(const Case& input, std::string_view key, std::string expe
                      .key = std::string(key)});
 }
 
-Kind kind_in(const Case& input, const Kind& kind) {
-  if (input.reduced) return kind::number;
-  return is_in_inches(input) ? in_inches(kind) : kind;
+Kind kind_in(const Test& test, const Kind& kind) {
+  if (test.reduced) return kind::number;
+  return is_in_inches(test) ? in_inches(kind) : kind;
 }
 
-bool is_in_inches(const Case& input) { return input.rig && input.rig->in_inches; }
+bool is_in_inches(const Test& test) { return test.rig && test.rig->in_inches; }
 
-std::string readable_length(const Case& input, double length) { return readable(length, kind_in(input, kind::length)); }
+std::string readable_length(const Test& test, double length) { return readable(length, kind_in(test, kind::length)); }
+
+double quantity_of_flag(std::string_view flag, std::string_view text, const Kind& kind, Range range) {
+  try {
+    return parse_quantity(text, kind, range);
+  } catch (const InputError& error) {
+    throw located(error, "", 0, flag);
+  }
+}
 
 std::string depth_key(const Section& section) {
   return std::holds_alternative<RectangularSection>(section) ? "specimen.height" : "specimen.diameter";
 }
 
-InputError missing(const Case& input, std::string_view key, std::string why, std::string remedy) {
-  InputFault fault = wrong_value(input, key, "", "", std::move(remedy)).fault;
+InputError missing(const Test& test, std::string_view key, std::string why, std::string remedy) {
+  InputFault fault = wrong_value(test, key, "", "", std::move(remedy)).fault;
   fault.kind = FaultKind::missing;
   fault.problem = why.empty() ? "is missing" : fmt::format("is missing {}", why);
   return InputError(std::move(fault));
 }
 
-InputError missing(const Case& input, std::string_view key) {
-  const auto fault = [&](std::string remedy) { return missing(input, key, "", std::move(remedy)); };
+std::vector<std::string*> files_of(Test& test) {
+  std::vector<std::string*> files;
+  const auto add = [&](std::optional<std::string>& file) {
+    if (file) files.push_back(&*file);
+  };
+  if (test.record) files.push_back(&test.record->file);
+  for (auto* friction : {&test.friction, &test.other}) {
+    if (!*friction) continue;
+    add((*friction)->file);
+    add((*friction)->trace);
+  }
+  if (test.stage) add(test.stage->file);
+  return files;
+}
+
+std::optional<Section> section_of(const Test& test) {
+  if (!test.specimen) return std::nullopt;
+  const SpecimenInput& specimen = *test.specimen;
+  if (specimen.width && specimen.height) return RectangularSection{*specimen.width, *specimen.height};
+  if (!specimen.diameter) return std::nullopt;
+  if (specimen.inner_diameter) return TubularSection{*specimen.diameter, *specimen.inner_diameter};
+  if (specimen.wall) return TubularSection{*specimen.diameter, *specimen.diameter - 2 * *specimen.wall};
+  return RoundSection{*specimen.diameter};
+}
+
+std::string changed_key(std::string_view change) {
+  const std::size_t equals = change.find('=');
+  if (equals == std::string_view::npos) throw no_change(in_quotes(change), "");
+  const std::string_view name = trimmed(change.substr(0, equals));
+  const std::size_t dot = name.rfind('.');
+  const std::string_view section = name.substr(0, dot == std::string_view::npos ? 0 : dot);
+  const bool is_whole = dot != 0 && !name.ends_with('.');
+  const bool has_keys = section == "friction.other" || section == "sweep.axes" || section.find('.') == section.npos;
+  if (is_whole && has_keys && case_key(section, name.substr(dot + 1))) return std::string(name);  // npos + 1 is 0
+  std::vector<std::string> known;
+  for (const CaseKey& key : case_keys())
+    if (key.section.find('.') == key.section.npos)
+      known.push_back(full_name(key));  // those of arrays change as a whole
+  const auto same =
+      std::find_if(case_keys().begin(), case_keys().end(), [&](const CaseKey& key) { return key.name == name; });
+  const std::string meant = same != case_keys().end() ? full_name(*same) : nearest(name, known);
+  throw no_change(in_quotes(name),
+                  meant.empty() ? "flexslip keys lists the keys" : fmt::format("did you mean {}?", in_quotes(meant)));
+}
+
+toml::table with_changes(toml::table table, const std::vector<std::string>& changes) {
+  for (const std::string& change : changes) {
+    const std::string name = changed_key(change);
+    const std::string value(trimmed(std::string_view(change).substr(change.find('=') + 1)));
+    if (value.empty()) throw no_change(in_quotes(change), "write a value after the =");
+    const std::size_t dot = std::min(name.rfind('.'), name.size());
+    toml::table* section = &table;
+    for (std::size_t at = 0; at < dot && dot < name.size();) {
+      const std::size_t end = std::min(name.find('.', at), dot);
+      const std::string part = name.substr(at, end - at);
+      if (!(*section)[part].is_table()) section->insert_or_assign(part, toml::table{});
+      section = (*section)[part].as_table();
+      at = end + 1;
+    }
+    const bool is_top = dot == name.size();
+    const std::string last = is_top ? name : name.substr(dot + 1);
+    insert(*section, last, *case_key(is_top ? "" : name.substr(0, dot), last), value);
+  }
+  return table;
+}
+
+InputError missing(const Test& test, std::string_view key) {
+  const auto fault = [&](std::string remedy) { return missing(test, key, "", std::move(remedy)); };
   for (const Example& example : examples) {
-    const std::string_view text = input.reduced ? example.reduced : example.physical;
+    const std::string_view text = test.reduced ? example.reduced : example.physical;
     if (example.key == key && !text.empty()) return fault(fmt::format("add {}", text));
   }
   const std::size_t dot = key.rfind('.');
   if (dot != std::string_view::npos)
     if (const CaseKey* described = case_key(key.substr(0, dot), key.substr(dot + 1))) {
-      const std::string_view text = input.reduced ? described->reduced : described->example;
+      const std::string_view text = test.reduced ? described->reduced : described->example;
       if (!text.empty()) return fault(fmt::format("add {} = {}", described->name, text));
     }
   return fault("");

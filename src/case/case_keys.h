@@ -1,12 +1,14 @@
-// Every key of a case file, described once: the reader, its refusals, the flags, --set, the columns of a campaign's table, `flexslip keys` and the
-// tables of docs/case-files.md are made of this.
+// Every key of a case file, described once: a row says what it holds and which member of a Test that is. The reader, the writer, refusals, flags, --set,
+// the columns of a campaign's table, the axes of maps and sweeps, `flexslip keys` and the tables of docs/case-files.md are made of the rows.
 #pragma once
 
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include "case/test.h"
 #include "fibre/limits.h"
 #include "io/quantity.h"
 
@@ -30,8 +32,19 @@ enum class Holds {
   tables,  // an array of tables, whose keys are in a section of their own: "specimen.cracks"
 };
 
+// What the keys of a section are members of, and what a key may be there. A number or a text that is not optional is required.
+using TestPart =
+    std::variant<SpecimenInput*, CrackInput*, RigInput*, FrictionInput*, WaveInput*, StageInput*, RecordInput*>;
+using Slot =
+    std::variant<std::monostate, double*, std::optional<double>*, std::string*, std::optional<std::string>*,
+                 std::uint64_t*, std::optional<std::uint64_t>*, char*, std::optional<char>*,
+                 std::optional<StatedStiffness>*, std::vector<double>*, std::vector<CrackInput>*,
+                 std::vector<WaveInput>*, Rollers*, FrictionAt*, std::optional<FrictionModel>*, TraceDirection*,
+                 SnapRest*, std::optional<DisplacementOf>*, SignRule*, FailureRule*, ForceZeroRule*,
+                 std::optional<ContactRule>*, std::optional<PlaceInRecord>*, std::optional<SheetChoice>*>;
+
 struct CaseKey {
-  std::string_view section, name;  // no section: a key of the case itself
+  std::string_view name;
   Holds holds;
   const Kind* kind;  // none where that has no meaning
   Range range;
@@ -44,6 +57,11 @@ struct CaseKey {
   std::string_view more;           // what docs/case-files.md adds (Markdown)
   double most = infinity;          // the greatest value within the range
   std::string_view why_most = "";  // a remedy for one that is greater
+  std::string_view section = "";   // "": a key of the case itself
+  Slot (*slot)(const TestPart&) = nullptr;
+
+  // Its member of a part; none of a part that has no such member.
+  Slot of(const TestPart& part) const { return slot ? slot(part) : Slot(); }
 };
 
 std::span<const CaseKey> case_keys();
@@ -52,6 +70,11 @@ std::span<const CaseKey> case_keys();
 // "specimen.cracks", and each of "sweep.axes" is one of its axes. Null if there is none.
 const CaseKey* case_key(std::string_view section, std::string_view name);
 
+// The number that a key of a section of a test holds, to be read or set: of an array the last one, of an estimate its value. Null if it holds none.
+double* number_of(Test& test, const CaseKey& key);
+
+// The words of "find|keep|reverse", and those of a key.
+std::vector<std::string_view> words_of(std::string_view list);
 std::vector<std::string_view> words_of(const CaseKey& key);
 
 // What it holds, in words: "a length", "\"find\", \"keep\" or a force".

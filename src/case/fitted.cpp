@@ -1,23 +1,77 @@
 #include "case/fitted.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "case/case_keys.h"
+#include "case/mechanics.h"
 #include "data/names.h"
 #include "fibre/elementary.h"
 #include "fibre/limits.h"
+#include "io/input_error.h"
 #include "io/sha256.h"
 #include "io/table.h"
 
 namespace flexslip {
 namespace {
+
+constexpr std::array models{ProfileModel::roughness, ProfileModel::constant, ProfileModel::drift,
+                            ProfileModel::sinusoid, ProfileModel::sinusoids};
+
+// At even distances; in [m].
+Slopes slopes_of(const ImpliedSurface& implied, double span) {
+  std::vector<double> position;
+  for (const double each : implied.position) position.push_back(span * each);
+  const HeightTrace even = sampled(position, implied.mean.slope).trace;
+  return {even.begin, even.step, even.height};
+}
+
+Slopes slopes_of(const HeightTrace& trace) {
+  Slopes out{trace.begin + 0.5 * trace.step, trace.step, {}};
+  for (std::size_t i = 1; i < trace.height.size(); ++i)
+    out.value.push_back((trace.height[i] - trace.height[i - 1]) / trace.step);
+  return out;
+}
+
+// Lengths in [m] of one [L] of the implied surface; the likeliest wave of the fit, null without one.
+// Fails:      InputError for a trace that is all level, or too short to be held against.
+HeldSurface held_against(const ImpliedSurface& implied, const WaveEstimate* wave, double span, const TraceFile& file) {
+  constexpr std::size_t fewest = 16;  // slopes of either that are held against each other
+  const HeightTrace trace = levelled(file.sampled.trace, 1);
+  SurfaceOptions options;
+  const double finest = 2 * trace.step;
+  const double longest = std::min(span * implied.longest, trace.width());
+  if (longest > 2 * finest) options.texture.longest = longest;
+  if (wave) options.wavelengths = {span * wave->wavelength.value};
+  if (wave) options.amplitude = span * wave->height.value;
+  const SurfaceStudy study = study_surface(file, options);
+  Slopes profile = slopes_of(implied, span), of_trace = slopes_of(trace);
+  const double step = std::max(profile.step, of_trace.step);
+  profile = averaged(profile, step);
+  of_trace = averaged(of_trace, step);
+  if (std::min(profile.value.size(), of_trace.value.size()) < fewest)
+    throw InputError({.file = file.source,
+                      .expected = fmt::format("a trace that overlaps the friction by at least {} slopes", fewest),
+                      .found = fmt::format("{} slopes at steps of {}, and {} of the friction", of_trace.value.size(),
+                                           readable(step, kind::length), profile.value.size()),
+                      .remedy = "use a longer trace, or a finer one"});
+  HeldSurface held{
+      file.source, trace.step, trace.width(), study.pixel, study.texture, {}, placed(profile, of_trace), 0};
+  if (wave) held.wave = study.resolution.front();
+  held.begin = held.placement.offset + (held.placement.turned ? -0.5 : 0.5) * span;
+  return held;
+}
+
 constexpr std::size_t least_fitted_points = 30;  // fewer do not tell the noise, and so no drops
 
 InputFile input_file(const std::string& name) {
@@ -62,13 +116,13 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
 
 // A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with
 // it. What is only doubtful is fitted, and said to be (Doubt::wrong_stiffness).
-void require_same_world(const Case& input, const Record& record, double bending_stiffness) {
+void require_same_world(const Test& input, const Record& record, double bending_stiffness) {
   constexpr double farthest = 1e15;  // a span in another unit makes it 1e9
   const StiffnessFromSlope slope = stiffness_from_slope(record, span_of(input));
   if (!slope.found) return;
   const double ratio = bending_stiffness / slope.value;
   if (ratio < farthest && ratio > 1 / farthest) return;
-  const bool has_modulus = std::holds_alternative<Modulus>(input.specimen->rigidity);
+  const bool has_modulus = !input.specimen->bending_stiffness;
   throw wrong_value(input, has_modulus ? "specimen.modulus" : "specimen.bending_stiffness",
                     fmt::format("a bending stiffness within a factor of 1e15 of the {} from the record's initial slope",
                                 readable(slope.value, kind_in(input, kind::bending_stiffness))),
@@ -76,12 +130,45 @@ void require_same_world(const Case& input, const Record& record, double bending_
                     "check its unit, the section, and the units of the record");
 }
 
-std::optional<Materials> materials_of(const Case& input) {
+std::optional<Materials> materials_of(const Test& input) {
   if (!input.specimen || !input.specimen->material || !input.rig || !input.rig->support_material) return std::nullopt;
   return Materials{*input.specimen->material, *input.rig->support_material};
 }
 
 }  // namespace
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names;
+  names.reserve(models.size());
+  for (const auto model : models) names.emplace_back(name_of(model));
+  return names;
+}
+
+AnalysisOptions options_for(const Test& input, const AnalysisChoice& choice) {
+  AnalysisOptions options = choice.options;
+  if (const auto limit = pin_limit_of(input)) options.most_friction = *limit;
+  std::string asked = choice.model;
+  if (asked.empty() && input.friction && input.friction->model && !input.friction->has_parameters()) {
+    asked = words_of(*case_key("friction", "model")).at(static_cast<std::size_t>(*input.friction->model));
+    const auto names = model_names();
+    if (std::find(names.begin(), names.end(), asked) == names.end())
+      throw wrong_value(input, "friction.model", "a model to fit: roughness, constant, drift, sinusoid or sinusoids",
+                        in_quotes(asked));
+  }
+  for (const auto model : models)
+    if (name_of(model) == asked) options.fit.model = model;
+  return options;
+}
+
+Fields<AnalysisOptions> analysis_fields() {
+  using O = const AnalysisOptions&;
+  return Fields<AnalysisOptions>()
+      .words("model", "friction model", [](O options) { return name_of(options.fit.model); })
+      .number("false_alarms", "number of drops expected in a test without slips",
+              [](O options) { return options.drops.false_alarms_per_test; })
+      .number("suspect_limit", "limit above which friction is implausible", &AnalysisOptions::suspect_limit)
+      .yes_no("check_stability", "whether the check of stability was asked for", &AnalysisOptions::check_stability);
+}
 
 std::string name_of_test(const std::string& file) {
   if (file == "-") return "standard input";
@@ -90,13 +177,11 @@ std::string name_of_test(const std::string& file) {
   return path.stem() == "case" && !folder.empty() ? folder : path.stem().string();
 }
 
-BeamGeometry geometry_of(const Case& input) {
-  return {input.rig ? input.rig->span : std::nullopt, input.specimen ? input.specimen->section : std::nullopt};
-}
+BeamGeometry geometry_of(const Test& input) { return {input.rig ? input.rig->span : std::nullopt, section_of(input)}; }
 
-FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
+FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   Measurement measurement = read_measurement(asked, least_fitted_points);
-  const Case input = measurement.test;  // completed with what the file says
+  const Test input = measurement.test;  // completed with what the file says
   StiffnessSource source = StiffnessSource::initial_slope;
   TestDescription description{.span = span_of(input),
                               .load_train_stiffness = rig_stiffness_of(input),
@@ -153,7 +238,7 @@ FittedTest fit_test(const Case& asked, const AnalysisOptions& options) {
   std::optional<double> strain_at_break = input.specimen ? input.specimen->strain_at_break : std::nullopt;
   if (surface && input.specimen->strength)
     strain_at_break = surface->strain(surface->curvature_at_stress(*input.specimen->strength));
-  const double nose_curvature = nose_curvature_of(input, geometry.section, analysis.scales);
+  const double nose_curvature = nose_curvature_of(input, analysis.scales);
   const std::string& data = input.record.value().file;
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "case/case_file.h"
-#include "case/held_surface.h"
-#include "case/problem.h"
+#include "case/mechanics.h"
+#include "case/surface_study.h"
 #include "data/literature_friction.h"
 #include "data/small_deflection.h"
 #include "data/surface_strain.h"
@@ -17,8 +17,39 @@
 #include "inference/imaged_length.h"
 #include "inference/implied_surface.h"
 #include "inference/judgement.h"
+#include "result/fields.h"
+#include "surface/placement.h"
 
 namespace flexslip {
+
+// Which analysis a measured test is given: as a call says, or else its case.
+struct AnalysisChoice {
+  std::string model;  // its name; empty: as the case says, or roughness
+  AnalysisOptions options{};
+};
+
+// Of the models that can be fitted.
+std::vector<std::string> model_names();
+
+// The options of a test: what the call says, and the friction that the supports of its case let act; where it names no model, that which its case names without parameters, for with
+// parameters it says how to simulate.
+// Fails:      InputError if the case names a model that cannot be fitted.
+AnalysisOptions options_for(const Test& input, const AnalysisChoice& choice);
+
+// What a report tells of them, and what an answer that is kept depends on.
+Fields<AnalysisOptions> analysis_fields();
+
+// The surface that would explain a friction, held against a height trace of the specimen. Units: those of the test.
+struct HeldSurface {
+  std::string file;
+  double step, width;                  // [m] of the trace
+  double pixel;                        // [m] as SurfaceStudy has it
+  Texture texture;                     // of the trace, of waves no longer than the implied surface is told of
+  std::optional<WaveResolution> wave;  // how the likeliest wave of friction would show in it, if there is one
+  Placement
+      placement;  // of the slopes that the friction implies along the trace; position of the trace = offset ± position from midspan
+  double begin;  // [m] of the trace, where the support stood at first
+};
 
 struct InputFile {
   std::string name;  // as the user named it
@@ -64,11 +95,11 @@ void hold_against(FittedTest& test, const std::string& trace, const TraceOptions
 std::string name_of_test(const std::string& file);
 
 // What a case says of its specimen as a beam.
-BeamGeometry geometry_of(const Case& input);
+BeamGeometry geometry_of(const Test& input);
 
 // Reads the record of a case and analyses it.
 // Fails:      InputError as read_measurement and scales_of; for friction models that cannot be fitted.
-FittedTest fit_test(const Case& asked, const AnalysisOptions& options);
+FittedTest fit_test(const Test& asked, const AnalysisOptions& options);
 
 // The data row, counted from 1, at which a point of the record begins in its file.
 std::size_t file_row(const FittedTest& test, std::size_t point);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ std::string kind_of_node(const toml::node& node) {
   return "a date or time";
 }
 
-Keys::Keys(const toml::table& table, std::string path, const Case& input)
-    : table_(table), path_(std::move(path)), input_(input) {}
+Keys::Keys(const toml::table& table, std::string path, const Test& test)
+    : table_(table), path_(std::move(path)), test_(test) {}
 
 std::string Keys::key(std::string_view name) const {
   return path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
@@ -37,7 +38,7 @@ void Keys::only(const std::vector<std::string>& known) const {
     const bool is_elsewhere = described && described->name == name.str();  // of another model, in this section
     const std::string expected = (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known);
     InputFault fault =
-        wrong_value(input_, key(name.str()), expected, is_elsewhere ? "a key without meaning here" : "an unknown key",
+        wrong_value(test_, key(name.str()), expected, is_elsewhere ? "a key without meaning here" : "an unknown key",
                     is_elsewhere    ? "leave it out"
                     : meant.empty() ? "expected " + expected
                                     : "did you mean " + in_quotes(meant) + "?")
@@ -48,54 +49,32 @@ void Keys::only(const std::vector<std::string>& known) const {
   }
 }
 
-void Keys::only_described() const {
+void Keys::read(const TestPart& part) const {
+  const auto is_there = [&](const CaseKey& key) { return !std::holds_alternative<std::monostate>(key.of(part)); };
   std::vector<std::string> known;
   for (const CaseKey& key : case_keys())
-    if (case_key(path_, key.name) == &key) known.emplace_back(key.name);
+    if (is_there(key) || (key.section == path_ && !key.slot)) known.emplace_back(key.name);
   only(known);
-}
-
-const CaseKey& Keys::described(std::string_view name) const {
-  const CaseKey* key = case_key(path_, name);
-  if (!key) throw std::invalid_argument(fmt::format("no key {} is described", this->key(name)));
-  return *key;
+  for (const CaseKey& key : case_keys())
+    std::visit(
+        [&](auto member) {
+          using Member = decltype(member);
+          if constexpr (!std::is_same_v<Member, std::monostate>) {
+            constexpr bool is_required = std::is_same_v<Member, double*> || std::is_same_v<Member, std::string*>;
+            if (is_required) need(key.name);
+            if (has(key.name)) take(key, *member);
+          }
+        },
+        key.of(part));
 }
 
 const toml::node& Keys::need(std::string_view name) const {
   if (const toml::node* node = find(name)) return *node;
-  throw missing(input_, key(name));
+  throw missing(test_, key(name));
 }
 
 double Keys::quantity(std::string_view name, const Kind& kind, Range range) const {
   return value(need(name), key(name), kind, range);
-}
-
-double Keys::quantity(std::string_view name) const {
-  const CaseKey& key = described(name);
-  return at_most(quantity(name, *key.kind, key.range), name);
-}
-
-double Keys::at_most(double value, std::string_view name) const {
-  const CaseKey* key = case_key(path_, name);
-  if (!key || !(value > key->most)) return value;
-  InputError error = wrong_value(input_, this->key(name), fmt::format("at most {:g}", key->most),
-                                 fmt::format("{}", value), std::string(key->why_most));
-  error.fault.kind = FaultKind::too_much;
-  error.fault.limit = key->most;
-  throw error;
-}
-
-std::optional<double> Keys::optional_quantity(std::string_view name) const {
-  return has(name) ? std::optional(quantity(name)) : std::nullopt;
-}
-
-std::uint64_t Keys::whole_number(std::string_view name) const { return whole_number(name, described(name).least); }
-
-std::string Keys::word(std::string_view name) const {
-  const auto known = words_of(described(name));
-  for (const std::string_view each : known)
-    if (is_word(name, each)) return std::string(each);
-  refuse_word(name, known);
 }
 
 std::uint64_t Keys::whole_number(std::string_view name, std::int64_t least) const {
@@ -106,69 +85,173 @@ std::uint64_t Keys::whole_number(std::string_view name, std::int64_t least) cons
   return static_cast<std::uint64_t>(*value);
 }
 
+bool Keys::is_word(std::string_view name, std::string_view word) const {
+  return need(name).value_exact<std::string_view>() == word;
+}
+
+std::size_t Keys::word(std::string_view name, const std::vector<std::string_view>& known) const {
+  std::string expected;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (is_word(name, known[i])) return i;
+    expected += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 < known.size() ? ", " : " or ", known[i]);
+  }
+  const auto word = need(name).value_exact<std::string>();
+  const std::string meant = nearest(word.value_or(""), {known.begin(), known.end()});
+  refuse(name, expected, kind_of_node(need(name)), meant.empty() ? "" : fmt::format("did you mean \"{}\"?", meant));
+}
+
 std::string Keys::text(std::string_view name) const {
-  const toml::node& node = need(name);
-  const auto value = node.value_exact<std::string>();
-  if (!value || value->empty()) refuse(name, "text in quotes", kind_of_node(node));
+  const auto value = need(name).value_exact<std::string>();
+  if (!value || value->empty()) refuse(name, "text in quotes", kind_of_node(need(name)));
   return *value;
 }
 
-std::variant<std::string, std::size_t> Keys::name_or_number(std::string_view name) const {
-  if (need(name).is_number()) return static_cast<std::size_t>(whole_number(name, 1));
-  return text(name);
-}
-
-bool Keys::is_word(std::string_view name, std::string_view word) const {
-  const toml::node* node = find(name);
-  return node && node->value_exact<std::string_view>() == word;
-}
-
-std::string Keys::column(std::string_view name) const {
-  const Kind& kind = *described(name).kind;
-  std::string title = text(name);
+double Keys::share(std::string_view name) const {
+  const auto text = need(name).value_exact<std::string_view>();
+  if (!text || text->find('%') == std::string_view::npos) return quantity(name, kind::number, Range::positive);
   try {
-    const ColumnTitle parts = parse_column_title(title);
-    if (!parts.unit.empty()) parse_unit(parts.unit, kind_in(input_, kind));
+    return parse_quantity(*text, kind::number, Range::positive);
   } catch (const InputError& error) {
     throw placed(error, key(name));
   }
-  return title;
 }
 
-std::string Keys::path(std::string_view name) const {
-  const std::string file = text(name);
-  std::string path = file == "-" ? file : (std::filesystem::path(input_.source).parent_path() / file).string();
-  announce_input(path);  // now, though it may be read only after others were written
-  return path;
+double Keys::uncertainty(double value_of_it, const Kind& kind) const {
+  const toml::node& node = need("uncertainty");
+  const auto text = node.value_exact<std::string_view>();
+  const bool is_share = text && text->find('%') != std::string_view::npos;
+  return is_share ? value_of_it * share("uncertainty") : value(node, key("uncertainty"), kind, Range::positive);
 }
 
-StatedStiffness Keys::estimate(std::string_view name) const {
-  const auto& [kind, range] = std::pair(*described(name).kind, described(name).range);
-  const toml::node& node = need(name);
-  if (const toml::table* parts = node.as_table()) {
-    const Keys keys(*parts, key(name), input_);
-    keys.only({"value", "uncertainty"});
-    Known known{keys.quantity("value", kind, range), 0};
-    known.uncertainty = keys.uncertainty(known.value, kind);
-    return known;
+void Keys::take(const CaseKey& key, double& value) const {
+  value = key.holds == Holds::share ? share(key.name) : quantity(key.name, *key.kind, key.range);
+  if (!(value > key.most)) return;
+  InputError error = wrong_value(test_, this->key(key.name), fmt::format("at most {:g}", key.most),
+                                 fmt::format("{}", value), std::string(key.why_most));
+  error.fault.kind = FaultKind::too_much;
+  error.fault.limit = key.most;
+  throw error;
+}
+
+void Keys::take(const CaseKey& key, std::string& value) const {
+  value = text(key.name);
+  if (key.holds == Holds::file) {  // relative to the case file: from here on to the working directory
+    if (value != "-") value = (std::filesystem::path(test_.source).parent_path() / value).string();
+    announce_input(value);  // now, though it may be read only after others were written
   }
-  if (node.value_exact<std::string_view>() == "fit") return ToFit{};
-  return Known{value(node, key(name), kind, range), 0};
+  const bool names_one_of_export = path_ == "record" && !has("stage") && !has("deflection");
+  if (key.holds != Holds::title || names_one_of_export) return;
+  try {
+    const ColumnTitle parts = parse_column_title(value);
+    if (!parts.unit.empty()) parse_unit(parts.unit, kind_in(test_, *key.kind));
+  } catch (const InputError& error) {
+    throw placed(error, this->key(key.name));
+  }
 }
 
-bool Keys::is_in_unit(std::string_view name, std::string_view symbol) const {
-  const toml::node* node = find(name);
-  const auto text = node ? node->value_exact<std::string_view>() : std::nullopt;
-  if (!text || !text->ends_with(symbol)) return false;
-  const std::string_view number = text->substr(0, text->size() - symbol.size());
-  return !number.empty() && (number.back() == ' ' || (number.back() >= '0' && number.back() <= '9'));
+void Keys::take(const CaseKey& key, std::uint64_t& value) const { value = whole_number(key.name, key.least); }
+
+void Keys::take(const CaseKey& key, char& value) const {
+  const auto known = words_of(key);
+  value = known[word(key.name, known)].front();
+}
+
+void Keys::take(const CaseKey& key, StatedStiffness& value) const {
+  const toml::node& node = need(key.name);
+  if (const toml::table* parts = node.as_table()) {
+    const Keys keys(*parts, this->key(key.name), test_);
+    keys.only({"value", "uncertainty"});
+    Known known{keys.quantity("value", *key.kind, key.range), 0};
+    known.uncertainty = keys.uncertainty(known.value, *key.kind);
+    value = known;
+  } else if (is_word(key.name, "fit")) {
+    value = ToFit{};
+  } else {
+    value = Known{quantity(key.name, *key.kind, key.range), 0};
+  }
+}
+
+void Keys::take(const CaseKey& key, std::vector<double>& values) const {
+  const toml::node& node = need(key.name);
+  const toml::array* array = node.as_array();
+  if (!array) refuse(key.name, "at least two stage positions, a start and an end", kind_of_node(node));
+  for (std::size_t i = 0; i < array->size(); ++i)
+    values.push_back(value((*array)[i], fmt::format("{}[{}]", this->key(key.name), i + 1), *key.kind, key.range));
+}
+
+void Keys::take(const CaseKey& key, PlaceInRecord& place) const {
+  const toml::node& node = need(key.name);
+  if (const toml::table* table = node.as_table()) {
+    const Keys parts(*table, this->key(key.name), test_);
+    parts.only({"stage", "deflection"});
+    if (parts.size() != 1) refuse(key.name, "either a stage or a deflection", table->empty() ? "neither" : "both");
+    if (parts.has("stage"))
+      place = AtStage{parts.quantity("stage", kind::length, Range::any)};
+    else
+      place = AtDeflection{parts.quantity("deflection", kind::length, Range::any)};
+  } else if (node.is_string()) {
+    place = AtStage{quantity(key.name, kind::length, Range::any)};
+  } else {
+    place = AtRow{static_cast<std::size_t>(whole_number(key.name, 1))};
+  }
+}
+
+void Keys::take(const CaseKey& key, SheetChoice& sheet) const {
+  if (need(key.name).is_number())
+    sheet = static_cast<std::size_t>(whole_number(key.name, 1));
+  else
+    sheet = text(key.name);
+}
+
+// A word beside a quantity says what none does.
+void Keys::take(const CaseKey& key, std::optional<double>& value) const {
+  for (const std::string_view word : words_of(key))
+    if (is_word(key.name, word)) return;
+  take(key, value.emplace());
+}
+
+template <class Word>
+void Keys::take(const CaseKey& key, Word& value) const {
+  value = static_cast<Word>(word(key.name, words_of(key)));
+}
+
+template <class Word>
+void Keys::take(const CaseKey& key, std::variant<Word, double>& value) const {
+  const auto known = words_of(key);
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (is_word(key.name, known[i])) {
+      value = static_cast<Word>(i);
+      return;
+    }
+  take(key, value.template emplace<double>());
+}
+
+template <class Row>
+void Keys::take(const CaseKey& key, std::vector<Row>& rows) const {
+  const toml::node& node = need(key.name);
+  const toml::array* several = node.as_array();
+  if (!several || several->empty())
+    refuse(key.name, fmt::format("an array of {}", key.name), several ? "an empty one" : kind_of_node(node));
+  for (std::size_t i = 0; i < several->size(); ++i) {
+    const std::string path = fmt::format("{}[{}]", this->key(key.name), i + 1);
+    const toml::table* table = (*several)[i].as_table();
+    if (!table)
+      throw wrong_value(test_, path, fmt::format("a table, as in {}", test_.reduced ? key.reduced : key.example),
+                        kind_of_node((*several)[i]));
+    Keys(*table, path, test_).read(&rows.emplace_back());
+  }
+}
+
+template <class Value>
+void Keys::take(const CaseKey& key, std::optional<Value>& value) const {
+  take(key, value.emplace());
 }
 
 double Keys::value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const {
   const auto text = node.value_exact<std::string_view>();
   const bool is_number = node.is_number();
-  if (!text && !is_number) throw wrong_value(input_, key, std::string(kind.name), kind_of_node(node));
-  const bool is_plain = kind.dimension == Dimension{} || (input_.reduced && kind.dimension != kind::angle.dimension);
+  if (!text && !is_number) throw wrong_value(test_, key, std::string(kind.name), kind_of_node(node));
+  const bool is_plain = kind.dimension == Dimension{} || (test_.reduced && kind.dimension != kind::angle.dimension);
   try {
     if (is_number && is_plain) {
       const double plain = node.value<double>().value_or(0);
@@ -188,62 +271,17 @@ double Keys::value(const toml::node& node, const std::string& key, const Kind& k
 }
 
 void Keys::refuse(std::string_view name, std::string expected, std::string found, std::string remedy) const {
-  throw wrong_value(input_, key(name), std::move(expected), std::move(found), std::move(remedy));
+  throw wrong_value(test_, key(name), std::move(expected), std::move(found), std::move(remedy));
 }
 
 InputError Keys::placed(const InputError& error, const std::string& key) const {
-  const InputFault place = wrong_value(input_, key, "", "", "").fault;
+  const InputFault place = wrong_value(test_, key, "", "", "").fault;
   InputFault fault = error.fault;
   fault.file = place.file;
   fault.line = place.line;
   fault.field = place.field;
   fault.key = place.key;
   return InputError(std::move(fault));
-}
-
-std::vector<Keys> Keys::tables(std::string_view name, const std::vector<std::string>& known) const {
-  const toml::node& node = need(name);
-  const toml::array* several = node.as_array();
-  if (!several || several->empty())
-    refuse(name, fmt::format("an array of {}", name), several ? "an empty one" : kind_of_node(node));
-  std::vector<Keys> tables;
-  for (std::size_t i = 0; i < several->size(); ++i) {
-    const std::string path = fmt::format("{}[{}]", key(name), i + 1);
-    const toml::table* table = (*several)[i].as_table();
-    if (!table)
-      throw wrong_value(input_, path, fmt::format("{{ {} = … }}", fmt::join(known, " = …, ")),
-                        kind_of_node((*several)[i]));
-    tables.emplace_back(*table, path, input_);
-    tables.back().only(known);
-  }
-  return tables;
-}
-
-double Keys::share(std::string_view name) const {
-  const auto text = need(name).value_exact<std::string_view>();
-  if (!text || text->find('%') == std::string_view::npos)
-    return at_most(quantity(name, kind::number, Range::positive), name);
-  try {
-    return at_most(parse_quantity(*text, kind::number, Range::positive), name);
-  } catch (const InputError& error) {
-    throw placed(error, key(name));
-  }
-}
-
-double Keys::uncertainty(double value_of_it, const Kind& kind) const {
-  const toml::node& node = need("uncertainty");
-  const auto text = node.value_exact<std::string_view>();
-  const bool is_share = text && text->find('%') != std::string_view::npos;
-  return is_share ? value_of_it * share("uncertainty") : value(node, key("uncertainty"), kind, Range::positive);
-}
-
-void Keys::refuse_word(std::string_view name, const std::vector<std::string_view>& known) const {
-  std::string expected;
-  for (std::size_t i = 0; i < known.size(); ++i)
-    expected += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 < known.size() ? ", " : " or ", known[i]);
-  const auto word = need(name).value_exact<std::string>();
-  const std::string meant = nearest(word.value_or(""), {known.begin(), known.end()});
-  refuse(name, expected, kind_of_node(need(name)), meant.empty() ? "" : fmt::format("did you mean \"{}\"?", meant));
 }
 
 }  // namespace flexslip

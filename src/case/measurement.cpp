@@ -9,19 +9,289 @@
 
 #include <fmt/format.h>
 
-#include "case/preparation_steps.h"
-#include "case/reading_columns.h"
-#include "case/readings.h"
-#include "case/stiffness_used.h"
+#include "case/mechanics.h"
 #include "data/contact.h"
 #include "data/force_zero.h"
 #include "data/legs.h"
+#include "data/signs.h"
 #include "fibre/limits.h"
+#include "instruments/export.h"
+#include "io/input_error.h"
 #include "io/quantity.h"
 #include "io/table.h"
 
 namespace flexslip {
+
+void Preparation::add(std::string_view name, bool changed, std::string done, std::optional<KeyChange> otherwise,
+                      std::optional<PreparedValue> value, std::optional<RowRange> rows) {
+  steps.push_back({std::string(name), changed, std::move(done), value, rows, std::move(otherwise)});
+}
+
+std::string KeyChange::in_case() const { return fmt::format("[{}] {} = {}", section, name, value); }
+
+std::string KeyChange::flag() const {
+  std::string flag(name);
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return fmt::format("--{} {}", flag, value);
+}
+
 namespace {
+
+enum class Reading { stage, deflection, force, length };
+
+// The columns of a record, each still as its machine counts.
+struct Readings {
+  Test test;                     // completed with what the file says of span and section
+  Table table;                   // two columns [m], [N], and perhaps a length [m]
+  std::vector<Reading> columns;  // what each of them is
+  Preparation preparation;       // how they were found
+
+  bool has(Reading reading) const { return std::find(columns.begin(), columns.end(), reading) != columns.end(); }
+  const std::vector<double>& of(Reading reading) const {
+    const auto at = std::find(columns.begin(), columns.end(), reading) - columns.begin();
+    return table.columns[static_cast<std::size_t>(at)].values;
+  }
+  // Of the displacement, the one that comes first.
+  const std::vector<double>& displacement() const { return table.columns.front().values; }
+};
+
+// In any unit, the force or what is proportional to it.
+std::vector<double> force_or_difference(const Readings& readings) {
+  if (readings.has(Reading::force)) return readings.of(Reading::force);
+  std::vector<double> difference = readings.of(Reading::stage);
+  const std::vector<double>& deflection = readings.of(Reading::deflection);
+  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= deflection[i];
+  return difference;
+}
+
+Record record_of(const Readings& readings, double stiffness) {
+  const auto of = [&](Reading reading) { return readings.of(reading); };
+  if (!readings.has(Reading::force))
+    return record_from_stage_and_deflection(of(Reading::stage), of(Reading::deflection), stiffness);
+  return readings.has(Reading::stage)
+             ? record_from_stage_and_force(of(Reading::stage), of(Reading::force), stiffness)
+             : record_from_deflection_and_force(of(Reading::deflection), of(Reading::force), stiffness);
+}
+
+PreparedValue value_in(const Test& test, double value, std::optional<double> error, const Kind& kind) {
+  return {value, error, kind_in(test, kind)};
+}
+
+KeyChange switch_to(std::string_view key, std::string_view value) {
+  return {"record", key, fmt::format("\"{}\"", value)};
+}
+
+Readings readings_of_table(const Test& input) {
+  const RecordInput& asked = *input.record;
+  std::vector<WantedColumn> wanted;
+  std::vector<Reading> columns;
+  const auto want = [&](const std::optional<std::string>& title, Reading reading, const Kind& kind) {
+    if (!title) return;
+    wanted.push_back({*title, kind_in(input, kind)});
+    columns.push_back(reading);
+  };
+  want(asked.stage, Reading::stage, kind::length);
+  want(asked.deflection, Reading::deflection, kind::length);
+  want(asked.force, Reading::force, kind::force);
+  want(asked.length, Reading::length, kind::length);
+  Table table = [&] {
+    if (asked.given) return *asked.given;
+    try {
+      return read_table(asked.file, wanted, asked.decimal.value_or('.'), asked.sheet);
+    } catch (const InputError& error) {
+      InputFault fault = error.fault;
+      // The titles are not on the first line: a preamble may stand there.
+      if (fault.line != 1 || fault.part != TablePart::title || !fault.remedy.empty()) throw;
+      fault.remedy =
+          "if it is the export of a testing machine, write displacement = \"crosshead\" or \"deflection\" into "
+          "[record], or pass --displacement, instead of column titles; flexslip read shows what the file holds";
+      throw InputError(fault);
+    }
+  }();
+  static constexpr std::string_view names[] = {"stage", "deflection", "force", "length pulled in"};
+  std::string words;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    words += fmt::format("{}the {} is the column '{}'", i == 0 ? "" : ", ", names[static_cast<std::size_t>(columns[i])],
+                         table.columns[i].name);
+  words += ", as stated";
+  for (const std::string& note : table.notes) words += "; " + note;
+  PreparationStep step{"columns", false, std::move(words), {}, RowRange{1, table.rows()}, {}};
+  return {input, std::move(table), std::move(columns), {{std::move(step)}}};
+}
+
+bool has_role(const ExportedSpecimen& specimen, ColumnRole role) {
+  return std::any_of(specimen.columns.begin(), specimen.columns.end(),
+                     [&](const ExportColumn& column) { return column.role == role; });
+}
+
+ColumnRole role_of(DisplacementOf displacement) {
+  return displacement == DisplacementOf::crosshead ? ColumnRole::crosshead : ColumnRole::deflection;
+}
+
+ExportOptions options_of(const RecordInput& asked) {
+  ExportOptions options;
+  options.sheet = asked.sheet;
+  options.decimal = asked.decimal;
+  if (asked.displacement_column)
+    options.columns[asked.displacement ? role_of(*asked.displacement) : ColumnRole::displacement] =
+        *asked.displacement_column;
+  if (asked.force) options.columns[ColumnRole::force] = *asked.force;
+  if (asked.calibration) options.units[ColumnRole::force] = *asked.calibration;
+  return options;
+}
+
+const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
+  const std::size_t count = file.specimens.size();
+  if (const auto asked = input.record->specimen) {
+    if (*asked <= count) return file.specimens[static_cast<std::size_t>(*asked - 1)];
+    throw wrong_value(input, "record.specimen", fmt::format("one of the {} specimens of {}", count, file.source),
+                      std::to_string(*asked));
+  }
+  if (count == 1) return file.specimens.front();
+  throw InputError({.file = file.source,
+                    .expected = "one specimen, or the number of one",
+                    .found = fmt::format("{} specimens", count),
+                    .remedy = "write specimen = 1 into [record], or pass --specimen 1"});
+}
+
+// The one column with a role; how to name it where there is none, or several.
+const ExportColumn& only_column(const Export& file, const ExportedSpecimen& specimen, ColumnRole role,
+                                std::string_view key, std::string_view flag) {
+  std::vector<const ExportColumn*> columns;
+  std::vector<std::string> names;
+  for (const ExportColumn& column : specimen.columns) {
+    if (column.role != role) continue;
+    columns.push_back(&column);
+    names.push_back(column.name);
+  }
+  if (columns.size() == 1) return *columns.front();
+  throw InputError({.file = file.source,
+                    .field = role == ColumnRole::force ? "the force" : "the displacement",
+                    .expected = "one column with it",
+                    .found = names.empty() ? "none" : listed(names),
+                    .remedy = fmt::format("write {} = \"…\" into [record], or pass {}: the name of the column, or its "
+                                          "number in the file, from 1",
+                                          key, flag)});
+}
+
+const ExportColumn& displacement_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role) {
+  return only_column(file, specimen, role, "displacement_column", "--displacement-column");
+}
+
+struct FoundDisplacement {
+  const ExportColumn& column;
+  DisplacementOf kind;
+  bool is_stated;
+};
+
+FoundDisplacement displacement_of(const RecordInput& asked, const Export& file, const ExportedSpecimen& specimen) {
+  if (asked.displacement) {
+    const ColumnRole role = role_of(*asked.displacement);
+    const ColumnRole found = has_role(specimen, role) ? role : ColumnRole::displacement;
+    return {displacement_with(file, specimen, found), *asked.displacement, true};
+  }
+  // A deflectometer comes first: ISO 178 prefers it.
+  for (const DisplacementOf kind : {DisplacementOf::deflection, DisplacementOf::crosshead})
+    if (has_role(specimen, role_of(kind))) return {displacement_with(file, specimen, role_of(kind)), kind, false};
+  const ExportColumn& column = displacement_with(file, specimen, ColumnRole::displacement);
+  throw InputError(
+      {.file = file.source,
+       .field = fmt::format("column {}", in_quotes(column.name)),
+       .expected = "a displacement known to be that of the crosshead or of the specimen's midpoint",
+       .found = "a name that does not say which",
+       .remedy = "write displacement = \"crosshead\" into [record], or pass --displacement crosshead: it is then "
+                 "corrected for the stiffness of the load train, as a modulus requires (ISO 178); write "
+                 "\"deflection\" if a deflectometer or a camera measured it"});
+}
+
+std::vector<LineRun> runs_of(const std::vector<std::size_t>& lines) {
+  std::vector<LineRun> runs;
+  for (std::size_t row = 0; row < lines.size(); ++row)
+    if (row == 0 || lines[row] != lines[row - 1] + 1) runs.push_back({row, lines[row]});
+  return runs;
+}
+
+// Adds what the file says and the case does not.
+void complete(Test& input, const ExportedTest& said, Preparation& preparation) {
+  const auto note = [&](std::string words, double value, KeyChange otherwise) {
+    preparation.steps.push_back(
+        {"metadata", false, std::move(words), PreparedValue{value, {}, kind::length}, {}, std::move(otherwise)});
+  };
+  if (said.span && !(input.rig && input.rig->span)) {
+    if (!input.rig) input.rig.emplace();
+    input.rig->span = *said.span;
+    note("the span is the one in the file", *said.span, KeyChange{"rig", "span", "\"…\""});
+  }
+  if (section_of(input)) return;
+  SpecimenInput specimen = input.specimen.value_or(SpecimenInput{});
+  if (said.diameter) {
+    specimen.diameter = *said.diameter;
+    note("the diameter is the one in the file", *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
+  } else if (said.width && said.thickness) {
+    specimen.width = *said.width;
+    specimen.height = *said.thickness;
+    note("the width is the one in the file", *said.width, KeyChange{"specimen", "width", "\"…\""});
+    note("the height is the thickness in the file", *said.thickness, KeyChange{"specimen", "height", "\"…\""});
+  } else {
+    return;
+  }
+  input.specimen = specimen;
+}
+
+Readings readings_from(const Test& input, const Export& file) {
+  const RecordInput& asked = *input.record;
+  const ExportedSpecimen& specimen = specimen_of(input, file);
+  const auto [column, kind, is_stated] = displacement_of(asked, file, specimen);
+  const ExportColumn& force = only_column(file, specimen, ColumnRole::force, "force", "--force");
+  const bool is_crosshead = kind == DisplacementOf::crosshead;
+  Readings readings{.test = input,
+                    .table = {file.source,
+                              {{column.name, in_si(file, specimen, column, kind::length)},
+                               {force.name, in_si(file, specimen, force, kind::force)}},
+                              runs_of(specimen.lines)},
+                    .columns = {is_crosshead ? Reading::stage : Reading::deflection, Reading::force},
+                    .preparation = {}};
+  std::string words =
+      fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
+                  file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
+                  is_stated ? "stated" : "the file says", force.name);
+  if (file.sheet && file.sheets.size() > 1) words += "; " + file.notes.front();  // of which sheet
+  for (const std::string& note : file.row_notes) words += "; " + note;
+  if (file.specimens.size() > 1)
+    words += fmt::format("; the specimen is number {} of {}", *asked.specimen, file.specimens.size());
+  if (asked.calibration) words += fmt::format("; the force was given in volts, {} as stated", *asked.calibration);
+  readings.preparation.steps.push_back({"columns",
+                                        asked.calibration.has_value(),
+                                        std::move(words),
+                                        {},
+                                        RowRange{1, readings.table.rows()},
+                                        switch_to("displacement", is_crosshead ? "deflection" : "crosshead")});
+  complete(readings.test, file.test, readings.preparation);
+  return readings;
+}
+
+Readings readings_of_export(const Test& input) {
+  const Export file = read_export(input.record->file, options_of(*input.record));
+  try {
+    return readings_from(input, file);
+  } catch (const InputError& error) {
+    if (!file.sheet || file.sheet_is_chosen) throw;
+    throw with_other_sheets(error, *file.sheet, file.sheets);
+  }
+}
+
+// The columns of a record as its file has them, in SI: from a table whose columns are named, or from the export of a testing machine, whose columns
+// say themselves what they are.
+// Fails:      InputError, besides what read_table and read_export throw: a displacement of which neither case nor file says what it
+//             is one of, several specimens of which none is chosen, one that is not there.
+Readings read_readings(const Test& input) {
+  try {
+    return input.record->is_export() ? readings_of_export(input) : readings_of_table(input);
+  } catch (const InputError& error) {
+    if (error.fault.key != "record.sheet") throw;
+    throw wrong_value(input, "record.sheet", error.fault.expected, error.fault.found, error.fault.remedy);
+  }
+}
 
 // Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
 // specimen in contact from the first row on would show.
@@ -40,11 +310,11 @@ void require_finite(const Record& record, const Table& table) {
                     .remedy = "check the units"});
 }
 
-double stiffness_for(const Case& input, const ReadingColumns& columns) {
+double stiffness_for(const Test& input, const Readings& readings) {
   if (input.rig && input.rig->stiffness) return rig_stiffness_of(input);
   // A deflection with its force needs no stiffness: what the stage did is not asked then.
-  if (!columns.has(Reading::stage)) return infinity;
-  if (!columns.has(Reading::deflection))
+  if (!readings.has(Reading::stage)) return infinity;
+  if (!readings.has(Reading::deflection))
     throw wrong_value(input, "rig.stiffness",
                       "the stiffness of the load train, as the displacement is that of the stage", "none",
                       "write the stiffness of your load train into [rig] as stiffness = \"… N/m\", or pass "
@@ -53,15 +323,18 @@ double stiffness_for(const Case& input, const ReadingColumns& columns) {
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }
 
-void find_sign(SignRule rule, ReadingColumns& columns, PreparationSteps& steps) {
+void find_sign(SignRule rule, Readings& readings, Preparation& steps) {
   Signs signs{1, 1};
   if (rule == SignRule::reverse) signs = {-1, -1};
   if (rule == SignRule::find) {
-    signs = find_signs(columns.displacement(), columns.force_or_difference());
+    signs = find_signs(readings.displacement(), force_or_difference(readings));
     // Without a force column its sign is that of the displacements it is the difference of.
-    if (!columns.has(Reading::force) && signs.force != signs.displacement) signs = {1, 1};
+    if (!readings.has(Reading::force) && signs.force != signs.displacement) signs = {1, 1};
   }
-  columns.apply(signs);
+  for (std::size_t i = 0; i < readings.columns.size(); ++i)
+    if (const Reading is = readings.columns[i];
+        is != Reading::length && (is == Reading::force ? signs.force : signs.displacement) < 0)
+      for (double& value : readings.table.columns[i].values) value = -value;
   const bool is_found = rule == SignRule::find;
   const bool changed = signs.displacement < 0 || signs.force < 0;
   std::string words = signs.displacement < 0 && signs.force < 0 ? "displacement and force are reversed"
@@ -87,7 +360,7 @@ std::size_t rows_of_points(const Sampling& sampling, std::size_t rows, std::size
   return points < sampling.rows.size() ? sampling.rows[points] : rows;
 }
 
-void note_sampling(const Sampling& sampling, std::size_t rows, PreparationSteps& steps) {
+void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& steps) {
   if (sampling.repeated > 0)
     steps.add("repeated", true,
               fmt::format("{} of the {} rows repeat the previous row and count once", sampling.repeated, rows), {});
@@ -123,17 +396,17 @@ Record with_force_zero(const Record& record, double offset, bool stage_is_read, 
                        : record_from_deflection_and_force(record.deflection, force, stiffness);
 }
 
-Record zeroed(const Case& input, const Record& record, bool stage_is_read, double stiffness, const Sampling& sampling,
-              std::size_t rows, PreparationSteps& steps) {
+Record zeroed(const Test& input, const Record& record, bool stage_is_read, double stiffness, const Sampling& sampling,
+              std::size_t rows, Preparation& steps) {
   const ForceZeroRule& rule = input.record->zero;
-  if (std::holds_alternative<ToKeep>(rule)) {
+  if (rule == ForceZeroRule{ZeroWord::keep}) {
     steps.add("zero", false, "the force is counted from the file's own zero, as stated",
               KeyChange{"record", "zero", "\"find\""});
     return record;
   }
   if (const auto* stated = std::get_if<double>(&rule)) {
     steps.add("zero", *stated != 0, "the force is counted from the zero stated",
-              KeyChange{"record", "zero", "\"keep\""}, steps.value(*stated, {}, kind::force));
+              KeyChange{"record", "zero", "\"keep\""}, value_in(input, *stated, {}, kind::force));
     return with_force_zero(record, *stated, stage_is_read, stiffness);
   }
   const ForceZero zero = zero_of(record);
@@ -147,20 +420,20 @@ Record zeroed(const Case& input, const Record& record, bool stage_is_read, doubl
   steps.add("zero", changed,
             changed ? "the mean force before contact is subtracted"
                     : "the mean force before contact is zero within four standard errors and is not subtracted",
-            KeyChange{"record", "zero", "\"keep\""}, steps.value(zero.offset, zero.error, kind::force),
+            KeyChange{"record", "zero", "\"keep\""}, value_in(input, zero.offset, zero.error, kind::force),
             RowRange{1, rows_of_points(sampling, rows, zero.points)});
   return changed ? with_force_zero(record, zero.offset, stage_is_read, stiffness) : record;
 }
 
-void note_compliance(const Case& input, const ReadingColumns& columns, double stiffness, PreparationSteps& steps) {
+void note_compliance(const Test& input, const Readings& readings, double stiffness, Preparation& steps) {
   const bool is_stiff = std::isinf(stiffness);
   const bool is_stated = input.rig && input.rig->stiffness;
   const std::string_view of =
       support_compliance_of(input) > 0 ? "the stiffness of load train and supports" : "load-train stiffness";
   std::string words;
-  if (!columns.has(Reading::force))
+  if (!readings.has(Reading::force))
     words = fmt::format("the force is {} times the difference between stage displacement and deflection", of);
-  else if (columns.has(Reading::stage))
+  else if (readings.has(Reading::stage))
     words = is_stiff ? "the deflection equals the stage displacement, as the load train is stated to be rigid"
                      : fmt::format("the deflection is the stage displacement minus force over {}", of);
   else
@@ -168,13 +441,13 @@ void note_compliance(const Case& input, const ReadingColumns& columns, double st
             : is_stiff ? "the stage displacement equals the deflection, as the load train is stated to be rigid"
                        : fmt::format("the stage displacement is the deflection plus force over {}", of);
   std::optional<PreparedValue> value;
-  if (!is_stiff) value = steps.value(stiffness, {}, kind::stiffness);
+  if (!is_stiff) value = value_in(input, stiffness, {}, kind::stiffness);
   steps.add("compliance", !is_stiff, std::move(words), KeyChange{"rig", "stiffness", is_stiff ? "\"…\"" : "\"inf\""},
             value);
 }
 
 // A load train under a force gives way by no more than the stage moves: the rest is the deflection.
-void require_stiff_enough(const Case& input, const Record& record, double stiffness) {
+void require_stiff_enough(const Test& input, const Record& record, double stiffness) {
   const Record rise = first_rise(record);
   const double force = rise.force.back() - rise.force.front();
   const double way = rise.stage.back() - rise.stage.front();
@@ -190,8 +463,8 @@ void require_stiff_enough(const Case& input, const Record& record, double stiffn
 
 // Holds the stage where it runs back by no more than its noise.
 // Fails: InputError where it runs back farther.
-void hold_stage(const Case& input, const Table& table, Record& record, const Sampling& sampling, bool turns,
-                PreparationSteps& steps) {
+void hold_stage(const Test& input, const Table& table, Record& record, const Sampling& sampling, bool turns,
+                Preparation& steps) {
   std::vector<double>& stage = record.stage;
   double farthest = stage.front();
   const auto [least, most] = std::minmax_element(stage.begin(), stage.end());
@@ -220,7 +493,7 @@ void hold_stage(const Case& input, const Table& table, Record& record, const Sam
     steps.add("stage", true,
               fmt::format("where the stage runs back, at {} {}, its farthest position so far is used", held,
                           held == 1 ? "point" : "points"),
-              {}, steps.value(largest, {}, kind::length));
+              {}, value_in(input, largest, {}, kind::length));
 }
 
 bool begins_before_contact(const Record& record, const Contact& contact, double noise) {
@@ -259,7 +532,7 @@ void require_loading_first(const Table& table, const Record& record, const Leg& 
 
 // How many rows lie before a place: those before the row, or before the stage or the deflection first gets there.
 // Fails:      InputError where the record does not get there.
-std::size_t rows_before(const PlaceInRecord& place, std::string_view key, const Case& input, const Record& every,
+std::size_t rows_before(const PlaceInRecord& place, std::string_view key, const Test& input, const Record& every,
                         const std::string& file) {
   if (const auto* at = std::get_if<AtRow>(&place)) {
     if (at->row > every.force.size())
@@ -280,7 +553,7 @@ std::size_t rows_before(const PlaceInRecord& place, std::string_view key, const 
 }
 
 // And those up to it, the row or the position itself among them.
-std::size_t rows_up_to(const PlaceInRecord& place, std::string_view key, const Case& input, const Record& every,
+std::size_t rows_up_to(const PlaceInRecord& place, std::string_view key, const Test& input, const Record& every,
                        const std::string& file) {
   const std::size_t before = rows_before(place, key, input, every, file);
   if (std::holds_alternative<AtRow>(place)) return before + 1;
@@ -292,8 +565,8 @@ std::size_t rows_up_to(const PlaceInRecord& place, std::string_view key, const C
 }
 
 // Ends the record before the failure, or where it is stated to end. What is left, in points.
-std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>& legs,
-                   const std::optional<std::size_t>& until, Measurement& result, PreparationSteps& steps) {
+std::size_t end_of(const Test& input, const Record& all, const std::vector<Leg>& legs,
+                   const std::optional<std::size_t>& until, Measurement& result, Preparation& steps) {
   const std::size_t rows = result.rows;
   std::size_t points = all.force.size();
   if (until) {
@@ -307,7 +580,7 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
               changed ? std::optional(RowRange{*until + 1, rows}) : std::nullopt);
     return points;
   }
-  if (!input.record->find_failure) {
+  if (input.record->failure == FailureRule::none) {
     steps.add("end", false, "failure was not looked for, as stated: all rows are used",
               KeyChange{"record", "failure", "\"find\""});
     return points;
@@ -325,14 +598,14 @@ std::size_t end_of(const Case& input, const Record& all, const std::vector<Leg>&
 }
 
 // What the contact is taken off at, and how certainly.
-void find_zero_displacement(const Case& input, const Record& whole, Measurement& result, PreparationSteps& steps) {
-  const ContactRule& rule = input.record->contact;
+void find_zero_displacement(const Test& input, const Record& whole, Measurement& result, Preparation& steps) {
+  const std::optional<ContactRule>& rule = input.record->contact;
   const Contact contact = find_contact(whole);
   // The contact lies somewhere within a step.
   result.contact_error =
       (whole.stage.back() - whole.stage.front()) / static_cast<double>(whole.stage.size() - 1) / std::sqrt(12.0);
   const bool begins_free = begins_before_contact(whole, contact, result.force_noise);
-  const bool is_asked = std::holds_alternative<ToFind>(rule);
+  const bool is_asked = rule == ContactRule{ContactWord::find};
   // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
   constexpr double far = 10, near = 0.25;
   const bool begins_elsewhere =
@@ -342,23 +615,23 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
     throw wrong_value(input, "record.contact",
                       "a force that rises from contact over at least 5 rows, to find the contact", "none",
                       "state the contact, or leave the key out");
-  if (is_asked || (std::holds_alternative<WhereFree>(rule) && (begins_free || begins_elsewhere))) {
+  if (is_asked || (!rule && (begins_free || begins_elsewhere))) {
     result.contact = ContactSource::found;
     result.contact_offset = contact.offset.value;
     result.contact_error = contact.offset.standard_error;
     steps.add("contact", true,
               "displacements are counted from where the straight first part of the curve meets zero force",
               KeyChange{"record", "contact", "\"first row\""},
-              steps.value(contact.offset.value, contact.offset.standard_error, kind::length),
+              value_in(input, contact.offset.value, contact.offset.standard_error, kind::length),
               contact.points_before > 0
                   ? std::optional(RowRange{1, rows_of_points(result.sampling, result.rows, contact.points_before)})
                   : std::nullopt);
     return;
   }
-  if (std::holds_alternative<WhereFree>(rule)) {
+  if (!rule) {
     std::optional<PreparedValue> toe;
     if (contact.status == ContactStatus::found)
-      toe = steps.value(contact.offset.value, contact.offset.standard_error, kind::length);
+      toe = value_in(input, contact.offset.value, contact.offset.standard_error, kind::length);
     steps.add("contact", false,
               toe ? "displacements are counted from the file's own zero; the value is where the straight first part of "
                     "the curve would meet zero force"
@@ -366,18 +639,18 @@ void find_zero_displacement(const Case& input, const Record& whole, Measurement&
               KeyChange{"record", "contact", "\"find\""}, toe);
     return;
   }
-  const auto* stated = std::get_if<double>(&rule);
+  const auto* stated = std::get_if<double>(&*rule);
   result.contact = ContactSource::stated;
   result.contact_offset = stated ? *stated : whole.stage.front();
   steps.add("contact", result.contact_offset != 0,
             stated ? "displacements are counted from the contact stated"
                    : "displacements are counted from the first row, as stated",
-            KeyChange{"record", "contact", "\"find\""}, steps.value(result.contact_offset, {}, kind::length));
+            KeyChange{"record", "contact", "\"find\""}, value_in(input, result.contact_offset, {}, kind::length));
 }
 
 }  // namespace
 
-Measurement read_measurement(const Case& asked, std::size_t least_points) {
+Measurement read_measurement(const Test& asked, std::size_t least_points) {
   if (least_points < least_noise_points)
     throw std::invalid_argument(fmt::format("the noise of {} points cannot be estimated", least_points));
   if (!asked.record) throw missing(asked, "record");
@@ -397,14 +670,13 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
                      .contact_offset = 0,
                      .contact_error = 0,
                      .force_noise = 0};
-  const Case& input = result.test;
-  PreparationSteps steps(result.preparation, input);
+  const Test& input = result.test;
+  Preparation& steps = result.preparation;
 
-  ReadingColumns columns(readings);
-  const double stiffness = stiffness_for(input, columns);
-  find_sign(input.record->sign, columns, steps);
-  Record every = columns.record(stiffness);
-  if (columns.has(Reading::length)) result.pulled_in = columns.of(Reading::length);
+  const double stiffness = stiffness_for(input, readings);
+  find_sign(input.record->sign, readings, steps);
+  Record every = record_of(readings, stiffness);
+  if (readings.has(Reading::length)) result.pulled_in = readings.of(Reading::length);
   require_finite(every, table);
   const std::size_t most_points = find_legs(every.stage).size() > 1 ? most_cyclic_points : most_record_points;
   std::optional<std::size_t> until;  // the last row
@@ -414,13 +686,13 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   if (first > 0)
     steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1),
               KeyChange{"record", "first", "1"}, {}, RowRange{1, first});
-  result.sampling =
-      sampling_of(std::span(columns.displacement()).subspan(first), std::span(every.force).subspan(first), most_points);
+  result.sampling = sampling_of(std::span(readings.displacement()).subspan(first),
+                                std::span(every.force).subspan(first), most_points);
   for (std::size_t& row : result.sampling.rows) row += first;
   note_sampling(result.sampling, result.rows - first, steps);
   every = picked(every, result.sampling.rows);
-  const Record all = zeroed(input, every, columns.has(Reading::stage), stiffness, result.sampling, result.rows, steps);
-  note_compliance(input, columns, stiffness, steps);
+  const Record all = zeroed(input, every, readings.has(Reading::stage), stiffness, result.sampling, result.rows, steps);
+  note_compliance(input, readings, stiffness, steps);
 
   const std::vector<Leg> legs = find_legs(all.stage);
   std::size_t points = end_of(input, all, legs, until, result, steps);
@@ -437,7 +709,7 @@ Measurement read_measurement(const Case& asked, std::size_t least_points) {
   }
   Record whole = first_points(all, points);
   require_points(table, whole, least_points);
-  if (columns.has(Reading::stage) && columns.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
+  if (readings.has(Reading::stage) && readings.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
   hold_stage(input, table, whole, result.sampling, result.cycles.has_value(), steps);
   result.force_noise = force_noise(whole);
   find_zero_displacement(input, whole, result, steps);

@@ -1,17 +1,56 @@
-// The record of a case made ready to evaluate: read, counted the right way and from the right zero, cut where the loading ends.
+// The record of a test made ready to evaluate: read, counted the right way and from the right zero, cut where the loading ends. Nothing is done
+// to it that is not listed in its Preparation.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/case_file.h"
-#include "case/preparation.h"
 #include "data/record.h"
 #include "data/sampling.h"
+#include "io/quantity.h"
 
 namespace flexslip {
+
+struct PreparedValue {
+  double value;                 // [SI unit of the kind]
+  std::optional<double> error;  // standard deviation, where it is known
+  Kind kind;
+};
+
+// Rows of the file, counted from 1, both among them.
+struct RowRange {
+  std::size_t first, last;
+};
+
+// A key of a case, and what to write there: "find" in quotes, or a number.
+struct KeyChange {
+  std::string_view section, name;
+  std::string value;
+
+  std::string in_case() const;  // "[record] sign = "keep""
+  std::string flag() const;     // "--sign "keep"", which says the same
+};
+
+struct PreparationStep {
+  std::string name;                    // "columns", "sign", "zero", ..., the same in every language and version
+  bool changed;                        // the numbers are not as in the file, or rows are left out
+  std::string done;                    // in words, a sentence without its full stop
+  std::optional<PreparedValue> value;  // taken off, applied or found
+  std::optional<RowRange> rows;        // that it is about; none: all
+  std::optional<KeyChange> otherwise;  // for having it otherwise; none if nothing would
+};
+
+// In the order in which they are done: columns, metadata, sign, thinning, zero, compliance, end, turn, stage, contact.
+struct Preparation {
+  std::vector<PreparationStep> steps;
+
+  void add(std::string_view name, bool changed, std::string done, std::optional<KeyChange> otherwise,
+           std::optional<PreparedValue> value = {}, std::optional<RowRange> rows = {});
+};
 
 // Of records of more rows that count every so many are used: a test has a few hundred features, whatever the readings of them.
 inline constexpr std::size_t most_record_points = 2000;
@@ -28,7 +67,7 @@ enum class ContactSource {
 // The part of a record that is evaluated: one loading, from the contact to the failure or to where the stage turns back; of a
 // test that is unloaded, all of it besides.
 struct Measurement {
-  Case test;                // completed with what the file says, see Readings
+  Test test;                // completed with what the file says, see Readings
   Preparation preparation;  // how the file became the record
   std::string file;
   std::size_t rows;               // of the file
@@ -57,6 +96,6 @@ std::size_t last_file_row(const Measurement& measurement, std::size_t point);
 // Fails:      InputError, besides what read_readings throws, for too few points, a record that begins by unloading, an `until`
 //             beyond the file, no stiffness of the rig where the displacement is that of the stage, a contact to be found
 //             where the force does not rise straight.
-Measurement read_measurement(const Case& asked, std::size_t least_points);
+Measurement read_measurement(const Test& asked, std::size_t least_points);
 
 }  // namespace flexslip

@@ -2,19 +2,138 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "bending_test/rolling.h"
+#include "data/names.h"
 #include "data/section.h"
+#include "data/surface_strain.h"
+#include "fibre/elementary.h"
 #include "io/input_error.h"
 
 namespace flexslip {
 namespace {
 
+std::string_view name_of(Motion motion) {
+  return name_in_order<Motion::apart>(motion, {"stick", "slip_in", "slip_out", "snap", "crack", "apart"});
+}
+
+EnergyAccount difference(const EnergyAccount& after, const EnergyAccount& before) {
+  EnergyAccount change{};
+  for (auto part : {&EnergyAccount::stage_work, &EnergyAccount::bending, &EnergyAccount::load_train,
+                    &EnergyAccount::friction, &EnergyAccount::snaps, &EnergyAccount::cracks, &EnergyAccount::imbalance})
+    change.*part = after.*part - before.*part;
+  return change;
+}
+
+template <class Point>
+std::vector<Leg> legs_along(const std::vector<Point>& path, const LegOptions& options) {
+  std::vector<double> stages{0};
+  stages.reserve(path.size() + 1);
+  for (const Point& point : path) stages.push_back(point.stage);
+  std::vector<Leg> legs;
+  for (const Leg& leg : find_legs(stages, options)) {
+    const Leg of_path{std::max<std::size_t>(leg.first, 1) - 1, leg.last - 1, leg.direction};
+    if (of_path.last > of_path.first) legs.push_back(of_path);
+  }
+  return legs;
+}
+
+// Where the specimen first wraps the nose.
+std::optional<double> wraps_nose_from(const Test& input, const History& history, const Fibre& fibre,
+                                      const Scales& scales) {
+  const double most = nose_curvature_of(input, scales);
+  if (std::isinf(most)) return std::nullopt;
+  const auto wraps = std::find_if(history.path.begin(), history.path.end(), [&](const PathPoint& point) {
+    return fibre.curvature_at_midspan(state_at(fibre, point)) > most;
+  });
+  return wraps == history.path.end() ? std::nullopt : std::optional(wraps->stage);
+}
+
+}  // namespace
+
+std::vector<Leg> legs_of(const History& history, const LegOptions& options) {
+  return legs_along(history.path, options);
+}
+
+std::vector<SimulatedLeg> told_legs(const Simulation& test, const LegOptions& options) {
+  std::vector<SimulatedLeg> told;
+  EnergyAccount before{};
+  double from = 0;
+  for (const Leg& leg : legs_along(test.path, options)) {
+    const bool is_last = leg.last == test.path.size();
+    const EnergyAccount& after = is_last ? test.energy : test.path[leg.last - 1].energy;
+    const double to = test.path[leg.last - 1].stage;
+    told.push_back(
+        {leg.direction, from, to, difference(after, before), work_of_fracture(after) - work_of_fracture(before)});
+    before = after;
+    from = to;
+  }
+  return told;
+}
+
+Simulation simulated(const Test& input, const History& history, const Fibre& fibre, const Scales& scales,
+                     const LegOptions& options) {
+  const auto surface = surface_of(input, scales);
+  Simulation test{
+      .status = name_in_order<HistoryStatus::contact_lost>(history.status, {"ok", "slipped_through", "contact_lost"}),
+      .path = {},
+      .snaps = history.snaps,
+      .cracks = history.cracks,
+      .wraps_nose_from = wraps_nose_from(input, history, fibre, scales),
+      .legs = {},
+      .energy = history.energy,
+      .has_surface = surface.has_value(),
+      .has_three_lengths = !fibre.on_edges(),
+      .has_two_sides = !history.contacts.empty()};
+  test.path.reserve(history.path.size());
+  for (std::size_t i = 0; i < history.path.size(); ++i) {
+    const PathPoint& point = history.path[i];
+    const FibreState state = state_at(fibre, point);
+    SimulatedPoint told{.stage = scales.physical_length(point.stage),
+                        .deflection = scales.physical_length(point.w),
+                        .force = scales.physical_force(point.F),
+                        .length = scales.physical_length(fibre.length_between_contacts(state)),
+                        .q = point.q,
+                        .motion = name_of(point.motion),
+                        .drawn_in = scales.physical_length(point.S - 1),
+                        .imaged = scales.physical_length(fibre.imaged_length(state)),
+                        .energy = history.energy_at[i]};
+    if (surface) {
+      const double curvature = fibre.curvature_at_midspan(state);
+      told.strain = surface->strain(curvature);
+      told.stress = surface->stress(curvature) * point.left;
+    }
+    if (test.has_two_sides) {
+      told.left = scales.physical_length(history.contacts[i].left);
+      told.right = scales.physical_length(history.contacts[i].right);
+    }
+    test.path.push_back(told);
+  }
+  test.legs = told_legs(test, options);
+  return test;
+}
+
+void add_noise(std::vector<SimulatedPoint>& path, double deviation, double stiffness, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
+  for (SimulatedPoint& point : path) {
+    // Box & Muller, because std::normal_distribution differs between libraries.
+    const double radius = std::sqrt(-2 * elementary::log(uniform()));
+    const double error = deviation * radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
+    point.force += error;
+    point.deflection -= error / stiffness;
+  }
+}
+
+namespace {
+
 // Why the path ends before its programme does.
-std::string reason_of_end(const Case& input, HistoryStatus status, const Simulation& test) {
+std::string reason_of_end(const Test& input, HistoryStatus status, const Simulation& test) {
   const std::string last = readable(test.path.empty() ? 0 : test.path.back().stage, kind_in(input, kind::length));
   if (status == HistoryStatus::slipped_through)
     return fmt::format("{}: the specimen slips through the supports after the stage position {}: the path ends there",
@@ -26,7 +145,7 @@ std::string reason_of_end(const Case& input, HistoryStatus status, const Simulat
 
 // A continuous path has so many points on each stretch of sliding and each snap, and fine roughness has very many.
 // Fails:      InputError for more than fit into a gigabyte.
-void require_path_that_fits(const Case& input, const Friction& friction, const std::vector<double>& turns, int points) {
+void require_path_that_fits(const Test& input, const Friction& friction, const std::vector<double>& turns, int points) {
   constexpr double most_points = 8e6;  // of a hundred bytes
   double periods = 0;                  // passed at most
   for (std::size_t i = 1; i < turns.size(); ++i)
@@ -41,7 +160,7 @@ void require_path_that_fits(const Case& input, const Friction& friction, const s
 }
 
 // Where the nose first lifts off a specimen that stays bent; "" where it does not.
-std::string lift_in_words(const Case& input, const History& history, const Scales& scales) {
+std::string lift_in_words(const Test& input, const History& history, const Scales& scales) {
   const auto apart = std::find_if(history.path.begin(), history.path.end(),
                                   [](const PathPoint& point) { return point.motion == Motion::apart; });
   if (apart == history.path.end()) return "";
@@ -52,10 +171,9 @@ std::string lift_in_words(const Case& input, const History& history, const Scale
 }
 
 // What the mechanics leaves out of a specimen: that it breaks, and that it shears.
-std::vector<std::string> left_out_in_words(const Case& input, const Simulation& test, const Scales& scales) {
+std::vector<std::string> left_out_in_words(const Test& input, const Simulation& test, const Scales& scales) {
   std::vector<std::string> remarks;
-  const SpecimenInput& specimen = *input.specimen;
-  const double breaks_at = breaking_curvature_of(specimen, surface_of(input, scales));
+  const double breaks_at = breaking_curvature_of(input, scales);
   const auto surface = surface_of(input, scales);
   const auto breaks =
       surface ? std::find_if(test.path.begin(), test.path.end(),
@@ -66,26 +184,26 @@ std::vector<std::string> left_out_in_words(const Case& input, const Simulation& 
         "the specimen would break at the stage position {}, as stated; what follows is for a stronger specimen",
         readable(breaks->stage, kind_in(input, kind::length))));
   constexpr double worth_a_word = 0.01;
-  if (specimen.section)
-    if (const double share = shear_share(*specimen.section, scales.span()); share > worth_a_word)
+  if (const auto section = section_of(input))
+    if (const double share = shear_share(*section, scales.span()); share > worth_a_word)
       remarks.push_back(
           fmt::format("shear, which is neglected, would add {:.1f} % to a small deflection", 100 * share));
   return remarks;
 }
 
 // On rollers that roll loose: no snaps, no heat, no history.
-SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& options, const Scales& scales,
+SimulatedTest simulate_rolling(const Test& input, const SimulationOptions& options, const Scales& scales,
                                const StageProgramme& programme, const LegOptions& legs) {
-  const auto& friction_input = input.friction;
+  const FrictionInput asked_for = input.friction.value_or(FrictionInput{});
   for (const auto& [asked, key] : {std::pair{!input.specimen->cracks.empty(), "specimen.cracks"},
-                                   {friction_input && friction_input->other, "friction.other"},
-                                   {friction_input && friction_input->build_up_length > 0, "friction.build_up_length"},
-                                   {friction_input && friction_input->static_excess > 0, "friction.static_excess"},
+                                   {input.other.has_value(), "friction.other"},
+                                   {asked_for.build_up_length.value_or(0) > 0, "friction.build_up_length"},
+                                   {asked_for.static_excess.value_or(0) > 0, "friction.static_excess"},
                                    {input.stage->snaps != SnapRest::nearest_stable, "stage.snaps"}})
     if (asked)
       throw wrong_value(input, key, "fixed or pinned rollers", "rollers = \"loose\"",
                         "leave it out, or write rollers = \"fixed\"");
-  const Supports supports = supports_of(input, input.specimen->section, scales);
+  const Supports supports = supports_of(input, scales);
   const double stiffness = scales.reduced_stiffness(rig_stiffness_of(input));
   const auto surface = surface_of(input, scales);
   std::vector<double> stages{programme.positions.front()};
@@ -107,9 +225,9 @@ SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& optio
   bool gets_there = true;
   // A roller needs friction to roll.
   std::optional<Friction> friction;
-  if (input.friction && input.friction->profile)
+  if (asked_for.has_parameters())
     friction =
-        frictions_of(input, Fibre(supports), scales, longest_at_stage(scales.reduced_length(programme.farthest))).first;
+        first_friction_of(input, Fibre(supports), scales, longest_at_stage(scales.reduced_length(programme.farthest)));
   std::optional<double> slides_from, friction_there;
   const auto shown = [&](double position) { return readable(position, kind_in(input, kind::length)); };
   for (const double position : stages) {
@@ -159,10 +277,10 @@ SimulatedTest simulate_rolling(const Case& input, const SimulationOptions& optio
 
 }  // namespace
 
-SimulatedTest simulate(const Case& input, const SimulationOptions& options, double farthest) {
+SimulatedTest simulate(const Test& input, const SimulationOptions& options, double farthest) {
   constexpr double least_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
   constexpr double least_stated_travel = 1e-9;    // of one that was written down
-  const Scales scales = scales_of(input, bending_stiffness_of(input));
+  const Scales scales = scales_of(input);
   const StageProgramme programme = programme_of(input);
   const LegOptions legs{programme.measured ? least_measured_travel : least_stated_travel};
   if (input.rig->rollers == Rollers::loose) return simulate_rolling(input, options, scales, programme, legs);

@@ -2,19 +2,65 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "bending_test/history.h"
 #include "bending_test/portrait.h"
 #include "case/case_file.h"
-#include "case/problem.h"
-#include "case/simulation.h"
+#include "case/mechanics.h"
 #include "data/legs.h"
 #include "data/scales.h"
 
 namespace flexslip {
+
+// A point of a path. Units: those of the case.
+struct SimulatedPoint {
+  double stage, deflection, force;
+  double length;  // of the axis between the contacts
+  double q;       // [1]
+  std::string_view motion;
+  double drawn_in, imaged;
+  double strain = 0, stress = 0;  // of the surface at midspan
+  double left = 0, right = 0;     // drawn in over each support
+  EnergyAccount energy{};         // [EI/L] from the start of the test
+};
+
+// From a turn of the stage to the next.
+struct SimulatedLeg {
+  Direction direction;
+  double from, to;          // stage positions, in the units of the case
+  EnergyAccount change;     // [EI/L] the last up to the end of the test, which may be beyond the last point
+  double work_of_fracture;  // [EI/L] likewise
+};
+
+struct Simulation {
+  std::string_view status;
+  std::vector<SimulatedPoint> path;
+  std::vector<Snap> snaps;
+  std::vector<CrackOpened> cracks;
+  std::optional<double> wraps_nose_from;  // [L] stage position
+  std::vector<SimulatedLeg> legs;
+  EnergyAccount energy{};  // at the end
+  // Which numbers of the points are told: those that are not are told by others, or do not exist.
+  bool has_surface, has_three_lengths, has_two_sides;
+};
+
+// Legs of a path, in indices of its points. The way from the straight fibre to the first point belongs to the first leg.
+// Domain:     as find_legs.
+std::vector<Leg> legs_of(const History& history, const LegOptions& options);
+std::vector<SimulatedLeg> told_legs(const Simulation& test, const LegOptions& options);
+
+Simulation simulated(const Test& input, const History& history, const Fibre& fibre, const Scales& scales,
+                     const LegOptions& options);
+
+// Gaussian noise on the force, and so on the deflection, which an experiment infers from the force and the stage.
+// Units:      deviation in those of the case, stiffness of the load train likewise. The same seed gives the same readings.
+void add_noise(std::vector<SimulatedPoint>& path, double deviation, double stiffness, std::uint64_t seed);
 
 struct SimulationOptions {
   int points = 200;        // on each stretch of sticking or sliding, where the stage moves continuously; at least 2
@@ -44,7 +90,7 @@ struct SimulatedTest {
 // Friction is made ready for stage positions up to `farthest` [L], of which figures may ask beyond the programme.
 // Fails:      InputError as bending_test_of; for a path that does not fit into a gigabyte; on rollers that roll loose also for cracks, and for a
 //             friction of the other support.
-SimulatedTest simulate(const Case& input, const SimulationOptions& options, double farthest = 0);
+SimulatedTest simulate(const Test& input, const SimulationOptions& options, double farthest = 0);
 
 // The test as a picture shows it: of a stage in steps also between its readings.
 // Domain:     a test that was followed. So for the next.

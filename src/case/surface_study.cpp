@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "case/case_file.h"
 #include "fibre/limits.h"
+#include "io/input_error.h"
+#include "io/quantity.h"
 
 namespace flexslip {
 namespace {
@@ -108,6 +113,28 @@ SurfaceStudy study_surface(TraceFile file, const SurfaceOptions& options) {
                                              study.texture.continuum.continuum(1 / wavelength), amplitude));
   }
   return study;
+}
+
+SurfaceOptions options_of(const SurfaceChoice& choice) {
+  const auto length = [&](const std::string& text, std::string_view flag,
+                          Range range = Range::positive) -> std::optional<double> {
+    if (text.empty()) return std::nullopt;
+    return quantity_of_flag(flag, text, kind::length, range);
+  };
+  SurfaceOptions options;
+  options.level = choice.level;
+  options.cutoff = length(choice.cutoff, "--cutoff");
+  options.edge_radius = length(choice.edge_radius, "--edge-radius", Range::non_negative).value_or(0);
+  if (!choice.friction.empty())
+    options.friction = quantity_of_flag("--friction", choice.friction, kind::number, Range::positive);
+  options.pixel = length(choice.pixel, "--pixel");
+  options.amplitude = length(choice.amplitude, "--amplitude");
+  for (const std::string& text : choice.wavelengths) options.wavelengths.push_back(*length(text, "--wavelength"));
+  options.texture.tapers = choice.tapers;
+  options.texture.shortest = length(choice.shortest, "--shortest");
+  options.texture.longest = length(choice.longest, "--longest");
+  options.texture.noise = length(choice.noise, "--noise", Range::non_negative);
+  return options;
 }
 
 }  // namespace flexslip

@@ -1,6 +1,7 @@
 // One height trace together with all that is asked of it: what JSON, text and figures of a surface present.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,5 +60,18 @@ InputError refusal_of(const TooSteep& fault, const HeightTrace& trace, double mu
 
 // Fails:      InputError for what the trace does not allow: a band of wavelengths beyond it, heights that are all alike, slopes too steep for the friction.
 SurfaceStudy study_surface(TraceFile file, const SurfaceOptions& options);
+
+// Quantities with their units; empty where nothing is said.
+struct SurfaceChoice {
+  std::string cutoff, edge_radius, friction, pixel, amplitude, shortest, longest, noise;
+  std::vector<std::string> wavelengths{};
+  std::size_t level = SurfaceOptions{}.level;    // as SurfaceOptions
+  std::size_t tapers = TextureOptions{}.tapers;  // from least_tapers to most_tapers
+};
+
+inline constexpr std::size_t least_tapers = 2, most_tapers = 30;
+
+// Fails:      InputError that names the flag.
+SurfaceOptions options_of(const SurfaceChoice& choice);
 
 }  // namespace flexslip

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -143,6 +145,16 @@ toml::table parse_toml(std::string_view text, const std::string& source) {
                       .expected = "a case file (TOML)",
                       .found = std::move(description)});
   }
+}
+
+std::string toml_text(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += byte < 0x20 || byte == 0x7f ? fmt::format("\\u{:04x}", byte) : std::string(1, c);
+  }
+  return quoted + '"';
 }
 
 }  // namespace flexslip

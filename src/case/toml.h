@@ -12,4 +12,7 @@ namespace flexslip {
 // Fails:      InputError with file and line for anything else.
 toml::table parse_toml(std::string_view text, const std::string& source);
 
+// A text in quotes, as such a file has it.
+std::string toml_text(std::string_view text);
+
 }  // namespace flexslip

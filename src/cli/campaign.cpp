@@ -11,7 +11,6 @@
 #include "answers/campaign_fields.h"
 #include "campaign/campaign_run.h"
 #include "campaign/shared_parameters.h"
-#include "cli/analysis_flags.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -41,7 +40,7 @@ struct CampaignRequest {
 
 CampaignOptions options_of(const CampaignRequest& request) {
   CampaignOptions options;
-  options.analysis = [&request](const Case& input) { return options_for(input, request.flags); };
+  options.analysis = [&request](const Test& input) { return options_for(input, request.flags); };
   options.threads = request.jobs;
   options.stop = &interrupted();
   if (!request.report.empty()) keep_tests_in(request.report, request.test_reports, options);

@@ -1,8 +1,14 @@
 #include "cli/case_flags.h"
 
 #include <algorithm>
+#include <string>
 
 #include <fmt/format.h>
+
+#include "case/mechanics.h"
+#include "case/toml.h"
+#include "cli/numbers.h"
+#include "io/input_error.h"
 
 namespace flexslip {
 namespace {
@@ -41,31 +47,21 @@ bool is_whole(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-std::string toml_string(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += byte < 0x20 || byte == 0x7f ? fmt::format("\\u{:04x}", byte) : std::string(1, c);
-  }
-  return quoted + '"';
-}
-
 bool has_flags(const CaseRequest& request) {
   return std::any_of(request.flags.begin(), request.flags.end(),
                      [](const CaseFlag& flag) { return flag.value.has_value(); });
 }
 
-Case case_of_flags(const CaseRequest& request) {
+Test case_of_flags(const CaseRequest& request) {
   std::string text;
   for (const std::string_view section : {"specimen", "rig", "record"}) {
     std::string body;
     for (const auto& [key, value] : request.flags)
       if (key->section == section && value) {
         const bool is_number = key->holds == Holds::whole_number || (key->holds == Holds::place && is_whole(*value));
-        body += fmt::format("{} = {}\n", key->name, is_number ? *value : toml_string(*value));
+        body += fmt::format("{} = {}\n", key->name, is_number ? *value : toml_text(*value));
       }
-    if (section == "record") body += fmt::format("file = {}\n", toml_string(request.file));
+    if (section == "record") body += fmt::format("file = {}\n", toml_text(request.file));
     if (!body.empty()) text += fmt::format("[{}]\n{}", section, body);
   }
   return read_case(text, "", request.changes);
@@ -104,7 +100,7 @@ bool names_case_file(const CaseRequest& request) {
   return request.file.ends_with(".toml") || (request.file == "-" && !has_flags(request));
 }
 
-Case case_of(const CaseRequest& request) {
+Test case_of(const CaseRequest& request) {
   if (!names_case_file(request)) return case_of_flags(request);
   if (has_flags(request))
     throw InputError({.file = request.file,
@@ -127,6 +123,55 @@ InputError in_words_of_call(const CaseRequest& request, const InputError& error)
   }
   if (fault.file.empty()) fault.line = 0;
   return InputError(fault);
+}
+
+const Supports& within_limits(const Supports& stated) {
+  if (!(stated.half_depth >= 0 && 2 * stated.half_depth < thickest))
+    throw InputError({.field = "--thickness",
+                      .expected = fmt::format("0 or more, and less than {:g} spans, for beam theory to hold", thickest),
+                      .found = fmt::format("{:g} spans", 2 * stated.half_depth),
+                      .remedy = "check its unit, and the span"});
+  if (!(stated.radius >= 0 && stated.radius + stated.half_depth < widest_supports))
+    throw InputError(
+        {.field = "--roller-radius",
+         .expected = fmt::format("0 or more, and with half the thickness less than {:g} spans", widest_supports),
+         .found = fmt::format("{:g} and {:g} spans", stated.radius, stated.half_depth),
+         .remedy = "check the units of both, and the span"});
+  return stated;
+}
+
+void add_analysis_options(CLI::App& command, AnalysisChoice& choice) {
+  command.add_option("--model", choice.model, "Friction model to fit: roughness, the default, or one of the paper's")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(model_names()));
+  command
+      .add_option("--false-alarms", choice.options.drops.false_alarms_per_test,
+                  "Average number of drops expected in a test of this length without slips")
+      ->type_name("NUMBER")
+      ->check(number_between(1e-6, 1e3))
+      ->capture_default_str();
+  command.add_option("--suspect-limit", choice.options.suspect_limit, "Limit above which friction is implausible")
+      ->type_name("NUMBER")
+      ->check(number_between(0.01, 100))
+      ->capture_default_str();
+  command.add_flag("--check-stability", choice.options.check_stability,
+                   "Fit again with the force changed in its ninth digit, and check that the answer stays the same");
+}
+
+void add_trace_options(CLI::App& command, TraceWords& words) {
+  const auto text = [&](const char* name, std::string& value, const char* description, const char* type) {
+    return command.add_option(name, value, description)->type_name(type)->group("How the trace is read");
+  };
+  auto* position = text("--position", words.position, "Column of positions, by name or number", "COLUMN");
+  text("--height", words.height, "Column of heights, by name or number", "COLUMN");
+  text("--position-unit", words.position_unit, "Unit of positions", "UNIT");
+  text("--height-unit", words.height_unit, "Unit of heights", "UNIT");
+  text("--step", words.step, "Distance between heights, for a file without positions", "LENGTH")->excludes(position);
+  text("--sheet", words.sheet, "Sheet of a workbook (.xlsx), by name or number", "SHEET");
+  text("--encoding", words.encoding, "Encoding of the text: utf-8, utf-16le, utf-16be, cp1252 or shift-jis", "NAME");
+  text("--separator", words.separator, "Separator between cells: , ; tab or space", "MARK");
+  text("--decimal", words.decimal, "Decimal mark: . or ,", "MARK");
+  text("--thousands", words.thousands, "Thousands separator: . , space ' or none", "MARK");
 }
 
 }  // namespace flexslip

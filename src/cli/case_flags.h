@@ -1,4 +1,4 @@
-// Flags that describe a test beside its data file: each says what a key of a case file says.
+// Flags that several commands have: of a test beside its data file, each of which says what a key of a case file says; of an analysis; of a trace.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,9 @@
 
 #include "case/case_file.h"
 #include "case/case_keys.h"
+#include "case/fitted.h"
+#include "fibre/supported_state.h"
+#include "instruments/trace_words.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -37,9 +40,19 @@ bool names_case_file(const CaseRequest& request);
 
 // The case named or described, made by the reader of case files, which knows what is allowed.
 // Fails:      InputError as read_case; for flags beside a case file.
-Case case_of(const CaseRequest& request);
+Test case_of(const CaseRequest& request);
 
 // A complaint about a case in the words of the call.
 InputError in_words_of_call(const CaseRequest& request, const InputError& error);
+
+// Supports in spans, as --roller-radius and --thickness state them, if they leave a span and beam theory holds between them.
+// Fails:      InputError, naming the flag, where they do not: as a case is refused (case/mechanics.h).
+const Supports& within_limits(const Supports& stated);
+
+// Gives a command the options --model, --false-alarms, --suspect-limit and --check-stability.
+void add_analysis_options(CLI::App& command, AnalysisChoice& choice);
+
+// Those that say how a height trace is to be read.
+void add_trace_options(CLI::App& command, TraceWords& words);
 
 }  // namespace flexslip

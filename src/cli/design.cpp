@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "answers/design_fields.h"
-#include "case/problem.h"
+#include "case/mechanics.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "design/design_answer.h"
-#include "design/design_map.h"
+#include "design/design_result.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/design_figures.h"
@@ -32,9 +32,9 @@ struct DesignRequest {
   Output output;
 };
 
-void write_map(const DesignRequest& request, const DesignCase& input, const std::vector<DesignAxis>& axes,
+void write_map(const DesignRequest& request, const Test& input, const std::vector<DesignAxis>& axes,
                const std::vector<MapPoint>& points) {
-  const Frame frame{Scales(1, 1), input.reduced()};
+  const Frame frame{Scales(1, 1), input.reduced};
   if (request.output.json)
     write_json(request.output.path, design_map_fields(axes)({points}, frame));
   else
@@ -42,8 +42,7 @@ void write_map(const DesignRequest& request, const DesignCase& input, const std:
 }
 
 void run_design(const DesignRequest& request) {
-  const Case given = read_case(request.file, request.changes);
-  const DesignCase input(given);
+  const Test input = one_loading_of(read_case(request.file, request.changes));
   const auto axes = map_axes(input, request.over);
   if (!axes.empty()) {
     const auto points = design_map(input, axes, request.threads);
@@ -51,7 +50,7 @@ void run_design(const DesignRequest& request) {
     return write_map(request, input, axes, points);
   }
   constexpr double many = 1e5;
-  const Design planned = input.planned().design;
+  const Design planned = design_of(input).design;
   if (const double periods = periods_up_to(planned.friction, planned.travel); periods > many)
     note(request.output,
          fmt::format("friction goes through about {:.0e} periods on the way: the answer may take minutes", periods));
@@ -59,7 +58,7 @@ void run_design(const DesignRequest& request) {
   if (!request.figure.empty()) draw_for(request.output, design_figure(answer), request.figure);
   if (request.output.json)
     write_json(request.output.path, design_fields()({answer, design_in_short(answer), changes_in_words(answer)},
-                                                    {answer.scales, input.reduced()}));
+                                                    {answer.scales, input.reduced}));
   else
     write_text(request.output.path, design_text(answer));
 }

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "answers/equilibrium_fields.h"
-#include "case/equilibrium_study.h"
+#include "case/studies.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"

@@ -8,7 +8,6 @@
 #include "answers/fit_fields.h"
 #include "answers/fit_tables.h"
 #include "case/fitted.h"
-#include "cli/analysis_flags.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
@@ -37,9 +36,9 @@ struct FitRequest {
 void run_fit(const FitRequest& request) {
   FittedTest test = [&] {
     try {
-      const Case input = case_of(request.test);
+      const Test input = case_of(request.test);
       const Busy busy("Fitting", request.output);
-      if (request.analysis.model.empty() && input.friction && input.friction->profile)
+      if (request.analysis.model.empty() && input.friction && input.friction->has_parameters())
         note(request.output, "the parameters in [friction] are for simulating and are not used by the fit");
       return fit_test(input, options_for(input, request.analysis));
     } catch (const InputError& error) {

@@ -8,12 +8,11 @@
 
 #include "answers/profile_fields.h"
 #include "answers/state_fields.h"
-#include "case/inverted_test.h"
-#include "case/problem.h"
+#include "case/mechanics.h"
+#include "case/studies.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/support_flags.h"
 #include "data/section.h"
 #include "fibre/elastica.h"
 #include "fibre/supported_state.h"
@@ -36,11 +35,7 @@ struct InvertRequest {
 
 // A length in spans, of a flag.
 double spans_of(const std::string& text, const char* flag, const Kind& kind, const Scales& scales) {
-  try {
-    return scales.reduced_length(parse_quantity(text, kind, Range::non_negative));
-  } catch (const InputError& error) {
-    throw located(error, "", 0, flag);
-  }
+  return scales.reduced_length(quantity_of_flag(flag, text, kind, Range::non_negative));
 }
 
 // The supports that the flags state; of a specimen whose section is known, with its thickness.
@@ -103,10 +98,9 @@ void invert_states(const InvertRequest& request) {
 }
 
 void invert_case(const InvertRequest& request) {
-  const auto stated = [&](const Case& input, const Scales& scales) -> std::optional<Supports> {
+  const auto stated = [&](const Test& input, const Scales& scales) -> std::optional<Supports> {
     if (!request.on_supports()) return std::nullopt;
-    return supports_of(request, kind_in(input, kind::length), scales,
-                       input.specimen ? input.specimen->section : std::nullopt);
+    return supports_of(request, kind_in(input, kind::length), scales, section_of(input));
   };
   const InvertedTest test = invert_test(read_case(request.file, request.changes), stated);
   for (const std::string& remark : test.remarks) note(request.output, remark);

@@ -11,7 +11,6 @@
 #include "answers/sweep_fields.h"
 #include "cli/commands.h"
 #include "cli/sweep_output.h"
-#include "design/sweep_file.h"
 #include "design/sweep_parts.h"
 #include "io/input_error.h"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "answers/standard_fields.h"
-#include "case/modulus_study.h"
+#include "case/studies.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "answers/path_fields.h"
-#include "case/problem.h"
+#include "case/mechanics.h"
 #include "case/simulated_test.h"
 #include "cli/case_flags.h"
 #include "cli/commands.h"
@@ -36,23 +36,17 @@ struct SimulateRequest {
   Output output;
 };
 
-double noise_of(const SimulateRequest& request, const Case& input) {
+double noise_of(const SimulateRequest& request, const Test& input) {
   if (request.noise.empty()) return 0;
-  try {
-    return parse_quantity(request.noise, kind_in(input, kind::force), Range::non_negative);
-  } catch (const InputError& error) {
-    throw located(error, "", 0, "--noise");
-  }
+  return quantity_of_flag("--noise", request.noise, kind_in(input, kind::force), Range::non_negative);
 }
 
 // The stage positions [L] at which the figure is to show all equilibria.
-std::vector<double> marked_stages(const SimulateRequest& request, const Case& input, const Scales& scales) {
+std::vector<double> marked_stages(const SimulateRequest& request, const Test& input, const Scales& scales) {
   std::vector<double> stages;
-  for (const std::string& text : request.equilibria_at) try {
-      stages.push_back(scales.reduced_length(parse_quantity(text, kind_in(input, kind::length), Range::positive)));
-    } catch (const InputError& error) {
-      throw located(error, "", 0, "--equilibria-at");
-    }
+  for (const std::string& text : request.equilibria_at)
+    stages.push_back(scales.reduced_length(
+        quantity_of_flag("--equilibria-at", text, kind_in(input, kind::length), Range::positive)));
   return stages;
 }
 
@@ -65,7 +59,7 @@ void write_test(const SimulateRequest& request, const SimulatedTest& test) {
     write_csv(request.output.path, path_fields(columns), test.simulation.path, frame);
 }
 
-void require_history(const SimulateRequest& request, const Case& input) {
+void require_history(const SimulateRequest& request, const Test& input) {
   if (input.rig && input.rig->rollers == Rollers::loose)
     for (const auto& [asked, field] :
          {std::pair{!request.figure.empty(), "--figure"}, std::pair{!request.equilibria_at.empty(), "--equilibria-at"}})
@@ -81,7 +75,7 @@ void require_history(const SimulateRequest& request, const Case& input) {
 }
 
 void run_simulate(const SimulateRequest& request) {
-  const Case input = read_case(request.file, request.changes);
+  const Test input = read_case(request.file, request.changes);
   const double noise = noise_of(request, input);
   require_history(request, input);
   std::vector<double> marked;

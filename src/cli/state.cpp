@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "answers/state_fields.h"
+#include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/support_flags.h"
 #include "fibre/elastica.h"
 #include "fibre/loose_rollers.h"
 #include "fibre/supported_state.h"

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include "answers/surface_fields.h"
-#include "case/surface_choice.h"
 #include "case/surface_study.h"
+#include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/trace_flags.h"
 #include "io/text_file.h"
 #include "report/surface_figure.h"
 #include "report/surface_words.h"

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "case/problem.h"
+#include "case/mechanics.h"
 #include "fibre/limits.h"
 
 namespace flexslip {
@@ -28,24 +28,23 @@ constexpr std::array powers_in_bending_stiffness{PowerInBendingStiffness{DesignP
                                                  PowerInBendingStiffness{DesignParameter::modulus, 1, false}};
 
 // None if there is no such design.
-std::optional<DesignOutcome> outcome_with(DesignCase input, DesignParameter parameter, double value) {
+std::optional<DesignOutcome> outcome_with(Test input, DesignParameter parameter, double value) {
   if (!is_within(described(parameter), value)) return std::nullopt;
-  input.set(parameter, value);
+  set(input, parameter, value);
   return result_of(input).outcome;
 }
 
-std::optional<bool> snaps_with(DesignCase input, DesignParameter parameter, double value) try {
-  if (!is_within(described(parameter), value)) return std::nullopt;
-  input.set(parameter, value);
-  const auto plan = input.plan();
-  const auto* planned = std::get_if<PlannedDesign>(&plan);
-  return planned ? std::optional(snaps(planned->design)) : std::nullopt;
+std::optional<bool> snaps_with(Test input, DesignParameter parameter, double value) try {
+  set(input, parameter, value);
+  return snaps(design_of(input).design);
+} catch (const InputError&) {
+  return std::nullopt;
 } catch (const std::invalid_argument&) {  // too extreme a number
   return std::nullopt;
 }
 
 // Between two values, of which the one snaps and the other does not: the one nearest to the first that is as the other.
-double nearest_between(const DesignCase& input, DesignParameter parameter, double as_now, double otherwise, bool now) {
+double nearest_between(const Test& input, DesignParameter parameter, double as_now, double otherwise, bool now) {
   while (std::abs(otherwise - as_now) > close * otherwise) {
     const double middle = 0.5 * (as_now + otherwise);
     (snaps_with(input, parameter, middle) == !now ? otherwise : as_now) = middle;
@@ -60,10 +59,10 @@ struct Way {
 };
 
 // The nearest values with which it is otherwise, one more and one less, the nearer first; no more than are wanted.
-std::vector<double> nearest_changes(const DesignCase& input, DesignParameter parameter, bool now, std::size_t wanted) {
+std::vector<double> nearest_changes(const Test& input, DesignParameter parameter, bool now, std::size_t wanted) {
   constexpr double step = 1.1;
   constexpr int steps = 36;  // to 30 times as much
-  const double from = input.value(parameter);
+  const double from = value_of(input, parameter).value();
   const bool is_nothing = from == 0;
   const double start = is_nothing ? described(parameter).most * std::pow(step, -2 * steps) : from;
   std::vector<double> found;
@@ -82,11 +81,11 @@ std::vector<double> nearest_changes(const DesignCase& input, DesignParameter par
 }
 
 // Of load train and supports together, in the units of the case.
-std::vector<double> stiffness_changes(const DesignCase& input, double own, bool now, double critical) {
+std::vector<double> stiffness_changes(const Test& input, double own, bool now, double critical) {
   const double just_below = critical * (1 - close);
   if (!now && critical <= own) return critical > 0 ? std::vector{just_below} : std::vector<double>{};
   auto values = nearest_changes(input, DesignParameter::stiffness, now, 2);
-  for (double& value : values) value = with_supports(value, input.support_compliance());
+  for (double& value : values) value = with_supports(value, support_compliance_of(input));
   if (!std::isfinite(critical)) return values;
   const auto stiffer = std::find_if(values.begin(), values.end(), [&](double value) { return value > own; });
   if (now && stiffer != values.end()) values.erase(stiffer);
@@ -96,10 +95,10 @@ std::vector<double> stiffness_changes(const DesignCase& input, double own, bool 
 }
 
 // Rounded away from what it is now, to as few digits, three or more, as leave it otherwise.
-double as_printed(const DesignCase& input, DesignParameter parameter, double to, bool now) {
+double as_printed(const Test& input, DesignParameter parameter, double to, bool now) {
   constexpr int least_digits = 3;
   constexpr int most_digits = 9;
-  const bool more = to > input.value(parameter);
+  const bool more = to > value_of(input, parameter).value();
   for (int digits = least_digits; digits <= most_digits; ++digits) {
     const double step = std::pow(10, std::floor(std::log10(to)) - (digits - 1));
     const double rounded = step * (more ? std::ceil(to / step) : std::floor(to / step));
@@ -109,43 +108,44 @@ double as_printed(const DesignCase& input, DesignParameter parameter, double to,
   return to;
 }
 
-std::optional<double> travel_change(const DesignCase& input, const DesignAnswer& answer) {
+std::optional<double> travel_change(const Test& input, const DesignAnswer& answer) {
   constexpr double much_farther = 30;
   constexpr double hair = 1e-6;  // beyond which units are not rounded
   if (answer.outcome.first_snap) return answer.scales.physical_length(answer.outcome.first_snap->stage) * (1 - hair);
   const auto farther =
-      outcome_with(input, DesignParameter::travel, much_farther * input.value(DesignParameter::travel));
+      outcome_with(input, DesignParameter::travel, much_farther * value_of(input, DesignParameter::travel).value());
   if (!farther || !farther->first_snap) return std::nullopt;
   return answer.scales.physical_length(farther->first_snap->stage) * (1 + hair);
 }
 
-std::optional<PhaseStudy> phases_of(DesignCase input) {
+std::optional<PhaseStudy> phases_of(Test input) {
   constexpr int phases = 24;
   constexpr double finest =
       1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
-  if (input.planned().design.friction.walk()) return std::nullopt;
-  if (!input.has(DesignParameter::phase) || input.value(DesignParameter::amplitude) == 0) return std::nullopt;
-  if (input.planned().units.scales.reduced_length(input.value(DesignParameter::wavelength)) < finest)
+  if (design_of(input).design.friction.walk()) return std::nullopt;
+  if (!value_of(input, DesignParameter::phase) || value_of(input, DesignParameter::amplitude).value() == 0)
+    return std::nullopt;
+  if (design_of(input).units.scales.reduced_length(value_of(input, DesignParameter::wavelength).value()) < finest)
     return std::nullopt;
   PhaseStudy study{0, 0, infinity, 0, 0};
-  const double first = input.value(DesignParameter::phase);
+  const double first = value_of(input, DesignParameter::phase).value();
   for (int i = 0; i < phases; ++i) {
-    input.set(DesignParameter::phase, first + 2 * std::numbers::pi * i / phases);
+    set(input, DesignParameter::phase, first + 2 * std::numbers::pi * i / phases);
     const auto outcome = result_of(input).outcome;
     if (!outcome) continue;
     ++study.phases;
     if (outcome->snaps > 0) ++study.snapping;
     study.least_drop = std::min(study.least_drop, outcome->largest_drop);
     study.largest_drop = std::max(study.largest_drop, outcome->largest_drop);
-    study.critical = std::max(study.critical, critical_stiffness(input.planned().design));
+    study.critical = std::max(study.critical, critical_stiffness(design_of(input).design));
   }
   return study;
 }
 
 }  // namespace
 
-DesignAnswer answer_of(const DesignCase& input) {
-  const auto [design, units] = input.planned();
+DesignAnswer answer_of(const Test& input) {
+  const auto [design, units] = design_of(input);
   const Scales& scales = units.scales;
   DesignAnswer answer{.input = input,
                       .design = design,
@@ -156,20 +156,20 @@ DesignAnswer answer_of(const DesignCase& input) {
                       .critical = critical_stiffness(design),
                       .changes = {},
                       .phases = phases_of(input)};
-  answer.wraps_nose = answer.outcome.greatest_curvature > input.nose_curvature(scales);
+  answer.wraps_nose = answer.outcome.greatest_curvature > nose_curvature_of(input, scales);
   const bool now = answer.outcome.snaps > 0;
   const auto add = [&](DesignParameter parameter, double to, bool and_beyond) {
     const auto outcome = outcome_with(input, parameter, to);
     if (outcome && (outcome->snaps > 0) != now)
-      answer.changes.push_back(
-          {parameter, input.value(parameter), to, as_printed(input, parameter, to, now), and_beyond, *outcome});
+      answer.changes.push_back({parameter, value_of(input, parameter).value(), to,
+                                as_printed(input, parameter, to, now), and_beyond, *outcome});
   };
   const auto is_told = [&](DesignParameter parameter) {
     return std::any_of(answer.changes.begin(), answer.changes.end(),
                        [&](const DesignChange& change) { return change.parameter == parameter; });
   };
-  const double supports = input.support_compliance();
-  const double own = with_supports(input.value(DesignParameter::stiffness), supports);
+  const double supports = support_compliance_of(input);
+  const double own = with_supports(value_of(input, DesignParameter::stiffness).value(), supports);
   const double critical = scales.physical_stiffness(answer.critical);
   // The depth decides elsewhere, too, of a specimen that stands half of it off its supports, or that may break.
   const bool depth_is_more = design.rig.fibre.supports().half_depth > 0 || std::isfinite(design.breaking_curvature);
@@ -180,8 +180,8 @@ DesignAnswer answer_of(const DesignCase& input) {
     if (!std::isfinite(own)) continue;
     // k L^3/EI decides: what the stiffness must gain, the specimen may lose.
     for (const auto& [parameter, power, is_depth] : powers_in_bending_stiffness)
-      if (input.has(parameter) && !(is_depth && depth_is_more))
-        add(parameter, input.value(parameter) * std::pow(own / stiffness, 1.0 / power), and_beyond);
+      if (value_of(input, parameter) && !(is_depth && depth_is_more))
+        add(parameter, value_of(input, parameter).value() * std::pow(own / stiffness, 1.0 / power), and_beyond);
   }
   std::vector<DesignParameter> others{DesignParameter::span};
   // Of supports that are not alike the case varies one.
@@ -190,7 +190,7 @@ DesignAnswer answer_of(const DesignCase& input) {
                                  DesignParameter::pin_friction});
   if (depth_is_more) others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});
   for (const auto parameter : others)
-    if (input.has(parameter) && !is_told(parameter))
+    if (value_of(input, parameter) && !is_told(parameter))
       for (const double to : nearest_changes(input, parameter, now, 1)) add(parameter, to, false);
   if (const auto travel = travel_change(input, answer)) add(DesignParameter::travel, *travel, true);
   return answer;

@@ -29,7 +29,7 @@ struct PhaseStudy {
 };
 
 struct DesignAnswer {
-  DesignCase input;
+  Test input;  // as one loading
   Design design;
   Scales scales;
   std::optional<SurfaceStrain> surface;  // none without a section
@@ -42,7 +42,7 @@ struct DesignAnswer {
                // which it moves nothing that can be seen
 };
 
-// Fails:      InputError as DesignCase::planned().
+// Fails:      InputError as design_of.
 // Method:     a specimen that snaps needs the critical stiffness, or the nearest softer rig with which it does not; one that does not
 //             snap, on a rig stiffer than the critical one, one a hair softer (1e-4), on others the nearest on either side. From the
 //             stiffness modulus and section follow in closed form, unless it is infinite, or the depth decides elsewhere, too. The travel is
@@ -50,7 +50,7 @@ struct DesignAnswer {
 //             neighbourhood halved to 1e-4: a window narrower than a step may be missed. From 0, where there are no such steps, they
 //             begin at 1/900 of the greatest value; from infinity none are made.
 // Cost:       some 40 outcomes, and 700 traces to the first snap.
-DesignAnswer answer_of(const DesignCase& input);
+DesignAnswer answer_of(const Test& loading);
 
 // The same as curves, close enough to be drawn as lines: the record as it will be, and the folds up to the travel.
 struct DesignCurves {

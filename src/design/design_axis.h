@@ -1,13 +1,65 @@
-// What a number of a case goes through in a map or a sweep.
+// The numbers of a test that a designer may change, and what they go through in a map or a sweep.
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "design/design_case.h"
+#include "case/case_file.h"
+#include "case/case_keys.h"
+#include "io/quantity.h"
 
 namespace flexslip {
+
+// In this order for good: the samples of a sweep are drawn by it.
+enum class DesignParameter {
+  mu0,
+  amplitude,
+  wavelength,
+  phase,
+  span,
+  diameter,
+  modulus,
+  stiffness,
+  travel,
+  step,
+  height,
+  width,
+  reference,
+  pin_friction
+};
+
+struct DesignParameterName {
+  DesignParameter parameter;
+  const CaseKey* key;
+  std::string_view name;         // "mu0", as in files and on the command line
+  Kind kind;                     // of the quantity; a plain number in reduced cases
+  std::string_view description;  // "mean friction coefficient"
+  std::string_view symbol;       // in the markup of figures (report/plot.h)
+  Range range;
+  double most;  // [units of the case] the greatest value within the range
+};
+std::span<const DesignParameterName> design_parameters();
+
+// The name of one of them.
+const DesignParameterName& described(DesignParameter parameter);
+
+// Is this a value that it may have?
+bool is_within(const DesignParameterName& parameter, double value);
+
+// A number of one loading (design_result.h), in SI or reduced, as the test; none if it has no such parameter. A table of friction has no wavelength, a rectangular
+// section height and width and no diameter, a reduced test neither span nor modulus. Of friction, mu0 is one with any waves, reference only if it
+// is stated (else it is the span, whatever that is), and amplitude, wavelength and phase are those of a single one; tables and rough profiles are
+// used as they are. Those of a section count only if the bending stiffness follows from them.
+std::optional<double> value_of(const Test& test, DesignParameter parameter);
+
+// Sets it.
+// Fails:      InputError if the test does not have it, or the value is out of its range.
+// Cost:       a few ns. Whether the numbers go together is told by design_of (design_result.h).
+void set(Test& test, DesignParameter parameter, double value);
 
 enum class Spacing { linear, logarithmic };
 
@@ -31,10 +83,8 @@ struct DesignAxis {
 // Method:     linear; or halving the ratio of the ends by square roots until it is linear to rounding.
 double value_at(const AxisRange& range, double t);
 
-// How many values an axis of a grid has.
+// How many values an axis of a grid has, and all of them, in their order.
 std::uint64_t points_of(const DesignAxis& axis);
-
-// All values of an axis of a grid, in their order.
 std::vector<double> values_of(const DesignAxis& axis);
 
 // The numbers of a row of a grid, one for each axis: SI or reduced, as the case. The last axis changes fastest.

@@ -1,15 +1,147 @@
 #include "design/design_result.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "bending_test/rig.h"
+#include "fibre/limits.h"
+#include "io/input_error.h"
+#include "io/parallel.h"
+#include "io/quantity.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
 
-ResultStatus status_of(DesignFault fault) {
-  return fault == DesignFault::impossible ? ResultStatus::impossible : ResultStatus::not_computable;
+constexpr double most_readings = 1e9;  // what they can be counted for
+
+// Refuses what is more than one loading up to the farthest position of the programme.
+void require_one_loading(const Test& input) {
+  if (!input.stage) throw missing(input, "stage");
+  if (input.stage->file)
+    throw wrong_value(input, "stage.file", "a program of turning points, as one loading is planned",
+                      "a measured programme",
+                      R"(write program = ["0 um", "900 um"]; flexslip simulate shows what a measured programme does)");
+  const auto& positions = input.stage->program;
+  const auto farthest = std::max_element(positions.begin(), positions.end());
+  const auto shown = [&](double position) { return readable(position, kind_in(input, kind::length)); };
+  if (positions.front() != 0)
+    throw wrong_value(input, "stage.program[1]", "0, the straight specimen, as one loading is planned",
+                      shown(positions.front()));
+  if (const auto turn = std::is_sorted_until(positions.begin(), farthest + 1); turn <= farthest)
+    throw wrong_value(input, fmt::format("stage.program[{}]", turn - positions.begin() + 1),
+                      fmt::format("one loading up to the farthest position of {}", shown(*farthest)),
+                      fmt::format("a way back to {}", shown(*turn)),
+                      "leave out the positions before; flexslip simulate shows what the whole programme does");
+  if (input.stage->snaps != SnapRest::nearest_stable)
+    throw wrong_value(input, "stage.snaps", "snaps that rest at the nearest stable state, as one loading is planned",
+                      "\"overshoot\"", "leave it out; flexslip simulate shows what overshooting does");
+  if (input.friction && input.friction->static_excess.value_or(0) > 0)
+    throw wrong_value(input, "friction.static_excess", "no excess of static friction, as one loading is planned",
+                      fmt::format("{:g}", *input.friction->static_excess),
+                      "leave it out; flexslip simulate shows what it does");
+  if (!input.specimen->cracks.empty())
+    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as one loading is planned",
+                      fmt::format("{} of them", input.specimen->cracks.size()),
+                      "leave them out; flexslip simulate shows what they do");
+}
+
+constexpr double no_number = not_a_number;
+constexpr FirstSnap no_snap{no_number, no_number, no_number, no_number};
+
+using O = const DesignOutcome&;
+using U = const DesignUnits&;
+
+template <class Get>
+auto told(Get get) {
+  return [get](const DesignResult& result) {
+    return result.outcome ? std::optional(get(*result.outcome, *result.units)) : std::nullopt;
+  };
+}
+
+Fields<DesignResult> fields_of_outcomes() {
+  return Fields<DesignResult>()
+      .own("stage_reached", kind::length, "stage position that the loading reaches",
+           told([](O o, U u) { return u.scales.physical_length(o.stage_reached); }))
+      .own("deflection_reached", kind::length, "deflection at that stage position",
+           told([](O o, U u) { return u.scales.physical_length(o.w_reached); }))
+      .count("snaps", "number of snaps of the specimen, however small", told([](O o, U) { return o.snaps; }))
+      .own("first_snap_stage", kind::length, "stage position of the first snap; none without a snap",
+           told([](O o, U u) { return u.scales.physical_length(o.first_snap.value_or(no_snap).stage); }))
+      .own("first_snap_deflection", kind::length, "deflection before the first snap; none without a snap",
+           told([](O o, U u) { return u.scales.physical_length(o.first_snap.value_or(no_snap).w); }))
+      .own("first_snap_force_before", kind::force, "force before the first snap; none without a snap",
+           told([](O o, U u) { return u.scales.physical_force(o.first_snap.value_or(no_snap).F_before); }))
+      .own("first_snap_force_after", kind::force, "force after the first snap; none without a snap",
+           told([](O o, U u) { return u.scales.physical_force(o.first_snap.value_or(no_snap).F_after); }))
+      .count("drops",
+             "number of drops that the record shows: falls of the force between readings, a run of them counting once",
+             told([](O o, U) { return o.drops; }))
+      .own("largest_drop", kind::force, "largest fall of the force; 0 without drops",
+           told([](O o, U u) { return u.scales.physical_force(o.largest_drop); }))
+      .own("mean_drop", kind::force, "mean fall of the force; 0 without drops",
+           told([](O o, U u) { return u.scales.physical_force(o.mean_drop); }))
+      .own("greatest_force", kind::force, "greatest force",
+           told([](O o, U u) { return u.scales.physical_force(o.greatest_force); }))
+      .number("greatest_strain", "greatest bending strain of the surface at midspan; none without a section",
+              told([](O o, U u) { return u.surface ? u.surface->strain(o.greatest_curvature) : no_number; }))
+      .own("greatest_stress", kind::pressure,
+           "greatest bending stress of the surface at midspan; none without a section",
+           told([](O o, U u) { return u.surface ? u.surface->stress(o.greatest_curvature) : no_number; }))
+      .own("work", kind::energy, "work measured on the specimen",
+           told([](O o, U u) { return u.scales.physical_energy(o.work); }))
+      .own("friction_heat", kind::energy, "part of the work that friction turns into heat at the supports",
+           told([](O o, U u) { return u.scales.physical_energy(o.friction_heat); }))
+      .own("released", kind::energy, "part of the work that the snaps set free beyond friction",
+           told([](O o, U u) { return u.scales.physical_energy(o.released); }));
 }
 
 }  // namespace
+
+Test one_loading_of(const Test& given) {
+  const Scales scales = scales_of(given);
+  require_one_loading(given);
+  const double travel = programme_of(given).farthest;
+  bending_test_of(given, scales, scales.reduced_length(travel));
+  Test test = with_files_read(given);
+  test.stage->program = {0, travel};
+  test.stage->cycles = 1;
+  test.stage->step = test.stage->step.value_or(0);
+  FrictionInput& friction = *test.friction;
+  if (friction.waves.size() == 1) {
+    friction.model = FrictionModel::sinusoid;
+    friction.amplitude = friction.waves.front().amplitude;
+    friction.wavelength = friction.waves.front().wavelength;
+    friction.phase = friction.waves.front().phase;
+    friction.waves.clear();
+  }
+  if (friction.model == FrictionModel::sinusoid) friction.phase = friction.phase.value_or(0);
+  return test;
+}
+
+PlannedDesign design_of(const Test& loading) {
+  const Scales scales = scales_of(loading);
+  const double travel = scales.reduced_length(loading.stage->program.back());
+  if (!(travel <= farthest_reduced && travel >= nearest_reduced))
+    throw wrong_value(loading, "stage.program",
+                      fmt::format("{:g} to {:g} spans of {}", nearest_reduced, farthest_reduced,
+                                  readable_length(loading, scales.span())),
+                      readable_length(loading, loading.stage->program.back()));
+  const double step = scales.reduced_length(*loading.stage->step);
+  if (!std::isfinite(step) || (step > 0 && travel / step > most_readings))
+    throw wrong_value(
+        loading, "stage.step",
+        fmt::format("0, or a step of at least {:g} of the travel, which a computer can hold", 1 / most_readings),
+        readable_length(loading, *loading.stage->step));
+  BendingTest test = bending_test_of(loading, scales, travel);
+  return {{std::move(test.friction.kinetic), std::move(test.rig), travel, step, breaking_curvature_of(loading, scales)},
+          {scales, surface_of(loading, scales)}};
+}
 
 std::string_view word_of(ResultStatus status) { return result_status_words.at(static_cast<std::size_t>(status)); }
 
@@ -25,14 +157,128 @@ ResultStatus status_of(const DesignOutcome& outcome) {
   throw std::invalid_argument("no such status");
 }
 
-DesignResult result_of(const DesignCase& input) try {
-  const auto plan = input.plan();
-  if (const auto* refused = std::get_if<DesignRefusal>(&plan)) return {status_of(refused->fault), {}, {}};
-  const auto& [design, units] = std::get<PlannedDesign>(plan);
+DesignResult result_of(const Test& loading) try {
+  const auto [design, units] = design_of(loading);
   const DesignOutcome outcome = outcome_of(design);
   return {status_of(outcome), units, outcome};
+} catch (const ImpossibleTest&) {
+  return {ResultStatus::impossible, {}, {}};
+} catch (const InputError&) {
+  return {ResultStatus::not_computable, {}, {}};
 } catch (const std::invalid_argument&) {
   return {ResultStatus::not_computable, {}, {}};
+}
+
+const Fields<DesignResult>& outcome_fields() {
+  static const Fields<DesignResult> fields = fields_of_outcomes();
+  return fields;
+}
+
+namespace {
+
+constexpr std::uint64_t most_points = 10000;  // of an axis
+
+std::vector<std::string> names_of(const Test& input) {
+  std::vector<std::string> names;
+  for (const auto& known : design_parameters())
+    if (value_of(input, known.parameter)) names.emplace_back(known.name);
+  return names;
+}
+
+const DesignParameterName& parameter_named(const Test& input, std::string_view name) {
+  for (const auto& known : design_parameters())
+    if (known.name == name && value_of(input, known.parameter)) return described(known.parameter);
+  const auto names = names_of(input);
+  const std::string meant = nearest(name, names);
+  throw InputError({.expected = "a number of this case, one of " + listed(names),
+                    .found = in_quotes(name),
+                    .remedy = meant.empty() ? "" : fmt::format("did you mean {}?", in_quotes(meant))});
+}
+
+std::uint64_t points_from(std::string_view text) {
+  std::uint64_t points = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), points);
+  if (error == std::errc() && end == text.data() + text.size() && points >= 2 && points <= most_points) return points;
+  throw InputError({.expected = fmt::format("2 to {} points", most_points), .found = in_quotes(text)});
+}
+
+}  // namespace
+
+DesignAxis map_axis(const Test& input, std::string_view text, std::uint64_t usual_points) {
+  const auto cut = [&](std::string_view& rest, char at) {
+    const std::size_t end = std::min(rest.find(at), rest.size());
+    const std::string_view part = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    return part;
+  };
+  std::string_view rest = text;
+  const std::string_view name = cut(rest, '=');
+  const std::string_view first = cut(rest, ':');
+  const std::string_view last = cut(rest, ':');
+  if (first.empty() || last.empty())
+    throw InputError({.expected = "a name and its range",
+                      .found = in_quotes(text),
+                      .remedy = "write it as \"stiffness=10 N/m:1000 N/m\""});
+  const DesignParameterName& parameter = parameter_named(input, name);
+  const bool is_plain = input.reduced && parameter.kind.dimension != kind::angle.dimension;
+  const Kind& as = is_plain ? kind::number : parameter.kind;
+  const double from = parse_quantity(first, as);
+  const double to = parse_quantity(last, as);
+  if (!(from != to && std::isfinite(from) && std::isfinite(to)))
+    throw InputError({.expected = "a range with two ends", .found = in_quotes(text)});
+  const std::uint64_t points = rest.empty() ? usual_points : points_from(trimmed(rest));
+  Test trial = input;
+  for (const double end : {from, to}) set(trial, parameter.parameter, end);
+
+  constexpr double decade = 10;
+  const bool is_logarithmic = from > 0 && to > 0 && std::max(from / to, to / from) >= decade;
+  return {parameter, AxisRange{from, to, is_logarithmic ? Spacing::logarithmic : Spacing::linear, points}};
+}
+
+std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::string>& texts) {
+  constexpr std::uint64_t points_of_curve = 101;
+  constexpr std::uint64_t points_of_map = 41;
+  constexpr std::uint64_t most_designs = 1'000'000;  // all are held in memory
+  if (texts.size() > 2)
+    throw InputError({.field = "--over",
+                      .expected = "one parameter or two",
+                      .found = std::to_string(texts.size()),
+                      .remedy = "flexslip sweep takes as many as you like"});
+  std::vector<DesignAxis> axes;
+  for (const std::string& text : texts) try {
+      axes.push_back(map_axis(input, text, texts.size() == 1 ? points_of_curve : points_of_map));
+    } catch (const InputError& error) {
+      throw located(error, "", 0, "--over");
+    }
+  if (axes.size() == 2 && axes[0].parameter.parameter == axes[1].parameter.parameter)
+    throw InputError({.field = "--over", .expected = "two parameters", .found = "the same twice"});
+  std::uint64_t designs = 1;
+  for (const DesignAxis& axis : axes) designs *= points_of(axis);
+  if (designs > most_designs)
+    throw InputError({.field = "--over",
+                      .expected = fmt::format("at most {} designs", most_designs),
+                      .found = std::to_string(designs),
+                      .remedy = "take fewer points, or flexslip sweep, which takes as many as the disk"});
+  return axes;
+}
+
+std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis>& axes, unsigned threads,
+                                 const std::atomic<bool>* stop) {
+  std::uint64_t count = 1;
+  for (const DesignAxis& axis : axes) count *= points_of(axis);
+  std::vector<MapPoint> points(count);
+  for_each_index(count, threads, [&](std::size_t i) {
+    if (stop && *stop) return;
+    MapPoint& point = points[i];
+    Test there = input;
+    point.values = grid_inputs(axes, i);
+    for (std::size_t k = 0; k < axes.size(); ++k) set(there, axes[k].parameter.parameter, point.values[k]);
+    point.result = result_of(there);
+    point.margin =
+        point.result.outcome ? stiffness_margin(design_of(there).design, *point.result.outcome) : not_a_number;
+  });
+  if (stop && *stop) return {};
+  return points;
 }
 
 }  // namespace flexslip

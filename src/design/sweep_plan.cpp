@@ -4,16 +4,21 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "case/case_changes.h"
 #include "case/keys.h"
 #include "case/toml.h"
+#include "design/design_result.h"
+#include "fibre/limits.h"
+#include "io/sha256.h"
 #include "io/table.h"
 
 namespace flexslip {
@@ -25,10 +30,7 @@ constexpr std::uint64_t many_chunks = 512;              // enough for every core
 constexpr std::uint64_t least_chunk = 64;               // [rows] 20 ms of a core: a file for less would cost as much
 constexpr std::uint64_t largest_chunk = 1 << 16;        // [rows] 20 s of a core: what a kill may lose
 
-constexpr Words<Spacing, 2> spacing_names{{{"linear", Spacing::linear}, {"log", Spacing::logarithmic}}};
-
 enum class Method { grid, latin_hypercube };
-constexpr Words<Method, 2> method_names{{{"grid", Method::grid}, {"latin hypercube", Method::latin_hypercube}}};
 
 constexpr std::string_view example_axis =
     R"(stiffness = { from = "10 N/m", to = "1 kN/m", points = 50, spacing = "log" })";
@@ -57,7 +59,7 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameterName&
   keys.only(is_grid ? std::vector<std::string>{"from", "to", "points", "spacing"}
                     : std::vector<std::string>{"from", "to", "spacing"});
   AxisRange range{keys.quantity("from", parameter.kind, Range::any), keys.quantity("to", parameter.kind, Range::any),
-                  keys.optional_choice("spacing", spacing_names).value_or(Spacing::linear),
+                  keys.has("spacing") ? static_cast<Spacing>(keys.word("spacing", {"linear", "log"})) : Spacing::linear,
                   is_grid ? keys.whole_number("points", 2) : 0};
   if (range.points > most_axis_points)
     keys.refuse("points", fmt::format("at most {} points", most_axis_points), std::to_string(range.points));
@@ -70,7 +72,7 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameterName&
 }
 
 DesignAxis read_axis(const Keys& axes, const toml::node& node, Method method, const DesignParameterName& parameter,
-                     const Case& input) {
+                     const Test& input) {
   if (const toml::table* range = node.as_table())
     return {parameter, read_range({*range, axes.key(parameter.name), input}, method, parameter)};
   const toml::array* values = node.as_array();
@@ -82,7 +84,7 @@ DesignAxis read_axis(const Keys& axes, const toml::node& node, Method method, co
   return {parameter, read_values(axes, *values, parameter)};
 }
 
-std::vector<DesignAxis> read_axes(const Keys& axes, Method method, const Case& input, const toml::table& unchanged) {
+std::vector<DesignAxis> read_axes(const Keys& axes, Method method, const Test& input, const toml::table& unchanged) {
   std::vector<std::string> known;
   known.reserve(design_parameters().size());
   for (const auto& parameter : design_parameters()) known.emplace_back(parameter.name);
@@ -161,20 +163,19 @@ std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube
 }
 
 // A refusal of a number, told as one of the axis that it stands in.
-void set_from_axis(DesignCase& design, const SweepPlan& plan, const DesignAxis& axis, const std::string& key,
-                   double value) {
+void set_from_axis(Test& design, const SweepPlan& plan, const DesignAxis& axis, const std::string& key, double value) {
   try {
-    design.set(axis.parameter.parameter, value);
+    set(design, axis.parameter.parameter, value);
   } catch (const InputError& error) {
     throw wrong_value(plan.input, key, error.fault.expected, error.fault.found, error.fault.remedy);
   }
 }
 
 void check(const SweepPlan& plan) {
-  DesignCase design(plan.input);
+  Test design = one_loading_of(plan.input);
   for (const DesignAxis& axis : plan.axes) {
     const std::string key = axis_key(axis);
-    if (!design.has(axis.parameter.parameter))
+    if (!value_of(design, axis.parameter.parameter))
       throw wrong_value(plan.input, key, "a parameter that the case has", in_quotes(axis.parameter.name),
                         "choose another axis, or another kind of case");
     if (const auto* range = std::get_if<AxisRange>(&axis.values)) {
@@ -197,11 +198,10 @@ SweepPlan read_sweep(std::string_view text, const std::string& source, const std
   const toml::node& section = Keys(file, "", plan.input).need("sweep");
   if (!section.is_table()) throw wrong_value(plan.input, "sweep", "a section [sweep]", kind_of_node(section));
   const Keys sweep(*section.as_table(), "sweep", plan.input);
-  sweep.only_described();
-  sweep.need("method");
-  const Method method = sweep.optional_choice("method", method_names).value();
+  sweep.only({"method", "samples", "seed", "axes"});
+  const auto method = static_cast<Method>(sweep.word("method", words_of(*case_key("sweep", "method"))));
   if (method == Method::latin_hypercube) {
-    plan.method = LatinHypercube{sweep.whole_number("samples"), sweep.whole_number("seed")};
+    plan.method = LatinHypercube{sweep.whole_number("samples", 1), sweep.whole_number("seed", 0)};
   } else {
     for (const std::string_view other : {"samples", "seed"})
       if (sweep.has(other))
@@ -250,6 +250,83 @@ RowSpan rows_of_chunk(const SweepPlan& plan, std::uint64_t chunk) {
   const std::uint64_t first = chunk * rows_in_chunk(plan);
   if (first >= plan.rows) throw std::invalid_argument(fmt::format("rows_of_chunk: no chunk {}", chunk));
   return {first, std::min(rows_in_chunk(plan), plan.rows - first)};
+}
+
+namespace {
+
+StoredAs stored_as(Shape shape) { return shape == Shape::count ? StoredAs::uint32 : StoredAs::float64; }
+
+double number_in(const Json& value, Shape shape) {
+  if (!value.is_null()) return value.get<double>();
+  return shape == Shape::count ? 0 : not_a_number;
+}
+
+}  // namespace
+
+std::vector<SweepColumn> columns_of(const SweepPlan& plan) {
+  const auto units = [&](const Kind& kind) { return std::string(unit_of(kind, plan.input.reduced)); };
+  std::vector<SweepColumn> columns;
+  for (const auto& [parameter, values] : plan.axes)
+    columns.push_back({fmt::format("/inputs/{}", parameter.name), units(parameter.kind),
+                       std::string(parameter.description), StoredAs::float64});
+  columns.push_back({"/outcomes/status", units(kind::number), "whether the design could be computed, and how it ended",
+                     StoredAs::uint8});
+  for (const Description& outcome : outcome_fields().descriptions())
+    columns.push_back({fmt::format("/outcomes/{}", outcome.name), units(outcome.kind), std::string(outcome.meaning),
+                       stored_as(outcome.shape)});
+  return columns;
+}
+
+std::size_t status_column(const SweepPlan& plan) { return plan.axes.size(); }
+
+RowComputer::RowComputer(const SweepPlan& plan) : loading_(one_loading_of(plan.input)) {
+  parameters_.reserve(plan.axes.size());
+  for (const DesignAxis& axis : plan.axes) parameters_.push_back(axis.parameter.parameter);
+}
+
+std::vector<double> RowComputer::operator()(std::span<const double> inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) set(loading_, parameters_[i], inputs[i]);
+  const DesignResult result = result_of(loading_);
+  std::vector<double> values{static_cast<double>(result.status)};
+  const Frame frame;  // outcomes are in the units of their own design
+  for (const auto& outcome : outcome_fields())
+    values.push_back(number_in(outcome_fields().of(outcome, result, frame), outcome.what.shape));
+  return values;
+}
+
+namespace {
+
+// In place of the name of a file, what is in it.
+std::string content_digest(const std::string& file) { return digest_of(*open_to_read(file)).sha256; }
+
+std::string text_of_case(Test input) {
+  input.record.reset();
+  for (std::string* file : files_of(input)) *file = content_digest(*file);
+  return to_toml(input);
+}
+
+std::string text_of(const DesignAxis& axis) {
+  if (const auto* values = std::get_if<AxisValues>(&axis.values))
+    return fmt::format("{} {}", axis.parameter.name, *values);
+  const auto& range = std::get<AxisRange>(axis.values);
+  return fmt::format("{} {} {} {} {}", axis.parameter.name, range.from, range.to, range.points,
+                     range.spacing == Spacing::linear ? "linear" : "log");
+}
+
+}  // namespace
+
+std::string digest_of_sweep(const SweepPlan& plan) { return digest_of_sweep(plan, RowComputer(plan)); }
+
+std::string digest_of_sweep(const SweepPlan& plan, const RowFunction& outcomes_of) {
+  constexpr std::uint64_t answers = 8;
+  std::string text = fmt::format("sweep of FlexSlip {}\n{}", FLEXSLIP_VERSION, text_of_case(plan.input));
+  if (const auto* hypercube = std::get_if<LatinHypercube>(&plan.method))
+    text += fmt::format("latin hypercube {} {}\n", hypercube->samples, hypercube->seed);
+  for (const DesignAxis& axis : plan.axes) text += text_of(axis) + "\n";
+  for (const SweepColumn& column : columns_of(plan)) text += column.path + "\n";
+  for (std::uint64_t i = 0; i < answers; ++i)  // to the last bit
+    text += fmt::format("{}\n", outcomes_of(inputs_of(plan, row_from_all_over(plan, i))));
+  return sha256_of(text);
 }
 
 }  // namespace flexslip

@@ -1,4 +1,5 @@
-// A sweep: a case some of whose numbers go through a grid or a Latin hypercube (docs/sweeps.md). A row is one design.
+// A sweep: a test some of whose numbers go through a grid or a Latin hypercube (docs/sweeps.md). A row is one design: the numbers that make it, and
+// what its test will show.
 //
 // Every row follows from the plan alone, so that any computer can compute any of them: with the operations of IEEE 754
 // only, which give the same bits on all.
@@ -14,6 +15,8 @@
 
 #include "case/case_file.h"
 #include "design/design_axis.h"
+#include "design/design_result.h"
+#include "io/hdf5.h"
 
 namespace flexslip {
 
@@ -27,9 +30,9 @@ struct LatinHypercube {
 };
 
 struct SweepPlan {
-  Case input;
+  Test input;
   std::string text;                  // the whole file
-  std::vector<std::string> changes;  // of it, from the command line (case_changes.h)
+  std::vector<std::string> changes;  // of it, from the command line
   std::vector<DesignAxis> axes;      // at least one, as the file orders them; those that only the changes have, last
   std::variant<Grid, LatinHypercube> method;
   std::uint64_t rows;  // at least 1
@@ -66,5 +69,42 @@ struct RowSpan {
   std::uint64_t first, count;
 };
 RowSpan rows_of_chunk(const SweepPlan& plan, std::uint64_t chunk);
+
+struct SweepColumn {
+  std::string path;         // in the HDF5 file, "/outcomes/snaps"
+  std::string units;        // "N"; "EI/L^2" if the case is reduced; "1" of a plain number
+  std::string description;  // a sentence without its full stop
+  StoredAs stored_as;
+};
+
+// The inputs, in the order of the axes, and after them the outcomes.
+std::vector<SweepColumn> columns_of(const SweepPlan& plan);
+
+// The column whose values are ResultStatus.
+std::size_t status_column(const SweepPlan& plan);
+
+// Computes rows; what it answers does not depend on what it was asked before.
+class RowComputer {
+ public:
+  // Fails:      InputError as one_loading_of.
+  explicit RowComputer(const SweepPlan& plan);
+
+  // The outcomes of a row, one for each of their columns; NaN, and counts 0, where there is no design.
+  std::vector<double> operator()(std::span<const double> inputs);
+
+ private:
+  std::vector<DesignParameter> parameters_;
+  Test loading_;
+};
+
+// Of all that the numbers of a sweep follow from, as 64 hexadecimal digits: the case with the content of its files, the axes,
+// the version of the program; and of some of the numbers, which tell programs of one version apart that compute others.
+// Comments, layout and file names are not in it.
+// Fails:      InputError if a file of the case cannot be read.
+// Cost:       that of a few designs.
+std::string digest_of_sweep(const SweepPlan& plan);
+
+// The same for outcomes that are computed so.
+std::string digest_of_sweep(const SweepPlan& plan, const RowFunction& outcomes_of);
 
 }  // namespace flexslip

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "design/sweep_file.h"
-#include "design/sweep_row.h"
+#include "design/sweep_parts.h"
+#include "design/sweep_plan.h"
 #include "io/input_error.h"
 #include "io/parallel.h"
 

@@ -19,7 +19,7 @@ struct PrintedTable {
 
 class Print {
  public:
-  Print(const Case& test, const Scales& scales) : test_(test), scales_(scales) {}
+  Print(const Test& test, const Scales& scales) : test_(test), scales_(scales) {}
   explicit Print(const FittedTest& test) : Print(test.measurement.test, test.analysis.scales) {}
 
   Kind as(const Kind& kind) const { return kind_in(test_, kind); }
@@ -31,7 +31,7 @@ class Print {
   std::string own(double value, const Kind& kind) const;
 
  private:
-  const Case& test_;
+  const Test& test_;
   const Scales& scales_;
 };
 

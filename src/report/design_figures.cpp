@@ -29,16 +29,16 @@ struct ParameterAxis {
   Axis axis;
   bool logarithmic;
 
-  ParameterAxis(const DesignCase& input, const DesignAxis& over) {
+  ParameterAxis(const Test& input, const DesignAxis& over) {
     const auto& range = std::get<AxisRange>(over.values);
     const DesignParameterName& parameter = over.parameter;
-    const Kind kind = input.shown_as(parameter.kind);
+    const Kind kind = kind_in(input, parameter.kind);
     const auto [least, most] = std::minmax(range.from, range.to);
     logarithmic = range.spacing == Spacing::logarithmic;
     unit = kind.units.empty()
                ? PlotUnit{"", 1}
                : plot_unit(logarithmic ? std::sqrt(least * most) : std::max(std::abs(least), std::abs(most)), kind,
-                           input.reduced(), typeset(unit_of(kind, true)));
+                           input.reduced, typeset(unit_of(kind, true)));
     std::string words(parameter.description);
     words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
     const std::string symbol(parameter.symbol);
@@ -60,12 +60,12 @@ std::optional<double> first_deflection(const DesignResult& result) {
   return snap ? std::optional(result.units->scales.physical_length(snap->w)) : std::nullopt;
 }
 
-Plot curve_figure(const DesignCase& input, const DesignAxis& over, const std::vector<MapPoint>& points) {
+Plot curve_figure(const Test& input, const DesignAxis& over, const std::vector<MapPoint>& points) {
   const ParameterAxis x(input, over);
   double deepest = 0;
   for (const auto& point : points)
     if (point.result.outcome) deepest = std::max(deepest, first_deflection(point.result).value_or(0));
-  const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, input.shown_as(kind::length), input.reduced(), "L");
+  const PlotUnit length = plot_unit(deepest > 0 ? deepest : 1, kind_in(input, kind::length), input.reduced, "L");
   PlotTable designs{"designs",
                     {x.unit.column(over.parameter.name), "largest drop [%]", "mean drop [%]", "friction and snaps [%]",
                      length.column("first snap")}};
@@ -143,7 +143,7 @@ std::optional<std::size_t> middle_of(const Grid& points, std::size_t columns, do
   return best;
 }
 
-Plot plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, const Grid& points) {
+Plot plane_figure(const Test& input, const std::vector<DesignAxis>& axes, const Grid& points) {
   ParameterAxis x(input, axes[0]), y(input, axes[1]);
   const std::size_t rows = points_of(axes[0]), columns = points_of(axes[1]);
   // The edges of a cell, half a step on either side.
@@ -163,8 +163,8 @@ Plot plane_figure(const DesignCase& input, const std::vector<DesignAxis>& axes, 
     designs.rows.push_back({x(point.values[0]), left, right, y(point.values[1]), low, high, share});
     most = std::fmax(most, share);
   }
-  const std::vector<double> own{x(input.value(axes[0].parameter.parameter)),
-                                y(input.value(axes[1].parameter.parameter))};
+  const std::vector<double> own{x(value_of(input, axes[0].parameter.parameter).value()),
+                                y(value_of(input, axes[1].parameter.parameter).value())};
   std::vector<Mark> marks{
       marks::pixels("designs", {1, 2, 4, 5, 6}, {}),
       marks::line("border", {0, 1}, {Colour::vermillion, 2}, "Border of snapping"),
@@ -226,12 +226,12 @@ Plot design_figure(const DesignAnswer& answer) {
   const double least = answer.critical > 0 ? std::min(likely, answer.critical) : likely;
   const bool is_wide = top > wide * least;
 
-  const PlotUnits units{answer.scales, answer.input.reduced(), is_in_inches(answer.input.given())};
+  const PlotUnits units{answer.scales, answer.input.reduced, is_in_inches(answer.input)};
   const PlotUnit w = units.length(design.travel), F = units.force(outcome.greatest_force), k = units.stiffness(top);
   Axis stiffness = k.axis("", is_wide ? least / 3 : 0, (is_wide ? 2 : 1.12) * top);
   stiffness.logarithmic = is_wide;
   // Supports that give way make a rig of the load train.
-  const bool gives = answer.input.support_compliance() > 0;
+  const bool gives = support_compliance_of(answer.input) > 0;
   stiffness.label = gives ? "Stiffness of the rig *k*" : "Load-train stiffness *k*";
 
   PlotTable record{"record", {w.column("stage"), F.column("force")}};
@@ -286,8 +286,7 @@ Plot design_figure(const DesignAnswer& answer) {
           .columns = 2};
 }
 
-Plot design_map_figure(const DesignCase& input, const std::vector<DesignAxis>& axes,
-                       const std::vector<MapPoint>& points) {
+Plot design_map_figure(const Test& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points) {
   if (axes.size() == 1) return curve_figure(input, axes.front(), points);
   if (axes.size() == 2) return plane_figure(input, axes, points);
   throw std::invalid_argument("a map has one axis or two, not " + std::to_string(axes.size()));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "design/design_answer.h"
-#include "design/design_map.h"
+#include "design/design_result.h"
 #include "report/plot.h"
 
 namespace flexslip {
@@ -15,7 +15,6 @@ Plot design_figure(const DesignAnswer& answer);
 
 // Drops and the first snap over one parameter; or the largest drop over two, with the border of those that do not snap.
 // Domain:     one or two axes, and their points; std::invalid_argument otherwise.
-Plot design_map_figure(const DesignCase& input, const std::vector<DesignAxis>& axes,
-                       const std::vector<MapPoint>& points);
+Plot design_map_figure(const Test& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points);
 
 }  // namespace flexslip

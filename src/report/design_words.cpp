@@ -15,7 +15,7 @@ namespace {
 
 class InUnits : public Print {
  public:
-  explicit InUnits(const DesignAnswer& answer) : Print(answer.input.given(), answer.scales) {}
+  explicit InUnits(const DesignAnswer& answer) : Print(answer.input, answer.scales) {}
 
   // [units of the case]
   std::string stiffness(double value) const {
@@ -76,7 +76,7 @@ std::string strain_in_words(const DesignAnswer& answer) {
   const double curvature = answer.outcome.greatest_curvature;
   return fmt::format(" The bending strain at the surface reaches {}{}.{}",
                      strain_text(answer.surface->strain(curvature)),
-                     answer.input.reduced()
+                     answer.input.reduced
                          ? ""
                          : fmt::format(" ({})", InUnits(answer).own(answer.surface->stress(curvature), kind::pressure)),
                      wraps);
@@ -103,8 +103,9 @@ std::string snaps_in_words(const DesignAnswer& answer, const InUnits& shown) {
 std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const std::string yours =
       fmt::format("This rig has {}.", shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness)));
-  const std::string_view which =
-      answer.input.support_compliance() > 0 ? "stiffness of load train and supports together" : "load-train stiffness";
+  const std::string_view which = support_compliance_of(answer.input) > 0
+                                     ? "stiffness of load train and supports together"
+                                     : "load-train stiffness";
   if (answer.critical == 0) {
     const bool varies = std::isfinite(answer.design.friction.smooth_scale()) || !answer.design.friction.knots().empty();
     return fmt::format("No load train, however soft, lets the specimen snap in this test. {}{}", yours,
@@ -123,7 +124,7 @@ std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) 
           ? fmt::format(" That is softer, but the specimen does not snap, as this rig bends it by no more than {}.",
                         shown.length(answer.outcome.w_reached))
           : "";
-  const bool is_out_of_reach = critical * answer.input.support_compliance() >= 1;
+  const bool is_out_of_reach = critical * support_compliance_of(answer.input) >= 1;
   return fmt::format(
       "The critical {} of this test is {}, the smallest at and above which the specimen does not snap. {}{}{}", which,
       shown.stiffness(critical), yours, why,
@@ -163,7 +164,7 @@ std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const std::string remedy =
       std::isfinite(study.critical)
           ? fmt::format("With a load train{} of at least {}, it snaps with none of these phases",
-                        answer.input.support_compliance() > 0 ? " and supports together" : "",
+                        support_compliance_of(answer.input) > 0 ? " and supports together" : "",
                         shown.stiffness(rounded_to_enough(answer.scales.physical_stiffness(study.critical))))
           : "With some of these phases, it snaps however stiff the load train is";
   return fmt::format("{} The specimen snaps {}{}. {}.", known, count, drops, remedy);
@@ -271,7 +272,7 @@ std::vector<std::string> design_in_words(const DesignAnswer& answer) {
   const InUnits shown(answer);
   std::vector<std::string> paragraphs{snaps_in_words(answer, shown), drops_in_words(answer, shown),
                                       critical_in_words(answer, shown), work_in_words(answer, shown)};
-  if (const auto limit = answer.input.pin_limit()) paragraphs.push_back(pins_in_words(*limit));
+  if (const auto limit = pin_limit_of(answer.input)) paragraphs.push_back(pins_in_words(*limit));
   if (answer.phases) paragraphs.push_back(phases_in_words(answer, shown));
   if (const double from = friction_told_from(answer.design.rig.fibre); from > 0.5 * answer.outcome.w_reached)
     paragraphs.push_back(fmt::format(

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "case/equilibrium_study.h"
 #include "case/simulated_test.h"
+#include "case/studies.h"
 #include "report/plot.h"
 
 namespace flexslip {

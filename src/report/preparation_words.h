@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case/preparation.h"
+#include "case/measurement.h"
 
 namespace flexslip {
 

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "case/case_file.h"
-#include "case/stiffness_used.h"
+#include "case/mechanics.h"
 #include "finding/answer.h"
 #include "finding/printed.h"
 #include "io/text.h"
@@ -41,7 +41,7 @@ std::string row(std::string_view label, const std::string& words) {
 
 // The verdict, the rows, what speaks against it; specimen, rig, file, date, command and citation.
 std::string head_of(const FittedTest& test, const Answer& answer) {
-  const Case& input = test.measurement.test;
+  const Test& input = test.measurement.test;
   const Print print(test);
   std::string out = fmt::format("<p class=\"answer\"><b class=\"{}\">{}</b> {}</p>\n", name_of(answer.verdict.code),
                                 word_of(answer.verdict.code),

@@ -58,21 +58,6 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// Where a case names its files.
-std::vector<std::string*> files_of(Case& input) {
-  std::vector<std::string*> files;
-  const auto add_profile = [&](FrictionProfileInput& profile) {
-    if (auto* table = std::get_if<TabulatedFriction>(&profile)) files.push_back(&table->file);
-    if (auto* surface = std::get_if<SurfaceFriction>(&profile)) files.push_back(&surface->trace);
-  };
-  if (input.record) files.push_back(&input.record->file);
-  if (input.friction && input.friction->profile) add_profile(*input.friction->profile);
-  if (input.friction && input.friction->other) add_profile(input.friction->other->profile);
-  if (input.stage)
-    if (auto* measured = std::get_if<MeasuredProgramme>(&input.stage->programme)) files.push_back(&measured->file);
-  return files;
-}
-
 fs::path normal(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
 
 // The names that files have in the page: their own, made different where two are the same.
@@ -104,7 +89,7 @@ std::optional<fs::path> built_studio_page() {
   return std::nullopt;
 }
 
-GivenTest taken_along(Case input, const std::string& test) {
+GivenTest taken_along(Test input, const std::string& test) {
   GivenTest given{test + "/case.toml", {}};
   Names names;
   static_cast<void>(names.of("case.toml"));
@@ -123,7 +108,7 @@ GivenTest taken_along(const std::string& file) {
   const fs::path path = normal(file);
   if (!file.ends_with(".toml")) return {path.filename().string(), {{path.filename().string(), content_of(file)}}};
   const std::string test = name_of_test(file);
-  Case input = read_case(file);
+  Test input = read_case(file);
   GivenTest given{test + "/" + path.filename().string(), {{test + "/" + path.filename().string(), case_text(file)}}};
   for (const std::string* named : files_of(input)) {
     const fs::path beside = normal(*named);

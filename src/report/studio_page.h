@@ -30,7 +30,7 @@ std::optional<std::filesystem::path> built_studio_page();
 GivenTest taken_along(const std::string& file);
 
 // A case with its files, under the name of a test. Likewise.
-GivenTest taken_along(Case input, const std::string& test);
+GivenTest taken_along(Test input, const std::string& test);
 
 // Writes the page with tests inside.
 // Fails:      InputError if it cannot be written, or the page is none.

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "design/outcome_fields.h"
+#include "design/design_result.h"
 #include "tests/design/some_design.h"
 
 namespace flexslip {
@@ -18,7 +18,7 @@ Json told(const DesignAnswer& answer) {
 }  // namespace
 
 TEST_CASE("design JSON, identity: every outcome and every parameter of the case, under its name") {
-  const DesignCase input = design_of(spicule);
+  const Test input = loading_of(spicule);
   const auto answer = answer_of(input);
   const Json json = told(answer);
   CHECK(json.at("largest_drop") == answer.scales.physical_force(answer.outcome.largest_drop));
@@ -26,16 +26,16 @@ TEST_CASE("design JSON, identity: every outcome and every parameter of the case,
   CHECK(json.at("work") == answer.scales.physical_energy(answer.outcome.work));
   for (const auto& outcome : outcome_fields()) CHECK(json.contains(std::string(outcome.what.name)));
   for (const DesignParameterName& known : design_parameters())
-    CHECK(json.at("parameters").contains(std::string(known.name)) == input.has(known.parameter));
+    CHECK(json.at("parameters").contains(std::string(known.name)) == value_of(input, known.parameter).has_value());
   CHECK(json.at("changes").size() == answer.changes.size());
   CHECK(json.at("phases").at("count") == 24);
 }
 
 TEST_CASE("design JSON, limit: what is infinite or does not exist is null") {
-  DesignCase input = design_of(with("[rig]", "[rig]  # stiff"));
-  input.set(DesignParameter::mu0, 0);
-  input.set(DesignParameter::amplitude, 0);
-  input.set(DesignParameter::stiffness, std::numeric_limits<double>::infinity());
+  Test input = loading_of(with("[rig]", "[rig]  # stiff"));
+  set(input, DesignParameter::mu0, 0);
+  set(input, DesignParameter::amplitude, 0);
+  set(input, DesignParameter::stiffness, std::numeric_limits<double>::infinity());
   const Json json = Json::parse(told(answer_of(input)).dump());
   CHECK(json.at("first_snap_stage").is_null());
   CHECK(json.at("parameters").at("stiffness").is_null());
@@ -44,7 +44,7 @@ TEST_CASE("design JSON, limit: what is infinite or does not exist is null") {
 }
 
 TEST_CASE("design map JSON, limit: where there is no test there are only its status and its numbers") {
-  const DesignCase input = design_of(spicule);
+  const Test input = loading_of(spicule);
   const std::vector<DesignAxis> axes{map_axis(input, "diameter=100 um:300 um:2", 2)};
   const auto points = design_map(input, axes, 1);
   const Json json = design_map_fields(axes)({points}, {});

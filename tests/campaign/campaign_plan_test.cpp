@@ -17,7 +17,7 @@ stage = "w [mm]"
 force = "F [N]"
 )";
 
-const Case& case_in(const PlannedTest& test) { return std::get<Case>(test.input); }
+const Test& case_in(const PlannedTest& test) { return std::get<Test>(test.input); }
 std::string error_in(const PlannedTest& test) { return std::get<InputError>(test.input).what(); }
 
 TEST_CASE("table: a folder gives its case files by path, broken ones with their reason, each name once") {
@@ -73,18 +73,18 @@ TEST_CASE("table: a row is a test, its keys by short or full names, units in tit
   REQUIRE(plan.size() == 2);
   CHECK(plan[0].name == "a");
   CHECK(plan[0].file == table + ":2");
-  const Case& first = case_in(plan[0]);
-  CHECK(std::get<RoundSection>(first.specimen.value().section.value()).diameter == 34.8e-6);
-  const auto& modulus = std::get<Known>(std::get<Modulus>(first.specimen->rigidity).estimate);
+  const Test& first = case_in(plan[0]);
+  CHECK(first.specimen.value().diameter == 34.8e-6);
+  const auto& modulus = std::get<Known>(first.specimen->modulus.value());
   CHECK(modulus.value == 29.6e9);
   CHECK(modulus.uncertainty == 1.5e9);
   CHECK(first.rig.value().span == 1278e-6);
   CHECK(first.record.value().until == PlaceInRecord(AtRow{267}));
   CHECK(first.record->file == (folder.path() / "a.csv").string());
-  const Case& second = case_in(plan[1]);
+  const Test& second = case_in(plan[1]);
   CHECK(second.rig.value().span == 1e-3);
   CHECK(!second.record.value().until);
-  CHECK(std::holds_alternative<ToFit>(std::get<Modulus>(second.specimen.value().rigidity).estimate));
+  CHECK(second.specimen.value().modulus == StatedStiffness{ToFit{}});
 }
 
 TEST_CASE("table: friction with a drift and its reference in columns") {
@@ -95,7 +95,8 @@ TEST_CASE("table: friction with a drift and its reference in columns") {
                                  "a.csv,1 mm,w [mm],F [N],drift,0.3,0.8,1.4\n");
   const auto plan = plan_campaign(table, std::nullopt);
   REQUIRE(plan.size() == 1);
-  CHECK(case_in(plan[0]).friction.value().profile == FrictionProfileInput{WavyFriction{0.3, 800, {}, 1.4e-3}});
+  CHECK(case_in(plan[0]).friction ==
+        FrictionInput{.model = FrictionModel::drift, .mu0 = 0.3, .drift = 800, .reference = 1.4e-3});
 }
 
 TEST_CASE("table: a bad cell fails its test, named by line and column; a column that is no key fails the table") {
@@ -106,7 +107,7 @@ TEST_CASE("table: a bad cell fails its test, named by line and column; a column 
   const auto plan = plan_campaign(bad_cell, std::nullopt);
   REQUIRE(plan.size() == 2);
   CHECK(error_in(plan[0]).find("cells.csv:2: column 'span': expected") != std::string::npos);
-  CHECK(std::holds_alternative<Case>(plan[1].input));
+  CHECK(std::holds_alternative<Test>(plan[1].input));
 
   const auto bad_column = folder.file("columns.csv", head + ",diametr\na.csv,1 mm,90 N/m,w [mm],F [N],1 um\n");
   const auto message = message_of([&] { plan_campaign(bad_column, std::nullopt); });

@@ -40,7 +40,7 @@ void write_campaign(const TemporaryFolder& folder) {
 }
 
 CampaignOptions options(unsigned threads, const std::optional<std::string>& folder = {}) {
-  const auto quick = [](const Case&) {
+  const auto quick = [](const Test&) {
     AnalysisOptions analysis;
     analysis.fit.model = ProfileModel::constant;
     return analysis;
@@ -109,7 +109,7 @@ TEST_CASE("identity: another setting, or another byte in a data file, is compute
   const auto plan = plan_campaign(folder.path().string(), std::nullopt);
   auto kept = options(2, (folder.path() / "kept").string());
   run_campaign(plan, kept);
-  kept.analysis = [quick = kept.analysis](const Case& input) {
+  kept.analysis = [quick = kept.analysis](const Test& input) {
     auto analysis = quick(input);
     analysis.suspect_limit = 0.3;
     return analysis;

@@ -10,7 +10,6 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "case/case_changes.h"
 #include "case/case_file.h"
 #include "tests/refusal.h"
 
@@ -95,14 +94,14 @@ TEST_CASE("case keys, identity: the example of each is read as it stands, and so
 }
 
 TEST_CASE("case keys, identity: a changed case is the one that says so itself") {
-  const Case changed = read_case(physical, "case.toml",
+  const Test changed = read_case(physical, "case.toml",
                                  {"rig.stiffness=200 N/m", "friction.mu0 = 0.4", "friction.other.mu0=0.3",
                                   "stage.program=[\"0 um\", \"1 mm\"]", "record.contact=find"});
   CHECK(*changed.rig->stiffness == 200);
-  CHECK(std::get<WavyFriction>(*changed.friction->profile).mu0 == 0.4);
-  CHECK(std::get<WavyFriction>(changed.friction->other->profile).mu0 == 0.3);
-  CHECK(std::get<TurningPoints>(changed.stage->programme).positions.back() == 1e-3);
-  CHECK(std::holds_alternative<ToFind>(changed.record->contact));
+  CHECK(changed.friction->mu0 == 0.4);
+  CHECK(changed.other->mu0 == 0.3);
+  CHECK(changed.stage->program.back() == 1e-3);
+  CHECK(changed.record->contact == ContactRule{ContactWord::find});
   CHECK(read_case(to_toml(changed), "case.toml").rig == changed.rig);
   CHECK(std::isinf(*read_case(physical, "case.toml", {"rig.stiffness=inf"}).rig->stiffness));
   const char* const plain = "[specimen]\n[rig]\nstiffness = 5\n";

@@ -1,5 +1,3 @@
-#include "case/problem.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "bending_test/history.h"
+#include "case/mechanics.h"
 #include "tests/design/some_design.h"
 #include "tests/refusal.h"
 
@@ -29,7 +28,7 @@ std::string at_the_axis(std::string text) {
 }
 
 History simulated(const std::string& text) {
-  const Case input = read_case(text, "case.toml");
+  const Test input = read_case(text, "case.toml");
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const StageProgramme programme = programme_of(input);
   std::vector<double> stages;

@@ -1,9 +1,8 @@
-#include "case/stage_programme.h"
-
 #include <string>
 
 #include <doctest/doctest.h>
 
+#include "case/mechanics.h"
 #include "tests/approximately.h"
 #include "tests/has.h"
 #include "tests/refusal.h"

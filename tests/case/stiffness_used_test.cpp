@@ -1,10 +1,9 @@
-#include "case/stiffness_used.h"
-
 #include <cmath>
 #include <string>
 
 #include <doctest/doctest.h>
 
+#include "case/mechanics.h"
 #include "tests/approximately.h"
 #include "tests/has.h"
 #include "tests/refusal.h"
@@ -12,7 +11,7 @@
 namespace flexslip {
 namespace {
 
-Case rod(const std::string& modulus, const std::string& rig = "") {
+Test rod(const std::string& modulus, const std::string& rig = "") {
   return read_case("[specimen]\ndiameter = \"40 um\"\n" + modulus + "\n[rig]\nspan = \"1.2 mm\"\n" + rig +
                        "\n[friction]\nmodel = \"constant\"\nmu0 = 0.5\n[stage]\nprogram = [\"0 um\", \"100 um\"]\n",
                    "rod.toml");
@@ -30,13 +29,13 @@ TEST_CASE("stiffness_used: E I of a rod, with the uncertainty stated or assumed 
   const auto assumed = bending_stiffness_of(rod("modulus = \"30 GPa\"", "stiffness = \"90 N/m\""));
   CHECK(assumed.relative_error == 0.03);
   CHECK(assumed.source == StiffnessSource::assumed_error);
-  const Case open = rod("", "stiffness = \"90 N/m\"");
+  const Test open = rod("", "stiffness = \"90 N/m\"");
   CHECK(!states_stiffness(open));
   CHECK(has(message_of([&] { bending_stiffness_of(open); }), "modulus"));
 }
 
 TEST_CASE("stiffness_used: load train and supports are springs in line, and taken apart again (identity)") {
-  const Case soft = rod("modulus = \"30 GPa\"", "stiffness = \"90 N/m\"\nsupport_stiffness = \"200 N/m\"");
+  const Test soft = rod("modulus = \"30 GPa\"", "stiffness = \"90 N/m\"\nsupport_stiffness = \"200 N/m\"");
   CHECK(load_train_stiffness_of(soft) == 90);
   CHECK(support_compliance_of(soft) == to(1e-15, 1 / 400.0));  // each support carries half the force
   CHECK(rig_stiffness_of(soft) == to(1e-15, 1 / (1 / 90.0 + 1 / 400.0)));

@@ -13,9 +13,9 @@
 namespace flexslip {
 
 TEST_CASE("design answer, limit: from displacement control a softer load train down to the critical one is offered") {
-  DesignCase input = design_of(spicule);
+  Test input = loading_of(spicule);
   const auto soft = answer_of(input);
-  input.set(DesignParameter::stiffness, std::numeric_limits<double>::infinity());
+  set(input, DesignParameter::stiffness, std::numeric_limits<double>::infinity());
   const auto stiff = answer_of(input);
   CHECK(stiff.critical == soft.critical);  // the stiffness of the design itself does not count
   REQUIRE(stiff.outcome.snaps == 0);
@@ -23,7 +23,7 @@ TEST_CASE("design answer, limit: from displacement control a softer load train d
   CHECK(stiff.changes.front().to == to(2e-4, stiff.scales.physical_stiffness(stiff.critical)));  // a hair softer
   CHECK(soft.changes.front().to == soft.scales.physical_stiffness(soft.critical));
   for (const double stiffness : {1e3, 1e5, 1e7}) {
-    input.set(DesignParameter::stiffness, stiffness);
+    set(input, DesignParameter::stiffness, stiffness);
     CHECK(answer_of(input).changes.front().to == stiff.changes.front().to);
   }
 }
@@ -31,47 +31,47 @@ TEST_CASE("design answer, limit: from displacement control a softer load train d
 TEST_CASE("design answer, limit: what is 0 can be raised to where the specimen snaps, and a hair before it does not") {
   for (const auto parameter : {DesignParameter::mu0, DesignParameter::amplitude}) {
     CAPTURE(described(parameter).name);
-    DesignCase input = design_of(spicule);
-    input.set(parameter, 0);
+    Test input = loading_of(spicule);
+    set(input, parameter, 0);
     const auto answer = answer_of(input);
     REQUIRE(answer.outcome.snaps == 0);
     const auto change = std::find_if(answer.changes.begin(), answer.changes.end(),
                                      [&](const DesignChange& found) { return found.parameter == parameter; });
     REQUIRE(change != answer.changes.end());
-    input.set(parameter, change->to * (1 - 2e-4));  // twice what the search leaves
+    set(input, parameter, change->to * (1 - 2e-4));  // twice what the search leaves
     CHECK(result_of(input).outcome->snaps == 0);
-    input.set(parameter, change->to);
+    set(input, parameter, change->to);
     CHECK(result_of(input).outcome->snaps > 0);
   }
 }
 
 TEST_CASE("design answer, identity: each change makes it otherwise, and a hair before it nothing has changed") {
-  const DesignCase input = design_of(spicule);
+  const Test input = loading_of(spicule);
   const auto answer = answer_of(input);
   REQUIRE(answer.outcome.snaps > 0);
   REQUIRE(answer.changes.size() >= 8);
   for (const auto& change : answer.changes) {
     CAPTURE(described(change.parameter).name);
     CHECK(change.outcome.snaps == 0);
-    DesignCase before = input;
-    before.set(change.parameter,
-               change.to * (change.from > change.to ? 1 + 2e-4 : 1 - 2e-4));  // twice what the search leaves
-    CHECK(outcome_of(before.planned().design).snaps > 0);
+    Test before = input;
+    set(before, change.parameter,
+        change.to * (change.from > change.to ? 1 + 2e-4 : 1 - 2e-4));  // twice what the search leaves
+    CHECK(outcome_of(design_of(before).design).snaps > 0);
   }
 }
 
 TEST_CASE("design answer, identity: what is printed of a change has few digits, and makes it otherwise, too") {
   for (const double stiffness : {3.0, 15.0, 90.0, 500.0, 5e4}) {
     CAPTURE(stiffness);
-    DesignCase input = design_of(with("40 um", "10.9 um"));
-    input.set(DesignParameter::stiffness, stiffness);
+    Test input = loading_of(with("40 um", "10.9 um"));
+    set(input, DesignParameter::stiffness, stiffness);
     const auto answer = answer_of(input);
     const bool now = answer.outcome.snaps > 0;
     for (const auto& change : answer.changes) {
       CAPTURE(described(change.parameter).name);
       const auto snaps_at = [&](double value) {
-        DesignCase there = input;
-        there.set(change.parameter, value);
+        Test there = input;
+        set(there, change.parameter, value);
         return result_of(there).outcome.value().snaps > 0;
       };
       CHECK(snaps_at(change.to) != now);
@@ -86,8 +86,8 @@ TEST_CASE("design answer, identity: what is printed of a change has few digits, 
 
 TEST_CASE(
     "design answer, limit: below the critical stiffness, where it does not snap, it can be made to on either side") {
-  DesignCase input = design_of(with("40 um", "10.9 um"));
-  input.set(DesignParameter::stiffness, 0.5);
+  Test input = loading_of(with("40 um", "10.9 um"));
+  set(input, DesignParameter::stiffness, 0.5);
   const auto answer = answer_of(input);
   REQUIRE(answer.outcome.snaps == 0);
   REQUIRE(answer.critical > answer.design.rig.stiffness);
@@ -97,7 +97,7 @@ TEST_CASE(
 
 TEST_CASE("design answer, limit: at the axis, stiffness, section and modulus change the same number") {
   const auto at_the_axis = [](std::string text) {
-    return design_of(text.replace(text.find("[rig]"), 5, "[rig]\nfriction_at = \"axis\""));
+    return loading_of(text.replace(text.find("[rig]"), 5, "[rig]\nfriction_at = \"axis\""));
   };
   const auto answer = answer_of(at_the_axis(spicule));
   double stiffness = 0, diameter = 0, modulus = 0;
@@ -121,17 +121,17 @@ TEST_CASE("design answer, limit: at the axis, stiffness, section and modulus cha
 }
 
 TEST_CASE("design answer, identity: the study of phases is the same from the next of them") {
-  DesignCase input = design_of(spicule);
+  Test input = loading_of(spicule);
   const auto usual = answer_of(input);
   const double own = usual.scales.physical_stiffness(usual.critical);
   const double worst = usual.scales.physical_stiffness(usual.phases.value().critical);
   REQUIRE(own < worst);
   for (const double stiffness : {0.5 * own, 0.5 * (own + worst), 1.001 * worst}) {  // all of them snap, some, none
     CAPTURE(stiffness);
-    input.set(DesignParameter::stiffness, stiffness);
+    set(input, DesignParameter::stiffness, stiffness);
     const auto here = answer_of(input).phases.value();
-    DesignCase turned = input;
-    turned.set(DesignParameter::phase, input.value(DesignParameter::phase) + 2 * std::numbers::pi / 24);
+    Test turned = input;
+    set(turned, DesignParameter::phase, value_of(input, DesignParameter::phase).value() + 2 * std::numbers::pi / 24);
     const auto next = answer_of(turned).phases.value();
     CHECK(here.phases == 24);
     CHECK(here.snapping == next.snapping);
@@ -141,7 +141,7 @@ TEST_CASE("design answer, identity: the study of phases is the same from the nex
     CHECK(here.largest_drop == to(1e-6, next.largest_drop));
     CHECK(here.critical == to(1e-6, next.critical));
   }
-  input.set(DesignParameter::amplitude, 0);
+  set(input, DesignParameter::amplitude, 0);
   CHECK_FALSE(answer_of(input).phases);  // no waves, no phase
 }
 

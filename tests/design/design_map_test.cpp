@@ -1,5 +1,3 @@
-#include "design/design_map.h"
-
 #include <atomic>
 #include <numbers>
 #include <string>
@@ -7,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "design/design_result.h"
 #include "tests/approximately.h"
 #include "tests/design/some_design.h"
 #include "tests/refusal.h"
@@ -14,7 +13,7 @@
 namespace flexslip {
 
 TEST_CASE("design map, identity: its points are the outcomes at its values") {
-  const DesignCase input = design_of(spicule);
+  const Test input = loading_of(spicule);
   const std::vector<DesignAxis> axes{map_axis(input, "stiffness=20 N/m:400 N/m:4", 10),
                                      map_axis(input, "mu0=0:0.6", 3)};
   CHECK(std::get<AxisRange>(axes[0].values).spacing == Spacing::logarithmic);
@@ -22,21 +21,21 @@ TEST_CASE("design map, identity: its points are the outcomes at its values") {
   const auto points = design_map(input, axes, 2);
   REQUIRE(points.size() == 12);
   for (const auto& point : points) {
-    DesignCase there = input;
-    there.set(DesignParameter::stiffness, point.values[0]);
-    there.set(DesignParameter::mu0, point.values[1]);
-    CHECK(point.result.outcome->snaps == outcome_of(there.planned().design).snaps);
+    Test there = input;
+    set(there, DesignParameter::stiffness, point.values[0]);
+    set(there, DesignParameter::mu0, point.values[1]);
+    CHECK(point.result.outcome->snaps == outcome_of(design_of(there).design).snaps);
   }
 }
 
 TEST_CASE("design map, limit: one that is stopped gives nothing") {
-  const DesignCase input = design_of(spicule);
+  const Test input = loading_of(spicule);
   const std::atomic<bool> stop = true;
   CHECK(design_map(input, {map_axis(input, "mu0=0:0.6", 3)}, 2, &stop).empty());
 }
 
 TEST_CASE("design map, contract: a range that makes no sense is refused with a remedy") {
-  const DesignCase input = design_of(spicule);
+  const Test input = loading_of(spicule);
   CHECK(message_of([&] { map_axis(input, "stiffnes=1 N/m:2 N/m", 5); }).find("did you mean 'stiffness'?") !=
         std::string::npos);
   CHECK(message_of([&] { map_axis(input, "stiffness=1:2", 5); }).find("unit") != std::string::npos);

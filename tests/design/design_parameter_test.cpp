@@ -1,10 +1,10 @@
-#include "design/design_parameter.h"
-
 #include <cmath>
 #include <set>
 #include <string_view>
 
 #include <doctest/doctest.h>
+
+#include "design/design_axis.h"
 
 namespace flexslip {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "design/design_case.h"
+#include "design/design_result.h"
 
 namespace flexslip {
 
@@ -31,6 +31,6 @@ inline std::string with(const std::string& from, const std::string& to) {
   return text;
 }
 
-inline DesignCase design_of(const std::string& text) { return DesignCase(read_case(text, "case.toml")); }
+inline Test loading_of(const std::string& text) { return one_loading_of(read_case(text, "case.toml")); }
 
 }  // namespace flexslip

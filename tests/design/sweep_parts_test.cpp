@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "design/sweep_row.h"
+#include "design/sweep_plan.h"
 #include "tests/design/some_sweep.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"

@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "design/sweep_digest.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 

@@ -1,5 +1,3 @@
-#include "design/sweep_row.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "design/design_result.h"
+#include "design/sweep_plan.h"
 #include "tests/design/some_sweep.h"
 
 namespace flexslip {

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "design/sweep_file.h"
+#include "design/sweep_parts.h"
 #include "io/durable_file.h"
 #include "tests/design/some_sweep.h"
 #include "tests/refusal.h"

@@ -146,7 +146,7 @@ class BadCase(InFolder):
         self.refuses_case(TRUTH.replace("span ", "spam "), ":8:", "did you mean 'span'?")
 
     def test_unknown_model(self):
-        self.refuses_case(TRUTH.replace('"sinusoid"', '"sinusoit"'), "[friction] model", "did you mean 'sinusoid'?")
+        self.refuses_case(TRUTH.replace('"sinusoid"', '"sinusoit"'), "[friction] model", 'did you mean "sinusoid"?')
 
     def test_specimen_as_thick_as_the_span(self):
         self.refuses_case(TRUTH.replace("34.8 um", "1278 um"), ":4:", "[specimen] diameter", "check the units")

@@ -24,7 +24,7 @@ bool has_title(const Plot& plot, const std::string& title) {
 }  // namespace
 
 TEST_CASE("design figure, identity: the record ends at the travel, and the drops drawn are as many as counted") {
-  const auto answer = answer_of(design_of(spicule));
+  const auto answer = answer_of(loading_of(spicule));
   const Plot figure = design_figure(answer);
   CHECK(table_of(figure, "record").rows.back().at(0) == to(1e-12, 700));  // µm
   const auto& drops = table_of(figure, "drops").rows;
@@ -33,13 +33,13 @@ TEST_CASE("design figure, identity: the record ends at the travel, and the drops
 }
 
 TEST_CASE("design figure, limit: displacement control has no line of its own") {
-  CHECK(has_title(design_figure(answer_of(design_of(spicule))), "This load train"));
-  const auto stiff = answer_of(design_of(with("90.65 N/m", "inf")));
+  CHECK(has_title(design_figure(answer_of(loading_of(spicule))), "This load train"));
+  const auto stiff = answer_of(loading_of(with("90.65 N/m", "inf")));
   CHECK(!has_title(design_figure(stiff), "This load train"));
 }
 
 TEST_CASE("design map figure, identity: the border runs where neighbours snap and do not") {
-  const DesignCase input = design_of(spicule);
+  const Test input = loading_of(spicule);
   const std::vector<DesignAxis> axes{map_axis(input, "stiffness=100 N/m:1000 N/m:9", 2),
                                      map_axis(input, "mu0=0.2:0.8:7", 2)};
   const auto points = design_map(input, axes, 1);
@@ -48,10 +48,10 @@ TEST_CASE("design map figure, identity: the border runs where neighbours snap an
   for (const auto& row : table_of(figure, "border").rows) {
     if (row.empty()) continue;
     // The column of the map on either side of this point of the border: one snaps and the other does not.
-    DesignCase there = input;
-    there.set(DesignParameter::mu0, row[1]);
+    Test there = input;
+    set(there, DesignParameter::mu0, row[1]);
     const auto snaps_at = [&](double stiffness) {
-      there.set(DesignParameter::stiffness, stiffness);
+      set(there, DesignParameter::stiffness, stiffness);
       return result_of(there).outcome.value().snaps > 0;
     };
     const double cell = std::pow(10, 0.13);  // 0.125 in the logarithm
@@ -60,7 +60,8 @@ TEST_CASE("design map figure, identity: the border runs where neighbours snap an
 }
 
 TEST_CASE("design map figure, contract: one axis or two") {
-  CHECK(message_of([] { design_map_figure(design_of(spicule), {}, {}); }).find("one axis or two") != std::string::npos);
+  CHECK(message_of([] { design_map_figure(loading_of(spicule), {}, {}); }).find("one axis or two") !=
+        std::string::npos);
 }
 
 }  // namespace flexslip

@@ -11,7 +11,7 @@ namespace flexslip {
 namespace {
 
 // Of a finer roughness than the example's, for more teeth.
-DesignCase fine() { return design_of(with("40 um", "10.9 um")); }
+Test fine() { return loading_of(with("40 um", "10.9 um")); }
 
 std::string all_words(const DesignAnswer& answer) {
   std::string all = design_in_short(answer);
@@ -25,8 +25,8 @@ bool holds(const std::string& text, const std::string& words) { return text.find
 
 TEST_CASE("table: the answer in a sentence, for every kind of test") {
   const auto with_value = [](DesignParameter parameter, double value) {
-    DesignCase input = fine();
-    input.set(parameter, value);
+    Test input = fine();
+    set(input, parameter, value);
     return design_in_short(answer_of(input));
   };
   CHECK(design_in_short(answer_of(fine())).starts_with("Yes, you will see a sawtooth: the force drops by up to "));
@@ -34,13 +34,13 @@ TEST_CASE("table: the answer in a sentence, for every kind of test") {
   CHECK(with_value(DesignParameter::stiffness, 600).starts_with("No sawtooth, but a wavy force"));
   CHECK(with_value(DesignParameter::mu0, 0).ends_with("past a smooth peak of the force."));
   CHECK(with_value(DesignParameter::travel, 300e-6).ends_with("and the force never falls."));
-  DesignCase waves = fine();  // too small to be seen, past the peak of the force
-  waves.set(DesignParameter::amplitude, 0.0015);
-  waves.set(DesignParameter::wavelength, 400e-9);
+  Test waves = fine();  // too small to be seen, past the peak of the force
+  set(waves, DesignParameter::amplitude, 0.0015);
+  set(waves, DesignParameter::wavelength, 400e-9);
   CHECK(design_in_short(answer_of(waves)).starts_with("No visible sawtooth: the specimen will snap "));
-  DesignCase coarse = fine();
-  coarse.set(DesignParameter::travel, 466e-6);
-  coarse.set(DesignParameter::step, 233e-6);
+  Test coarse = fine();
+  set(coarse, DesignParameter::travel, 466e-6);
+  set(coarse, DesignParameter::step, 233e-6);
   CHECK(design_in_short(answer_of(coarse)).ends_with("but readings 233 µm apart will not show it."));
 }
 
@@ -58,10 +58,10 @@ TEST_CASE("identity: the words say the numbers of the answer") {
 }
 
 TEST_CASE("limit: what is infinite, or nothing, is told in words") {
-  DesignCase input = fine();
-  input.set(DesignParameter::stiffness, std::numeric_limits<double>::infinity());
+  Test input = fine();
+  set(input, DesignParameter::stiffness, std::numeric_limits<double>::infinity());
   CHECK(holds(all_words(answer_of(input)), "This rig has infinite stiffness."));
-  input.set(DesignParameter::mu0, 0);
+  set(input, DesignParameter::mu0, 0);
   const std::string slippery = all_words(answer_of(input));
   CHECK(holds(slippery, "No load train, however soft, lets the specimen snap"));
   CHECK_FALSE(holds(slippery, "nan"));

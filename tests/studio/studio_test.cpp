@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "bending_test/stage_steps.h"
-#include "case/problem.h"
-#include "case/simulation.h"
+#include "case/mechanics.h"
+#include "case/simulated_test.h"
 #include "fibre/elastica.h"
 #include "tests/unit.h"
 
@@ -47,7 +47,7 @@ std::string case_of(const studio::RigInput& rig, const std::string& friction, co
 }
 
 Simulation simulated_by_case(const std::string& text) {
-  const Case input = read_case(std::string_view(text), "case.toml");
+  const Test input = read_case(std::string_view(text), "case.toml");
   const Scales scales = scales_of(input, bending_stiffness_of(input));
   const StageProgramme programme = programme_of(input);
   const BendingTest test = bending_test_of(input, scales, scales.reduced_length(programme.farthest));

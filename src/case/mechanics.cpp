@@ -1,0 +1,642 @@
+#include "case/mechanics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "bending_test/stage_steps.h"
+#include "case/surface_study.h"
+#include "contact/build_up.h"
+#include "contact/capped.h"
+#include "contact/on_slopes.h"
+#include "contact/over_rollers.h"
+#include "data/names.h"
+#include "fibre/elastica.h"
+#include "fibre/limits.h"
+#include "inference/stiffness_from_slope.h"
+#include "instruments/trace_file.h"
+#include "io/quantity.h"
+#include "io/table.h"
+#include "surface/slope_friction.h"
+
+namespace flexslip {
+namespace {
+
+// How fine friction may be.
+constexpr double most_periods = 1e6;         // of a wave: what trace_loading_curve takes, half a minute
+constexpr double finest_period = 1e-9;       // [L] of a wave, likewise
+constexpr double most_correlations = 2.4e5;  // of a rough profile, which has four knots to each
+
+// What the test says of the bending stiffness, if it says something.
+std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
+  if (!test.specimen) return std::nullopt;
+  const auto& [product, modulus] = std::pair(test.specimen->bending_stiffness, test.specimen->modulus);
+  const auto& estimate = product ? product : modulus;
+  const Known* known = estimate ? std::get_if<Known>(&*estimate) : nullptr;
+  if (!known) return std::nullopt;
+  const bool has_error = known->uncertainty > 0;
+  constexpr double most_error = 0.3;  // beyond it the fit would be that of another specimen
+  if (known->uncertainty > most_error * known->value)
+    throw wrong_value(test, product ? "specimen.bending_stiffness" : "specimen.modulus",
+                      "an uncertainty of at most 30 % of the value",
+                      fmt::format("{:.0f} %", 100 * known->uncertainty / known->value),
+                      "write \"fit\" to find it from the initial slope");
+  BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : usual_stiffness_error,
+                            has_error ? StiffnessSource::stated : StiffnessSource::assumed_error};
+  if (product) return used;
+  const auto section = section_of(test);
+  if (!section) throw missing(test, "specimen.diameter");
+  used.value *= second_moment(*section);
+  return used;
+}
+
+// All positions at which the stage turns, halts or ends, cycle by cycle.
+std::vector<double> written_out(const StageInput& stage) {
+  std::vector<double> turns{stage.program.front()};
+  turns.reserve(1 + stage.cycles * (stage.program.size() - 1));
+  for (std::uint64_t cycle = 0; cycle < stage.cycles; ++cycle)
+    turns.insert(turns.end(), stage.program.begin() + 1, stage.program.end());
+  return turns;
+}
+
+StageProgramme stated_programme(const Test& test) {
+  const auto& positions = test.stage->program;
+  const auto farthest = std::max_element(positions.begin(), positions.end());
+  const std::string key = fmt::format("stage.program[{}]", farthest - positions.begin() + 1);
+  if (!(*farthest >= nearest_reduced * span_of(test)))
+    throw wrong_value(test, fmt::format("stage.program[{}]", positions.size()),
+                      fmt::format("a position of at least {:g} spans", nearest_reduced),
+                      readable_length(test, positions.back()));
+  if (!(*farthest <= farthest_reduced * span_of(test)))
+    throw wrong_value(test, key, fmt::format("a position within {:g} spans", farthest_reduced),
+                      readable_length(test, *farthest), "check its unit");
+  std::vector<double> turns = written_out(*test.stage);
+  if (!test.stage->step) return {std::move(turns), *farthest, false, false};
+  return {stage_steps(turns, *test.stage->step), *farthest, true, false};
+}
+
+StageProgramme measured_programme(const Test& test) {
+  const StageInput& measured = *test.stage;
+  std::vector<WantedColumn> wanted{{*measured.stage, kind_in(test, kind::length)}};
+  if (measured.time) wanted.push_back({*measured.time, kind_in(test, kind::time)});
+  Table table = read_table(*measured.file, wanted, measured.decimal);
+  const auto refuse = [&](std::size_t row, const Column& column, std::string expected, std::string found,
+                          std::string remedy) {
+    throw InputError({.file = table.source,
+                      .line = table.line_of(row),
+                      .field = fmt::format("column {}", in_quotes(column.name)),
+                      .expected = std::move(expected),
+                      .found = std::move(found),
+                      .remedy = std::move(remedy)});
+  };
+  const Column& stage = table.columns.front();
+  const double span = span_of(test);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double position = stage.values[row];
+    if (position < 0)
+      refuse(row, stage, "a stage position of at least 0, the point of contact", readable_length(test, position),
+             "count the stage from where it touches the specimen, and leave out the rows before");
+    if (!(position <= farthest_reduced * span))
+      refuse(row, stage, fmt::format("a stage position within {:g} spans", farthest_reduced),
+             readable_length(test, position), "check its unit");
+    if (!measured.time || row == 0) continue;
+    const Column& time = table.columns[1];
+    if (time.values[row] < time.values[row - 1])
+      refuse(row, time,
+             fmt::format("a time no earlier than in the previous row, {}",
+                         readable(time.values[row - 1], kind_in(test, kind::time))),
+             readable(time.values[row], kind_in(test, kind::time)), "sort the rows by time");
+  }
+  const auto farthest = std::max_element(stage.values.begin(), stage.values.end());
+  if (!(*farthest >= nearest_reduced * span))
+    refuse(static_cast<std::size_t>(farthest - stage.values.begin()), stage,
+           fmt::format("a stage that moves to at least {:g} spans", nearest_reduced),
+           readable_length(test, *farthest) + " as the farthest", "check the unit");
+  const double reach = *farthest;
+  return {std::move(table.columns.front().values), reach, true, true};
+}
+
+// Does the stage ever unload?
+bool turns_back(const Test& test) {
+  if (!test.stage) return false;
+  const auto positions = test.stage->file ? programme_of(test).positions : written_out(*test.stage);
+  return !std::is_sorted(positions.begin(), positions.end());
+}
+
+void require_slender(const Test& test) {
+  const auto section = section_of(test);
+  if (!section) return;
+  const double thickness = depth(*section);
+  const double span = span_of(test);
+  if (thickness < thickest * span) return;
+  throw ImpossibleTest(wrong_value(
+      test, depth_key(*section),
+      fmt::format("less than a fifth of the span of {}, for beam theory to hold", readable_length(test, span)),
+      readable_length(test, thickness), "check the units of both, or use flexslip modulus"));
+}
+
+// The friction of a support in a test.
+struct Side {
+  const Test& test;
+  const FrictionInput& friction;
+  std::string section;  // "friction" or "friction.other"
+
+  InputError wrong(std::string_view name, std::string expected, std::string found, std::string remedy) const {
+    return wrong_value(test, fmt::format("{}.{}", section, name), std::move(expected), std::move(found),
+                       std::move(remedy));
+  }
+};
+
+// A table, over lengths [m].
+FrictionTable read_friction_table(const Side& side) {
+  const Test& test = side.test;
+  const Kind length_kind = kind_in(test, kind::length);
+  const Table table = read_table(
+      *side.friction.file, {{*side.friction.length, length_kind}, {side.friction.mu.value_or("mu"), kind::number}});
+  const auto refuse = [&](std::size_t row, std::size_t column, std::string expected, double found, const Kind& kind) {
+    throw InputError({.file = table.source,
+                      .line = table.line_of(row),
+                      .field = fmt::format("column {}", in_quotes(table.columns[column].name)),
+                      .expected = std::move(expected),
+                      .found = readable(found, kind)});
+  };
+  FrictionTable friction{table.columns[0].values, table.columns[1].values};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (row > 0 && !(friction.S[row] > friction.S[row - 1]))
+      refuse(row, 0, "a length greater than in the previous row", friction.S[row], length_kind);
+    if (friction.mu[row] < 0) refuse(row, 1, "friction of at least 0", friction.mu[row], kind::number);
+  }
+  if (const double span = span_of(test); !(friction.S.back() / span > 1))
+    refuse(table.rows() - 1, 0,
+           fmt::format("lengths between the supports, which grow from the span of {}", readable_length(test, span)),
+           friction.S.back(), length_kind);
+  return friction;
+}
+
+// Between the heights of the trace, from midspan; the flat surface's beyond its ends. Over lengths [m].
+FrictionTable read_surface(const Side& side) {
+  const Test& test = side.test;
+  const FrictionInput& surface = side.friction;
+  const double mu0 = *surface.mu0, half_span = 0.5 * span_of(test);
+  const Kind length = kind_in(test, kind::length);
+  TraceOptions options;
+  options.position = surface.position.value_or("");
+  options.height = surface.height.value_or("");
+  options.step = surface.trace_step;
+  const TraceFile file = read_trace(*surface.trace, options, length);
+  const double radius = surface.edge_radius.value_or(test.rig->roller_radius.value_or(0));
+  PreparedTrace ready = prepared(file.sampled, surface.level, surface.cutoff, radius);
+  const bool is_inwards = surface.direction == TraceDirection::inwards;
+  for (const bool turned : {false, true}) {
+    if (turned && is_inwards) std::reverse(ready.path.begin(), ready.path.end());
+    if (const auto fault = too_steep(ready.path, ready.trace.step, mu0, most_apparent, false))
+      throw refusal_of(*fault, ready.trace, mu0, file.source, length);
+  }
+  const double begin = surface.trace_begin.value_or(half_span);
+  const double step = ready.trace.step, extent = step * static_cast<double>(ready.path.size() - 1);
+  const double first = is_inwards ? begin - extent : begin;
+  if (!(first + extent > half_span))
+    throw side.wrong(
+        "trace_begin",
+        fmt::format("a trace that reaches beyond the support, {} from midspan", readable_length(test, half_span)),
+        fmt::format("one that ends at {}", readable_length(test, first + extent)),
+        "check its unit, that of the trace, and direction");
+  FrictionTable table;
+  const auto add = [&](double s, double mu) {
+    if (!(s > 0)) return;
+    table.S.push_back(2 * s);
+    table.mu.push_back(mu);
+  };
+  const SlopeFriction shown = friction_of_heights(ready.path, step, mu0);
+  add(first - 0.5 * step, mu0);
+  for (std::size_t i = 0; i < shown.mu.size(); ++i) add(first + step * (static_cast<double>(i) + 0.5), shown.mu[i]);
+  add(first + extent + 0.5 * step, mu0);
+  return table;
+}
+
+// What a file of the friction holds, if it has one.
+std::shared_ptr<const FrictionTable> points_of(const Side& side) {
+  const FrictionInput& friction = side.friction;
+  if (friction.points) return friction.points;
+  if (friction.file) return std::make_shared<const FrictionTable>(read_friction_table(side));
+  if (friction.trace) return std::make_shared<const FrictionTable>(read_surface(side));
+  return nullptr;
+}
+
+Friction of_points(const Side& side, const FrictionTable& points, const Scales& scales) {
+  FrictionTable reduced = points;
+  for (double& S : reduced.S) S = scales.reduced_length(S);
+  if (!(reduced.S.back() > 1 && std::isfinite(reduced.S.back())))
+    throw ImpossibleTest(wrong_value(side.test, "rig.span", "less than the last length of the friction table",
+                                     readable_length(side.test, scales.span())));
+  return Friction::table(std::move(reduced));
+}
+
+Friction of_roughness(const Side& side, const Scales& scales, double S_max) {
+  const double correlation_length = scales.reduced_length(*side.friction.correlation_length);
+  if (!((S_max - 1) / correlation_length <= most_correlations))
+    throw side.wrong("correlation_length",
+                     fmt::format("at least {:.0e} of the length pulled in", 1 / most_correlations),
+                     readable_length(side.test, *side.friction.correlation_length), "check its unit");
+  return Friction::rough(*side.friction.mu0, *side.friction.rms, correlation_length, *side.friction.seed, S_max);
+}
+
+// Without a reference the mean holds at the span.
+Friction of_waves(const Side& side, const Scales& scales, double S_max) {
+  const auto& [test, friction, section] = side;
+  FrictionWaves waves{*friction.mu0, friction.drift.value_or(0) * scales.span(), {}};
+  if (friction.reference) {
+    constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
+    waves.S_reference = scales.reduced_length(*friction.reference);
+    if (!(waves.S_reference >= 1 - rounding && waves.S_reference <= farthest_reduced))
+      throw ImpossibleTest(side.wrong("reference",
+                                      fmt::format("a length between the supports, from the span of {} to {:g} spans",
+                                                  readable_length(test, scales.span()), farthest_reduced),
+                                      readable_length(test, *friction.reference), "check its unit"));
+  }
+  const auto add = [&](const std::string& name, double amplitude, double wavelength, double phase) {
+    waves.terms.push_back({amplitude, scales.reduced_length(wavelength), phase});
+    const double period = 2 * waves.terms.back().wavelength;
+    if (!((S_max - 1) / period <= most_periods && period >= finest_period && std::isfinite(period)))
+      throw side.wrong(name, fmt::format("at most {:.0e} periods along the specimen", most_periods),
+                       readable_length(test, wavelength), "check its unit");
+  };
+  if (friction.model == FrictionModel::sinusoid)
+    add("wavelength", *friction.amplitude, *friction.wavelength, friction.phase.value_or(0));
+  for (std::size_t i = 0; i < friction.waves.size(); ++i)
+    add(fmt::format("waves[{}].wavelength", i + 1), friction.waves[i].amplitude, friction.waves[i].wavelength,
+        friction.waves[i].phase.value_or(0));
+  return Friction::waves(std::move(waves));
+}
+
+// What friction there may be, in words: "friction of at most 20".
+std::string friction_limit(const Fibre& fibre) {
+  return fmt::format("friction of at most {:g}{}", fibre.most_friction(), fibre.on_edges() ? "" : " at the surface");
+}
+
+// The friction of a support as asked for, and the fibre that is to meet it at lengths up to S_max [L].
+struct Asked {
+  const Side& side;
+  const Friction& kinetic;
+  const Fibre& fibre;
+  const Scales& scales;
+  double S_max;
+
+  // [1/L] How steep it may be.
+  double limit_of(const Fibre& on) const { return steepest_followed(on, kinetic.most_up_to(S_max), S_max); }
+  std::string length(double reduced) const { return readable_length(side.test, scales.physical_length(reduced)); }
+};
+
+// [L] The greatest radius of rollers on which so steep a profile is followed; none where it is not on edges either.
+std::optional<double> widest_that_follows(const Asked& asked) {
+  const Supports& supports = asked.fibre.supports();
+  const auto follows = [&](double radius) {
+    return asked.kinetic.steepest() < asked.limit_of(Fibre({radius, supports.half_depth}));
+  };
+  if (!follows(0)) return std::nullopt;
+  double good = 0, bad = supports.radius;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (good + bad);
+    (follows(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
+// What would be followed instead of a profile that is so many times too steep.
+std::string less_steep(const Asked& asked, double excess) {
+  constexpr double rounding = 1e-3;  // of the four digits that a quantity is shown in
+  const double enough = excess * (1 + rounding);
+  const auto* waves = std::get_if<FrictionWaves>(&asked.kinetic.form());
+  std::string words = "write a profile that is less steep";
+  if (asked.side.friction.model == FrictionModel::rough)
+    words = fmt::format("write at least {}",
+                        readable_length(asked.side.test, *asked.side.friction.correlation_length * enough));
+  else if (waves && waves->terms.empty())
+    words = "write a smaller one";
+  else if (waves && waves->terms.size() == 1 && waves->drift == 0)
+    words = fmt::format("write a wavelength of at least {}", asked.length(waves->terms.front().wavelength * enough));
+  if (asked.fibre.supports().radius == 0) return words + ", or [rig] friction_at = \"axis\"";
+  const auto widest = widest_that_follows(asked);
+  if (!widest) return words;
+  return fmt::format("{}, or a roller_radius of at most {}", words, asked.length(*widest * (1 - rounding)));
+}
+
+// Refuses friction that changes so fast along the specimen that the point that touches would jump.
+void require_followed(const Asked& asked) {
+  const auto& [side, kinetic, fibre, scales, S_max] = asked;
+  const double steepest = kinetic.steepest();
+  if (steepest == 0 || fibre.on_edges()) return;
+  const double limit = asked.limit_of(fibre);
+  if (steepest < limit) return;
+  const auto* waves = std::get_if<FrictionWaves>(&kinetic.form());
+  const FrictionModel model = *side.friction.model;
+  throw side.wrong(model == FrictionModel::rough      ? "correlation_length"
+                   : model == FrictionModel::surface  ? "trace"
+                   : model == FrictionModel::table    ? "file"
+                   : !waves || waves->terms.empty()   ? "drift"
+                   : model == FrictionModel::sinusoid ? "wavelength"
+                                                      : "waves",
+                   fmt::format("friction that changes by less than {} with the length between the {}, as the point of "
+                               "contact moves with friction on these and would jump",
+                               readable(limit / scales.span(), kind_in(side.test, kind::inverse_length)),
+                               fibre.supports().radius > 0 ? "contacts" : "supports"),
+                   fmt::format("up to {:.5g} times as much", steepest / limit), less_steep(asked, steepest / limit));
+}
+
+// Refuses what the mechanics of a fibre does not cover: more than its most_friction, or steeper than steepest_followed.
+void require_covered(const Asked& asked) {
+  const auto& [side, kinetic, fibre, scales, S_max] = asked;
+  const double most = kinetic.most_up_to(S_max);
+  const double limit = fibre.most_friction();
+  if (most <= limit) return require_followed(asked);
+  const std::string expected = friction_limit(fibre), found = fmt::format("{:g}", most);
+  switch (*side.friction.model) {
+    case FrictionModel::rough:
+      throw side.wrong("mu0", expected + ", its roughness included", found, "write a smaller mu0 or rms");
+    case FrictionModel::surface:
+      throw side.wrong("mu0", expected + ", on the slopes of its trace", found, "write a smaller mu0, or a cutoff");
+    case FrictionModel::table:
+      throw side.wrong("file", expected, found, "check the column of friction");
+    default:
+      break;
+  }
+  const auto& waves = std::get<FrictionWaves>(kinetic.form());
+  double without_drift = waves.mu0;
+  for (const Sinusoid& term : waves.terms) without_drift += waves.mu0 * term.amplitude;
+  const std::string of_all = expected + ", its waves and drift included";
+  if (!(without_drift <= limit)) throw side.wrong("mu0", of_all, found, "write a smaller mu0");
+  throw side.wrong(
+      "drift", of_all,
+      fmt::format("{}, which takes friction from {:g} at {} to {:g} at {}",
+                  readable(waves.drift / scales.span(), kind_in(side.test, kind::inverse_length)), without_drift,
+                  asked.length(waves.S_reference), most, asked.length(waves.drift > 0 ? S_max : 1)),
+      waves.S_reference == 1 ? "check its unit, or bend less far" : "check its unit, and that of reference");
+}
+
+// The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: of two supports that are not alike
+// one may slide alone.
+double one_sided_reach(const Test& test, double S_max) { return test.other ? 1 + 2 * (S_max - 1) : S_max; }
+
+Friction friction_of(const Side& side, const Fibre& fibre, const Scales& scales, double S_max) {
+  const double reach = one_sided_reach(side.test, S_max);
+  const auto points = points_of(side);
+  Friction friction = points                                        ? of_points(side, *points, scales)
+                      : side.friction.model == FrictionModel::rough ? of_roughness(side, scales, reach)
+                                                                    : of_waves(side, scales, reach);
+  require_covered({side, friction, fibre, scales, reach});
+  const auto pins = pin_limit_of(side.test);
+  return pins ? capped(friction, *pins, reach) : friction;
+}
+
+Friction built_up(const Test& test, Friction friction, const Fibre& fibre, const Scales& scales, double S_max) {
+  const double build_up_length = *test.friction->build_up_length;
+  if (fibre.supports().radius > 0)
+    throw wrong_value(test, "friction.build_up_length", "none on rollers", readable_length(test, build_up_length),
+                      "delete it, or roller_radius");
+  try {
+    return Friction::on_a_way(
+        std::make_shared<const BuildUp>(std::move(friction), scales.reduced_length(build_up_length), S_max));
+  } catch (const std::invalid_argument& error) {
+    throw wrong_value(test, "friction.build_up_length",
+                      fmt::format("at least {} with such a friction profile",
+                                  readable_length(test, scales.physical_length(2e-5 * (S_max - 1)))),
+                      readable_length(test, build_up_length), fmt::format("delete it ({})", error.what()));
+  }
+}
+
+// Of a surface that is climbed on the way in and come down on the way out, on edges that are alike.
+// Fails:      InputError where that is not covered: two surfaces, rollers, friction that builds up, an excess at rest, or slopes on which the specimen
+//             would slide out by itself.
+Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fibre, const Scales& scales) {
+  const FrictionInput& friction = *test.friction;
+  const auto refuse = [&](std::string_view key, const std::string& found) {
+    throw wrong_value(test, key, "a surface on two equal edges, as the stage turns back", found,
+                      "delete it, or let the stage only load: a surface has another friction on the way back");
+  };
+  if (test.other) refuse("friction.other", "another support");
+  if (fibre.supports().radius > 0) refuse("rig.roller_radius", "rollers");
+  if (friction.build_up_length.value_or(0) > 0)
+    refuse("friction.build_up_length", readable_length(test, *friction.build_up_length));
+  if (friction.static_excess.value_or(0) > 0)
+    refuse("friction.static_excess", fmt::format("{:g}", *friction.static_excess));
+  if (test.stage->snaps == SnapRest::overshoot) refuse("stage.snaps", "\"overshoot\"");
+  FrictionTable out = std::get<FrictionTable>(inwards.form());
+  const double mu0 = *friction.mu0;
+  for (std::size_t i = 0; i < out.mu.size(); ++i) {
+    out.mu[i] = friction_on_the_way_back(out.mu[i], mu0);
+    if (out.mu[i] > 0 && out.mu[i] <= fibre.most_friction()) continue;
+    throw wrong_value(
+        test, "friction.trace",
+        fmt::format("slopes below the friction of {:g} in both directions, as the stage turns back", mu0),
+        fmt::format("a steeper one at the length {}", readable_length(test, scales.physical_length(out.S[i]))),
+        "write a cutoff or an edge_radius, or let the stage only load");
+  }
+  return Friction::on_a_way(std::make_shared<const OnSlopes>(inwards, Friction::table(std::move(out))));
+}
+
+}  // namespace
+
+std::string_view name_of(StiffnessSource source) {
+  return name_in_order<StiffnessSource::mirror>(
+      source, {"stated", "stated_without_uncertainty", "initial_slope", "mirror_symmetry"});
+}
+
+double span_of(const Test& test) {
+  if (!test.rig) throw missing(test, "rig");
+  if (!test.rig->span) throw missing(test, "rig.span");
+  return *test.rig->span;
+}
+
+double load_train_stiffness_of(const Test& test) {
+  if (!test.rig) throw missing(test, "rig");
+  if (!test.rig->stiffness) throw missing(test, "rig.stiffness");
+  return *test.rig->stiffness;
+}
+
+double support_compliance_of(const Test& test) {
+  return test.rig && test.rig->support_stiffness ? 0.5 / *test.rig->support_stiffness : 0;
+}
+
+double rig_stiffness_of(const Test& test) {
+  return with_supports(load_train_stiffness_of(test), support_compliance_of(test));
+}
+
+bool states_stiffness(const Test& test) { return stated_stiffness(test).has_value(); }
+
+BendingStiffnessUsed bending_stiffness_of(const Test& test) {
+  if (const auto stated = stated_stiffness(test)) return *stated;
+  if (!test.specimen) throw missing(test, "specimen");
+  throw missing(test, test.specimen->bending_stiffness ? "specimen.bending_stiffness" : "specimen.modulus");
+}
+
+BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& measurement) {
+  if (const auto stated = stated_stiffness(test)) return *stated;
+  const double span = span_of(test);
+  const auto slope = stiffness_from_slope(measurement.record, span);
+  if (!slope.found)
+    throw InputError({.file = measurement.file,
+                      .expected = "a force that rises from contact over at least 5 rows, to find the bending stiffness",
+                      .found = "none",
+                      .remedy = "write the modulus or bending_stiffness into [specimen]"});
+  return {slope.value, slope.relative_error, StiffnessSource::initial_slope};
+}
+StageProgramme programme_of(const Test& test) {
+  if (!test.stage) throw missing(test, "stage");
+  return test.stage->file ? measured_programme(test) : stated_programme(test);
+}
+
+Scales scales_of(const Test& test, const BendingStiffnessUsed& stiffness) {
+  const double span = span_of(test);
+  require_slender(test);
+  try {
+    return {span, stiffness.value};
+  } catch (const std::invalid_argument& error) {
+    throw wrong_value(test, "specimen", "a bending stiffness and a span that a computer can hold", error.what());
+  }
+}
+
+Scales scales_of(const Test& test) { return scales_of(test, bending_stiffness_of(test)); }
+
+Supports supports_of(const Test& test, const Scales& scales) {
+  const RigInput& rig = *test.rig;
+  const auto section = section_of(test);
+  const bool is_thick = section && rig.friction_at == FrictionAt::surface;
+  const Supports supports{scales.reduced_length(rig.roller_radius.value_or(0)),
+                          is_thick ? 0.5 * scales.reduced_length(depth(*section)) : 0};
+  if (!(supports.radius + supports.half_depth < widest_supports))
+    throw wrong_value(
+        test, "rig.roller_radius",
+        fmt::format("a roller radius and half a thickness that add up to less than {:g} spans", widest_supports),
+        fmt::format("{:g} and {:g} spans", supports.radius, supports.half_depth),
+        "check the units of both, and the span");
+  return supports;
+}
+
+Fibre fibre_of(const Test& test, const Scales& scales) {
+  if (test.rig->rollers == Rollers::loose)
+    throw wrong_value(test, "rig.rollers", "rollers that hold the specimen by friction", "\"loose\"",
+                      "write \"fixed\" or \"pinned\"; flexslip simulate shows what happens on loose rollers");
+  return Fibre(supports_of(test, scales));
+}
+
+Rig rig_of(const Test& test, const Scales& scales) {
+  return {scales.reduced_stiffness(rig_stiffness_of(test)), fibre_of(test, scales)};
+}
+
+std::optional<double> pin_limit_of(const Test& test) {
+  if (!test.rig || test.rig->rollers != Rollers::pinned) return std::nullopt;
+  return friction_of_pins(*test.rig->pin_friction, *test.rig->pin_radius, *test.rig->roller_radius);
+}
+
+Friction first_friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max) {
+  if (!test.friction) throw missing(test, "friction");
+  const FrictionInput& friction = *test.friction;
+  if (!friction.model) throw missing(test, "friction.model");
+  if (friction.model == FrictionModel::roughness)
+    throw wrong_value(test, "friction.model", "a model to compute with", "'roughness', which can only be fitted",
+                      "write a model to compute with, such as model = \"constant\", or \"rough\" with its parameters");
+  if (!friction.has_parameters())
+    throw missing(test, friction.model == FrictionModel::table ? "friction.file" : "friction.mu0");
+  return friction_of({test, friction, "friction"}, fibre, scales, S_max);
+}
+
+Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max) {
+  Friction first = first_friction_of(test, fibre, scales, S_max);
+  std::optional<Friction> other;
+  if (test.other) other = friction_of({test, *test.other, "friction.other"}, fibre, scales, S_max);
+  if (test.friction->build_up_length.value_or(0) > 0) return built_up(test, std::move(first), fibre, scales, S_max);
+  if (!other) return first;
+  if (fibre.supports().radius > 0)
+    throw wrong_value(test, "rig.roller_radius", "edges, as [friction.other] says that the supports differ", "rollers",
+                      "delete it, or [friction.other]");
+  return Friction::on_two_supports(std::move(first), *std::move(other), S_max);
+}
+
+Test with_files_read(Test test) {
+  if (test.friction) test.friction->points = points_of({test, *test.friction, "friction"});
+  if (test.other) test.other->points = points_of({test, *test.other, "friction.other"});
+  return test;
+}
+
+BendingTest bending_test_of(const Test& test, const Scales& scales, double farthest) {
+  if (!test.rig->pins_turn())
+    throw ImpossibleTest(wrong_value(test, "rig.pin_friction", "less than the ratio of the radii of roller and pin",
+                                     fmt::format("{:g}", *test.rig->pin_friction)));
+  const Rig rig = rig_of(test, scales);
+  if (!(farthest / (1 + 48 / rig.stiffness) >= nearest_reduced))
+    throw ImpossibleTest(wrong_value(
+        test, "rig.stiffness", fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
+        readable(load_train_stiffness_of(test), kind_in(test, kind::stiffness)), "check its unit"));
+  const double S_max = longest_at_stage(farthest);
+  Friction kinetic = friction_of(test, rig.fibre, scales, S_max);
+  const bool climbs_surface = test.friction->trace || (test.other && test.other->trace);
+  if (climbs_surface && turns_back(test)) kinetic = on_both_ways(test, kinetic, rig.fibre, scales);
+  const double excess = test.friction->static_excess.value_or(0);
+  const double most = kinetic.most_up_to(S_max) + excess;
+  const auto refuse = [&](std::string_view key, std::string expected, std::string found, std::string remedy) {
+    throw wrong_value(test, key, std::move(expected), std::move(found), std::move(remedy));
+  };
+  if (excess > 0 && most > rig.fibre.most_friction())
+    refuse("friction.static_excess", "static " + friction_limit(rig.fibre),
+           fmt::format("{:g}, which raises it to {:g}", excess, most), "write a smaller one");
+  if (excess > 0 && rig.fibre.supports().radius > 0)
+    refuse("friction.static_excess", "no excess of static over kinetic friction on rollers",
+           fmt::format("{:g}", excess), "delete it, or roller_radius");
+  const SnapRest snaps = test.stage ? test.stage->snaps : SnapRest::nearest_stable;
+  if (kinetic.walk() && snaps == SnapRest::overshoot)
+    refuse("stage.snaps", "snaps that rest at the nearest stable state, as the two supports differ", "\"overshoot\"",
+           "delete it, or [friction.other]");
+  if (!kinetic.lets_stick() && snaps == SnapRest::overshoot)
+    refuse("stage.snaps", "snaps that rest at the nearest stable state, as friction builds up", "\"overshoot\"",
+           "delete it, or [friction] build_up_length");
+  if (!kinetic.lets_stick() && test.specimen && !test.specimen->cracks.empty())
+    refuse("specimen.cracks", "a specimen without cracks, as friction builds up",
+           fmt::format("{} of them", test.specimen->cracks.size()), "delete them, or [friction] build_up_length");
+  return {{std::move(kinetic), Friction::constant(excess)}, rig, snaps};
+}
+
+double periods_up_to(const Friction& friction, double stage) {
+  constexpr double scales_a_period = 4;
+  const double drawn_in = 2.5 * stage * stage;  // S - 1, a deflection as far as the stage
+  return drawn_in / (scales_a_period * friction.smooth_scale());
+}
+
+std::optional<SurfaceStrain> surface_of(const Test& test, const Scales& scales) {
+  const auto section = section_of(test);
+  return section ? std::optional(SurfaceStrain(*section, scales)) : std::nullopt;
+}
+
+double breaking_curvature_of(const Test& test, const Scales& scales) {
+  const auto surface = surface_of(test, scales);
+  if (surface && test.specimen->strain_at_break) return surface->curvature_at_strain(*test.specimen->strain_at_break);
+  if (surface && test.specimen->strength) return surface->curvature_at_stress(*test.specimen->strength);
+  return infinity;
+}
+
+double nose_curvature_of(const Test& test, const Scales& scales) {
+  if (!test.rig || !test.rig->nose_radius) return infinity;
+  const auto section = section_of(test);
+  return 1 / scales.reduced_length(*test.rig->nose_radius + (section ? 0.5 * depth(*section) : 0));
+}
+
+std::vector<Crack> cracks_of(const Test& test, const Scales& scales) {
+  std::vector<Crack> cracks;
+  for (const CrackInput& crack : test.specimen->cracks)
+    cracks.push_back({scales.reduced_length(crack.deflection), crack.loss});
+  return cracks;
+}
+
+MeasurementErrors errors_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness,
+                            const Scales& scales) {
+  return {.force = scales.reduced_force(measurement.force_noise),
+          .bending_stiffness = stiffness.relative_error,
+          .contact = scales.reduced_length(measurement.contact_error)};
+}
+
+}  // namespace flexslip
