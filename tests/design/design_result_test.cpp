@@ -1,17 +1,144 @@
 #include "design/design_result.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "bending_test/rig.h"
+#include "case/mechanics.h"
+#include "tests/approximately.h"
 #include "tests/design/some_design.h"
 #include "tests/generators.h"
+#include "tests/has.h"
+#include "tests/refusal.h"
 
 namespace flexslip {
+namespace {
+
+std::string refusal_of(const std::string& text) {
+  return message_of([&] { loading_of(text); });
+}
+
+}  // namespace
+
+TEST_CASE("one loading, identity: unchanged, it is the test that the case describes") {
+  const Test input = read_case(spicule, "case.toml");
+  const Design design = design_of(one_loading_of(input)).design;
+  const Scales scales = scales_of(input, bending_stiffness_of(input));
+  CHECK(design.rig.stiffness == rig_of(input, scales).stiffness);
+  CHECK(design.travel == scales.reduced_length(700e-6));
+  CHECK(design.step == scales.reduced_length(2e-6));
+  const Friction friction = friction_of(input, Fibre(), scales, 2);
+  for (const double S : {1.0, 1.1, 1.37}) CHECK(design.friction.at(S).mu == friction.at(S).mu);
+}
+
+TEST_CASE("one loading, identity: a number set is the same as one read") {
+  Test varied = loading_of(spicule);
+  set(varied, DesignParameter::span, 1500e-6);
+  set(varied, DesignParameter::diameter, 40e-6);
+  set(varied, DesignParameter::wavelength, 20e-6);
+  std::string text = with("1278 um", "1500 um");
+  text.replace(text.find("34.8 um"), 7, "40 um");
+  text.replace(text.find("\"40 um\"\nphase"), 7, "\"20 um\"");
+  const Design a = design_of(varied).design;
+  const Design b = design_of(loading_of(text)).design;
+  CHECK(a.rig.stiffness == b.rig.stiffness);
+  CHECK(a.travel == b.travel);
+  for (const double S : {1.0, 1.1, 1.37}) CHECK(a.friction.at(S).mu == b.friction.at(S).mu);
+}
+
+TEST_CASE("one loading, identity: a flat specimen set to another section is the same as one read with it") {
+  const auto flat = [](const std::string& section) { return loading_of(with("diameter = \"34.8 um\"", section)); };
+  Test varied = flat("width = \"40 um\"\nheight = \"30 um\"");
+  set(varied, DesignParameter::width, 50e-6);
+  set(varied, DesignParameter::height, 25e-6);
+  const auto read = design_of(flat("width = \"50 um\"\nheight = \"25 um\""));
+  CHECK(design_of(varied).units.scales.bending_stiffness() == read.units.scales.bending_stiffness());
+  set(varied, DesignParameter::height, 300e-6);
+  CHECK(has(message_of([&] { design_of(varied); }), "height: expected less than a fifth of the span"));
+}
+
+TEST_CASE("one loading, limit: it has the parameters that its kind of case can vary") {
+  CHECK(value_of(loading_of(spicule), DesignParameter::diameter).has_value());
+  const Test flat = loading_of(with("diameter = \"34.8 um\"", "width = \"40 um\"\nheight = \"30 um\""));
+  CHECK_FALSE(value_of(flat, DesignParameter::diameter).has_value());
+  CHECK(value_of(flat, DesignParameter::height).value() == 30e-6);
+  CHECK(value_of(flat, DesignParameter::width).value() == 40e-6);
+  CHECK(value_of(flat, DesignParameter::modulus).has_value());
+  const Test reduced = loading_of(
+      "reduced = true\n[rig]\nstiffness = 30\n[friction]\nmodel = \"constant\"\nmu0 = 0.5\n[stage]\nprogram = [0, "
+      "0.6]\n");
+  CHECK_FALSE(value_of(reduced, DesignParameter::span).has_value());
+  CHECK_FALSE(value_of(reduced, DesignParameter::wavelength).has_value());
+  CHECK(value_of(reduced, DesignParameter::step).value() == 0);  // continuous
+}
+
+TEST_CASE("one loading, identity: friction drifts from its reference, which can be varied") {
+  const std::string drifting = with("phase = 1.0", "phase = 1.0\ndrift = \"0.8 1/mm\"\nreference = \"1.4 mm\"");
+  const Test input = read_case(drifting, "case.toml");
+  Test design(input);
+  const Friction friction = friction_of(input, Fibre(), scales_of(input, bending_stiffness_of(input)), 2);
+  for (const double S : {1.0, 1.1, 1.37}) CHECK(design_of(design).design.friction.at(S).mu == friction.at(S).mu);
+
+  set(design, DesignParameter::reference, 1.5e-3);
+  std::string text = drifting;
+  const Test read = loading_of(text.replace(text.find("1.4 mm"), 6, "1.5 mm"));
+  for (const double S : {1.0, 1.1, 1.37})
+    CHECK(design_of(design).design.friction.at(S).mu == design_of(read).design.friction.at(S).mu);
+
+  // Not stated it is the span, whatever that is.
+  const auto at_span = [](const std::string& more) {
+    return loading_of(with("phase = 1.0", "drift = \"0.8 1/mm\"\n" + more));
+  };
+  CHECK_FALSE(value_of(at_span(""), DesignParameter::reference).has_value());
+  Test wider = at_span("");
+  set(wider, DesignParameter::span, 1500e-6);
+  Test stated = at_span("reference = \"1.5 mm\"");
+  set(stated, DesignParameter::span, 1500e-6);
+  CHECK(design_of(wider).design.friction.at(1.3).mu == design_of(stated).design.friction.at(1.3).mu);
+}
+
+TEST_CASE(
+    "one loading, limit: a span beyond the reference, and friction beyond its limit with its drift, are refused by "
+    "name") {
+  Test design = loading_of(with("phase = 1.0", "drift = \"0.8 1/mm\"\nreference = \"1.4 mm\""));
+  set(design, DesignParameter::span, 2e-3);
+  CHECK(
+      message_of([&] { design_of(design); }) ==
+      "case.toml:13: [friction] reference: expected a length between the supports, from the span of 2 mm to 100 spans, "
+      "found 1.4 mm; check its unit");
+  Test steep = loading_of(with("phase = 1.0", "drift = \"1 1/mm\""));
+  CHECK(message_of([&] { design_of(steep); }) == "");
+  set(steep, DesignParameter::mu0, 1.5);
+  CHECK(has(message_of([&] { design_of(steep); }), "drift: expected friction of at most 2 at the surface"));
+}
+
+TEST_CASE("one loading, contract: what cannot be loaded once is refused at its line") {
+  CHECK(refusal_of(with("\"700 um\"", "\"700 um\", \"100 um\", \"900 um\"")).find("case.toml:14: [stage] program[3]") ==
+        0);
+  CHECK(refusal_of(with("\"0 um\"", "\"1 um\"")).find("case.toml:14: [stage] program[1]") == 0);
+  CHECK(refusal_of(with("step = \"2 um\"", "snaps = \"overshoot\"")).find("flexslip simulate") != std::string::npos);
+  CHECK(refusal_of(with("phase = 1.0", "static_excess = 0.1")).find("[friction] static_excess") != std::string::npos);
+  CHECK(refusal_of(with("stiffness = \"90.65 N/m\"", "")).find("[rig] stiffness") != std::string::npos);
+}
+
+TEST_CASE("one loading, contract: a number out of its range is refused with its name") {
+  Test input = loading_of(spicule);
+  CHECK(message_of([&] {
+          set(input, DesignParameter::amplitude, 1.5);
+        }).find("amplitude: expected a number of at least 0 and at most 1") == 0);
+  CHECK(message_of([&] { set(input, DesignParameter::stiffness, 0); }).find("stiffness: expected") == 0);
+  set(input, DesignParameter::diameter, 300e-6);
+  CHECK(has(message_of([&] { design_of(input); }), "diameter: expected less than a fifth of the span"));
+}
 
 TEST_CASE("design result, table: what is no test, and what is beyond FlexSlip, are told apart") {
   const auto status_with = [](DesignParameter parameter, double value) {
@@ -50,6 +177,39 @@ TEST_CASE("design result, contract: whatever the numbers, it is computed or refu
     RC_ASSERT(result.outcome.has_value() == planned.has_value());
     if (planned) RC_ASSERT(!std::isnan(stiffness_margin(*planned, *result.outcome)));
   }));
+}
+
+TEST_CASE("design map, identity: its points are the outcomes at its values") {
+  const Test input = loading_of(spicule);
+  const std::vector<DesignAxis> axes{map_axis(input, "stiffness=20 N/m:400 N/m:4", 10),
+                                     map_axis(input, "mu0=0:0.6", 3)};
+  CHECK(std::get<AxisRange>(axes[0].values).spacing == Spacing::logarithmic);
+  CHECK(values_of(axes[1]) == std::vector{0.0, 0.3, 0.6});
+  const auto points = design_map(input, axes, 2);
+  REQUIRE(points.size() == 12);
+  for (const auto& point : points) {
+    Test there = input;
+    set(there, DesignParameter::stiffness, point.values[0]);
+    set(there, DesignParameter::mu0, point.values[1]);
+    CHECK(point.result.outcome->snaps == outcome_of(design_of(there).design).snaps);
+  }
+}
+
+TEST_CASE("design map, limit: one that is stopped gives nothing") {
+  const Test input = loading_of(spicule);
+  const std::atomic<bool> stop = true;
+  CHECK(design_map(input, {map_axis(input, "mu0=0:0.6", 3)}, 2, &stop).empty());
+}
+
+TEST_CASE("design map, contract: a range that makes no sense is refused with a remedy") {
+  const Test input = loading_of(spicule);
+  CHECK(message_of([&] { map_axis(input, "stiffnes=1 N/m:2 N/m", 5); }).find("did you mean 'stiffness'?") !=
+        std::string::npos);
+  CHECK(message_of([&] { map_axis(input, "stiffness=1:2", 5); }).find("unit") != std::string::npos);
+  CHECK(values_of(map_axis(input, "phase=0:90 deg", 5)).back() == to(1e-15, std::numbers::pi / 2));
+  CHECK(values_of(map_axis(input, "phase=0:6.25", 5)).back() == 6.25);  // radians
+  CHECK(message_of([&] { map_axis(input, "mu0=0:1:1", 5); }).find("points") != std::string::npos);
+  CHECK(message_of([&] { map_axis(input, "mu0", 5); }).find("write it as") != std::string::npos);
 }
 
 }  // namespace flexslip

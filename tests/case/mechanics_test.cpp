@@ -1,3 +1,5 @@
+#include "case/mechanics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,11 +10,89 @@
 #include <fmt/format.h>
 
 #include "bending_test/history.h"
-#include "case/mechanics.h"
+#include "tests/approximately.h"
 #include "tests/design/some_design.h"
+#include "tests/has.h"
 #include "tests/refusal.h"
+#include "tests/temporary_folder.h"
 
 namespace flexslip {
+namespace {
+
+Test rod(const std::string& modulus, const std::string& rig = "") {
+  return read_case("[specimen]\ndiameter = \"40 um\"\n" + modulus + "\n[rig]\nspan = \"1.2 mm\"\n" + rig +
+                       "\n[friction]\nmodel = \"constant\"\nmu0 = 0.5\n[stage]\nprogram = [\"0 um\", \"100 um\"]\n",
+                   "rod.toml");
+}
+
+}  // namespace
+
+TEST_CASE("stiffness_used: E I of a rod, with the uncertainty stated or assumed (formula)") {
+  const double EI = 30e9 * std::acos(-1.0) / 64 * std::pow(40e-6, 4);
+  const auto stated = bending_stiffness_of(
+      rod("modulus = { value = \"30 GPa\", uncertainty = \"1.5 GPa\" }", "stiffness = \"90 N/m\""));
+  CHECK(stated.value == to(1e-14, EI));
+  CHECK(stated.relative_error == to(1e-14, 0.05));
+  CHECK(stated.source == StiffnessSource::stated);
+  const auto assumed = bending_stiffness_of(rod("modulus = \"30 GPa\"", "stiffness = \"90 N/m\""));
+  CHECK(assumed.relative_error == 0.03);
+  CHECK(assumed.source == StiffnessSource::assumed_error);
+  const Test open = rod("", "stiffness = \"90 N/m\"");
+  CHECK(!states_stiffness(open));
+  CHECK(has(message_of([&] { bending_stiffness_of(open); }), "modulus"));
+}
+
+TEST_CASE("stiffness_used: load train and supports are springs in line, and taken apart again (identity)") {
+  const Test soft = rod("modulus = \"30 GPa\"", "stiffness = \"90 N/m\"\nsupport_stiffness = \"200 N/m\"");
+  CHECK(load_train_stiffness_of(soft) == 90);
+  CHECK(support_compliance_of(soft) == to(1e-15, 1 / 400.0));  // each support carries half the force
+  CHECK(rig_stiffness_of(soft) == to(1e-15, 1 / (1 / 90.0 + 1 / 400.0)));
+  CHECK(without_supports(rig_stiffness_of(soft), support_compliance_of(soft)) == to(1e-13, 90.0));
+  CHECK(with_supports(INFINITY, 1 / 400.0) == to(1e-15, 400.0));
+  CHECK(std::isinf(without_supports(400, 1 / 400.0)));
+  CHECK(rig_stiffness_of(rod("", "stiffness = \"90 N/m\"")) == 90);
+}
+
+namespace {
+
+StageProgramme programme(const std::string& stage, const std::string& path = "case.toml") {
+  return programme_of(read_case(
+      "[specimen]\ndiameter = \"40 um\"\nmodulus = \"30 GPa\"\n[rig]\nspan = \"1 mm\"\nstiffness = \"90 N/m\"\n"
+      "[friction]\nmodel = \"constant\"\nmu0 = 0.5\n[stage]\n" +
+          stage + "\n",
+      path));
+}
+
+}  // namespace
+
+TEST_CASE("stage_programme: turning points exactly, or every reading of steps") {
+  const auto exact = programme("program = [\"0 um\", \"300 um\", \"100 um\"]\nstep = \"continuous\"");
+  CHECK(!exact.in_steps);
+  CHECK(!exact.measured);
+  REQUIRE(exact.positions.size() == 3);
+  CHECK(exact.positions[2] == to(1e-15, 1e-4));
+  CHECK(exact.farthest == to(1e-15, 3e-4));
+  const auto steps = programme("program = [\"0 um\", \"300 um\", \"100 um\"]\nstep = \"50 um\"");
+  CHECK(steps.in_steps);
+  REQUIRE(steps.positions.size() == 11);  // 0, 50, …, 300, 250, …, 100
+  CHECK(steps.positions[6] == to(1e-14, 3e-4));
+  CHECK(steps.positions.back() == to(1e-14, 1e-4));
+}
+
+TEST_CASE("stage_programme: a measured one is that of its file") {
+  const TemporaryFolder folder;
+  folder.file("stage.csv", "w_s [um]\n0\n40\n90\n20\n");
+  const auto read = programme("file = \"" + folder.path().string() + "/stage.csv\"\nstage = \"w_s\"");
+  CHECK(read.measured);
+  CHECK(read.farthest == to(1e-15, 9e-5));
+  CHECK(read.positions.size() == 4);
+}
+
+TEST_CASE("stage_programme: what is none is refused by its key (limit)") {
+  CHECK(has(message_of([] { programme("program = [\"0 um\", \"0 um\"]"); }), "[stage] program[2]"));
+  CHECK(has(message_of([] { programme("program = [\"0 um\", \"1 m\"]"); }), "[stage] program[2]"));
+}
+
 namespace {
 
 // The spicule with other friction.
