@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
-#include "io/text_table.h"
 #include "report/campaign_words.h"
 #include "report/marks.h"
 #include "report/plot_layout.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "io/text_table.h"
+#include "io/text.h"
 #include "report/campaign_words.h"
 
 namespace flexslip {

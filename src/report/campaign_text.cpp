@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "io/text_table.h"
+#include "io/text.h"
 #include "report/campaign_surface_words.h"
 #include "report/campaign_words.h"
 #include "report/plain_text.h"

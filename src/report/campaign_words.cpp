@@ -13,7 +13,7 @@
 #include "answers/campaign_fields.h"
 #include "finding/digits.h"
 #include "finding/finding.h"
-#include "io/text_table.h"
+#include "io/text.h"
 #include "report/campaign_units.h"
 #include "report/fit_words.h"
 

@@ -11,7 +11,7 @@
 #include "answers/campaign_fields.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
-#include "io/text_table.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
-#include "io/text_table.h"
 #include "report/plain_text.h"
 
 namespace flexslip {

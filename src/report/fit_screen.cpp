@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "finding/printed.h"
-#include "io/text_table.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
