@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "instruments/canonical.h"
 #include "instruments/export.h"
+#include "instruments/export_fields.h"
 #include "io/input_error.h"
 
 using flexslip::Export;

@@ -5,11 +5,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "instruments/canonical.h"
-#include "instruments/column_flags.h"
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
-#include "instruments/export_words.h"
 #include "interruptible.h"
 #include "io/input_error.h"
 #include "parts.h"
@@ -27,7 +24,7 @@ py::list columns(const Export& file, std::size_t chosen) {
     if (column.words.empty())
       values = py::array_t<double>(static_cast<py::ssize_t>(column.values.size()), column.values.data());
     out.append(py::dict(py::arg("name") = column.name, py::arg("unit") = column.unit,
-                        py::arg("role") = std::string(name_of(column.role)), py::arg("values") = values));
+                        py::arg("role") = std::string(words_for(column.role).name), py::arg("values") = values));
   }
   return out;
 }
@@ -37,36 +34,13 @@ py::array_t<double> role_in_si(const Export& file, std::size_t chosen, const std
   const ExportedSpecimen& specimen = file.specimens.at(chosen);
   for (const ColumnRole known :
        {ColumnRole::time, ColumnRole::displacement, ColumnRole::crosshead, ColumnRole::deflection, ColumnRole::force}) {
-    if (name_of(known) != role) continue;
-    const Kind& kind = known == ColumnRole::time ? kind::time : known == ColumnRole::force ? kind::force : kind::length;
-    const std::vector<double> values = in_si(file, specimen, column_with(file, specimen, known), kind);
+    const RoleWords& words = words_for(known);
+    if (words.name != role) continue;
+    const std::vector<double> values = in_si(file, specimen, column_with(file, specimen, known), *words.kind);
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
   }
   throw InputError(
       {.field = "role", .expected = "time, displacement, crosshead, deflection or force", .found = in_quotes(role)});
-}
-
-ExportWords words_of(const py::dict& given) {
-  ExportWords words;
-  const auto take = [&](const char* name, std::string& word) {
-    if (given.contains(name)) word = given[name].cast<std::string>();
-  };
-  take("sheet", words.sheet);
-  if (given.contains("sheet_number")) words.sheet_number = given["sheet_number"].cast<std::size_t>();
-  take("encoding", words.encoding);
-  take("separator", words.separator);
-  take("decimal", words.decimal);
-  take("thousands", words.thousands);
-  take("time", words.time);
-  take("crosshead", words.crosshead);
-  take("deflection", words.deflection);
-  take("force", words.force);
-  take("displacement", words.displacement);
-  take("time_unit", words.time_unit);
-  take("displacement_unit", words.displacement_unit);
-  take("force_unit", words.force_unit);
-  take("calibration", words.calibration);
-  return words;
 }
 
 }  // namespace
@@ -84,7 +58,7 @@ void add_exports(py::module_& module) {
         write_canonical(path, file, file.specimens.at(chosen));
       });
   module.def("read", [](const std::string& path, const py::dict& given) {
-    const ExportWords words = words_of(given);
+    const ReadingWords words = reading_words(given);
     return interruptible(
         [&](const std::atomic<bool>&) { return std::make_shared<Export>(read_export(path, options_of(words))); });
   });

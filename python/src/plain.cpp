@@ -159,6 +159,16 @@ std::string dumped(const py::handle& data) {
   return json_of(data).dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+ReadingWords reading_words(const py::dict& given) {
+  ReadingWords words;
+  for (const auto& [key, value] : given) {
+    std::string name = py::cast<std::string>(key);
+    std::replace(name.begin(), name.end(), '_', '-');
+    words.emplace(std::move(name), py::cast<std::string>(py::str(value)));
+  }
+  return words;
+}
+
 py::dict plain(const ResultTable& table) {
   py::dict by_name;
   const auto count = static_cast<py::ssize_t>(table.rows.size());

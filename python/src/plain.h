@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 
 #include "answers/all_answers.h"
+#include "instruments/export.h"
 #include "result/fields.h"
 #include "result/table.h"
 
@@ -24,6 +25,9 @@ pybind11::object plain(const Json& value, const Description& entry);
 
 // The way back from plain(json): JSON as the program writes it, with an indent of two.
 std::string dumped(const pybind11::handle& data);
+
+// Text and whole numbers by their names, which are those of flags: {"force_unit": "N"} is {"force-unit", "N"}.
+ReadingWords reading_words(const pybind11::dict& given);
 
 // A table as columns, as above.
 pybind11::dict plain(const ResultTable& table);

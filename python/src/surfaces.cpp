@@ -9,7 +9,7 @@
 #include "answers/surface_fields.h"
 #include "case/surface_study.h"
 #include "figures.h"
-#include "instruments/trace_words.h"
+#include "instruments/trace_file.h"
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
@@ -51,22 +51,6 @@ SurfaceChoice choice_of(const Given& given) {
   return choice;
 }
 
-TraceWords words_of(const Given& given) {
-  TraceWords words;
-  given.take("position", words.position);
-  given.take("height", words.height);
-  given.take("position_unit", words.position_unit);
-  given.take("height_unit", words.height_unit);
-  given.take("step", words.step);
-  given.take("sheet", words.sheet);
-  given.take("sheet_number", words.sheet_number);
-  given.take("encoding", words.encoding);
-  given.take("separator", words.separator);
-  given.take("decimal", words.decimal);
-  given.take("thousands", words.thousands);
-  return words;
-}
-
 }  // namespace
 
 void add_surfaces(py::module_& module) {
@@ -86,10 +70,10 @@ void add_surfaces(py::module_& module) {
   module.def("surface", [](const std::string& path, const py::dict& words) {
     const Given given(words);
     const SurfaceChoice choice = choice_of(given);
-    const TraceWords trace = words_of(given);
+    const ReadingWords trace = reading_words(words);
     return interruptible([&](const std::atomic<bool>&) {
       const SurfaceOptions options = options_of(choice);
-      return std::make_shared<SurfaceStudy>(study_surface(read_trace(path, options_of(trace)), options));
+      return std::make_shared<SurfaceStudy>(study_surface(read_trace(path, trace_options_of(trace)), options));
     });
   });
   module.attr("most_degree") = most_degree;

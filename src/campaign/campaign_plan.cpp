@@ -17,10 +17,9 @@
 #include "case/case_keys.h"
 #include "case/fitted.h"
 #include "case/toml.h"
-#include "io/natural_order.h"
 #include "io/quantity.h"
 #include "io/table.h"
-#include "io/text_table.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {

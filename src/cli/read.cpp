@@ -1,6 +1,6 @@
+#include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,19 +8,30 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "instruments/canonical.h"
+#include "cli/reading_flags.h"
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
-#include "instruments/export_words.h"
 #include "io/input_error.h"
 
 namespace flexslip {
 namespace {
 
+constexpr std::array flags_of_exports{
+    ReadingFlag{"time", "Column of time, by name or number", "COLUMN"},
+    ReadingFlag{"crosshead", "Column of crosshead displacement, by name or number", "COLUMN"},
+    ReadingFlag{"deflection", "Column of deflection of the specimen, by name or number", "COLUMN"},
+    ReadingFlag{"force", "Column of force, by name or number", "COLUMN"},
+    ReadingFlag{"displacement", "What a displacement measures if its name does not say: crosshead or deflection",
+                "WHICH"},
+    ReadingFlag{"time-unit", "Unit of time", "UNIT"},
+    ReadingFlag{"displacement-unit", "Unit of displacements", "UNIT"},
+    ReadingFlag{"force-unit", "Unit of force", "UNIT"},
+    ReadingFlag{"calibration", "Calibration of a force given in volts, such as \"222 N/V\"", "VALUE"}};
+
 struct ReadRequest {
   std::string file;
   std::size_t specimen = 0;  // from 1; 0 where it is not said
-  ExportWords words;
+  ReadingWords words;
   Output output;
 };
 
@@ -61,7 +72,7 @@ std::string_view words_for(char mark) {
 void note_decisions(const ReadRequest& request, const Export& file, const ExportedSpecimen& specimen) {
   const auto say = [&](const std::string& remark) { note(request.output, remark); };
   std::string as = file.sheet ? fmt::format("the sheet {} of a workbook", in_quotes(*file.sheet)) : "";
-  if (file.has_delimiters())
+  if (file.has_delimiters)
     as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.encoding),
                       file.byte_order_mark ? " with byte order mark" : "", words_for(file.separator));
   if (file.has_marks)
@@ -72,7 +83,7 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
   for (const ExportColumn& column : specimen.columns)
     say(fmt::format("column {}: {} in {}: {}", column.number, in_quotes(column.name),
                     column.unit.empty() ? "no unit" : column.unit,
-                    column.words.empty() ? name_of(column.role) : "words"));
+                    column.words.empty() ? words_for(column.role).name : "words"));
   for (const std::string& remark : file.notes) say(remark);
   for (const std::string& question : file.asks) say("open question: " + question);
   const bool has_spaces = request.file.find(' ') != std::string::npos;
@@ -102,28 +113,11 @@ void add_read_command(CLI::App& app) {
   command->add_option("--specimen", request->specimen, "Which of several specimens to read, counted from 1")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber);
-  const auto text = [&](const char* name, std::string& value, const char* description, const char* type) {
-    return command->add_option(name, value, description)->type_name(type);
-  };
-  text("--sheet", request->words.sheet, "Sheet of a workbook (.xlsx), by name or number", "SHEET");
-  text("--encoding", request->words.encoding, "Encoding of the text: utf-8, utf-16le, utf-16be, cp1252 or shift-jis",
-       "NAME");
-  text("--separator", request->words.separator, "Separator between cells: , ; tab or space", "MARK");
-  text("--decimal", request->words.decimal, "Decimal mark: . or ,", "MARK");
-  text("--thousands", request->words.thousands, "Thousands separator: . , space ' or none", "MARK");
-  text("--time", request->words.time, "Column of time, by name or number", "COLUMN");
-  text("--crosshead", request->words.crosshead, "Column of crosshead displacement, by name or number", "COLUMN");
-  text("--deflection", request->words.deflection, "Column of deflection of the specimen, by name or number", "COLUMN");
-  text("--force", request->words.force, "Column of force, by name or number", "COLUMN");
-  text("--displacement", request->words.displacement,
-       "What a displacement measures if its name does not say: crosshead or deflection", "WHICH")
-      ->check(CLI::IsMember({"crosshead", "deflection"}));
-  text("--time-unit", request->words.time_unit, "Unit of time", "UNIT");
-  text("--displacement-unit", request->words.displacement_unit, "Unit of displacements", "UNIT");
-  auto* force_unit = text("--force-unit", request->words.force_unit, "Unit of force", "UNIT");
-  text("--calibration", request->words.calibration, "Calibration of a force given in volts, such as \"222 N/V\"",
-       "VALUE")
-      ->excludes(force_unit);
+  const std::string& group = command->option_defaults()->get_group();
+  add_reading_flags(*command, request->words, flags_of_files, group);
+  add_reading_flags(*command, request->words, flags_of_exports, group);
+  command->get_option("--displacement")->check(CLI::IsMember({"crosshead", "deflection"}));
+  command->get_option("--calibration")->excludes("--force-unit");
   add_output_options(*command, request->output);
   command->footer(
       "Reads exports of Instron Bluehill, MTS, Zwick testXpert, Shimadzu Trapezium and others, and plain tables, with\n"

@@ -1,3 +1,4 @@
+#include <array>
 #include <memory>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "cli/case_flags.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/reading_flags.h"
 #include "io/text_file.h"
 #include "report/figures.h"
 #include "report/surface_document.h"
@@ -15,9 +17,15 @@
 namespace flexslip {
 namespace {
 
+constexpr std::array flags_of_traces{
+    ReadingFlag{"position", "Column of positions, by name or number", "COLUMN"},
+    ReadingFlag{"height", "Column of heights, by name or number", "COLUMN"},
+    ReadingFlag{"position-unit", "Unit of positions", "UNIT"}, ReadingFlag{"height-unit", "Unit of heights", "UNIT"},
+    ReadingFlag{"step", "Distance between heights, for a file without positions", "LENGTH"}};
+
 struct SurfaceRequest {
   std::string file;
-  TraceWords trace;
+  ReadingWords trace;
   SurfaceChoice choice;
   std::string profile, spectrum, figure;
   Output output;
@@ -25,7 +33,7 @@ struct SurfaceRequest {
 
 void run_surface(const SurfaceRequest& request) {
   const SurfaceOptions options = options_of(request.choice);
-  const SurfaceStudy study = study_surface(read_trace(request.file, options_of(request.trace)), options);
+  const SurfaceStudy study = study_surface(read_trace(request.file, trace_options_of(request.trace)), options);
   if (!request.profile.empty()) write_csv(request.profile, trace_fields(), points_of(study), {});
   if (!request.spectrum.empty()) write_csv(request.spectrum, spectrum_fields(), spectrum_points_of(study), {});
   if (!request.figure.empty()) draw_for(request.output, surface_figure(study), request.figure);
@@ -82,7 +90,9 @@ void add_surface_command(CLI::App& app) {
       ->type_name("COUNT")
       ->check(CLI::Range(static_cast<int>(least_tapers), static_cast<int>(most_tapers)).description(""))
       ->capture_default_str();
-  add_trace_options(*command, request->trace);
+  add_reading_flags(*command, request->trace, flags_of_traces, "How the trace is read");
+  add_reading_flags(*command, request->trace, flags_of_files, "How the trace is read");
+  command->get_option("--step")->excludes("--position");
   add_output_file(*command, "--profile", request->profile,
                   "Write heights, the path of the edge, slopes and friction to this CSV file");
   add_output_file(*command, "--spectrum", request->spectrum, "Write the power spectral density to this CSV file");

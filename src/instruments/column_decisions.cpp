@@ -1,6 +1,7 @@
 #include "instruments/column_decisions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -8,10 +9,9 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "instruments/column_flags.h"
-#include "instruments/column_unit.h"
-#include "instruments/voltage.h"
+#include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/text.h"
 
@@ -19,360 +19,395 @@ namespace flexslip {
 namespace {
 
 constexpr double contradicts = 2;  // of a stated maximum over the measured one: no rounding, but another unit
+constexpr std::string_view calibration_hint = "--calibration \"222 N/V\"";
 
-class Decisions {
- public:
-  Decisions(Export& out, const ExportOptions& options, const NumberFormat& format, std::size_t header_line)
-      : out_(out), options_(options), format_(format), header_line_(header_line) {}
+using Columns = std::vector<const ExportColumn*>;
 
-  void decide() {
-    apply_columns();
-    require_no_voltage_for_force();
-    apply_displacement();
-    apply_units();
-    require_force_in_newtons();
-    compare_with_stated_maximum();
-    ask();
-    out_.repeat_with = flags();
+std::string listed_columns(const Columns& columns) {
+  std::vector<std::string> names;
+  names.reserve(columns.size());
+  for (const ExportColumn* column : columns) names.push_back(column->name);
+  return listed(names);
+}
+
+Columns with_role(const std::vector<ExportColumn>& columns, ColumnRole role) {
+  Columns found;
+  for (const ExportColumn& column : columns)
+    if (column.role == role) found.push_back(&column);
+  return found;
+}
+
+// ---- roles
+
+// A column in a unit of another kind than its role is not the one that was meant.
+void require_kind(const Export& file, const ExportColumn& column, ColumnRole role) {
+  const RoleWords& words = words_for(role);
+  const std::optional<Unit> unit = machine_unit(column.unit);  // of an unknown one in_si says so where it is needed
+  if (!unit || words.kind == nullptr || unit->dimension == words.kind->dimension) return;
+  throw InputError({.file = file.source,
+                    .field = std::string(words.flag),
+                    .expected = fmt::format("a column in units of {}", words.kind->name),
+                    .found = fmt::format("{} in {}", in_quotes(column.name), in_quotes(column.unit))});
+}
+
+// The index of the column that a user names: by number, as repeat_with says it, by name, or by name and unit.
+std::size_t named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted, ColumnRole role) {
+  std::vector<std::size_t> by_number, by_name;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < specimen.columns.size(); ++i) {
+    const ExportColumn& column = specimen.columns[i];
+    names.push_back(column.name);
+    const bool by_title = !column.unit.empty() && (wanted == fmt::format("{} [{}]", column.name, column.unit) ||
+                                                   wanted == fmt::format("{} ({})", column.name, column.unit));
+    if (std::to_string(column.number) == wanted) by_number.push_back(i);
+    if (column.name == wanted || by_title) by_name.push_back(i);
   }
-
- private:
-  ExportColumn& named(ExportedSpecimen& specimen, std::string_view wanted, ColumnRole role) const {
-    std::vector<ExportColumn*> found;
-    std::vector<std::string> names;
-    for (ExportColumn& column : specimen.columns)
-      if (std::to_string(column.number) == wanted) found.push_back(&column);  // as repeat_with says it
-    const bool by_number = !found.empty();
-    for (ExportColumn& column : specimen.columns) {
-      names.push_back(column.name);
-      const bool by_title = !column.unit.empty() && (wanted == fmt::format("{} [{}]", column.name, column.unit) ||
-                                                     wanted == fmt::format("{} ({})", column.name, column.unit));
-      if (!by_number && (column.name == wanted || by_title)) found.push_back(&column);
-    }
-    const std::string field{flag_of(role)};
-    if (found.empty()) {
-      const std::string meant = nearest(wanted, names);
-      throw InputError({.file = out_.source,
-                        .field = field,
-                        .expected = "one of the columns " + listed(names) + ", or its number",
-                        .found = in_quotes(wanted),
-                        .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?"});
-    }
-    if (found.size() > 1)
-      throw InputError({.file = out_.source,
-                        .field = field,
-                        .expected = "one column",
-                        .found = fmt::format("{} called {}", found.size(), in_quotes(wanted)),
-                        .remedy = fmt::format("give its number: {} {}", field, found.front()->number)});
-    if (!found.front()->words.empty())
-      throw InputError({.file = out_.source,
-                        .field = field,
-                        .expected = "a column of numbers",
-                        .found = fmt::format("words in {}", in_quotes(found.front()->name))});
-    require_kind(*found.front(), role);
-    return *found.front();
-  }
-
-  // The number of a column of another specimen, one beside this, is that of the same title here.
-  std::string of_this(const ExportedSpecimen& specimen, std::string_view wanted) const {
-    const auto numbered = [&](const ExportedSpecimen& each) {
-      return std::find_if(each.columns.begin(), each.columns.end(),
-                          [&](const ExportColumn& column) { return std::to_string(column.number) == wanted; });
-    };
-    if (numbered(specimen) != specimen.columns.end()) return std::string(wanted);
-    for (const ExportedSpecimen& other : out_.specimens)
-      if (const auto column = numbered(other); column != other.columns.end())
-        for (const ExportColumn& here : specimen.columns)
-          if (here.name == column->name) return std::to_string(here.number);
-    return std::string(wanted);
-  }
-
-  // A column in a unit of another kind than its role is not the one that was meant.
-  void require_kind(const ExportColumn& column, ColumnRole role) const {
-    const Kind& kind = role == ColumnRole::force ? kind::force : role == ColumnRole::time ? kind::time : kind::length;
-    if (column.unit.empty() || role == ColumnRole::other) return;
-    std::optional<Unit> unit;
-    try {
-      unit = parse_unit(column.unit);
-    } catch (const InputError&) {
-      return;  // unknown: in_si says so where it is needed
-    }
-    if (unit->dimension != kind.dimension)
-      throw InputError({.file = out_.source,
-                        .field = std::string(flag_of(role)),
-                        .expected = fmt::format("a column in units of {}", kind.name),
-                        .found = fmt::format("{} in {}", in_quotes(column.name), in_quotes(column.unit))});
-  }
-
-  void apply_columns() {
-    for (ExportedSpecimen& specimen : out_.specimens)
-      for (const auto& [role, name] : options_.columns) {
-        ExportColumn& chosen = named(specimen, of_this(specimen, trimmed(name)), role);
-        for (ExportColumn& column : specimen.columns)
-          if (column.role == role) column.role = ColumnRole::other;
-        chosen.role = role;
-      }
-  }
-
-  void apply_displacement() {
-    if (!options_.displacement) return;
-    const ColumnRole role = *options_.displacement;
-    if (role != ColumnRole::crosshead && role != ColumnRole::deflection)
-      throw InputError({.field = "--displacement", .expected = "crosshead or deflection", .found = "neither"});
-    for (ExportedSpecimen& specimen : out_.specimens) {
-      std::vector<ExportColumn*> unclear;
-      std::vector<ExportColumn*> all;
-      for (ExportColumn& column : specimen.columns) {
-        if (is_displacement(column.role)) all.push_back(&column);
-        if (column.role == ColumnRole::displacement) unclear.push_back(&column);
-      }
-      const std::vector<ExportColumn*>& candidates = unclear.empty() ? all : unclear;
-      if (candidates.size() != 1)
-        throw InputError({.file = out_.source,
-                          .field = "--displacement",
-                          .expected = "one column with a displacement",
-                          .found = candidates.empty() ? "none" : std::to_string(candidates.size()),
-                          .remedy = fmt::format("name the column with {} instead", flag_of(role))});
-      candidates.front()->role = role;
-    }
-  }
-
-  void require_no_voltage_for_force() const {
-    if (options_.columns.contains(ColumnRole::force)) return;
-    const std::vector<ExportColumn>& columns = out_.specimens.front().columns;
-    std::vector<MeasuredColumn> measured;
-    std::vector<const ExportColumn*> which;
-    bool calibrated = false;
-    for (const ExportColumn& column : columns) {
-      const bool open = column.role == ColumnRole::force || column.role == ColumnRole::other;
-      if (!open || !column.words.empty()) continue;
-      measured.push_back({column.values, is_voltage(column.unit), column.role == ColumnRole::force});
-      which.push_back(&column);
-      const auto unit = options_.units.find(ColumnRole::force);
-      calibrated = calibrated || (measured.back().is_voltage && measured.back().is_force &&
-                                  unit != options_.units.end() && unit->second.ends_with("/V"));
-    }
-    const std::optional<VoltageFinding> finding = voltage_for_force(measured);
-    if (!finding || calibrated) return;
-    const ExportColumn& voltage = *which[finding->column];
-    const auto force = std::find_if(which.begin(), which.end(), [](const ExportColumn* each) {
-      return each->role == ColumnRole::force && !is_voltage(each->unit);
-    });
-    std::string remedy =
-        fmt::format("if it is the force, state its calibration: --force {} --calibration \"222 N/V\"", voltage.number);
-    std::string found = fmt::format("column {} in {}", in_quotes(voltage.name), voltage.unit);
-    if (force != which.end()) {
-      remedy += fmt::format("; if {} is the force, pass --force {}", in_quotes((*force)->name), (*force)->number);
-      found += finding->force_is_noise
-                   ? fmt::format(" beside {}, which holds only noise", in_quotes((*force)->name))
-                   : fmt::format(", which follows {} (correlation {:.3f}) as a second load cell would",
-                                 in_quotes((*force)->name), finding->correlation);
-    }
-    throw InputError({.file = out_.source,
-                      .line = header_line_,
-                      .field = "force",
-                      .expected = "a force in units of force",
-                      .found = std::move(found),
+  const std::vector<std::size_t>& found = by_number.empty() ? by_name : by_number;
+  const std::string flag{words_for(role).flag};
+  const auto refuse = [&](std::string expected, std::string what, std::string remedy) {
+    throw InputError({.file = file.source,
+                      .field = flag,
+                      .expected = std::move(expected),
+                      .found = std::move(what),
                       .remedy = std::move(remedy)});
+  };
+  if (found.empty()) {
+    const std::string meant = nearest(wanted, names);
+    refuse("one of the columns " + listed(names) + ", or its number", in_quotes(wanted),
+           meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
   }
+  const ExportColumn& column = specimen.columns[found.front()];
+  if (found.size() > 1)
+    refuse("one column", fmt::format("{} called {}", found.size(), in_quotes(wanted)),
+           fmt::format("give its number: {} {}", flag, column.number));
+  if (!column.words.empty()) refuse("a column of numbers", fmt::format("words in {}", in_quotes(column.name)), "");
+  require_kind(file, column, role);
+  return found.front();
+}
 
-  void require_force_in_newtons() const {
-    for (const ExportColumn& column : out_.specimens.front().columns)
-      if (column.role == ColumnRole::force && is_voltage(column.unit))
-        throw InputError({.file = out_.source,
-                          .line = header_line_,
-                          .field = "force",
-                          .expected = "a force in units of force",
-                          .found = fmt::format("column {} in {}", in_quotes(column.name), column.unit),
-                          .remedy = "state its calibration, as in --calibration \"222 N/V\""});
-  }
+// The number of a column of another specimen, one beside this, is that of the same title here.
+std::string of_this(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted) {
+  const auto numbered = [&](const ExportedSpecimen& each) {
+    return std::find_if(each.columns.begin(), each.columns.end(),
+                        [&](const ExportColumn& column) { return std::to_string(column.number) == wanted; });
+  };
+  if (numbered(specimen) != specimen.columns.end()) return std::string(wanted);
+  for (const ExportedSpecimen& other : file.specimens)
+    if (const auto column = numbered(other); column != other.columns.end())
+      for (const ExportColumn& here : specimen.columns)
+        if (here.name == column->name) return std::to_string(here.number);
+  return std::string(wanted);
+}
 
-  void apply_units() {
-    for (ExportedSpecimen& specimen : out_.specimens)
-      for (ExportColumn& column : specimen.columns) {
-        auto given = options_.units.find(column.role);
-        if (given == options_.units.end() && is_displacement(column.role))
-          given = options_.units.find(ColumnRole::displacement);
-        if (given == options_.units.end()) continue;
-        const std::string_view text = trimmed(given->second);
-        if (text.ends_with("/V"))
-          calibrate(column, text);
-        else
-          set_unit(column, text);
-      }
-  }
-
-  void calibrate(ExportColumn& column, std::string_view calibration) {
-    const std::string_view per_volt = calibration.substr(0, calibration.size() - 2);
-    const std::size_t end = std::min(per_volt.find_first_not_of("+-0123456789.eE"), per_volt.size());
-    const double factor = number_in(trimmed(per_volt.substr(0, end)), {});
-    const std::string_view unit = trimmed(per_volt.substr(end));
-    const std::optional<Unit> known = machine_unit(unit);
-    if (std::isnan(factor) || factor == 0 || !known || known->dimension != dimension_of(column.role))
-      throw InputError({.field = "--calibration", .expected = "such as \"222 N/V\"", .found = in_quotes(calibration)});
-    if (!is_voltage(column.unit))
-      throw InputError({.file = out_.source,
-                        .field = "column " + in_quotes(column.name),
-                        .expected = "a column in volts, as a calibration is given",
-                        .found = column.unit.empty() ? "no unit" : in_quotes(column.unit)});
-    for (double& value : column.values) value *= volts_in(column.unit) * factor;
-    note_once(fmt::format("column {}: {} taken as {} by the calibration {}", in_quotes(column.name), column.unit, unit,
-                          calibration));
-    column.unit = unit;
-  }
-
-  void set_unit(ExportColumn& column, std::string_view text) {
-    const std::optional<Unit> unit = machine_unit(text);
-    if (!unit || unit->dimension != dimension_of(column.role))
-      throw InputError({.field = std::string(unit_flag_of(column.role)),
-                        .expected = fmt::format("a unit such as {}", usual_unit(column.role)),
-                        .found = in_quotes(text)});
-    if (is_voltage(column.unit))
-      throw InputError({.file = out_.source,
-                        .field = "column " + in_quotes(column.name),
-                        .expected = "a calibration",
-                        .found = fmt::format("the unit {} for values in {}", in_quotes(text), column.unit),
-                        .remedy = "give it as in --calibration \"222 N/V\""});
-    if (!column.unit.empty() && machine_unit(column.unit) != unit)
-      note_once(fmt::format("column {}: the file says {}; taken as {}, as you ask", in_quotes(column.name),
-                            in_quotes(column.unit), text));
-    column.unit = text;
-  }
-
-  void note_once(std::string note) {
-    if (std::find(out_.notes.begin(), out_.notes.end(), note) == out_.notes.end())
-      out_.notes.push_back(std::move(note));
-  }
-
-  // A file that states the highest force contradicts a unit that is wrong.
-  void compare_with_stated_maximum() {
-    if (out_.specimens.size() != 1) return;
-    const std::vector<Metadatum> metadata = all_metadata(out_);
-    const std::optional<StatedForce> stated = stated_maximum(metadata, format_);
-    const std::vector<ExportColumn>& columns = out_.specimens.front().columns;
-    const auto is_force = [](const ExportColumn& column) { return column.role == ColumnRole::force; };
-    const auto force = std::find_if(columns.begin(), columns.end(), is_force);
-    if (!stated || force == columns.end() || std::count_if(columns.begin(), columns.end(), is_force) > 1) return;
-    const std::optional<Unit> unit = machine_unit(force->unit);
-    if (!unit || unit->dimension != kind::force.dimension) return;
-    double highest = 0;
-    for (const double value : force->values)
-      if (!std::isnan(value)) highest = std::max(highest, std::abs(to_si(value, *unit)));
-    const double ratio = std::abs(stated->value) / highest;
-    if (ratio < contradicts && ratio > 1 / contradicts) {
-      if (std::abs(ratio - 1) > 0.01)  // evaluated within limits, or of smoothed values: worth saying, not wrong
-        out_.notes.push_back(fmt::format("line {} states a maximum force of {}, but the rows have {}",
-                                         stated->where->line, readable(stated->value, kind::force),
-                                         readable(highest, kind::force)));
-      return;
+Export with_columns(Export file, const std::map<ColumnRole, std::string>& columns) {
+  for (ExportedSpecimen& specimen : file.specimens)
+    for (const auto& [role, name] : columns) {
+      const std::size_t chosen = named(file, specimen, of_this(file, specimen, trimmed(name)), role);
+      for (ExportColumn& column : specimen.columns)
+        if (column.role == role) column.role = ColumnRole::other;
+      specimen.columns[chosen].role = role;
     }
-    const bool unit_given = options_.units.contains(ColumnRole::force);
-    if (unit_given) return;
-    throw InputError(
-        {.file = out_.source,
-         .line = stated->where->line,
-         .field = "column " + in_quotes(force->name),
-         .expected = fmt::format("a maximum of {}, as this line states", readable(stated->value, kind::force)),
-         .found = readable(highest, kind::force),
-         .remedy = "check that the file is complete; if it is, state the unit of the column with --force-unit"});
-  }
+  return file;
+}
 
-  void ask() {
-    const std::vector<ExportColumn>& columns = out_.specimens.front().columns;
-    std::vector<const ExportColumn*> forces;
-    std::vector<const ExportColumn*> unclear;
-    std::map<ColumnRole, std::vector<const ExportColumn*>> clear;
-    for (const ExportColumn& column : columns) {
-      if (column.role == ColumnRole::force) forces.push_back(&column);
+Export with_displacement(Export file, ColumnRole role) {
+  if (role != ColumnRole::crosshead && role != ColumnRole::deflection)
+    throw InputError({.field = "--displacement", .expected = "crosshead or deflection", .found = "neither"});
+  for (ExportedSpecimen& specimen : file.specimens) {
+    std::vector<ExportColumn*> unclear;
+    std::vector<ExportColumn*> all;
+    for (ExportColumn& column : specimen.columns) {
+      if (is_displacement(column.role)) all.push_back(&column);
       if (column.role == ColumnRole::displacement) unclear.push_back(&column);
-      if (column.role == ColumnRole::crosshead || column.role == ColumnRole::deflection)
-        clear[column.role].push_back(&column);
     }
-    if (forces.empty()) out_.asks.emplace_back("which column is the force? --force COLUMN, its name or number");
-    if (forces.size() > 1)
-      out_.asks.push_back(fmt::format("which of the columns {} is the force? --force {}", listed_columns(forces),
-                                      forces.front()->number));
-    if (clear.empty() && unclear.empty())
-      out_.asks.emplace_back("which column is the displacement? --crosshead COLUMN or --deflection COLUMN");
-    if (unclear.size() == 1 && clear.empty())
-      out_.asks.push_back(fmt::format(
-          "is {} that of the crosshead or the deflection of the specimen? --displacement crosshead|deflection",
-          in_quotes(unclear.front()->name)));
-    if (unclear.size() > 1 && clear.empty())
-      out_.asks.push_back(
-          fmt::format("which of the columns {} is that of the crosshead, or the deflection of the specimen? "
-                      "--crosshead COLUMN or --deflection COLUMN",
-                      listed_columns(unclear)));
-    for (const auto& [role, several] : clear)
-      if (several.size() > 1)
-        out_.asks.push_back(fmt::format("which of the columns {} is the {}? {} {}", listed_columns(several),
-                                        word_for(role), flag_of(role), several.front()->number));
-    for (const ExportColumn& column : columns) {
-      if (column.role == ColumnRole::other || machine_unit(column.unit)) continue;
-      out_.asks.push_back(fmt::format("what is the unit of {}{}? {} {}", in_quotes(column.name),
-                                      column.unit.empty() ? "" : ", which says " + in_quotes(column.unit),
-                                      unit_flag_of(column.role), usual_unit(column.role)));
-    }
+    const std::vector<ExportColumn*>& candidates = unclear.empty() ? all : unclear;
+    if (candidates.size() != 1)
+      throw InputError({.file = file.source,
+                        .field = "--displacement",
+                        .expected = "one column with a displacement",
+                        .found = candidates.empty() ? "none" : std::to_string(candidates.size()),
+                        .remedy = fmt::format("name the column with {} instead", words_for(role).flag)});
+    candidates.front()->role = role;
   }
+  return file;
+}
 
-  static std::string listed_columns(const std::vector<const ExportColumn*>& columns) {
-    std::vector<std::string> names;
-    names.reserve(columns.size());
-    for (const ExportColumn* column : columns) names.push_back(column->name);
-    return listed(names);
+// ---- voltages
+
+constexpr double follows = 0.9;  // |correlation|: two cells in one load train; empirical, a real pair gave 0.999
+constexpr double noise = 1;      // of the ratio below: white noise has 2, a curve sampled finely almost 0
+
+double correlation(std::span<const double> x, std::span<const double> y) {
+  double n = 0, mean_x = 0, mean_y = 0, sxx = 0, syy = 0, sxy = 0;  // Welford's sums: no cancellation
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (std::isnan(x[i]) || std::isnan(y[i])) continue;
+    ++n;
+    const double dx = x[i] - mean_x;
+    const double dy = y[i] - mean_y;
+    mean_x += dx / n;
+    mean_y += dy / n;
+    sxx += dx * (x[i] - mean_x);
+    syy += dy * (y[i] - mean_y);
+    sxy += dx * (y[i] - mean_y);
   }
+  return sxx > 0 && syy > 0 ? sxy / std::sqrt(sxx * syy) : 0;
+}
 
-  std::string flags() const {
-    const auto shown = [](char c) {
-      return c == '\0'               ? std::string("none")
-             : c == '\t'             ? "tab"
-             : c == ' '              ? "space"
-             : c == ';' || c == '\'' ? fmt::format("\"{}\"", c)
-                                     : std::string(1, c);
-    };
-    std::string text;
-    if (out_.sheet) text = "--sheet " + sheet_word();
-    if (out_.has_delimiters())
-      text += fmt::format("{}--encoding {} --separator {}", text.empty() ? "" : " ", name_of(out_.encoding),
-                          shown(out_.separator));
-    if (out_.has_marks) text += fmt::format(" --decimal {} --thousands {}", shown(out_.decimal), shown(out_.thousands));
-    std::map<ColumnRole, std::vector<std::size_t>> with;
-    for (const ExportColumn& column : out_.specimens.front().columns) with[column.role].push_back(column.number);
-    for (const auto& [role, numbers] : with) {
-      const bool decided = role != ColumnRole::other && role != ColumnRole::displacement && numbers.size() == 1;
-      if (decided) text += fmt::format(" {} {}", flag_of(role), numbers.front());
-    }
-    for (const auto& [role, unit] : options_.units)
-      text += fmt::format(" {} \"{}\"", unit.ends_with("/V") ? "--calibration" : unit_flag_of(role), unit);
-    return text;
+// Von Neumann's ratio: mean square of the steps over the variance.
+double step_ratio(std::span<const double> values) {
+  double n = 0, mean = 0, sum = 0, steps = 0;
+  double last = not_a_number;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    ++n;
+    const double d = value - mean;
+    mean += d / n;
+    sum += d * (value - mean);
+    if (!std::isnan(last)) steps += (value - last) * (value - last);
+    last = value;
   }
+  return sum > 0 ? steps / sum : 2;
+}
 
-  // A sheet as a shell takes it: its name, or its number where that would need more than quotes.
-  std::string sheet_word() const {
-    if (out_.sheet->find_first_of("\"$`\\!") == std::string::npos) return fmt::format("\"{}\"", *out_.sheet);
-    const auto at = std::find(out_.sheets.begin(), out_.sheets.end(), *out_.sheet);
-    return std::to_string(1 + (at - out_.sheets.begin()));
+InputError force_in_volts(const Export& file, std::size_t header_line, std::string found, std::string remedy) {
+  return InputError({.file = file.source,
+                     .line = header_line,
+                     .field = "force",
+                     .expected = "a force in units of force",
+                     .found = std::move(found),
+                     .remedy = std::move(remedy)});
+}
+
+void require_no_voltage_for_force(const Export& file, const ExportOptions& options, std::size_t header_line) {
+  if (options.columns.contains(ColumnRole::force)) return;
+  const auto unit = options.units.find(ColumnRole::force);
+  const bool has_calibration = unit != options.units.end() && unit->second.ends_with("/V");
+  std::vector<MeasuredColumn> measured;
+  Columns which;
+  for (const ExportColumn& column : file.specimens.front().columns) {
+    const bool is_force = column.role == ColumnRole::force, is_voltage = volts_in(column.unit).has_value();
+    if (is_force && is_voltage && column.words.empty() && has_calibration) return;
+    if (!(is_force || column.role == ColumnRole::other) || !column.words.empty()) continue;
+    measured.push_back({column.values, is_voltage, is_force});
+    which.push_back(&column);
   }
+  const std::optional<VoltageFinding> finding = voltage_for_force(measured);
+  if (!finding) return;
+  const ExportColumn& voltage = *which[finding->column];
+  const auto force = std::find_if(which.begin(), which.end(), [](const ExportColumn* each) {
+    return each->role == ColumnRole::force && !volts_in(each->unit);
+  });
+  std::string remedy =
+      fmt::format("if it is the force, state its calibration: --force {} {}", voltage.number, calibration_hint);
+  std::string found = fmt::format("column {} in {}", in_quotes(voltage.name), voltage.unit);
+  if (force != which.end()) {
+    remedy += fmt::format("; if {} is the force, pass --force {}", in_quotes((*force)->name), (*force)->number);
+    found += finding->force_is_noise
+                 ? fmt::format(" beside {}, which holds only noise", in_quotes((*force)->name))
+                 : fmt::format(", which follows {} (correlation {:.3f}) as a second load cell would",
+                               in_quotes((*force)->name), finding->correlation);
+  }
+  throw force_in_volts(file, header_line, std::move(found), std::move(remedy));
+}
 
-  Export& out_;
-  const ExportOptions& options_;
-  const NumberFormat& format_;
-  std::size_t header_line_;
+void require_force_in_newtons(const Export& file, std::size_t header_line) {
+  for (const ExportColumn* column : with_role(file.specimens.front().columns, ColumnRole::force))
+    if (volts_in(column->unit))
+      throw force_in_volts(file, header_line, fmt::format("column {} in {}", in_quotes(column->name), column->unit),
+                           fmt::format("state its calibration, as in {}", calibration_hint));
+}
+
+// ---- units
+
+// A column as it is in another unit, and what is said of it; empty if there is nothing to say.
+struct Restated {
+  ExportColumn column;
+  std::string note;
 };
+
+Restated calibrated(const Export& file, ExportColumn column, std::string_view calibration) {
+  const std::string_view per_volt = calibration.substr(0, calibration.size() - 2);
+  const std::size_t end = std::min(per_volt.find_first_not_of("+-0123456789.eE"), per_volt.size());
+  const double factor = number_in(trimmed(per_volt.substr(0, end)), {});
+  const std::string_view unit = trimmed(per_volt.substr(end));
+  const std::optional<Unit> known = machine_unit(unit);
+  if (std::isnan(factor) || factor == 0 || !known || known->dimension != words_for(column.role).kind->dimension)
+    throw InputError({.field = "--calibration", .expected = "such as \"222 N/V\"", .found = in_quotes(calibration)});
+  const std::optional<double> volts = volts_in(column.unit);
+  if (!volts)
+    throw InputError({.file = file.source,
+                      .field = "column " + in_quotes(column.name),
+                      .expected = "a column in volts, as a calibration is given",
+                      .found = column.unit.empty() ? "no unit" : in_quotes(column.unit)});
+  for (double& value : column.values) value *= *volts * factor;
+  std::string note = fmt::format("column {}: {} taken as {} by the calibration {}", in_quotes(column.name), column.unit,
+                                 unit, calibration);
+  column.unit = unit;
+  return {std::move(column), std::move(note)};
+}
+
+Restated in_unit(const Export& file, ExportColumn column, std::string_view text) {
+  const RoleWords& words = words_for(column.role);
+  const std::optional<Unit> unit = machine_unit(text);
+  if (!unit || unit->dimension != words.kind->dimension)
+    throw InputError({.field = std::string(words.unit_flag),
+                      .expected = fmt::format("a unit such as {}", words.usual_unit),
+                      .found = in_quotes(text)});
+  if (volts_in(column.unit))
+    throw InputError({.file = file.source,
+                      .field = "column " + in_quotes(column.name),
+                      .expected = "a calibration",
+                      .found = fmt::format("the unit {} for values in {}", in_quotes(text), column.unit),
+                      .remedy = fmt::format("give it as in {}", calibration_hint)});
+  std::string note;
+  if (!column.unit.empty() && machine_unit(column.unit) != unit)
+    note = fmt::format("column {}: the file says {}; taken as {}, as you ask", in_quotes(column.name),
+                       in_quotes(column.unit), text);
+  column.unit = text;
+  return {std::move(column), std::move(note)};
+}
+
+Export with_units(Export file, const std::map<ColumnRole, std::string>& units) {
+  for (ExportedSpecimen& specimen : file.specimens)
+    for (ExportColumn& column : specimen.columns) {
+      auto given = units.find(column.role);
+      if (given == units.end() && is_displacement(column.role)) given = units.find(ColumnRole::displacement);
+      if (given == units.end()) continue;
+      const std::string_view text = trimmed(given->second);
+      auto [restated, note] = text.ends_with("/V") ? calibrated(file, column, text) : in_unit(file, column, text);
+      column = std::move(restated);
+      if (!note.empty() && std::find(file.notes.begin(), file.notes.end(), note) == file.notes.end())
+        file.notes.push_back(std::move(note));
+    }
+  return file;
+}
+
+// A file that states the highest force contradicts a unit that is wrong. What is said if they differ a little: it was evaluated within limits, or
+// of smoothed values.
+std::string beside_stated_maximum(const Export& file, const ExportOptions& options, const NumberFormat& format) {
+  if (file.specimens.size() != 1) return "";
+  const std::vector<Metadatum> metadata = all_metadata(file);
+  const std::optional<StatedForce> stated = stated_maximum(metadata, format);
+  const Columns forces = with_role(file.specimens.front().columns, ColumnRole::force);
+  if (!stated || forces.size() != 1) return "";
+  const ExportColumn& force = *forces.front();
+  const std::optional<Unit> unit = machine_unit(force.unit);
+  if (!unit || unit->dimension != kind::force.dimension) return "";
+  double highest = 0;
+  for (const double value : force.values)
+    if (!std::isnan(value)) highest = std::max(highest, std::abs(to_si(value, *unit)));
+  const double ratio = std::abs(stated->value) / highest;
+  if (ratio < contradicts && ratio > 1 / contradicts)
+    return std::abs(ratio - 1) <= 0.01
+               ? ""
+               : fmt::format("line {} states a maximum force of {}, but the rows have {}", stated->where->line,
+                             readable(stated->value, kind::force), readable(highest, kind::force));
+  if (options.units.contains(ColumnRole::force)) return "";
+  throw InputError(
+      {.file = file.source,
+       .line = stated->where->line,
+       .field = "column " + in_quotes(force.name),
+       .expected = fmt::format("a maximum of {}, as this line states", readable(stated->value, kind::force)),
+       .found = readable(highest, kind::force),
+       .remedy = "check that the file is complete; if it is, state the unit of the column with --force-unit"});
+}
+
+// ---- what is asked, and what repeats the decisions
+
+std::vector<std::string> asks_of(const std::vector<ExportColumn>& columns) {
+  std::vector<std::string> asks;
+  const Columns forces = with_role(columns, ColumnRole::force);
+  const Columns unclear = with_role(columns, ColumnRole::displacement);
+  const std::array clear{with_role(columns, ColumnRole::crosshead), with_role(columns, ColumnRole::deflection)};
+  const bool has_clear = !clear[0].empty() || !clear[1].empty();
+  if (forces.empty()) asks.emplace_back("which column is the force? --force COLUMN, its name or number");
+  if (forces.size() > 1)
+    asks.push_back(fmt::format("which of the columns {} is the force? --force {}", listed_columns(forces),
+                               forces.front()->number));
+  if (!has_clear && unclear.empty())
+    asks.emplace_back("which column is the displacement? --crosshead COLUMN or --deflection COLUMN");
+  if (!has_clear && unclear.size() == 1)
+    asks.push_back(fmt::format(
+        "is {} that of the crosshead or the deflection of the specimen? --displacement crosshead|deflection",
+        in_quotes(unclear.front()->name)));
+  if (!has_clear && unclear.size() > 1)
+    asks.push_back(
+        fmt::format("which of the columns {} is that of the crosshead, or the deflection of the specimen? "
+                    "--crosshead COLUMN or --deflection COLUMN",
+                    listed_columns(unclear)));
+  for (const Columns& several : clear)
+    if (several.size() > 1) {
+      const RoleWords& words = words_for(several.front()->role);
+      asks.push_back(fmt::format("which of the columns {} is the {}? {} {}", listed_columns(several), words.word(),
+                                 words.flag, several.front()->number));
+    }
+  for (const ExportColumn& column : columns) {
+    if (column.role == ColumnRole::other || machine_unit(column.unit)) continue;
+    const RoleWords& words = words_for(column.role);
+    asks.push_back(fmt::format("what is the unit of {}{}? {} {}", in_quotes(column.name),
+                               column.unit.empty() ? "" : ", which says " + in_quotes(column.unit), words.unit_flag,
+                               words.usual_unit));
+  }
+  return asks;
+}
+
+// A sheet as a shell takes it: its name, or its number where that would need more than quotes.
+std::string sheet_word(const Export& file) {
+  if (file.sheet->find_first_of("\"$`\\!") == std::string::npos) return fmt::format("\"{}\"", *file.sheet);
+  const auto at = std::find(file.sheets.begin(), file.sheets.end(), *file.sheet);
+  return std::to_string(1 + (at - file.sheets.begin()));
+}
+
+std::string mark_word(char mark) {
+  return mark == '\0'                  ? "none"
+         : mark == '\t'                ? "tab"
+         : mark == ' '                 ? "space"
+         : mark == ';' || mark == '\'' ? fmt::format("\"{}\"", mark)
+                                       : std::string(1, mark);
+}
+
+std::string flags_of(const Export& file, const std::map<ColumnRole, std::string>& units) {
+  std::vector<std::string> flags;
+  if (file.sheet) flags.push_back("--sheet " + sheet_word(file));
+  if (file.has_delimiters)
+    flags.push_back(fmt::format("--encoding {} --separator {}", name_of(file.encoding), mark_word(file.separator)));
+  if (file.has_marks)
+    flags.push_back(fmt::format("--decimal {} --thousands {}", mark_word(file.decimal), mark_word(file.thousands)));
+  for (const ColumnRole role : {ColumnRole::time, ColumnRole::crosshead, ColumnRole::deflection, ColumnRole::force})
+    if (const Columns columns = with_role(file.specimens.front().columns, role); columns.size() == 1)
+      flags.push_back(fmt::format("{} {}", words_for(role).flag, columns.front()->number));
+  for (const auto& [role, unit] : units)
+    flags.push_back(fmt::format("{} \"{}\"", unit.ends_with("/V") ? "--calibration" : words_for(role).unit_flag, unit));
+  return fmt::format("{}", fmt::join(flags, " "));
+}
 
 }  // namespace
 
-std::vector<Metadatum> all_metadata(const Export& file) {
-  std::vector<Metadatum> all = file.metadata;
-  if (file.specimens.size() == 1) {
-    const std::vector<Metadatum>& own = file.specimens.front().metadata;
-    all.insert(all.end(), own.begin(), own.end());
+std::optional<VoltageFinding> voltage_for_force(std::span<const MeasuredColumn> columns) {
+  std::optional<std::size_t> force;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (columns[i].is_force && !columns[i].is_voltage) force = i;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!columns[i].is_voltage) continue;
+    if (!force) return VoltageFinding{i, not_a_number, false};
+    const double r = correlation(columns[*force].values, columns[i].values);
+    const bool is_noise = step_ratio(columns[*force].values) > noise && step_ratio(columns[i].values) < noise;
+    if (std::abs(r) >= follows || is_noise) return VoltageFinding{i, r, is_noise};
   }
-  return all;
+  return std::nullopt;
 }
 
-void decide_columns(Export& file, const ExportOptions& options, const NumberFormat& format, std::size_t header_line) {
-  Decisions(file, options, format, header_line).decide();
+Export decided(Export file, const ExportOptions& options, const NumberFormat& format, std::size_t header_line) {
+  file = with_columns(std::move(file), options.columns);
+  require_no_voltage_for_force(file, options, header_line);
+  if (options.displacement) file = with_displacement(std::move(file), *options.displacement);
+  file = with_units(std::move(file), options.units);
+  require_force_in_newtons(file, header_line);
+  if (std::string said = beside_stated_maximum(file, options, format); !said.empty())
+    file.notes.push_back(std::move(said));
+  file.asks = asks_of(file.specimens.front().columns);
+  file.repeat_with = flags_of(file, options.units);
+  return file;
 }
 
 }  // namespace flexslip

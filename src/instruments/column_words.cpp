@@ -2,82 +2,59 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
+#include <utility>
 
-#include "instruments/column_flags.h"
-#include "instruments/column_unit.h"
 #include "io/quantity.h"
 #include "io/text.h"
 
 namespace flexslip {
 namespace {
 
-// A word of a title, in lower case, and what it says. Those that are `whole` are words of their own, the others may be
-// part of one: "Standardkraft", "Prüfzeit".
-struct Word {
-  std::string_view text;
+// Words of titles, in lower case, and what they say. Parts may stand within a word: "Standardkraft", "Prüfzeit".
+struct Meaning {
   ColumnRole role;
-  bool whole;
+  std::vector<std::string_view> whole, parts;
 };
 
 // In the order in which they are looked for: what excludes, then what is clear, then what is not.
-constexpr std::array words{
-    // not the quantity itself, or of another kind
-    Word{"strain", ColumnRole::other, false}, Word{"stress", ColumnRole::other, false},
-    Word{"rate", ColumnRole::other, true}, Word{"speed", ColumnRole::other, false},
-    Word{"velocity", ColumnRole::other, false}, Word{"geschwindigkeit", ColumnRole::other, false},
-    Word{"vitesse", ColumnRole::other, false}, Word{"dehnung", ColumnRole::other, false},
-    Word{"spannung", ColumnRole::other, false}, Word{"contrainte", ColumnRole::other, false},
-    Word{"energy", ColumnRole::other, false}, Word{"energie", ColumnRole::other, false},
-    Word{"work", ColumnRole::other, true}, Word{"arbeit", ColumnRole::other, false},
-    Word{"torque", ColumnRole::other, false}, Word{"moment", ColumnRole::other, true},
-    Word{"angle", ColumnRole::other, true}, Word{"winkel", ColumnRole::other, false},
-    Word{"rotation", ColumnRole::other, true}, Word{"temperatur", ColumnRole::other, false},
-    Word{"pressure", ColumnRole::other, false}, Word{"stiffness", ColumnRole::other, false},
-    Word{"modulus", ColumnRole::other, false}, Word{"count", ColumnRole::other, true},
-    Word{"cycle", ColumnRole::other, true}, Word{"command", ColumnRole::other, true},
-    Word{"target", ColumnRole::other, true}, Word{"error", ColumnRole::other, true},
-    Word{"ひずみ", ColumnRole::other, false}, Word{"応力", ColumnRole::other, false},
-    Word{"速度", ColumnRole::other, false},
-    // time
-    Word{"time", ColumnRole::time, true}, Word{"timestamp", ColumnRole::time, true},
-    Word{"zeit", ColumnRole::time, false}, Word{"temps", ColumnRole::time, true},
-    Word{"elapsed", ColumnRole::time, true}, Word{"tiempo", ColumnRole::time, true},
-    Word{"tempo", ColumnRole::time, true}, Word{"zaman", ColumnRole::time, true}, Word{"süre", ColumnRole::time, true},
-    Word{"時間", ColumnRole::time, false},
-    // the specimen's midpoint
-    Word{"deflection", ColumnRole::deflection, false}, Word{"deflectometer", ColumnRole::deflection, false},
-    Word{"durchbiegung", ColumnRole::deflection, false}, Word{"flexure", ColumnRole::deflection, true},
-    Word{"flèche", ColumnRole::deflection, true}, Word{"flexión", ColumnRole::deflection, true},
-    Word{"flecha", ColumnRole::deflection, true}, Word{"freccia", ColumnRole::deflection, true},
-    Word{"sehim", ColumnRole::deflection, true}, Word{"たわみ", ColumnRole::deflection, false},
-    // the machine's crosshead
-    Word{"crosshead", ColumnRole::crosshead, false}, Word{"stroke", ColumnRole::crosshead, true},
-    Word{"travers", ColumnRole::crosshead, false}, Word{"standardweg", ColumnRole::crosshead, false},
-    Word{"course", ColumnRole::crosshead, true}, Word{"actuator", ColumnRole::crosshead, true},
-    Word{"stage", ColumnRole::crosshead, true}, Word{"grip separation", ColumnRole::crosshead, false},
-    Word{"ストローク", ColumnRole::crosshead, false}, Word{"クロスヘッド", ColumnRole::crosshead, false},
-    // force
-    Word{"force", ColumnRole::force, true}, Word{"load", ColumnRole::force, true},
-    Word{"loadcell", ColumnRole::force, true}, Word{"kraft", ColumnRole::force, false},
-    Word{"charge", ColumnRole::force, true}, Word{"carga", ColumnRole::force, true},
-    Word{"fuerza", ColumnRole::force, true}, Word{"força", ColumnRole::force, true},
-    Word{"forza", ColumnRole::force, true}, Word{"carico", ColumnRole::force, true},
-    Word{"kuvvet", ColumnRole::force, true}, Word{"yük", ColumnRole::force, true},
-    Word{"荷重", ColumnRole::force, false}, Word{"試験力", ColumnRole::force, false},
-    Word{"力", ColumnRole::force, false},
-    // a displacement of one or the other
-    Word{"displacement", ColumnRole::displacement, false}, Word{"extension", ColumnRole::displacement, true},
-    Word{"position", ColumnRole::displacement, true}, Word{"travel", ColumnRole::displacement, true},
-    Word{"lvdt", ColumnRole::displacement, true}, Word{"weg", ColumnRole::displacement, false},
-    Word{"verformung", ColumnRole::displacement, false}, Word{"verschiebung", ColumnRole::displacement, false},
-    Word{"déplacement", ColumnRole::displacement, true}, Word{"deplacement", ColumnRole::displacement, true},
-    Word{"allongement", ColumnRole::displacement, true}, Word{"desplazamiento", ColumnRole::displacement, true},
-    Word{"alargamiento", ColumnRole::displacement, true}, Word{"deslocamento", ColumnRole::displacement, true},
-    Word{"spostamento", ColumnRole::displacement, true}, Word{"uzama", ColumnRole::displacement, true},
-    Word{"deformation", ColumnRole::displacement, true}, Word{"変位", ColumnRole::displacement, false},
-    Word{"伸び", ColumnRole::displacement, false}};
+const std::vector<Meaning>& meanings() {
+  static const std::vector<Meaning> all{
+      // not the quantity itself, or of another kind
+      {ColumnRole::other,
+       {"rate", "work", "moment", "angle", "rotation", "count", "cycle", "command", "target", "error"},
+       {"strain",     "stress",     "speed",     "velocity", "geschwindigkeit", "vitesse", "dehnung",
+        "spannung",   "contrainte", "energy",    "energie",  "arbeit",          "torque",  "winkel",
+        "temperatur", "pressure",   "stiffness", "modulus",  "ひずみ",          "応力",    "速度"}},
+      {ColumnRole::time,
+       {"time", "timestamp", "temps", "elapsed", "tiempo", "tempo", "zaman", "süre"},
+       {"zeit", "時間"}},
+      // the specimen's midpoint
+      {ColumnRole::deflection,
+       {"flexure", "flèche", "flexión", "flecha", "freccia", "sehim"},
+       {"deflection", "deflectometer", "durchbiegung", "たわみ"}},
+      // the machine's crosshead
+      {ColumnRole::crosshead,
+       {"stroke", "course", "actuator", "stage"},
+       {"crosshead", "travers", "standardweg", "grip separation", "ストローク", "クロスヘッド"}},
+      {ColumnRole::force,
+       {"force", "load", "loadcell", "charge", "carga", "fuerza", "força", "forza", "carico", "kuvvet", "yük"},
+       {"kraft", "荷重", "試験力", "力"}},
+      // one or the other
+      {ColumnRole::displacement,
+       {"extension", "position", "travel", "lvdt", "déplacement", "deplacement", "allongement", "desplazamiento",
+        "alargamiento", "deslocamento", "spostamento", "uzama", "deformation"},
+       {"displacement", "weg", "verformung", "verschiebung", "変位", "伸び"}},
+  };
+  return all;
+}
+
+constexpr std::array roles{RoleWords{"time", "--time", "--time-unit", "s", &kind::time},
+                           RoleWords{"displacement", "--displacement", "--displacement-unit", "mm", &kind::length},
+                           RoleWords{"crosshead", "--crosshead", "--displacement-unit", "mm", &kind::length},
+                           RoleWords{"deflection", "--deflection", "--displacement-unit", "mm", &kind::length},
+                           RoleWords{"force", "--force", "--force-unit", "N", &kind::force},
+                           RoleWords{"other", "--displacement", "--displacement-unit", "mm", nullptr}};
 
 bool is_word_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
@@ -92,8 +69,12 @@ bool has_word(std::string_view text, std::string_view word, bool whole) {
   return false;
 }
 
-bool has_any(std::string_view text, std::span<const Word> of) {
-  return std::any_of(of.begin(), of.end(), [&](const Word& word) { return has_word(text, word.text, word.whole); });
+bool has_any(std::string_view text, const Meaning& of) {
+  const auto has = [&](bool whole) {
+    return [text, whole](std::string_view word) { return has_word(text, word, whole); };
+  };
+  return std::any_of(of.whole.begin(), of.whole.end(), has(true)) ||
+         std::any_of(of.parts.begin(), of.parts.end(), has(false));
 }
 
 // Symbols that the paper and people who write columns by hand use, told by their unit as well.
@@ -107,7 +88,7 @@ constexpr std::array symbols{
     Symbol{"w", ColumnRole::deflection},  Symbol{"delta", ColumnRole::deflection}, Symbol{"δ", ColumnRole::deflection}};
 
 // A unit behind a name, if it is of the kind that the name means, or a length, force or pressure behind an underscore.
-std::optional<TitleParts> suffixed(std::string_view title, std::string_view mark) {
+std::optional<ColumnTitle> suffixed(std::string_view title, std::string_view mark) {
   const std::size_t at = title.rfind(mark);
   if (at == std::string_view::npos || at == 0 || at + mark.size() >= title.size()) return std::nullopt;
   const std::string_view name = trimmed(title.substr(0, at));
@@ -116,11 +97,11 @@ std::optional<TitleParts> suffixed(std::string_view title, std::string_view mark
   if (suffix == "S" && role == ColumnRole::time) suffix = "s";
   const std::optional<Unit> unit = machine_unit(suffix);
   if (name.empty() || !unit) return std::nullopt;
-  const std::optional<Dimension> wanted = dimension_of(role);
+  const Kind* wanted = words_for(role).kind;
   const bool measurable = unit->dimension == kind::length.dimension || unit->dimension == kind::force.dimension ||
                           unit->dimension == kind::pressure.dimension;
-  if (wanted ? unit->dimension != *wanted : mark != "_" || !measurable) return std::nullopt;
-  return TitleParts{std::string(name), std::string(suffix)};
+  if (wanted != nullptr ? unit->dimension != wanted->dimension : mark != "_" || !measurable) return std::nullopt;
+  return ColumnTitle{std::string(name), std::string(suffix)};
 }
 
 std::vector<std::string_view> tokens_of(std::string_view line) {
@@ -148,34 +129,46 @@ std::vector<std::string> joined(const std::vector<std::string_view>& tokens, con
   return titles;
 }
 
+// The groups of `size` columns each behind the first `shared` of those that have a title.
+std::vector<ColumnGroup> groups_of(std::span<const std::string> titles, std::span<const std::size_t> titled,
+                                   std::size_t shared, std::size_t size) {
+  for (std::size_t i = shared + size; i < titled.size(); ++i)
+    if (titles[titled[i]] != titles[titled[i - size]]) return {};
+  std::vector<ColumnGroup> groups;
+  for (std::size_t begin = shared; begin < titled.size(); begin += size) {
+    groups.push_back({titled[begin], {titled.begin(), titled.begin() + static_cast<std::ptrdiff_t>(shared)}});
+    for (std::size_t i = begin; i < begin + size; ++i) groups.back().columns.push_back(titled[i]);
+  }
+  return groups;
+}
+
 bool is_bracketed(std::string_view text) { return without_brackets(text).size() < text.size(); }
 
 }  // namespace
+
+const RoleWords& words_for(ColumnRole role) { return roles.at(static_cast<std::size_t>(role)); }
+
+bool is_displacement(ColumnRole role) {
+  return role == ColumnRole::displacement || role == ColumnRole::crosshead || role == ColumnRole::deflection;
+}
 
 ColumnRole role_of(std::string_view name) {
   const std::string text = folded(trimmed(name));
   for (const Symbol& symbol : symbols)
     if (symbol.text == text) return symbol.role;
-  // An exclusion wins over all; of the others the first found.
-  for (const Word& word : words)
-    if (has_word(text, word.text, word.whole)) return word.role;
+  for (const Meaning& meaning : meanings())
+    if (has_any(text, meaning)) return meaning.role;
   return ColumnRole::other;
 }
 
 bool names_specimens(std::string_view name) {
-  static constexpr std::array<Word, 9> of{{{"setname", ColumnRole::other, true},
-                                           {"specimen", ColumnRole::other, true},
-                                           {"sample", ColumnRole::other, true},
-                                           {"probe", ColumnRole::other, true},
-                                           {"prüfkörper", ColumnRole::other, false},
-                                           {"éprouvette", ColumnRole::other, true},
-                                           {"probeta", ColumnRole::other, true},
-                                           {"provino", ColumnRole::other, true},
-                                           {"試験片", ColumnRole::other, false}}};
-  return has_any(folded(name), of);
+  static const Meaning specimens{ColumnRole::other,
+                                 {"setname", "specimen", "sample", "probe", "éprouvette", "probeta", "provino"},
+                                 {"prüfkörper", "試験片"}};
+  return has_any(folded(name), specimens);
 }
 
-TitleParts title_parts(std::string_view title) {
+ColumnTitle title_parts(std::string_view title) {
   const std::string_view body = trimmed(title);
   if (body.ends_with(']')) {
     const std::size_t open = body.rfind('[');
@@ -215,6 +208,24 @@ std::vector<std::string> split_titles(std::string_view line, std::size_t columns
     return !before_bracket(i) && (is_bracketed(tokens[i]) || role_of(tokens[i]) != ColumnRole::other);
   });
   if (titles.size() == columns) return titles;
+  return {};
+}
+
+std::vector<ColumnGroup> side_by_side(std::span<const std::string> titles) {
+  std::vector<std::size_t> titled;
+  for (std::size_t i = 0; i < titles.size(); ++i)
+    if (!titles[i].empty()) titled.push_back(i);
+  for (const std::size_t shared : {std::size_t{0}, std::size_t{1}})
+    for (std::size_t size = 2; shared + 2 * size <= titled.size(); ++size) {
+      if ((titled.size() - shared) % size != 0) continue;
+      const auto own = std::span(titled).subspan(shared, size);
+      const bool has_force = std::any_of(own.begin(), own.end(), [&](std::size_t column) {
+        return role_of(title_parts(titles[column]).name) == ColumnRole::force;
+      });
+      if (!has_force) continue;
+      const std::vector<ColumnGroup> groups = groups_of(titles, titled, shared, size);
+      if (!groups.empty()) return groups;
+    }
   return {};
 }
 

@@ -1,68 +1,637 @@
 #include "instruments/export.h"
 
+#include <algorithm>
 #include <cmath>
 #include <istream>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "instruments/column_flags.h"
-#include "instruments/column_unit.h"
-#include "instruments/export_reader.h"
-#include "instruments/voltage.h"
+#include "fibre/limits.h"
+#include "instruments/column_decisions.h"
+#include "instruments/layout.h"
 #include "io/input_error.h"
 #include "io/table.h"
+#include "io/text.h"
 #include "io/workbook.h"
 
+// Reading is a chain: bytes are opened as a sheet of cells, its lines are laid out as tables, all their numbers together say how numbers are
+// written, each table gives its columns, and these their specimens; last, column_decisions.h says what the columns are. What each link decided
+// is its result, and the next one's argument.
 namespace flexslip {
 namespace {
 
-// The options as they are for a sheet: its cells are apart. Its decimal mark is that of numbers kept as words.
-ExportOptions options_for(const WorkbookSheet& sheet, ExportOptions options) {
-  if (sheet.holds == SheetHolds::lines_of_text) return options;
+constexpr std::size_t longest_summary = 50;  // rows of a table of results; what is longer was measured
+
+using Notes = std::vector<std::string>;
+
+// What a link makes, and what is said of it.
+template <class Value>
+struct Noted {
+  Value value;
+  Notes notes;
+};
+
+template <class Value>
+void append(std::vector<Value>& all, std::vector<Value> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+// ---- how numbers are written
+
+struct Marks {
+  NumberFormat format;
+  bool apply = true;  // to any number: those of a workbook have a decimal point, unless they are words
+};
+
+Marks marks_in(const Sheet& sheet, const Layout& layout, const ExportOptions& options, char separator) {
+  NumberEvidence evidence;
+  std::size_t undecided = 0;
+  std::size_t numbers = 0, words = 0;
+  for (const TableBlock& block : layout.blocks)
+    for (const std::size_t line : block.rows)
+      for (std::size_t column = 0; column < layout.columns; ++column) {
+        if (!layout.numeric[column]) continue;
+        const std::string_view number = number_cell(sheet.at(line, column)).number;
+        if (number.empty()) continue;
+        ++numbers;
+        if (sheet.kind(line, column) != CellKind::word) continue;
+        ++words;
+        evidence.add(number);
+        if (undecided == 0 && number.find_first_of(".,") != std::string_view::npos) undecided = line + 1;
+      }
+  if (numbers > 0 && words == 0) return {{}, false};
+  NumberFormat format;
+  if (options.decimal)
+    format.decimal = *options.decimal;
+  else if (options.thousands == ',' || options.thousands == '.')
+    format.decimal = options.thousands == ',' ? '.' : ',';
+  else if (const std::optional<char> proven = evidence.decimal())
+    format.decimal = *proven;
+  else if (evidence.undecidable() && (separator != ',' || evidence.only_commas()))
+    throw InputError({.line = undecided,
+                      .expected = "numbers that distinguish a decimal mark from a thousands separator",
+                      .found = "only such as '1,234' or '1.234'",
+                      .remedy = "say which it is with --decimal . or --decimal ,"});
+  format.thousands = options.thousands ? *options.thousands : evidence.thousands(format.decimal);
+  if (format.thousands == '.' && format.decimal == '.')
+    throw InputError({.line = undecided,
+                      .expected = "numbers with one decimal point",
+                      .found = "several in one number",
+                      .remedy = "pass --decimal , if the points separate thousands"});
+  return {format};
+}
+
+// ---- a column
+
+// What the links after the layout look at.
+struct Laid {
+  const Sheet& sheet;
+  const Layout& layout;
+  NumberFormat format;
+};
+
+// Name and unit of a column, from its title, the row of units and its cells, which must agree.
+ColumnTitle title_of(const std::string& title, const std::string& row_unit, std::string_view cell_unit,
+                     std::size_t line) {
+  const ColumnTitle parts = title_parts(title);
+  const bool counts_nothing = row_unit == "-" || row_unit == "1";
+  std::vector<std::string> units;
+  for (const std::string& unit : {counts_nothing ? "" : row_unit, std::string(cell_unit), parts.unit})
+    if (!unit.empty()) units.push_back(unit);
+  ColumnTitle out{parts.name, units.empty() ? "" : units.front()};
+  const auto used = machine_unit(out.unit);
+  for (const std::string& unit : units) {
+    const auto known = machine_unit(unit);
+    if (known && used && *known != *used)
+      throw InputError({.line = line,
+                        .field = "column " + in_quotes(title),
+                        .expected = "one unit",
+                        .found = listed(units),
+                        .remedy = "correct the file: its title, its row of units and its cells must agree"});
+  }
+  const bool title_has_other = !parts.unit.empty() && out.unit != parts.unit && !used;
+  if (title_has_other) out.name = title;
+  return out;
+}
+
+ColumnRole role_for(const ExportColumn& column) {
+  const ColumnRole role = role_of(column.name);
+  const std::optional<Unit> unit = machine_unit(column.unit);
+  const Kind* wanted = words_for(role).kind;
+  const bool is_mass = unit && unit->dimension == Dimension{.kilogram = 1};  // in_si says what is wrong with it
+  const bool fits =
+      !unit || wanted == nullptr || unit->dimension == wanted->dimension || (role == ColumnRole::force && is_mass);
+  return fits ? role : ColumnRole::other;
+}
+
+using Values = Noted<std::vector<double>>;
+
+// The numbers of a column whose decimal commas a spreadsheet may have taken for separators of thousands.
+Values restored_values(const TableBlock& block, const std::vector<std::string_view>& numbers, const std::string& name) {
+  Regrouped column = restored(numbers);
+  if (column.status == Regrouped::Status::ambiguous)
+    throw InputError({.line = block.rows[column.row] + 1,
+                      .field = "column " + in_quotes(name),
+                      .expected = "numbers with one decimal comma",
+                      .found = in_quotes(numbers[column.row]) + ", with several commas, in a column too uneven to "
+                                                                "show which is the decimal one",
+                      .remedy = "export the file again without opening it in a spreadsheet"});
+  Values out{std::move(column.values), {}};
+  if (column.status == Regrouped::Status::restored)
+    out.notes.push_back(fmt::format(
+        "column {}: a spreadsheet has taken decimal commas for separators of thousands ('100,0292' became "
+        "'1,000,292'); in {} of {} cells the comma is put back where the column stays continuous; check them, or "
+        "export the file again",
+        in_quotes(name), column.moved, numbers.size()));
+  return out;
+}
+
+// The numbers of a column, without those in another unit, and what is said about those that are not there.
+Values values_of(const Laid& laid, const TableBlock& block, const ExportColumn& of, std::string_view unit) {
+  const std::size_t column = of.number - 1;
+  std::vector<std::string_view> numbers;
+  numbers.reserve(block.rows.size());
+  Values out;
+  out.value.reserve(block.rows.size());
+  bool are_words = true;
+  for (const std::size_t line : block.rows) {
+    const NumberCell parts = number_cell(laid.sheet.at(line, column));
+    const bool counts = parts.unit.empty() || parts.unit == unit;
+    numbers.push_back(counts ? parts.number : std::string_view{});
+    out.value.push_back(counts ? laid.sheet.number(line, column, laid.format) : not_a_number);
+    are_words = are_words && (parts.number.empty() || laid.sheet.kind(line, column) == CellKind::word);
+  }
+  if (laid.format.thousands == ',' && laid.format.decimal == ',' && are_words)
+    out = restored_values(block, numbers, of.name);
+  std::vector<std::size_t> lines;
+  for (std::size_t row = 0; row < out.value.size(); ++row)
+    if (std::isnan(out.value[row])) lines.push_back(block.rows[row] + 1);
+  if (!lines.empty())
+    out.notes.push_back(fmt::format("column {}: no number in {} of {} rows: {}{} {}", in_quotes(of.name), lines.size(),
+                                    out.value.size(), on_lines(lines),
+                                    lines.size() == 1 ? " holds" : "; the first holds",
+                                    in_quotes(laid.sheet.shown(lines.front() - 1, column))));
+  return out;
+}
+
+using ReadColumn = Noted<std::optional<ExportColumn>>;  // none of what is left out
+
+// A column of a workbook where so many cells hold numbers, and all of these are dates or clock times: as a time, whose numbers are in its unit or
+// in seconds; or, if it means nothing measured, as words. None of others: what they hold is refused where it is wanted.
+ReadColumn dated_column(const Laid& laid, const TableBlock& block, ExportColumn out, std::size_t numbers) {
+  const std::size_t column = out.number - 1;
+  const auto all_are = [&](const auto& is) {
+    return numbers ==
+           static_cast<std::size_t>(std::count_if(block.rows.begin(), block.rows.end(),
+                                                  [&](std::size_t line) { return is(laid.sheet.kind(line, column)); }));
+  };
+  const bool has_date = all_are([](CellKind kind) { return kind == CellKind::date_and_clock; });
+  const bool is_clock = has_date || all_are([](CellKind kind) { return kind == CellKind::clock; });
+  const std::optional<Unit> unit = machine_unit(out.unit.empty() ? "s" : out.unit);
+  if (out.role == ColumnRole::time && is_clock && unit && unit->dimension == kind::time.dimension) {
+    double from = not_a_number;  // [days] the midnight before the first, of dates
+    for (const std::size_t line : block.rows) {
+      const double days = laid.sheet.days(line, column);
+      if (std::isnan(from) && !std::isnan(days)) from = has_date ? std::floor(days) : 0;
+      out.values.push_back(from_si((days - from) * 86400, *unit));
+    }
+    if (out.unit.empty()) out.unit = "s";
+    std::string said = fmt::format("column {} holds clock times, read in {}{}", in_quotes(out.name), out.unit,
+                                   has_date ? ", from the midnight before the first" : "");
+    return {std::move(out), {std::move(said)}};
+  }
+  if (out.role != ColumnRole::other || !all_are(is_dated)) return {};
+  out.values.assign(block.rows.size(), not_a_number);
+  for (const std::size_t line : block.rows) out.words.push_back(laid.sheet.shown(line, column));
+  std::string said = fmt::format("column {} holds dates or clock times and is kept as text", in_quotes(out.name));
+  return {std::move(out), {std::move(said)}};
+}
+
+ReadColumn column_of(const Laid& laid, const TableBlock& block, const std::vector<std::string>& titles,
+                     std::size_t column) {
+  std::size_t numbers = 0, words = 0;
+  std::string_view unit;  // that follows the first number
+  bool has_dates = false;
+  for (const std::size_t line : block.rows) {
+    const std::string_view text = laid.sheet.at(line, column);
+    const NumberCell parts = number_cell(text);
+    if (!parts.number.empty() && numbers++ == 0) unit = parts.unit;
+    if (parts.number.empty() && !says_missing(text)) ++words;
+    has_dates = has_dates || is_dated(laid.sheet.kind(line, column));
+  }
+  const std::string title = titles.empty() ? "" : titles[column];
+  if (numbers == 0 && words == 0)
+    return {{}, title.empty() ? Notes{} : Notes{fmt::format("column {} is empty and left out", in_quotes(title))}};
+  auto [name, stated] = title_of(title, block.units.empty() ? "" : block.units[column], unit, block.header_line + 1);
+  if (name.empty()) name = fmt::format("column_{}", column + 1);
+  ExportColumn out{std::move(name), std::move(stated), ColumnRole::other, {}, column + 1};
+  if (numbers < words || numbers == 0) {
+    out.values.assign(block.rows.size(), not_a_number);
+    for (const std::size_t line : block.rows) out.words.emplace_back(laid.sheet.at(line, column));
+    return {std::move(out), {}};
+  }
+  out.role = role_for(out);
+  if (has_dates)
+    if (ReadColumn dated = dated_column(laid, block, out, numbers); dated.value) return dated;
+  auto [values, notes] = values_of(laid, block, out, unit);
+  out.values = std::move(values);
+  const bool is_empty =
+      std::all_of(out.values.begin(), out.values.end(), [](double value) { return std::isnan(value); });
+  if (is_empty && !(has_dates && out.role != ColumnRole::other)) return {{}, std::move(notes)};
+  return {std::move(out), std::move(notes)};
+}
+
+// Does a column hold the unit of the one before, in every row?
+bool gives_unit(const ExportColumn& column, const ExportedSpecimen& specimen) {
+  if (column.words.empty() || specimen.columns.empty()) return false;
+  const ExportColumn& before = specimen.columns.back();
+  const std::string& unit = column.words.front();
+  return names_a_unit(unit) && before.number + 1 == column.number && before.words.empty() && before.unit.empty() &&
+         std::all_of(column.words.begin(), column.words.end(), [&](const std::string& word) { return word == unit; });
+}
+
+// ---- specimens
+
+Noted<ExportedSpecimen> specimen_of(const Laid& laid, const TableBlock& block, const std::vector<std::string>& titles,
+                                    const std::vector<std::size_t>& columns, std::vector<Metadatum> metadata) {
+  Noted<ExportedSpecimen> out;
+  out.value.metadata = std::move(metadata);
+  for (const std::size_t line : block.rows) out.value.lines.push_back(line + 1);
+  for (const std::size_t each : columns) {
+    auto [column, notes] = column_of(laid, block, titles, each);
+    append(out.notes, std::move(notes));
+    if (column && gives_unit(*column, out.value)) {
+      ExportColumn& before = out.value.columns.back();
+      before.unit = column->words.front();
+      before.role = role_for(before);
+    } else if (column) {
+      out.value.columns.push_back(std::move(*column));
+    }
+  }
+  return out;
+}
+
+// The specimens whose names a column of words tells; the one that all are if there is no such column.
+std::vector<ExportedSpecimen> split_by_name(ExportedSpecimen all) {
+  const auto splits = std::find_if(all.columns.begin(), all.columns.end(), [](const ExportColumn& each) {
+    return !each.words.empty() && names_specimens(each.name);
+  });
+  std::vector<ExportedSpecimen> specimens;
+  if (splits == all.columns.end()) {
+    specimens.push_back(std::move(all));
+    return specimens;
+  }
+  const std::vector<std::string>& names = splits->words;
+  std::map<std::string_view, std::size_t> known;
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    const auto [at, is_new] = known.emplace(names[row], specimens.size());
+    if (is_new) {
+      specimens.push_back({names[row], {}, {}, all.metadata});
+      for (const ExportColumn& column : all.columns)
+        specimens.back().columns.push_back({column.name, column.unit, column.role, {}, column.number});
+    }
+    ExportedSpecimen& one = specimens[at->second];
+    one.lines.push_back(all.lines[row]);
+    for (std::size_t i = 0; i < all.columns.size(); ++i) {
+      one.columns[i].values.push_back(all.columns[i].values[row]);
+      if (!all.columns[i].words.empty()) one.columns[i].words.push_back(all.columns[i].words[row]);
+    }
+  }
+  return specimens;
+}
+
+// Another specimen has columns of the same names or meanings; a table of results or dimensions has not.
+bool is_specimen(const TableBlock& block, const TableBlock& main) {
+  if (block.titles.empty() || block.titles == main.titles) return true;
+  if (block.titles.size() != main.titles.size()) return false;
+  std::size_t meant = 0;
+  for (std::size_t i = 0; i < block.titles.size(); ++i) {
+    const ColumnRole role = role_of(title_parts(block.titles[i]).name);
+    if (role != role_of(title_parts(main.titles[i]).name)) return false;
+    if (role != ColumnRole::other) ++meant;
+  }
+  return meant > 1;
+}
+
+// A number of a table beside those of the specimens: a metadatum, named by its column, and of several rows the first cell of its row.
+struct SummaryNumber {
+  std::string row;
+  Metadatum datum;
+};
+
+std::vector<SummaryNumber> summaries_in(const Laid& laid, const TableBlock& block) {
+  std::vector<SummaryNumber> summaries;
+  for (const std::size_t line : block.rows) {
+    const std::string_view first = laid.sheet.at(line, 0);
+    const bool labelled = number_cell(first).number.empty() || block.titles.front().empty();
+    for (std::size_t column = labelled ? 1 : 0; column < laid.layout.columns; ++column) {
+      const std::string_view value = laid.sheet.at(line, column);
+      if (value.empty()) continue;
+      const std::string& title = block.titles[column];
+      const std::string unit = block.units.empty() || block.units[column].empty() ? "" : " " + block.units[column];
+      summaries.push_back({block.rows.size() > 1 ? std::string(first) : "",
+                           {title.substr(0, title.find_last_not_of(": \t") + 1), std::string(value) + unit, line + 1}});
+    }
+  }
+  return summaries;
+}
+
+std::vector<Metadatum> metadata_on(const Sheet& sheet, const std::vector<std::size_t>& lines) {
+  std::vector<Metadatum> metadata;
+  for (const std::size_t line : lines)
+    if (Metadatum datum = metadatum_on(sheet, line); !datum.name.empty() || !datum.value.empty())
+      metadata.push_back(std::move(datum));
+  return metadata;
+}
+
+// What a table holds; its metadata are of the file if it is the first with specimens, or holds none.
+struct ReadBlock {
+  std::vector<ExportedSpecimen> specimens;
+  std::vector<Metadatum> metadata;
+  std::vector<SummaryNumber> summaries;
+  Notes notes;
+};
+
+ReadBlock block_of(const Laid& laid, const TableBlock& block, const TableBlock& main, bool is_first) {
+  const std::vector<std::string>& titles = block.titles.empty() ? main.titles : block.titles;
+  const std::vector<ColumnGroup> groups = side_by_side(titles);
+  std::vector<std::size_t> remarks = block.remarks;
+  if (!groups.empty()) std::erase(remarks, block.header_line - 1);  // the names of the specimens
+  std::vector<Metadatum> own = metadata_on(laid.sheet, remarks);
+  ReadBlock out;
+  if (is_first || !is_specimen(block, main)) out.metadata = std::exchange(own, {});
+  if (!is_specimen(block, main)) {
+    if (block.rows.size() > longest_summary)
+      out.notes.push_back(fmt::format("left out: another table, with other columns, on lines {} to {}",
+                                      block.rows.front() + 1, block.rows.back() + 1));
+    else
+      out.summaries = summaries_in(laid, block);
+    return out;
+  }
+  if (groups.empty()) {
+    std::vector<std::size_t> columns(laid.layout.columns);
+    std::iota(columns.begin(), columns.end(), std::size_t{0});
+    auto [specimen, notes] = specimen_of(laid, block, titles, columns, std::move(own));
+    out.specimens = split_by_name(std::move(specimen));
+    out.notes = std::move(notes);
+    return out;
+  }
+  // Specimens beside each other, each with the rows in which it has a cell, named by what stands above the first of its titles.
+  for (const ColumnGroup& group : groups) {
+    TableBlock rows = block;
+    std::erase_if(rows.rows, [&](std::size_t line) {
+      return std::all_of(group.columns.begin(), group.columns.end(), [&](std::size_t column) {
+        return column < group.first || laid.sheet.at(line, column).empty();
+      });
+    });
+    if (rows.rows.empty()) continue;
+    auto [specimen, notes] = specimen_of(laid, rows, titles, group.columns, own);
+    const std::string_view above = block.header_line > 0 ? laid.sheet.at(block.header_line - 1, group.first) : "";
+    if (number_cell(above).number.empty()) specimen.name = above;
+    out.specimens.push_back(std::move(specimen));
+    append(out.notes, std::move(notes));
+  }
+  out.notes.push_back(fmt::format("{} specimens stand beside each other, with the same titles", groups.size()));
+  return out;
+}
+
+// The specimens with their names: those that the file says, or of several each its own on a line above its table. What summaries say of one of
+// several is its own, else it is the file's.
+Export named(Export file, const std::vector<SummaryNumber>& summaries) {
+  const bool several = file.specimens.size() > 1;
+  for (std::size_t i = 0; i < file.specimens.size(); ++i) {
+    ExportedSpecimen& specimen = file.specimens[i];
+    if (!specimen.name.empty()) continue;
+    specimen.name = specimen_name(several && i > 0 ? specimen.metadata : file.metadata);
+    std::vector<Metadatum>& above = i > 0 ? specimen.metadata : file.metadata;
+    if (!several || !specimen.name.empty() || above.empty() || !above.back().value.empty()) continue;
+    specimen.name = above.back().name;
+    above.pop_back();
+  }
+  for (const auto& [row, datum] : summaries) {
+    const auto own = std::find_if(file.specimens.begin(), file.specimens.end(),
+                                  [&name = row](const ExportedSpecimen& each) { return each.name == name; });
+    if (several && own != file.specimens.end())
+      own->metadata.push_back(datum);
+    else
+      file.metadata.push_back({row.empty() ? datum.name : row + " " + datum.name, datum.value, datum.line});
+  }
+  return file;
+}
+
+// ---- the whole file
+
+// "Instron Bluehill", ..., by the marks that the program that wrote it leaves; "table" if it bears none. Do its units stand in brackets on a line
+// of their own?
+std::string program_of(const Export& file, bool has_bracketed_units) {
+  const auto has = [](std::string_view text, std::string_view word) {
+    return text.find(word) != std::string_view::npos;
+  };
+  std::string titles;
+  for (const ExportColumn& column : file.specimens.front().columns) titles += folded(column.name) + "|";
+  std::string preamble;
+  for (const Metadatum& datum : file.metadata) preamble += folded(datum.name) + "|";
+  if (has(preamble, "mts793")) return "MTS 793";
+  if (has(preamble, "file path") && has(preamble, "test run")) return "MTS TestSuite";
+  for (const std::string_view word :
+       {"standardkraft", "standardweg", "force standard", "course standard", "standard force", "standard travel"})
+    if (has(titles, word)) return "Zwick testXpert";
+  if (file.encoding == Encoding::shift_jis || has(titles, "試験力") || has(titles, "ストローク"))
+    return "Shimadzu Trapezium";
+  if (has(titles, "setname|cycle")) return "CellScale";
+  if (has(titles, "run #")) return "PASCO Capstone";
+  const bool bluehill_names = has(titles, "time|") && (has(titles, "extension|") || has(titles, "displacement|")) &&
+                              (has(titles, "load|") || has(titles, "force|"));
+  if (bluehill_names && (has_bracketed_units || has(preamble, "raw data") || has(preamble, "results table")))
+    return "Instron Bluehill";
+  return "table";
+}
+
+Notes notes_on(const Layout& layout) {
+  Notes notes;
+  std::vector<std::size_t> lines;
+  for (const TableBlock& block : layout.blocks)
+    for (const std::size_t line : block.misfits) lines.push_back(line + 1);
+  if (!lines.empty())
+    notes.push_back(fmt::format("left out, as they are not rows of {} cells: {}", layout.columns, on_lines(lines)));
+  if (layout.cut_off)
+    notes.emplace_back("the file ends in the middle of a row, which is left out; check that the file is complete");
+  if (layout.blocks.front().titles.empty())
+    notes.push_back(
+        fmt::format("no line above line {} names {} columns", layout.blocks.front().rows.front() + 1, layout.columns));
+  append(notes, layout.notes);
+  return notes;
+}
+
+// Without names only columns of numbers are a table: others may be what is left of a preamble.
+void require_names(const Export& file, const TableBlock& main) {
+  for (const ExportColumn& column : file.specimens.front().columns)
+    if (main.titles.empty() && !column.words.empty())
+      throw InputError({.line = main.rows.front() + 1,
+                        .expected = "a line with the names of the columns above rows of numbers and words",
+                        .found = "none",
+                        .remedy = "add one, or export the raw data of the test as CSV"});
+}
+
+// Dates are no numbers, where a column that means something holds them.
+void require_no_dates(const Export& file, const WorkbookSheet& workbook) {
+  for (const ExportedSpecimen& specimen : file.specimens)
+    for (const ExportColumn& column : specimen.columns)
+      for (std::size_t row = 0; column.role != ColumnRole::other && row < specimen.lines.size(); ++row)
+        if (std::isnan(column.values[row]) && is_dated(workbook.cells.kind(specimen.lines[row] - 1, column.number - 1)))
+          throw workbook.dated(file.source, specimen.lines[row] - 1, column.number - 1,
+                               fmt::format("a number in the column {}", in_quotes(column.name)));
+}
+
+// An export whose source, encoding and separator are known.
+Export export_in(Export file, const Sheet& sheet, const ExportOptions& options) {
+  const Layout layout = layout_of(sheet);
+  const auto [format, apply] = marks_in(sheet, layout, options, file.separator);
+  file.quoted = sheet.quoted();
+  file.decimal = format.decimal;
+  file.thousands = format.thousands;
+  file.has_marks = apply;
+  const TableBlock& main =
+      *std::max_element(layout.blocks.begin(), layout.blocks.end(),
+                        [](const auto& a, const auto& b) { return a.rows.size() < b.rows.size(); });
+  std::vector<SummaryNumber> summaries;
+  for (const TableBlock& block : layout.blocks) {
+    ReadBlock read = block_of({sheet, layout, format}, block, main, file.specimens.empty());
+    append(file.specimens, std::move(read.specimens));
+    append(file.metadata, std::move(read.metadata));
+    append(file.notes, std::move(read.notes));
+    append(summaries, std::move(read.summaries));
+  }
+  require_names(file, main);
+  append(file.metadata, metadata_on(sheet, layout.remarks));
+  append(file.notes, notes_on(layout));
+  file.row_notes = layout.notes;
+  file = named(std::move(file), summaries);
+  file.test = test_in(all_metadata(file), format);
+  const bool has_bracketed_units = !main.titles.empty() && !main.units.empty() &&
+                                   sheet.text(main.header_line + 1).find('(') != std::string_view::npos;
+  file.format = program_of(file, has_bracketed_units);
+  return decided(std::move(file), options, format, layout.blocks.front().header_line + 1);
+}
+
+Export read_text(std::string text, Export file, const ExportOptions& options) {
+  static constexpr std::string_view known = ",;\t ";
+  if (options.separator && known.find(*options.separator) == std::string_view::npos)
+    throw InputError({.field = "separator",
+                      .expected = "a comma, a semicolon, a tab or a space",
+                      .found = in_quotes(std::string_view(&*options.separator, 1))});
+  file.separator = options.separator ? *options.separator : separator_of(text);
+  const Sheet sheet(std::move(text), file.separator);
+  return export_in(std::move(file), sheet, options);
+}
+
+Export read_workbook(std::string_view bytes, Export file, const ExportOptions& options) {
+  WorkbookSheet workbook = read_sheet(bytes, options.sheet);
+  file.sheet = workbook.name;
+  file.sheets = workbook.sheets;
+  file.sheet_is_chosen = workbook.is_chosen;
+  file.notes = workbook.notes;
+  file.has_delimiters = workbook.text.has_value();
   for (const auto& [is_given, flag] :
        {std::pair{options.encoding.has_value(), "--encoding"}, std::pair{options.separator.has_value(), "--separator"}})
-    if (is_given)
+    if (is_given && !file.has_delimiters)
       throw InputError({.field = flag,
                         .expected = "a text file",
                         .found = "a workbook, which needs no such choice",
                         .remedy = fmt::format("leave {} out", flag)});
-  options.separator = '\t';
-  return options;
+  try {
+    if (workbook.text) return read_text(std::move(*workbook.text), std::move(file), options);
+    Export read = export_in(std::move(file), workbook.cells, options);
+    require_no_dates(read, workbook);
+    return read;
+  } catch (const InputError& error) {
+    if (workbook.is_chosen) throw;
+    throw with_other_sheets(error, workbook.name, workbook.sheets);
+  }
 }
 
-Export read_workbook(std::string_view bytes, const std::string& source, const ExportOptions& options) {
-  WorkbookSheet sheet = read_sheet(bytes, options.sheet);
-  const DecodedText text{std::move(sheet.text), Encoding::utf8, false};
-  try {
-    return export_in(text, source, options_for(sheet, options), sheet);
-  } catch (const InputError& error) {
-    if (sheet.is_chosen) throw;
-    throw with_other_sheets(error, sheet.name, sheet.sheets);
-  }
+// "," or "comma", "none": a mark as the user wrote it.
+char mark_named(const std::string& text, std::string_view flag) {
+  if (text.size() == 1) return text.front();
+  if (text == "tab" || text == "\\t") return '\t';
+  if (text == "space") return ' ';
+  if (text == "comma") return ',';
+  if (text == "semicolon") return ';';
+  if (text == "point") return '.';
+  if (text == "apostrophe") return '\'';
+  if (text == "none") return '\0';
+  throw InputError({.field = std::string(flag),
+                    .expected = "one character, or comma, semicolon, point, tab, space, apostrophe or none",
+                    .found = in_quotes(text)});
+}
+
+char mark_of(const std::string& text, std::string_view flag, std::string_view allowed) {
+  const char mark = mark_named(text, flag);
+  if (allowed.find(mark) == std::string_view::npos)
+    throw InputError({.field = std::string(flag),
+                      .expected = fmt::format("one of {}", allowed == ".," ? ". and ," : allowed),
+                      .found = in_quotes(text)});
+  return mark;
 }
 
 }  // namespace
 
+ExportOptions options_of(const ReadingWords& words) {
+  using namespace std::string_view_literals;
+  const auto said = [&](std::string_view name) {
+    const auto found = words.find(name);
+    return found == words.end() ? std::string() : found->second;
+  };
+  ExportOptions options;
+  if (const std::string sheet = said("sheet"); !sheet.empty()) options.sheet = sheet;
+  if (const std::string number = said("sheet-number"); !number.empty()) options.sheet = std::size_t{std::stoul(number)};
+  if (const std::string name = said("encoding"); !name.empty()) options.encoding = encoding_named(name);
+  if (const std::string mark = said("separator"); !mark.empty()) options.separator = mark_named(mark, "--separator");
+  if (const std::string mark = said("decimal"); !mark.empty()) options.decimal = mark_of(mark, "--decimal", ".,");
+  if (const std::string mark = said("thousands"); !mark.empty())
+    options.thousands = mark_of(mark, "--thousands", "., '\0"sv);
+  for (const ColumnRole role : {ColumnRole::time, ColumnRole::crosshead, ColumnRole::deflection, ColumnRole::force})
+    if (const std::string column = said(words_for(role).word()); !column.empty()) options.columns[role] = column;
+  for (const ColumnRole role : {ColumnRole::time, ColumnRole::displacement, ColumnRole::force})
+    if (const std::string unit = said(words_for(role).unit_flag.substr(2)); !unit.empty()) options.units[role] = unit;
+  if (const std::string calibration = said("calibration"); !calibration.empty()) {
+    if (!calibration.ends_with("/V"))
+      throw InputError({.field = "--calibration", .expected = "such as \"222 N/V\"", .found = in_quotes(calibration)});
+    options.units[ColumnRole::force] = calibration;
+  }
+  if (const std::string which = said("displacement"); !which.empty())
+    options.displacement = which == "crosshead" ? ColumnRole::crosshead : ColumnRole::deflection;
+  return options;
+}
+
+std::vector<Metadatum> all_metadata(const Export& file) {
+  std::vector<Metadatum> all = file.metadata;
+  if (file.specimens.size() == 1) {
+    const std::vector<Metadatum>& own = file.specimens.front().metadata;
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 Export read_export(std::string_view bytes, const std::string& source, const ExportOptions& options) {
+  Export file{.source = source};
   try {
-    if (is_packed(bytes)) return read_workbook(bytes, source, options);
-    if (options.sheet)
-      throw InputError({.field = "--sheet",
-                        .expected = "a workbook (.xlsx), as this names a sheet",
-                        .found = "a text file",
-                        .remedy = "leave it out",
-                        .key = "record.sheet"});
-    const DecodedText decoded = decode(bytes, options.encoding);
+    if (is_packed(bytes)) return read_workbook(bytes, std::move(file), options);
+    if (options.sheet) throw no_workbook("");
+    DecodedText decoded = decode(bytes, options.encoding);
     if (decoded.text.find_first_not_of(" \t\r\n") == std::string::npos)
       throw InputError({.expected = "rows of numbers",
                         .found = decoded.byte_order_mark ? "an empty file: a byte order mark and nothing else"
                                  : bytes.empty()         ? "an empty file"
                                                          : "an empty file: blanks only",
                         .remedy = "export the test again"});
-    return export_in(decoded, source, options);
+    file.encoding = decoded.encoding;
+    file.byte_order_mark = decoded.byte_order_mark;
+    return read_text(std::move(decoded.text), std::move(file), options);
   } catch (const InputError& error) {
     const bool is_of_call = error.fault.field.starts_with("--") && error.fault.key.empty();
     if (!error.fault.file.empty() || is_of_call) throw;
@@ -84,9 +653,10 @@ std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, 
   };
   const std::optional<Unit> unit = machine_unit(column.unit);
   const std::string wanted = fmt::format("a unit of {}", kind.name.substr(kind.name.find(' ') + 1));
-  const std::string remedy = fmt::format("state it with {}, as in {} {}", unit_flag_of(column.role),
-                                         unit_flag_of(column.role), usual_unit(column.role));
-  if (is_voltage(column.unit))
+  const RoleWords& words = words_for(column.role);
+  const std::string remedy =
+      fmt::format("state it with {}, as in {} {}", words.unit_flag, words.unit_flag, words.usual_unit);
+  if (volts_in(column.unit))
     refuse(0, wanted, in_quotes(column.unit), "give its calibration, as in --calibration \"222 N/V\"");
   if (!unit) refuse(0, wanted, column.unit.empty() ? "none" : in_quotes(column.unit) + ", which is unknown", remedy);
   if (unit->dimension != kind.dimension) refuse(0, wanted, in_quotes(column.unit), remedy);
@@ -118,10 +688,10 @@ const ExportColumn& column_with(const Export& file, const ExportedSpecimen& spec
   }
   if (found != nullptr && names.size() == 1) return *found;
   throw InputError({.file = file.source,
-                    .field = std::string(word_for(role)),
+                    .field = std::string(words_for(role).word()),
                     .expected = "one column with it",
                     .found = names.empty() ? "no name that says so among " + listed(all) : "several: " + listed(names),
-                    .remedy = fmt::format("say which with {} COLUMN", flag_of(role))});
+                    .remedy = fmt::format("say which with {} COLUMN", words_for(role).flag)});
 }
 
 }  // namespace flexslip

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "instruments/column_role.h"
+#include "instruments/column_words.h"
 #include "instruments/encoding.h"
 #include "instruments/metadata.h"
 #include "io/quantity.h"
@@ -23,27 +24,34 @@ struct ExportOptions {
   std::optional<Encoding> encoding{};
   std::optional<char> separator{};              // ',', ';', '\t'; ' ' for runs of spaces and tabs
   std::optional<char> decimal{};                // '.' or ','
-  std::optional<char> thousands{};              // '.', ',', ' ' or '\''; '\0' for none; as decimal: see regrouped.h
+  std::optional<char> thousands{};              // '.', ',', ' ' or '\''; '\0' for none; as decimal: see Regrouped
   std::map<ColumnRole, std::string> columns{};  // name or number (from 1) of the column with this role
   std::map<ColumnRole, std::string> units{};    // of a column, whatever it states; "222 N/V" for a force given in volts
   std::optional<ColumnRole>
       displacement{};  // which displacement a column is whose words do not say: crosshead, deflection
 };
 
+// The same in words, by the names of flags: {"sheet", "Data"}, {"force-unit", "N"}. Nothing is said where they are missing or empty; "sheet-number"
+// is one that is no name.
+using ReadingWords = std::map<std::string, std::string, std::less<>>;
+
+// Fails:      InputError that names the flag.
+ExportOptions options_of(const ReadingWords& words);
+
 struct ExportColumn {
   std::string name;  // as in the file, in UTF-8
   std::string unit;  // as in the file; empty if there is none
   ColumnRole role;
-  std::vector<double> values;      // [unit]; NaN where the cell holds no number
-  std::size_t number;              // of the column in the file, from 1
-  std::vector<std::string> words;  // of a column without numbers (phases, names): its cells; empty otherwise
+  std::vector<double> values;        // [unit]; NaN where the cell holds no number
+  std::size_t number;                // of the column in the file, from 1
+  std::vector<std::string> words{};  // of a column without numbers (phases, names): its cells; empty otherwise
 };
 
 struct ExportedSpecimen {
-  std::string name;                   // empty if the file names none
-  std::vector<ExportColumn> columns;  // of one length
-  std::vector<std::size_t> lines;     // of the file, counted from 1, on which each row stands
-  std::vector<Metadatum> metadata;    // of this specimen alone
+  std::string name{};                   // empty if the file names none
+  std::vector<ExportColumn> columns{};  // of one length
+  std::vector<std::size_t> lines{};     // of the file, counted from 1, on which each row stands
+  std::vector<Metadatum> metadata{};    // of this specimen alone
 };
 
 struct Export {
@@ -51,24 +59,25 @@ struct Export {
   std::optional<std::string> sheet{};  // of the workbook that it is, whose rows are the lines
   std::vector<std::string> sheets{};   // of that workbook
   bool sheet_is_chosen = false;        // by who called
-  std::optional<SheetHolds> sheet_holds{};
-  std::string format;  // "Instron Bluehill", ..., "table"
-  Encoding encoding;
-  bool byte_order_mark;
-  char separator, decimal, thousands;  // as in ExportOptions
-  bool has_marks = false;              // are there numbers in words, to which these apply?
-  bool quoted;
-  std::vector<ExportedSpecimen> specimens;  // at least one, with at least one row
-  std::vector<Metadatum> metadata;
-  ExportedTest test;
-  std::vector<std::string> notes;        // what was decided or left out that a reader of the numbers should know
+  std::string format{};                // "Instron Bluehill", ..., "table"
+  bool has_delimiters = true;          // encoding, separator and quotes; the cells of a workbook are apart
+  Encoding encoding = Encoding::utf8;
+  bool byte_order_mark = false;
+  char separator = '\t', decimal = '.', thousands = '\0';  // as in ExportOptions
+  bool has_marks = false;                                  // are there numbers in words, to which these apply?
+  bool quoted = false;
+  std::vector<ExportedSpecimen> specimens{};  // at least one, with at least one row
+  std::vector<Metadatum> metadata{};
+  ExportedTest test{};
+  std::vector<std::string> notes{};      // what was decided or left out that a reader of the numbers should know
   std::vector<std::string> row_notes{};  // those on rows that are no readings, or may be none; among the notes as well
-  std::vector<std::string> asks;  // what the file does not say and an evaluation needs, each with the flag that says it
-  std::string repeat_with;        // the flags that make the same decisions again
-
-  // Has it encoding, separator and quotes, or is it the sheet of a workbook, whose cells are apart?
-  bool has_delimiters() const { return !sheet_holds || *sheet_holds == SheetHolds::lines_of_text; }
+  std::vector<std::string>
+      asks{};                 // what the file does not say and an evaluation needs, each with the flag that says it
+  std::string repeat_with{};  // the flags that make the same decisions again
 };
+
+// What a file says of itself; of one specimen, with what it says of that.
+std::vector<Metadatum> all_metadata(const Export& file);
 
 // Reads an export from its bytes.
 // Fails:      InputError with file, line and remedy: nothing in it, no numbers, columns that cannot be told apart.

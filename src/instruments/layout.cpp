@@ -1,16 +1,16 @@
 #include "instruments/layout.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <optional>
+#include <span>
 #include <utility>
 
-#include "instruments/column_role.h"
-#include "instruments/column_unit.h"
+#include <fmt/format.h>
+
 #include "instruments/column_words.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
+#include "io/statistics_rows.h"
 #include "io/text.h"
 
 namespace flexslip {
@@ -21,15 +21,20 @@ constexpr std::size_t longest_unit = 16;  // [bytes] a line with longer words is
 
 using Cells = std::span<const std::string_view>;
 
-bool is_comment(std::string_view line) { return trimmed(line).starts_with('#'); }
-
 bool is_blank(Cells cells) {
   return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.empty(); });
 }
 
 bool has_number(std::string_view cell) { return !number_cell(cell).number.empty(); }
 
-// The columns of a line that hold numbers, one character each: "101".
+// ---- rows
+
+// A row as most are: which of its columns hold numbers, one character each, "101", and how many cells it has.
+struct UsualRow {
+  std::string pattern;
+  std::size_t numbers, cells;
+};
+
 std::string pattern_of(Cells cells) {
   std::string pattern;
   for (const std::string_view cell : cells) pattern += has_number(cell) ? '1' : '0';
@@ -37,235 +42,263 @@ std::string pattern_of(Cells cells) {
   return pattern;
 }
 
-class LayoutFinder {
- public:
-  explicit LayoutFinder(const Sheet& sheet) : sheet_(sheet) {}
+// The columns with numbers of most lines, by their numbers, and the cells that most of these lines have.
+UsualRow usual_row(const Sheet& sheet) {
+  std::map<std::string, std::map<std::size_t, std::size_t>> lines_with;  // a pattern, and so many cells
+  for (std::size_t line = 0; line < sheet.size(); ++line)
+    if (!sheet.is_comment(line)) ++lines_with[pattern_of(sheet.cells(line))][sheet.cells(line).size()];
+  UsualRow usual{};
+  std::size_t most = 0;
+  for (const auto& [pattern, lines_of] : lines_with) {
+    std::size_t lines = 0;
+    for (const auto& [cells, count] : lines_of) lines += count;
+    const auto numbers = static_cast<std::size_t>(std::count(pattern.begin(), pattern.end(), '1'));
+    if (numbers * lines <= most) continue;
+    most = numbers * lines;
+    const auto longest = std::max_element(lines_of.begin(), lines_of.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    usual = {pattern, numbers, longest->first};
+  }
+  if (most == 0)
+    throw InputError({.expected = "rows of numbers",
+                      .found = sheet.size() == 0 ? "an empty file" : "no line with numbers",
+                      .remedy = "export the raw data of the test as CSV"});
+  return usual;
+}
 
-  Layout find() {
-    find_pattern();
-    std::size_t line = 0;
-    for (; line < sheet_.size(); ++line) {
-      if (is_row(line))
-        take_row(line);
-      else if (!is_blank(sheet_.cells(line)))
-        gap_.push_back(line);
+// Numbers in most of the columns, or in some and nothing in the others.
+bool is_row(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
+  if (sheet.is_comment(line)) return false;
+  std::size_t numbers = 0;
+  std::size_t words = 0;
+  for (std::size_t i = 0; i < usual.pattern.size(); ++i) {
+    if (usual.pattern[i] != '1') continue;
+    const std::string_view cell = sheet.at(line, i);
+    if (has_number(cell))
+      ++numbers;
+    else if (!says_missing(cell))
+      ++words;
+  }
+  return 2 * numbers > usual.numbers || (numbers > 0 && words == 0);
+}
+
+bool fits(Cells cells, const UsualRow& usual) {
+  if (cells.size() < usual.pattern.size()) return false;
+  return cells.size() <= usual.cells || is_blank(cells.subspan(usual.cells));
+}
+
+// Is a line between rows one with damaged cells: all of them, and some numbers, or each says that it is missing?
+bool is_damaged_row(Cells cells, const UsualRow& usual) {
+  return cells.size() == usual.cells &&
+         (std::any_of(cells.begin(), cells.end(), has_number) || std::all_of(cells.begin(), cells.end(), says_missing));
+}
+
+// ---- names and units
+
+bool is_unit_line(Cells cells) {
+  std::size_t units = 0;
+  std::size_t others = 0;
+  for (const std::string_view cell : cells) {
+    const bool counts_nothing = cell.empty() || cell == "-" || cell == "1";
+    if (counts_nothing) continue;
+    if (cell.size() > longest_unit) return false;
+    ++(names_a_unit(cell) && !has_number(cell) ? units : others);
+  }
+  return units > others;
+}
+
+bool means_something(std::string_view title) { return role_of(title_parts(title).name) != ColumnRole::other; }
+
+// The titles on a line: as many words as columns and no numbers, or two that mean something. Empty if it has none.
+std::vector<std::string> titles_on(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
+  std::string_view text = trimmed(sheet.text(line));
+  const Cells cells = sheet.cells(line);
+  std::vector<std::string> titles(cells.begin(), cells.end());
+  if (sheet.is_comment(line)) {  // "# time force": its cells are those behind the mark
+    text = trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())));
+    titles.front().erase(0, titles.front().find_first_not_of("# \t"));
+    if (titles.front().empty()) titles.erase(titles.begin());
+  }
+  while (titles.size() > usual.cells && titles.back().empty()) titles.pop_back();
+  if (titles.size() != usual.cells) titles = split_titles(text, usual.cells);
+  std::size_t words = 0;
+  std::size_t units = 0;
+  std::size_t meant = 0;
+  for (const std::string& title : titles) {
+    if (has_number(title)) return {};
+    if (!says_missing(title)) ++words;
+    if (names_a_unit(title)) ++units;
+    if (means_something(title)) ++meant;
+  }
+  // A comment that means nothing is prose, unless it gives each column its unit, as Gwyddion does: "# x [m]  y [m]".
+  const bool have_units = std::all_of(titles.begin(), titles.end(),
+                                      [](const std::string& title) { return names_a_unit(title_parts(title).unit); });
+  const bool is_prose = sheet.is_comment(line) && meant == 0 && !have_units;
+  const bool are_units = units > 1 && 2 * units > words;
+  if (is_prose || are_units || (words < 2 && usual.cells > 1) || words == 0) return {};
+  return 2 * words >= usual.numbers || meant >= 2 ? titles : std::vector<std::string>{};
+}
+
+bool begins_table(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
+  const Cells cells = sheet.cells(line);
+  if (is_unit_line(cells) && cells.size() <= usual.cells + 1 && 2 * cells.size() >= usual.cells) return true;
+  const std::vector<std::string> titles = titles_on(sheet, line, usual);
+  return sheet.is_comment(line) ? std::any_of(titles.begin(), titles.end(), means_something) : !titles.empty();
+}
+
+// The titles on two lines, where cells are merged downwards: what means something and stands above a cell that is empty is its title.
+std::vector<std::string> titles_on_two_lines(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
+  const Cells above = sheet.cells(line - 1), below = sheet.cells(line);
+  if (above.size() != usual.cells || below.size() != usual.cells || sheet.is_comment(line)) return {};
+  std::vector<std::string> titles(below.begin(), below.end());
+  bool is_merged = false;
+  std::size_t words = 0;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    const bool is_title_above = titles[i].empty() && means_something(above[i]);
+    if (is_title_above) titles[i] = above[i];
+    is_merged = is_merged || is_title_above;
+    if (has_number(titles[i]) || names_a_unit(below[i])) return {};  // units may be fewer than titles
+    if (!titles[i].empty()) ++words;
+  }
+  return is_merged && words > 1 ? titles : std::vector<std::string>{};
+}
+
+// A table that begins with a row: names and units are the last of the lines above it that belong to none.
+TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t> above, const UsualRow& usual) {
+  TableBlock block{.header_line = row};
+  if (!above.empty() && is_unit_line(sheet.cells(above.back()))) {
+    const Cells cells = sheet.cells(above.back());
+    block.header_line = above.back();
+    if (fits(cells, usual))
+      for (std::size_t i = 0; i < usual.cells; ++i)
+        block.units.emplace_back(without_brackets(sheet.at(block.header_line, i)));
+    above.pop_back();
+  }
+  if (!above.empty()) {
+    const std::size_t line = above.back();
+    block.titles = titles_on(sheet, line, usual);
+    if (above.size() > 1 && above[above.size() - 2] + 1 == line)
+      if (std::vector<std::string> both = titles_on_two_lines(sheet, line, usual); !both.empty())
+        block.titles = std::move(both);
+    if (!block.titles.empty()) {
+      block.header_line = line;
+      above.pop_back();
     }
-    finish();
-    return std::move(layout_);
   }
+  block.remarks = std::move(above);
+  return block;
+}
 
- private:
-  // The columns with numbers of most lines, by their numbers, and the cells that most of these lines have.
-  void find_pattern() {
-    std::map<std::string, std::map<std::size_t, std::size_t>> lines_with;  // a pattern, and so many cells
-    for (std::size_t line = 0; line < sheet_.size(); ++line)
-      if (!is_comment(sheet_.text(line))) ++lines_with[pattern_of(sheet_.cells(line))][sheet_.cells(line).size()];
-    std::size_t most = 0;
-    for (const auto& [pattern, lines_of] : lines_with) {
-      std::size_t lines = 0;
-      for (const auto& [cells, count] : lines_of) lines += count;
-      const auto numbers = static_cast<std::size_t>(std::count(pattern.begin(), pattern.end(), '1')) * lines;
-      if (numbers <= most) continue;
-      most = numbers;
-      pattern_ = pattern;
-    }
-    if (most == 0)
-      throw InputError({.expected = "rows of numbers",
-                        .found = sheet_.size() == 0 ? "an empty file" : "no line with numbers",
-                        .remedy = "export the raw data of the test as CSV"});
-    numeric_ = static_cast<std::size_t>(std::count(pattern_.begin(), pattern_.end(), '1'));
-    const auto& lines_of = lines_with[pattern_];
-    const auto usual = std::max_element(lines_of.begin(), lines_of.end(),
-                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-    layout_.columns = usual->first;
-    layout_.numeric.resize(layout_.columns);
-    for (std::size_t i = 0; i < pattern_.size(); ++i) layout_.numeric[i] = pattern_[i] == '1';
+// ---- rows that are no readings
+
+std::vector<LabelledRow> labelled_rows(const Sheet& sheet, const TableBlock& block) {
+  std::vector<LabelledRow> labelled;
+  for (std::size_t row = 0; row < block.rows.size(); ++row) {
+    const Cells cells = sheet.cells(block.rows[row]);
+    const auto first = std::find_if(cells.begin(), cells.end(), [](std::string_view each) { return !each.empty(); });
+    if (first != cells.end() && is_label(*first)) labelled.push_back({row, names_statistic(*first)});
   }
+  return labelled;
+}
 
-  // Numbers in most of the columns, or in some and nothing in the others.
-  bool is_row(std::size_t line) const {
-    if (is_comment(sheet_.text(line))) return false;
-    const Cells cells = sheet_.cells(line);
-    std::size_t numbers = 0;
-    std::size_t words = 0;
-    for (std::size_t i = 0; i < pattern_.size(); ++i) {
-      if (pattern_[i] != '1') continue;
-      const std::string_view cell = i < cells.size() ? cells[i] : std::string_view{};
-      if (has_number(cell))
-        ++numbers;
-      else if (!says_missing(cell))
-        ++words;
-    }
-    return 2 * numbers > numeric_ || (numbers > 0 && words == 0);
+// A number before the marks are known: those of a column are wrong by one factor, if at all.
+double roughly(const Sheet& sheet, std::size_t line, std::size_t column) {
+  const std::string_view number = number_cell(sheet.at(line, column)).number;
+  const bool has_comma = std::count(number.begin(), number.end(), ',') == 1;
+  return sheet.number(line, column, {has_comma && number.find('.') == std::string_view::npos ? ',' : '.', '\0'});
+}
+
+// How many rows stand below the last break, lines without anything.
+std::size_t rows_below_break(const Sheet& sheet, const TableBlock& block) {
+  std::size_t begin = block.rows.size() - 1;
+  while (begin > 0 && block.rows[begin - 1] + 1 == block.rows[begin]) --begin;
+  for (std::size_t line = begin > 0 ? block.rows[begin - 1] + 1 : 0; begin > 0 && line < block.rows[begin]; ++line)
+    if (!is_blank(sheet.cells(line))) return 0;
+  return begin > 0 ? block.rows.size() - begin : 0;
+}
+
+// The rows of statistics, by their labels, or without one by their numbers in the columns that hold numbers.
+std::vector<std::size_t> statistics_of(const Sheet& sheet, const TableBlock& block, const std::vector<bool>& numeric) {
+  std::vector<std::size_t> rows = rows_below_readings(labelled_rows(sheet, block), block.rows.size());
+  if (!rows.empty()) return rows;
+  std::vector<std::vector<double>> columns;
+  for (std::size_t column = 0; column < numeric.size(); ++column) {
+    if (!numeric[column]) continue;
+    columns.emplace_back();
+    for (const std::size_t line : block.rows) columns.back().push_back(roughly(sheet, line, column));
   }
+  const std::vector<std::span<const double>> views(columns.begin(), columns.end());
+  for (std::size_t tail = statistics_at_end(views, rows_below_break(sheet, block)); tail > 0; --tail)
+    rows.push_back(block.rows.size() - tail);
+  return rows;
+}
 
-  bool fits(std::size_t line) const {
-    const Cells cells = sheet_.cells(line);
-    if (cells.size() < pattern_.size()) return false;
-    return cells.size() <= layout_.columns || is_blank(cells.subspan(layout_.columns));
+Layout without_statistics(const Sheet& sheet, Layout layout) {
+  for (TableBlock& block : layout.blocks) {
+    const std::size_t below = rows_below_break(sheet, block), count = block.rows.size();
+    std::vector<std::size_t> lines;
+    for (const std::size_t row : statistics_of(sheet, block, layout.numeric)) lines.push_back(block.rows[row]);
+    if (lines.empty() && are_few(below, count))
+      layout.notes.push_back(below_a_break(block.rows[count - below] + 1, block.rows.back() + 1));
+    if (lines.empty()) continue;
+    std::erase_if(block.rows, [&](std::size_t line) { return std::binary_search(lines.begin(), lines.end(), line); });
+    for (std::size_t& line : lines) ++line;
+    layout.notes.push_back(left_out_statistics(lines));
   }
-
-  void take_row(std::size_t line) {
-    const bool first = layout_.blocks.empty();
-    if (first || std::any_of(gap_.begin(), gap_.end(), [&](std::size_t each) { return begins_table(each); })) {
-      // A line of numbers among the remarks above a table is not its first row: that fits.
-      if (!fits(line)) {
-        gap_.push_back(line);
-        return;
-      }
-      layout_.blocks.emplace_back();
-      take_header(layout_.blocks.back(), line);
-    } else {
-      for (const std::size_t each : gap_) take_misfit(each);
-    }
-    gap_.clear();
-    if (fits(line))
-      layout_.blocks.back().rows.push_back(line);
-    else
-      layout_.blocks.back().misfits.push_back(line);
-  }
-
-  // A line between rows with all their cells and some numbers is a row with damaged cells, one that says of each that it is missing too.
-  void take_misfit(std::size_t line) {
-    TableBlock& block = layout_.blocks.back();
-    const Cells cells = sheet_.cells(line);
-    const bool damaged =
-        !is_comment(sheet_.text(line)) && cells.size() == layout_.columns &&
-        (std::any_of(cells.begin(), cells.end(), has_number) || std::all_of(cells.begin(), cells.end(), says_missing));
-    if (damaged)
-      block.rows.push_back(line);
-    else if (!is_comment(sheet_.text(line)))
-      block.misfits.push_back(line);
-  }
-
-  static bool is_unit_line(Cells cells) {
-    std::size_t units = 0;
-    std::size_t others = 0;
-    for (const std::string_view cell : cells) {
-      if (cell.empty()) continue;
-      const bool counts_nothing = cell == "-" || cell == "1";
-      if (counts_nothing) continue;
-      if (cell.size() > longest_unit) return false;
-      ++(names_a_unit(cell) && !has_number(cell) ? units : others);
-    }
-    return units > others;
-  }
-
-  // As many words as columns and no numbers, or two that mean something.
-  bool begins_table(std::size_t line) const {
-    const Cells cells = sheet_.cells(line);
-    if (is_unit_line(cells) && cells.size() <= layout_.columns + 1 && 2 * cells.size() >= layout_.columns) return true;
-    return !titles_on(line).empty();
-  }
-
-  std::vector<std::string> titles_on(std::size_t line) const {
-    std::string_view text = trimmed(sheet_.text(line));
-    Cells cells = sheet_.cells(line);
-    std::vector<std::string> titles;
-    if (is_comment(text)) {  // "# time force": its cells are those behind the mark
-      text = trimmed(text.substr(text.find_first_not_of('#') == std::string_view::npos ? text.size()
-                                                                                       : text.find_first_not_of('#')));
-      titles.assign(cells.begin(), cells.end());
-      titles.front().erase(0, titles.front().find_first_not_of("# \t"));
-      if (titles.front().empty()) titles.erase(titles.begin());
-    } else {
-      titles.assign(cells.begin(), cells.end());
-    }
-    while (titles.size() > layout_.columns && titles.back().empty()) titles.pop_back();
-    if (titles.size() != layout_.columns && cells.size() != 1) titles = split_titles(text, layout_.columns);
-    if (titles.size() != layout_.columns && cells.size() == 1) titles = split_titles(text, layout_.columns);
-    if (titles.size() != layout_.columns) return {};
-    std::size_t words = 0;
-    std::size_t units = 0;
-    std::size_t meant = 0;
-    for (const std::string& title : titles) {
-      if (has_number(title)) return {};
-      if (!says_missing(title)) ++words;
-      if (names_a_unit(title)) ++units;
-      if (role_of(title_parts(title).name) != ColumnRole::other) ++meant;
-    }
-    const bool is_prose = is_comment(sheet_.text(line)) && meant == 0;
-    const bool are_units = units > 1 && 2 * units > words;
-    if (is_prose || are_units || (words < 2 && layout_.columns > 1) || words == 0) return {};
-    return 2 * words >= numeric_ || meant >= 2 ? titles : std::vector<std::string>{};
-  }
-
-  // The titles on the last two lines of the gap, where cells are merged downwards: what means something and stands above a cell that is
-  // empty is its title.
-  std::vector<std::string> titles_on_two_lines() const {
-    if (gap_.size() < 2 || gap_[gap_.size() - 2] + 1 != gap_.back()) return {};
-    const Cells above = sheet_.cells(gap_[gap_.size() - 2]), below = sheet_.cells(gap_.back());
-    if (above.size() != layout_.columns || below.size() != layout_.columns || is_comment(sheet_.text(gap_.back())))
-      return {};
-    std::vector<std::string> titles(below.begin(), below.end());
-    bool is_merged = false;
-    std::size_t words = 0;
-    for (std::size_t i = 0; i < titles.size(); ++i) {
-      const bool is_title_above = titles[i].empty() && role_of(title_parts(above[i]).name) != ColumnRole::other;
-      if (is_title_above) titles[i] = above[i];
-      is_merged = is_merged || is_title_above;
-      if (has_number(titles[i]) || names_a_unit(below[i])) return {};  // units may be fewer than titles
-      if (!titles[i].empty()) ++words;
-    }
-    return is_merged && words > 1 ? titles : std::vector<std::string>{};
-  }
-
-  // Names and units are the last lines of the gap above the first row.
-  void take_header(TableBlock& block, std::size_t first_row) {
-    block.header_line = first_row;
-    if (!gap_.empty() && is_unit_line(sheet_.cells(gap_.back()))) {
-      const Cells cells = sheet_.cells(gap_.back());
-      block.header_line = gap_.back();
-      const bool surplus = cells.size() > layout_.columns && !is_blank(cells.subspan(layout_.columns));
-      if (cells.size() >= pattern_.size() && !surplus)
-        for (std::size_t i = 0; i < layout_.columns; ++i)
-          block.units.emplace_back(i < cells.size() ? without_brackets(cells[i]) : std::string_view{});
-      gap_.pop_back();
-    }
-    if (!gap_.empty()) {
-      block.titles = titles_on(gap_.back());
-      if (std::vector<std::string> both = titles_on_two_lines(); !both.empty()) block.titles = std::move(both);
-      if (!block.titles.empty()) {
-        block.header_line = gap_.back();
-        gap_.pop_back();
-      }
-    }
-    block.remarks = std::exchange(gap_, {});
-  }
-
-  void finish() {
-    if (layout_.blocks.empty())
-      throw InputError({.expected = "rows of numbers", .found = "no row with as many cells as the others"});
-    TableBlock& last = layout_.blocks.back();
-    // The end of a file that was cut off: words or a short row as its last line.
-    if (!last.misfits.empty() && last.misfits.back() > last.rows.back() && gap_.empty()) {
-      last.misfits.pop_back();
-      last.cut_off = true;
-    } else if (gap_.size() == 1 && gap_.back() + 1 == sheet_.size() && !sheet_.cells(gap_.back()).empty() &&
-               has_number(sheet_.cells(gap_.back()).front()) && sheet_.cells(gap_.back()).size() < layout_.columns) {
-      gap_.clear();
-      last.cut_off = true;
-    }
-    layout_.remarks = std::exchange(gap_, {});
-    for (const TableBlock& block : layout_.blocks)
-      if (block.misfits.size() * misfit_share > block.rows.size())
-        throw InputError(
-            {.line = block.misfits.front() + 1,
-             .expected = "rows of " + std::to_string(layout_.columns) + " cells",
-             .found = std::to_string(block.misfits.size()) + " lines with more or fewer cells, beside " +
-                      std::to_string(block.rows.size()) + " rows",
-             .remedy = "name the separator with --separator, or delete the lines that do not belong to the table"});
-  }
-
-  const Sheet& sheet_;
-  Layout layout_{};
-  std::string pattern_;
-  std::size_t numeric_ = 0;       // columns with numbers in the pattern
-  std::vector<std::size_t> gap_;  // lines since the last row that are none
-};
+  return layout;
+}
 
 }  // namespace
 
-Layout layout_of(const Sheet& sheet) { return LayoutFinder(sheet).find(); }
+Layout layout_of(const Sheet& sheet) {
+  const UsualRow usual = usual_row(sheet);
+  Layout layout{.columns = usual.cells, .numeric = std::vector<bool>(usual.cells)};
+  for (std::size_t i = 0; i < usual.pattern.size(); ++i) layout.numeric[i] = usual.pattern[i] == '1';
+  std::vector<std::size_t> gap;  // lines since the last row that are none
+  for (std::size_t line = 0; line < sheet.size(); ++line) {
+    const Cells cells = sheet.cells(line);
+    const bool is_one = is_row(sheet, line, usual);
+    const bool begins = layout.blocks.empty() || (is_one && std::any_of(gap.begin(), gap.end(), [&](std::size_t each) {
+                                                    return begins_table(sheet, each, usual);
+                                                  }));
+    // A line of numbers among the remarks above a table is not its first row: that fits.
+    if (!is_one || (begins && !fits(cells, usual))) {
+      if (is_one || !is_blank(cells)) gap.push_back(line);
+      continue;
+    }
+    if (begins) {
+      layout.blocks.push_back(begun_at(sheet, line, std::exchange(gap, {}), usual));
+    } else {
+      TableBlock& block = layout.blocks.back();
+      for (const std::size_t each : std::exchange(gap, {}))
+        if (!sheet.is_comment(each))
+          (is_damaged_row(sheet.cells(each), usual) ? block.rows : block.misfits).push_back(each);
+    }
+    TableBlock& block = layout.blocks.back();
+    (fits(cells, usual) ? block.rows : block.misfits).push_back(line);
+  }
+  if (layout.blocks.empty())
+    throw InputError({.expected = "rows of numbers", .found = "no row with as many cells as the others"});
+  TableBlock& last = layout.blocks.back();
+  // The end of a file that was cut off: words or a short row as its last line.
+  if (!last.misfits.empty() && last.misfits.back() > last.rows.back() && gap.empty()) {
+    last.misfits.pop_back();
+    layout.cut_off = true;
+  } else if (gap.size() == 1 && gap.back() + 1 == sheet.size() && has_number(sheet.at(gap.back(), 0)) &&
+             sheet.cells(gap.back()).size() < usual.cells) {
+    gap.clear();
+    layout.cut_off = true;
+  }
+  layout.remarks = std::move(gap);
+  for (const TableBlock& block : layout.blocks)
+    if (block.misfits.size() * misfit_share > block.rows.size())
+      throw InputError(
+          {.line = block.misfits.front() + 1,
+           .expected = fmt::format("rows of {} cells", layout.columns),
+           .found = fmt::format("{} lines with more or fewer cells, beside {} rows", block.misfits.size(),
+                                block.rows.size()),
+           .remedy = "name the separator with --separator, or delete the lines that do not belong to the table"});
+  return without_statistics(sheet, std::move(layout));
+}
 
 }  // namespace flexslip

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "instruments/column_unit.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "instruments/column_words.h"
 #include "io/quantity.h"
 #include "io/text.h"
@@ -50,24 +52,25 @@ std::optional<double> agreed(std::span<const Metadatum> metadata, const NumberFo
 
 }  // namespace
 
-Metadatum metadatum_on(std::string_view text, std::span<const std::string_view> cells, std::size_t line) {
-  text = trimmed(text);
-  const bool comment = text.starts_with('#');
+Metadatum metadatum_on(const Sheet& sheet, std::size_t line) {
+  std::string text(trimmed(sheet.text(line)));
+  std::vector<std::string> cells;  // that are not empty
+  for (std::size_t column = 0; column < sheet.cells(line).size(); ++column)
+    if (!sheet.at(line, column).empty()) cells.push_back(sheet.shown(line, column));
+  const auto datum = [line](std::string_view name, std::string_view value) {
+    return Metadatum{std::string(name.substr(0, name.find_last_not_of(": \t") + 1)), std::string(value), line + 1};
+  };
+  const bool comment = sheet.is_comment(line);
   if (comment) text = trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())));
-  const auto without_colon = [](std::string_view name) { return name.substr(0, name.find_last_not_of(": \t") + 1); };
-  const auto filled = std::count_if(cells.begin(), cells.end(), [](std::string_view cell) { return !cell.empty(); });
-  if (!comment && filled > 1 && text.find_first_of(",;\t") != std::string_view::npos) {
-    std::string value;
-    for (const std::string_view cell : cells.subspan(1))
-      if (!cell.empty()) value.append(value.empty() ? "" : " ").append(cell);
-    return {std::string(without_colon(cells.front())), value, line};
+  if (!comment && cells.size() > 1 && text.find_first_of(",;\t") != std::string::npos) {
+    const auto values = std::span(cells).subspan(sheet.cells(line).front().empty() ? 0 : 1);
+    return datum(sheet.at(line, 0), fmt::format("{}", fmt::join(values, " ")));
   }
-  if (!comment && filled == 1)
-    text = *std::find_if(cells.begin(), cells.end(), [](std::string_view cell) { return !cell.empty(); });
+  if (!comment && cells.size() == 1) text = cells.front();
   std::size_t colon = text.find(": ");  // "General : Start date: today" is cut behind the date
-  while (colon != std::string_view::npos && colon > 0 && text[colon - 1] == ' ') colon = text.find(": ", colon + 1);
-  if (colon == std::string_view::npos) return {std::string(without_colon(text)), "", line};
-  return {std::string(without_colon(text.substr(0, colon))), std::string(trimmed(text.substr(colon + 2))), line};
+  while (colon != std::string::npos && colon > 0 && text[colon - 1] == ' ') colon = text.find(": ", colon + 1);
+  if (colon == std::string::npos) return datum(text, "");
+  return datum(std::string_view(text).substr(0, colon), trimmed(std::string_view(text).substr(colon + 2)));
 }
 
 ExportedTest test_in(std::span<const Metadatum> metadata, const NumberFormat& format) {

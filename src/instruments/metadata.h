@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "instruments/number_format.h"
+#include "io/number_format.h"
+#include "io/sheet.h"
 
 namespace flexslip {
 
@@ -25,7 +26,8 @@ struct ExportedTest {
 };
 
 // A line of a preamble: "Name: value", or cells of which the first is the name. A comment is read without its #.
-Metadatum metadatum_on(std::string_view text, std::span<const std::string_view> cells, std::size_t line);
+// Lines count from 0; that of the datum from 1.
+Metadatum metadatum_on(const Sheet& sheet, std::size_t line);
 
 // The values whose words and units are those of the test; one that is named twice with different values is not known.
 ExportedTest test_in(std::span<const Metadatum> metadata, const NumberFormat& format);

@@ -20,6 +20,10 @@ struct TraceOptions {
   std::optional<double> step{};                // [m] between heights, of a file without positions
 };
 
+// The same in words, as those of an export, and "position", "height", "position-unit", "height-unit", "step".
+// Fails:      InputError that names the flag.
+TraceOptions trace_options_of(const ReadingWords& words);
+
 struct TraceFile {
   std::string source;
   std::string position, height;    // the columns taken, as the file calls them; no position where a step was stated

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "io/text.h"
+
 namespace flexslip {
 namespace {
 
@@ -15,29 +17,15 @@ constexpr std::size_t longest_likely_name = 64;  // [bytes] longer words are not
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
-// Bytes of the UTF-8 character at the start of `text`, 0 if it is none that can be shown.
-std::size_t shown_character(std::string_view text) {
-  const auto first = static_cast<unsigned char>(text.front());
-  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
-  if (first < 0xc2 || first > 0xf4) return 0;
-  const std::size_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-  if (text.size() < length) return 0;
-  const std::string_view rest = text.substr(1, length - 1);
-  if (!std::all_of(rest.begin(), rest.end(), continues_character)) return 0;
-  const bool is_control = first == 0xc2 && static_cast<unsigned char>(rest.front()) < 0xa0;  // U+0080 to U+009F
-  return is_control ? 0 : length;
-}
-
 // The text with \xNN for each byte that cannot be shown.
-std::string printable(std::string_view text) {
+std::string escaped(std::string_view text) {
   std::string out;
   while (!text.empty()) {
-    const std::size_t length = shown_character(text);
-    if (length > 0)
-      out += text.substr(0, length);
-    else
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
-    text.remove_prefix(std::max<std::size_t>(length, 1));
+    const auto [bytes, is_control] = first_character(text);
+    const bool is_shown = bytes > 0 && !is_control;
+    out += is_shown ? std::string(text.substr(0, bytes))
+                    : fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
+    text.remove_prefix(is_shown ? bytes : 1);
   }
   return out;
 }
@@ -60,7 +48,7 @@ std::string sentence(const InputFault& fault) {
   if (!fault.field.empty()) text += fault.field + (has_subject ? " " : ": ");
   text += problem_of(fault);
   if (!fault.remedy.empty()) text += "; " + fault.remedy;
-  return printable(text);
+  return escaped(text);
 }
 
 char lower_case(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -113,10 +101,10 @@ InputError located(const InputError& error, std::string_view file, std::size_t l
 }
 
 std::string in_quotes(std::string_view text) {
-  if (text.size() <= longest_quote) return fmt::format("'{}'", printable(text));
+  if (text.size() <= longest_quote) return fmt::format("'{}'", escaped(text));
   std::size_t length = longest_quote;
   while (length > longest_quote - 3 && continues_character(text[length])) --length;  // cut between characters
-  return fmt::format("'{}…'", printable(text.substr(0, length)));
+  return fmt::format("'{}…'", escaped(text.substr(0, length)));
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,6 +58,15 @@ constexpr std::array without_prefix{
     NamedUnit{"°", {{.radian = 1}, 0, degree}},
     NamedUnit{"%", {{}, -2}},
 };
+
+// What machines call units besides, in lower case.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 25> spellings{
+    {{"secs", "s"},        {"second", "s"},      {"seconds", "s"},     {"sekunden", "s"},    {"sek", "s"},
+     {"sec.", "s"},        {"sec", "s"},         {"秒", "s"},          {"mins", "min"},      {"minutes", "min"},
+     {"millimeter", "mm"}, {"millimetre", "mm"}, {"meter", "m"},       {"metre", "m"},       {"inch", "in"},
+     {"inches", "in"},     {"in.", "in"},        {"micrometer", "um"}, {"micrometre", "um"}, {"newton", "N"},
+     {"newtons", "N"},     {"lb", "lbf"},        {"lbs", "lbf"},       {"kgf", "kgf"},       {"kp", "kgf"}}};
+constexpr std::size_t longest_spelling = 24;  // [bytes] longer ones are prose
 
 constexpr std::array<std::pair<std::string_view, int>, 12> prefixes{{{"f", -15},
                                                                      {"p", -12},
@@ -396,6 +404,33 @@ Unit parse_unit(std::string_view text, const Kind& kind) {
                       .found = fmt::format("{}, the unit of {}", in_quotes(body), name_of(unit.dimension)),
                       .remedy = remedy()});
   return unit;
+}
+
+std::optional<Unit> machine_unit(std::string_view text) {
+  std::string_view body = trimmed(text);
+  const std::string small = folded(body);
+  if (small == "gf" || small == "p") return Unit{of_force, -3, standard_gravity};
+  for (const auto& [spelling, unit] : spellings)
+    if (spelling == small) body = unit;
+  if (body.empty() || body.size() > longest_spelling) return std::nullopt;
+  try {
+    return parse_unit(body);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<double> volts_in(std::string_view text) {
+  const std::string_view body = trimmed(text);
+  const std::string small = folded(body);
+  if (body == "V" || small == "volt" || small == "volts") return 1;
+  if (body == "mV") return 1e-3;
+  return body == "uV" || body == "\u00b5V" ? std::optional(1e-6) : std::nullopt;
+}
+
+bool names_a_unit(std::string_view text) {
+  const std::string_view body = without_brackets(trimmed(text));
+  return body == "-" || body == "1" || volts_in(body) || machine_unit(body);
 }
 
 double to_si(double value, const Unit& unit) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -90,6 +91,16 @@ Unit parse_unit(std::string_view text);
 // A unit from text that must be one of the given kind; kind::number also takes "", "1" and "-".
 // Fails:      InputError, without a place.
 Unit parse_unit(std::string_view text, const Kind& kind);
+
+// A unit as testing machines write it: what parse_unit knows, and "Secs", "seconds", "Newton", "kp", "gf", "inch", "Micrometer" and the
+// like. nullopt for what is none of these: a unit is never guessed.
+std::optional<Unit> machine_unit(std::string_view text);
+
+// Volts, of a transducer whose calibration the file does not hold: "V", "mV", "Volts"; how many volts one of it is [V].
+std::optional<double> volts_in(std::string_view text);
+
+// Does it name a unit or a voltage, or none with "-" or "1"? So in brackets or without.
+bool names_a_unit(std::string_view text);
 
 // A value in a unit, in SI.
 // Max error:  1 ulp (one rounding for the power of ten, where |exponent| <= 22; one for a factor other than 1).

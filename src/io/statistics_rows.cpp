@@ -19,29 +19,13 @@ constexpr std::size_t fewest_rows = 12;  // of which fewer have statistics by ch
 constexpr double far = 5;          // times the longest step between readings: a stage that is driven makes none such
 constexpr double as_shown = 2e-3;  // of a statistic, which is written with three digits or more
 
-// In lower case, without accents on capitals; the beginnings of labels, each a word of its own.
-constexpr std::array statistics{
-    std::string_view{"mean"}, std::string_view{"average"}, std::string_view{"avg"}, std::string_view{"max"},
-    std::string_view{"maximum"}, std::string_view{"min"}, std::string_view{"minimum"}, std::string_view{"median"},
-    std::string_view{"std"}, std::string_view{"stdev"}, std::string_view{"stddev"}, std::string_view{"stdabw"},
-    std::string_view{"sd"}, std::string_view{"rms"}, std::string_view{"sum"}, std::string_view{"total"},
-    std::string_view{"variance"}, std::string_view{"var"}, std::string_view{"cv"}, std::string_view{"cov"},
-    // German
-    std::string_view{"mittelwert"}, std::string_view{"mittel"}, std::string_view{"mw"},
-    std::string_view{"standardabweichung"}, std::string_view{"standardabw"}, std::string_view{"streuung"},
-    std::string_view{"summe"}, std::string_view{"varianz"}, std::string_view{"variationskoeffizient"},
-    // French, Spanish, Italian, Portuguese, Turkish
-    std::string_view{"moyenne"}, std::string_view{"moy"}, std::string_view{"écart"}, std::string_view{"ecart"},
-    std::string_view{"médiane"}, std::string_view{"somme"}, std::string_view{"media"}, std::string_view{"média"},
-    std::string_view{"promedio"}, std::string_view{"mediana"}, std::string_view{"desviación"},
-    std::string_view{"desviacion"}, std::string_view{"desvio"}, std::string_view{"deviazione"},
-    std::string_view{"scarto"}, std::string_view{"suma"}, std::string_view{"soma"}, std::string_view{"somma"},
-    std::string_view{"máximo"}, std::string_view{"mínimo"}, std::string_view{"massimo"}, std::string_view{"minimo"},
-    std::string_view{"ortalama"}, std::string_view{"maks"}, std::string_view{"toplam"},
-    // Japanese
-    std::string_view{"平均"}, std::string_view{"平均値"}, std::string_view{"標準偏差"}, std::string_view{"最大"},
-    std::string_view{"最大値"}, std::string_view{"最小"}, std::string_view{"最小値"}, std::string_view{"合計"},
-    std::string_view{"中央値"}};
+// The beginnings of labels, each a word of its own, in lower case: English; German; French, Spanish, Italian, Portuguese, Turkish; Japanese.
+constexpr std::string_view statistics =
+    " mean average avg max maximum min minimum median std stdev stddev stdabw sd rms sum total variance var"
+    " cv cov mittelwert mittel mw standardabweichung standardabw streuung summe varianz variationskoeffizient"
+    " moyenne moy écart ecart médiane somme media média promedio mediana desviación desviacion desvio"
+    " deviazione scarto suma soma somma máximo mínimo massimo minimo ortalama maks toplam"
+    " 平均 平均値 標準偏差 最大 最大値 最小 最小値 合計 中央値 ";
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
@@ -61,25 +45,13 @@ class Summary {
     greatest_ = std::max(greatest_, value);
   }
 
-  static constexpr std::size_t of_all = 4;  // the statistics that no reading is but by chance
-  static constexpr std::size_t count = 6;
-  double statistic(std::size_t which) const {
-    const double n = static_cast<double>(count_);
-    switch (which) {
-      case 0:
-        return mean_;
-      case 1:
-        return std::sqrt(squares_ / (n - 1));
-      case 2:
-        return std::sqrt(squares_ / n);
-      case 3:
-        return sum_;
-      case 4:
-        return least_;
-      default:
-        return greatest_;
-    }
+  // Mean, deviations, sum; least and greatest.
+  std::array<double, 6> statistics() const {
+    const auto n = static_cast<double>(count_);
+    return {mean_, std::sqrt(squares_ / (n - 1)), std::sqrt(squares_ / n), sum_, least_, greatest_};
   }
+  static constexpr std::size_t of_all = 4;  // of them no reading is one but by chance
+  static constexpr std::size_t count = 6;
 
  private:
   std::size_t count_ = 0;
@@ -93,7 +65,7 @@ std::size_t statistic_on(std::span<const Summary> above, std::span<const std::sp
   for (std::size_t which = 0; which < Summary::count; ++which) {
     bool is_all = true;
     for (std::size_t i = 0; is_all && i < columns.size(); ++i) {
-      const double is = columns[i][row], wanted = above[i].statistic(which);
+      const double is = columns[i][row], wanted = above[i].statistics()[which];
       is_all = wanted != 0 && std::abs(is - wanted) <= as_shown * std::abs(wanted);
     }
     if (is_all) return which;
@@ -124,8 +96,7 @@ bool names_statistic(std::string_view cell) {
   const std::string label = folded(trimmed(cell));
   std::size_t end = 0;
   while (end < label.size() && is_letter(label[end])) ++end;
-  const std::string_view first = std::string_view(label).substr(0, end);
-  if (std::find(statistics.begin(), statistics.end(), first) != statistics.end()) return true;
+  if (end > 0 && statistics.find(" " + label.substr(0, end) + " ") != std::string_view::npos) return true;
   return label.starts_with("st. dev") || label.starts_with("standard dev") || label.starts_with("standard err") ||
          label.starts_with("standart sapma");
 }
@@ -167,6 +138,11 @@ std::size_t statistics_at_end(std::span<const std::span<const double>> columns, 
     for (std::size_t i = 0; i < columns.size(); ++i) above[i].add(columns[i][rows - tail]);
   }
   return 0;
+}
+
+bool are_few(std::size_t below_break, std::size_t rows) {
+  constexpr std::size_t few = 12;
+  return below_break > 0 && below_break <= few && 3 * below_break < rows;
 }
 
 std::string left_out_statistics(std::span<const std::size_t> lines) {

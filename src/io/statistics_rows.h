@@ -32,6 +32,9 @@ std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labell
 // Cost:       linear.
 std::size_t statistics_at_end(std::span<const std::span<const double>> columns, std::size_t below_break = 0);
 
+// Are so few of the rows below a break that they may be no readings? More are another cycle.
+bool are_few(std::size_t below_break, std::size_t rows);
+
 // What is said of them, with their lines: "left out, as they hold statistics of the readings: lines 42 to 45".
 std::string left_out_statistics(std::span<const std::size_t> lines);
 // And of rows that may be some: "lines 42 to 43 stand below a break and count as readings: delete them if they are none".

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -15,34 +17,27 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include "fibre/limits.h"
 #include "io/call_files.h"
-#include "io/cells.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
+#include "io/number_format.h"
+#include "io/sheet.h"
 #include "io/statistics_rows.h"
-#include "io/table_source.h"
 #include "io/text.h"
 
 namespace flexslip {
 namespace {
 
 constexpr std::size_t most_labelled = 1 << 16;  // rows with a label; where there are more, labels are data
-constexpr std::size_t few_below = 12;           // rows below a break, which may be no readings; more are another cycle
 
-// A cell as a number, if all of it is one; it may be infinite or NaN.
-std::optional<double> as_number(std::string_view cell, char decimal) {
-  if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') cell.remove_prefix(1);
-  std::string with_point;
-  if (decimal == ',' && cell.find(',') != std::string_view::npos) {
-    if (cell.find('.') != std::string_view::npos) return std::nullopt;
-    with_point = cell;
-    std::replace(with_point.begin(), with_point.end(), ',', '.');
-    cell = with_point;
-  }
+bool is_number_with(char decimal, std::string_view cell) { return !std::isnan(number_in(cell, {decimal})); }
+
+// Is the cell called a number, and none that a column may have: "nan", "-inf", "1e999"?
+bool is_not_finite(std::string_view cell) {
   double value = 0;
   const auto [end, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
-  return value;
+  return error == std::errc{} && end == cell.data() + cell.size() && !std::isfinite(value);
 }
 
 bool names_unit(std::string_view text) {
@@ -78,33 +73,58 @@ struct Source {
   std::vector<std::string> units;  // wherever one is stated: in the title asked for, the header, the line of units
 };
 
+// A table to read from: a text file is read as it is needed, a workbook at once.
+struct OpenedTable {
+  std::shared_ptr<std::istream> text;
+  std::unique_ptr<const WorkbookSheet> sheet;  // of a workbook
+  TableRows rows;
+};
+
+// "-" is standard input.
+// Fails:      OutputClash if the call writes it; InputError if it cannot be opened, of what read_sheet refuses, and if a sheet is
+//             wanted of a file that is no workbook.
+OpenedTable open_table(const std::string& path, const std::optional<SheetChoice>& wanted, SheetFor purpose) {
+  const std::string source = path == "-" ? "standard input" : path;
+  std::shared_ptr<std::istream> text = open_to_read(path);
+  std::unique_ptr<const WorkbookSheet> sheet;
+  // What begins like a workbook is taken whole, as a stream need not go back.
+  if (const auto first = text->peek(); first == 'P' || first == 0xd0) {
+    std::string bytes{std::istreambuf_iterator<char>(*text), {}};
+    if (is_packed(bytes)) try {
+        sheet = std::make_unique<const WorkbookSheet>(read_sheet(bytes, wanted, purpose));
+      } catch (const InputError& error) {
+        throw located(error, source, error.fault.line, error.fault.field);
+      }
+    text = std::make_shared<std::istringstream>(sheet && sheet->text ? *sheet->text : std::move(bytes));
+  }
+  if (wanted && !sheet) throw no_workbook(source);
+  TableRows rows = sheet && !sheet->text ? TableRows(sheet->cells, source) : TableRows(*text, source);
+  return {std::move(text), std::move(sheet), std::move(rows)};
+}
+
 class TableReader {
  public:
-  TableReader(std::istream& in, std::string source, char decimal, const WorkbookSheet* sheet)
-      : source_(std::move(source)), decimal_(decimal), sheet_(sheet), lines_(in, source_) {
-    if (sheet_ != nullptr && !sheet_->kinds.has_dates()) sheet_ = nullptr;
-  }
+  TableReader(TableRows& rows, char decimal, const WorkbookSheet* sheet)
+      : rows_(rows), decimal_(decimal), sheet_(sheet) {}
 
   Table read(const std::vector<WantedColumn>& wanted) {
     read_header();
     find(wanted);
-    std::optional<std::string_view> line = next_line();
-    if (line && is_unit_line(*line)) {
-      take_units(*line);
-      line = next_line();
+    bool has_row = rows_.next();
+    if (has_row && is_unit_line()) {
+      take_units();
+      has_row = rows_.next();
     }
     std::vector<Unit> units;
     for (const Source& source : sources_) units.push_back(agreed_unit(source));
-    Table table{.source = source_, .columns = {}, .lines = {}, .notes = {}};
+    Table table{.source = rows_.source(), .columns = {}, .lines = {}, .notes = {}};
     for (const Source& source : sources_) table.columns.push_back({header_[source.cell].title.name, {}});
     std::vector<double> row(sources_.size());
-    for (; line; line = next_line()) {
-      label_ = {};
-      if (!read_row(*line, row)) continue;
-      const std::size_t index = table.rows();
-      if (!label_.empty() && labelled_.size() <= most_labelled) labelled_.push_back({index, names_statistic(label_)});
-      if (table.lines.empty() || lines_.number() - table.lines.back().line != index - table.lines.back().row)
-        table.lines.push_back({index, lines_.number()});
+    for (; has_row; has_row = rows_.next()) {
+      if (!read_row(row)) continue;
+      if (!label_.empty() && labelled_.size() <= most_labelled)
+        labelled_.push_back({table.rows(), names_statistic(label_)});
+      add_line(table, rows_.number());
       for (std::size_t i = 0; i < row.size(); ++i) table.columns[i].values.push_back(to_si(row[i], units[i]));
     }
     if (table.rows() == 0) refuse(header_line_, "", "rows of numbers", "a header only", "");
@@ -116,46 +136,39 @@ class TableReader {
  private:
   [[noreturn]] void refuse(std::size_t line, std::string field, std::string expected, std::string found,
                            std::string remedy, TablePart part = TablePart::none) const {
-    InputFault fault{source_, line, std::move(field), std::move(expected), std::move(found), std::move(remedy)};
+    InputFault fault{rows_.source(), line, std::move(field), std::move(expected), std::move(found), std::move(remedy)};
     fault.part = part;
     throw InputError(std::move(fault));
   }
 
-  std::optional<std::string_view> next_line() {
-    std::optional<std::string_view> line = lines_.next();
-    while (line && is_comment_or_blank(*line)) line = lines_.next();
-    return line;
+  // A number of this row, which is that of a workbook or written with the mark of the table; NaN if it is none.
+  double number(std::size_t column, std::string_view cell) const {
+    const bool is_word = sheet_ == nullptr || sheet_->cells.kind(rows_.number() - 1, column) == CellKind::word;
+    return number_in(cell, {is_word ? decimal_ : '.'});
   }
 
-  // Calls visit(index, cell) for each cell of a line.
-  template <class Visit>
-  std::size_t for_each_cell(std::string_view line, const Visit& visit) const {
-    CellReader cells(line, delimiter_);
-    std::size_t count = 0;
-    while (const std::optional<std::string_view> cell = cells.next()) visit(count++, *cell);
-    if (cells.broken())
-      refuse(lines_.number(), "", "quotes in pairs around a whole cell",
-             "a stray quote in cell " + std::to_string(count + 1), "delete it");
-    return count;
+  // Likewise, or what is called one: "nan", "-inf".
+  bool is_number(std::size_t column, std::string_view cell) const {
+    return !std::isnan(number(column, cell)) || is_not_finite(cell);
   }
 
   void read_header() {
-    const std::optional<std::string_view> line = next_line();
-    if (!line)
-      refuse(0, "", "a header line and rows of numbers",
-             lines_.number() == 0 ? "an empty file" : "no line with content", "");
-    header_line_ = lines_.number();
-    delimiter_ = delimiter_of(*line);
+    if (!rows_.next())
+      refuse(0, "", "a header line and rows of numbers", rows_.number() == 0 ? "an empty file" : "no line with content",
+             "");
+    header_line_ = rows_.number();
+    delimiter_ = rows_.delimiter();
     bool all_numbers = true;
-    for_each_cell(*line, [&](std::size_t, std::string_view cell) {
-      std::string text = unescaped(cell);
-      const bool names_another = delimiter_ == ' ' && !header_.empty() && cell.starts_with('[');
+    const auto cells = rows_.cells(delimiter_);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      std::string text(cells[i]);
+      const bool names_another = delimiter_ == ' ' && !header_.empty() && text.starts_with('[');
       if (names_another)
         text = header_.back().text + " " + text;  // "w_s [m] F [N]": the space before a unit separates nothing
       if (names_another) header_.pop_back();
-      all_numbers = all_numbers && (cell.empty() || as_number(cell, decimal_));
+      all_numbers = all_numbers && (cells[i].empty() || is_number(i, cells[i]));
       header_.push_back({text, title_in_header(text)});
-    });
+    }
     if (all_numbers)
       refuse(header_line_, "", "a header line that names the columns", "numbers",
              "add one above, such as \"w_s [m],F [N]\"");
@@ -184,15 +197,13 @@ class TableReader {
       if (!header_[found[0]].title.unit.empty()) source.units.push_back(header_[found[0]].title.unit);
       sources_.push_back(std::move(source));
     }
-    wanted_by_.assign(header_.size(), sources_.size());
-    for (std::size_t i = 0; i < sources_.size(); ++i) wanted_by_[sources_[i].cell] = i;
   }
 
   [[noreturn]] void refuse_missing(const std::string& name, const std::string& field) const {
     std::vector<std::string> names;
     for (const HeaderCell& cell : header_) names.push_back(cell.title.name);
     const std::string meant = nearest(name, names);
-    throw InputError({.file = source_,
+    throw InputError({.file = rows_.source(),
                       .line = header_line_,
                       .field = field,
                       .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?",
@@ -201,23 +212,25 @@ class TableReader {
   }
 
   // A line of units has words where the wanted columns should have numbers.
-  bool is_unit_line(std::string_view line) const {
+  bool is_unit_line() {
     bool words = false;
     bool numbers = false;
-    for_each_cell(line, [&](std::size_t i, std::string_view cell) {
-      if (i >= wanted_by_.size() || wanted_by_[i] == sources_.size() || cell.empty()) return;
+    const auto cells = rows_.cells(delimiter_);
+    for (const Source& source : sources_) {
+      if (source.cell >= cells.size() || cells[source.cell].empty()) continue;
+      const std::string_view cell = cells[source.cell];
       const bool starts_as_number = std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
-      const bool word = !as_number(cell, decimal_) && (!starts_as_number || names_unit(without_brackets(cell)));
+      const bool word = !is_number(source.cell, cell) && (!starts_as_number || names_unit(without_brackets(cell)));
       (word ? words : numbers) = true;
-    });
+    }
     return words && !numbers;
   }
 
-  void take_units(std::string_view line) {
-    for_each_cell(line, [&](std::size_t i, std::string_view cell) {
-      if (i < wanted_by_.size() && wanted_by_[i] < sources_.size() && !cell.empty())
-        sources_[wanted_by_[i]].units.emplace_back(without_brackets(cell));
-    });
+  void take_units() {
+    const auto cells = rows_.cells(delimiter_);
+    for (Source& source : sources_)
+      if (source.cell < cells.size() && !cells[source.cell].empty())
+        source.units.emplace_back(without_brackets(cells[source.cell]));
   }
 
   // What stands behind the last underscore of a name that states no unit elsewhere, where it is a unit: "w_s_m".
@@ -251,7 +264,7 @@ class TableReader {
                  "the file and the title asked for must agree");
       return unit;
     } catch (const InputError& error) {
-      const InputError placed = located(error, source_, header_line_, source.field);
+      const InputError placed = located(error, rows_.source(), header_line_, source.field);
       if (!source.units.empty()) throw InputError(placed);
       InputFault fault = placed.fault;
       fault.remedy = fmt::format("name it with its unit, such as \"{} [{}]\"", name, source.kind.units.back());
@@ -261,33 +274,31 @@ class TableReader {
 
   // One line into one row; false if all its cells are empty, as spreadsheets write them below a table, or if a word stands for a
   // statistic where a number is wanted.
-  bool read_row(std::string_view line, std::vector<double>& row) {
-    bool surplus = false;
-    bool lacking = false;
-    bool is_first = true;
-    const std::size_t cells = for_each_cell(line, [&](std::size_t i, std::string_view cell) {
-      if (!cell.empty() && std::exchange(is_first, false) && is_label(cell)) label_ = cell;
-      if (i >= wanted_by_.size()) {
-        surplus = surplus || !cell.empty();
-      } else if (wanted_by_[i] < row.size()) {
-        const std::optional<double> value = as_number(cell, decimal_);
-        if (value && std::isfinite(*value))
-          row[wanted_by_[i]] = *value;
-        else
-          lacking = true;
-        if (sheet_ != nullptr && value && is_dated(sheet_->kinds.at(lines_.number(), i + 1)))
-          throw sheet_->dated(source_, lines_.number(), i + 1, *value,
-                              fmt::format("a number in the {}", sources_[wanted_by_[i]].field));
-      }
-    });
-    if (!surplus && !lacking && cells >= header_.size()) return true;
-    if (line.find_first_not_of(" \t\",;") == std::string_view::npos) return false;
-    if (surplus || cells < header_.size()) refuse_count(cells);
+  bool read_row(std::vector<double>& row) {
+    const auto cells = rows_.cells(delimiter_);
+    const std::size_t line = rows_.number() - 1;
+    const Source* lacking = nullptr;
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      const std::size_t at = sources_[i].cell;
+      row[i] = at < cells.size() ? number(at, cells[at]) : not_a_number;
+      if (std::isnan(row[i]) && (lacking == nullptr || at < lacking->cell)) lacking = &sources_[i];
+      if (sheet_ != nullptr && is_dated(sheet_->cells.kind(line, at)))
+        throw sheet_->dated(rows_.source(), line, at, "a number in the " + sources_[i].field);
+    }
+    const auto first = std::find_if(cells.begin(), cells.end(), [](std::string_view cell) { return !cell.empty(); });
+    label_ = first != cells.end() && is_label(*first) ? *first : std::string_view{};
+    const bool has_surplus =
+        std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), header_.size())), cells.end(),
+                    [](std::string_view cell) { return !cell.empty(); });
+    const bool is_short = cells.size() < header_.size();
+    if (!has_surplus && !is_short && lacking == nullptr) return true;
+    if (first == cells.end()) return false;
+    if (has_surplus || is_short) refuse_count(cells.size());
     if (names_statistic(label_)) {
-      statistics_.push_back(lines_.number());
+      statistics_.push_back(rows_.number());
       return false;
     }
-    refuse_cell(line);
+    refuse_cell(lacking->field, cells[lacking->cell]);
   }
 
   // Rows that say something of the readings, and those that may.
@@ -303,68 +314,66 @@ class TableReader {
     }
     for (const std::size_t row : rows) statistics_.push_back(table.line_of(row));
     std::sort(statistics_.begin(), statistics_.end());
-    if (rows.empty() && below_break > 0 && below_break <= few_below && 2 * below_break < end.row)
+    if (rows.empty() && are_few(below_break, table.rows()))
       notes_.push_back(below_a_break(end.line, end.line + below_break - 1));
     if (!statistics_.empty()) notes_.push_back(left_out_statistics(statistics_));
-    if (!rows.empty()) leave_out(table, rows);
+    if (!rows.empty()) table = without(rows, table);
   }
 
-  static void leave_out(Table& table, const std::vector<std::size_t>& rows) {
-    const Table all = std::move(table);
-    table = {.source = all.source, .columns = {}, .lines = {}, .notes = all.notes};
-    for (const Column& column : all.columns) table.columns.push_back({column.name, {}});
-    std::size_t next = 0;
+  static Table without(const std::vector<std::size_t>& rows, const Table& all) {
+    Table kept{.source = all.source, .columns = {}, .lines = {}, .notes = {}};
+    for (const Column& column : all.columns) kept.columns.push_back({column.name, {}});
+    auto next = rows.begin();
     for (std::size_t row = 0; row < all.rows(); ++row) {
-      if (next < rows.size() && rows[next] == row) {
+      if (next != rows.end() && *next == row) {
         ++next;
         continue;
       }
-      const std::size_t index = table.rows(), line = all.line_of(row);
-      if (table.lines.empty() || line - table.lines.back().line != index - table.lines.back().row)
-        table.lines.push_back({index, line});
-      for (std::size_t i = 0; i < all.columns.size(); ++i)
-        table.columns[i].values.push_back(all.columns[i].values[row]);
+      add_line(kept, all.line_of(row));
+      for (std::size_t i = 0; i < all.columns.size(); ++i) kept.columns[i].values.push_back(all.columns[i].values[row]);
     }
+    return kept;
+  }
+
+  // The next row of a table stands on a line.
+  static void add_line(Table& table, std::size_t line) {
+    const std::size_t row = table.rows();
+    if (table.lines.empty() || line - table.lines.back().line != row - table.lines.back().row)
+      table.lines.push_back({row, line});
   }
 
   [[noreturn]] void refuse_count(std::size_t cells) const {
     const bool perhaps_commas = delimiter_ == ',' && cells > header_.size();
-    refuse(lines_.number(), "", fmt::format("{} cells as in the header on line {}", header_.size(), header_line_),
+    refuse(rows_.number(), "", fmt::format("{} cells as in the header on line {}", header_.size(), header_line_),
            std::to_string(cells),
            perhaps_commas
                ? "if these are decimal commas, write decimal points, or separate cells by ; and pass --decimal ,"
                : "");
   }
 
-  [[noreturn]] void refuse_cell(std::string_view line) const {
-    for_each_cell(line, [&](std::size_t i, std::string_view cell) {
-      if (i >= wanted_by_.size() || wanted_by_[i] == sources_.size()) return;
-      const std::string& field = sources_[wanted_by_[i]].field;
-      const std::optional<double> value = as_number(cell, decimal_);
-      if (value && std::isfinite(*value)) return;
-      const std::string found = cell.empty() ? "an empty cell" : in_quotes(cell);
-      const std::string remedy = cell.empty() ? "fill it in or delete the line"
-                                 : value      ? "delete the line"
-                                              : remedy_for_cell(cell);
-      refuse(lines_.number(), field, value ? "a finite number" : "a number", found, remedy, TablePart::cell);
-    });
-    throw std::logic_error("read_row refuses only lines with a cell that is no finite number");
+  [[noreturn]] void refuse_cell(const std::string& field, std::string_view cell) const {
+    const bool is_infinite = is_not_finite(cell);
+    refuse(rows_.number(), field, is_infinite ? "a finite number" : "a number",
+           cell.empty() ? "an empty cell" : in_quotes(cell),
+           cell.empty()  ? "fill it in or delete the line"
+           : is_infinite ? "delete the line"
+                         : remedy_for_cell(cell),
+           TablePart::cell);
   }
 
   std::string remedy_for_cell(std::string_view cell) const {
     const bool comma = cell.find(',') != std::string_view::npos;
-    if (comma && decimal_ == '.' && as_number(cell, ',')) return "write decimal points, or pass --decimal ,";
-    if (!comma && decimal_ == ',' && as_number(cell, '.')) return "write decimal commas, or leave out --decimal ,";
+    if (comma && decimal_ == '.' && is_number_with(',', cell)) return "write decimal points, or pass --decimal ,";
+    if (!comma && decimal_ == ',' && is_number_with('.', cell)) return "write decimal commas, or leave out --decimal ,";
     std::string digits(cell);
     std::erase_if(digits, [](char c) { return c == ',' || c == '.'; });
-    if (comma && as_number(digits, '.')) return "write no thousands separators";
+    if (comma && is_number_with('.', digits)) return "write no thousands separators";
     return "";
   }
 
-  std::string source_;
+  TableRows& rows_;
   char decimal_;
-  const WorkbookSheet* sheet_;  // of a workbook with dates
-  LineReader lines_;
+  const WorkbookSheet* sheet_;  // of a workbook
   char delimiter_ = ',';
   std::size_t header_line_ = 0;
   std::vector<HeaderCell> header_;
@@ -373,7 +382,6 @@ class TableReader {
   std::string_view label_;               // that the row begins with
   std::vector<LabelledRow> labelled_;    // the first of them
   std::vector<std::size_t> statistics_;  // lines
-  std::vector<std::size_t> wanted_by_;   // for each cell of a line: which source takes it, sources_.size() if none
 };
 
 void append_word(fmt::memory_buffer& text, std::string_view word) {
@@ -422,32 +430,68 @@ std::size_t Table::line_of(std::size_t row) const {
 
 namespace {
 
-Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal,
-                 const WorkbookSheet* sheet) {
+Table read_table(TableRows& rows, const std::vector<WantedColumn>& wanted, char decimal, const WorkbookSheet* sheet) {
   if (wanted.empty()) throw std::invalid_argument("read_table: no column wanted");
   if (decimal != '.' && decimal != ',')
     throw std::invalid_argument(fmt::format("read_table: decimal mark '{}'", decimal));
-  return TableReader(in, std::move(source), decimal, sheet).read(wanted);
+  return TableReader(rows, decimal, sheet).read(wanted);
 }
 
 }  // namespace
 
 Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal) {
-  return read_table(in, std::move(source), wanted, decimal, nullptr);
+  TableRows rows(in, std::move(source));
+  return read_table(rows, wanted, decimal, nullptr);
 }
 
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
-                 const std::optional<SheetChoice>& sheet) {
-  const TableSource source = open_table(path, sheet);
-  if (!source.sheet) return read_table(*source.text, source.name, wanted, decimal, nullptr);
+                 const std::optional<SheetChoice>& choice) {
+  auto [text, sheet, rows] = open_table(path, choice, SheetFor::readings);
   try {
-    Table table = read_table(*source.text, source.name, wanted, decimal, &*source.sheet);
-    table.notes.insert(table.notes.begin(), source.sheet->notes.begin(), source.sheet->notes.end());
+    Table table = read_table(rows, wanted, decimal, sheet && !sheet->text ? sheet.get() : nullptr);
+    if (sheet) table.notes.insert(table.notes.begin(), sheet->notes.begin(), sheet->notes.end());
     return table;
   } catch (const InputError& error) {
-    if (sheet) throw;
-    throw with_other_sheets(error, source.sheet->name, source.sheet->sheets);
+    if (!sheet || choice) throw;
+    throw with_other_sheets(error, sheet->name, sheet->sheets);
   }
+}
+
+TextTable read_text_table(const std::string& path) {
+  auto [text, sheet, rows] = open_table(path, {}, SheetFor::words);
+  TextTable table{.source = rows.source(), .header_line = 0, .titles = {}, .rows = {}};
+  const auto refuse = [&](std::size_t line, std::string expected, std::string found, std::string remedy) {
+    throw InputError({table.source, line, "", std::move(expected), std::move(found), std::move(remedy)});
+  };
+  char delimiter = ',';
+  while (rows.next()) {
+    const bool is_header = table.titles.empty();
+    if (is_header && rows.delimiter() != ' ') delimiter = rows.delimiter();  // or else one column
+    std::vector<std::string> cells;
+    for (const std::string_view cell : rows.cells(delimiter)) {
+      if (sheet && is_dated(sheet->cells.kind(rows.number() - 1, cells.size())))
+        throw sheet->dated(table.source, rows.number() - 1, cells.size(), "a number or words");
+      cells.push_back(with_formula(std::string(cell)));
+    }
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+    if (is_header) {
+      table.header_line = rows.number();
+      table.titles = std::move(cells);
+      continue;
+    }
+    if (cells.size() > table.titles.size())
+      refuse(rows.number(), fmt::format("{} cells, as the header has", table.titles.size()),
+             std::to_string(cells.size()), "put a cell that holds the delimiter in quotes");
+    cells.resize(table.titles.size());
+    table.rows.push_back({rows.number(), std::move(cells)});
+  }
+  if (table.titles.empty()) refuse(0, "a header line that names the columns", "an empty file", "");
+  for (auto title = table.titles.begin(); title != table.titles.end(); ++title) {
+    if (title->empty()) refuse(table.header_line, "a title for every column", "an empty one", "");
+    if (std::find(table.titles.begin(), title, *title) != title)
+      refuse(table.header_line, "each title once", in_quotes(*title) + " twice", "");
+  }
+  return table;
 }
 
 void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next) {

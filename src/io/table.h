@@ -1,4 +1,4 @@
-// Tables of numbers: CSV, or text separated by semicolons, tabs or spaces, one header line, units in the column names.
+// Tables of numbers, or of words: CSV, or text separated by semicolons, tabs or spaces, one header line, units in the column names.
 //
 // Read: UTF-8 with or without byte order mark, any line ending, cells quoted or not, comment lines that start with #,
 // empty lines, and a line of units below the header are all taken as what they are.
@@ -68,6 +68,24 @@ Table read_table(std::istream& in, std::string source, const std::vector<WantedC
 // of its numbers kept as words. A date or clock time in a column wanted is refused.
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.',
                  const std::optional<SheetChoice>& sheet = {});
+
+struct TextRow {
+  std::size_t line;                // of the file, counted from 1
+  std::vector<std::string> cells;  // one for each title; those that the line lacks are empty
+};
+
+// A table of words: what a person keeps in a spreadsheet.
+struct TextTable {
+  std::string source;  // the file as the user named it
+  std::size_t header_line;
+  std::vector<std::string> titles;  // none empty, none twice
+  std::vector<TextRow> rows;
+};
+
+// Reads a table separated by commas, semicolons or tabs, or the first sheet with a number of a workbook. A cell is what without_formula was given:
+// '=a is =a.
+// Fails:      InputError with file and line: no header, a title that is missing or there twice, more cells than titles, a stray quote, a date.
+TextTable read_text_table(const std::string& path);
 
 // What stands in a table that is written: a number, or words.
 using Cell = std::variant<double, std::string>;

@@ -1,8 +1,28 @@
 #include "io/text.h"
 
-namespace flexslip {
+#include <algorithm>
+#include <cctype>
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+namespace flexslip {
+namespace {
+
+bool is_like_formula(std::string_view words) {
+  const std::size_t first = words.find_first_not_of('\'');
+  return first != std::string_view::npos && std::string_view("=+-@").find(words[first]) != std::string_view::npos;
+}
+
+// The digits that a text begins with, without leading zeros; the text goes on after them.
+std::string_view number_at_front(std::string_view& text) {
+  std::size_t zeros = 0;
+  while (zeros + 1 < text.size() && text[zeros] == '0' && is_digit(text[zeros + 1])) ++zeros;
+  std::size_t end = zeros;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  const std::string_view digits = text.substr(zeros, end - zeros);
+  text.remove_prefix(end);
+  return digits;
+}
+
+}  // namespace
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -25,6 +45,60 @@ std::string folded(std::string_view text) {
     if (latin_capital && byte != 0x97) out[i] = static_cast<char>(byte + 0x20);  // 0x97 is the sign of multiplication
   }
   return out;
+}
+
+Character first_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t length = first < 0x80   ? 1
+                             : first < 0xc2 ? 0
+                             : first < 0xe0 ? 2
+                             : first < 0xf0 ? 3
+                             : first < 0xf5 ? 4
+                                            : 0;
+  if (length > text.size()) return {0, false};
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return {0, false};
+  if (length < 3) return {length, first < ' ' || first == 0x7f || (first == 0xc2 && byte(1) < 0xa0)};
+  const unsigned char second = byte(1);
+  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool no_character = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90) ||
+                            (first == 0xef && second == 0xbf && byte(2) >= 0xbe);
+  return {overlong || no_character ? 0 : length, false};
+}
+
+std::string printable(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const auto [bytes, is_control] = first_character(text);
+    out += bytes == 0 ? "\ufffd" : is_control ? " " : text.substr(0, bytes);
+    text.remove_prefix(std::max<std::size_t>(bytes, 1));
+  }
+  return out;
+}
+
+std::string without_formula(std::string_view words) { return (is_like_formula(words) ? "'" : "") + std::string(words); }
+
+std::string with_formula(std::string words) {
+  if (words.starts_with('\'') && is_like_formula(words)) words.erase(0, 1);
+  return words;
+}
+
+bool in_natural_order(std::string_view first, std::string_view second) {
+  std::string_view a = first, b = second;
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const std::string_view x = number_at_front(a), y = number_at_front(b);
+      if (x.size() != y.size()) return x.size() < y.size();
+      if (x != y) return x < y;
+    } else {
+      if (a.front() != b.front()) return static_cast<unsigned char>(a.front()) < static_cast<unsigned char>(b.front());
+      a.remove_prefix(1);
+      b.remove_prefix(1);
+    }
+  }
+  return a.empty() && b.empty() ? first < second : a.empty();
 }
 
 std::string html_escaped(std::string_view text) {

@@ -1,15 +1,16 @@
 #include "io/workbook.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <map>
 #include <utility>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
-#include "io/worksheet.h"
-#include "io/xml_stream.h"
-#include "io/zip_archive.h"
+#include "io/packed_xml.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -20,6 +21,327 @@ constexpr std::string_view zip_mark = "PK\x03\x04"sv, empty_zip_mark = "PK\x05\x
 constexpr std::string_view office_mark = "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv;
 constexpr std::size_t fewest_readings =
     3;  // rows: a calibration or a sheet of settings has one or two with numbers alone
+
+constexpr std::size_t most_rows = 1 << 20, most_columns = 1 << 14;  // of the format
+constexpr std::size_t most_text = std::size_t{1} << 29;             // [bytes]
+constexpr std::size_t most_cells = std::size_t{1} << 26;
+
+void parse(const ZipArchive& archive, const std::string& part, XmlHandlers handlers) {
+  XmlStream xml(std::move(handlers));
+  archive.read(part, [&](std::string_view piece) { xml.feed(piece); });
+  xml.finish();
+}
+
+// ---- what formats show numbers as
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// A format built in, some of them as Chinese, Japanese and Korean spreadsheets have them (ECMA-376, 18.8.30).
+CellKind built_in(std::size_t number) {
+  const auto within = [&](std::size_t first, std::size_t last) { return number >= first && number <= last; };
+  if (number == 22) return CellKind::date_and_clock;
+  if (within(18, 21) || within(32, 35) || within(45, 47) || within(55, 56)) return CellKind::clock;
+  if (within(14, 17) || within(27, 31) || number == 36 || within(50, 54) || within(57, 58)) return CellKind::date;
+  return CellKind::number;
+}
+
+// The letters of a format for positive numbers, in lower case, without its words: "[h]:mm" is "h:mm". What stands for digits before
+// any letter makes it a format of numbers, whatever unit follows.
+std::string letters_of(std::string_view code) {
+  std::string letters;
+  for (std::size_t i = 0; i < code.size() && code[i] != ';'; ++i) {
+    const char c = lower(code[i]);
+    if (c == '"') {
+      i = std::min(code.find('"', i + 1), code.size());
+    } else if (c == '\\' || c == '_' || c == '*') {
+      ++i;
+    } else if (c == '[') {  // a colour, a condition, a language, or hours that are not cut at 24
+      const std::size_t end = std::min(code.find(']', i), code.size());
+      const std::string_view inside = code.substr(i + 1, end - i - 1);
+      const bool is_elapsed = !inside.empty() && inside.find_first_not_of("hHmMsS") == std::string_view::npos;
+      if (is_elapsed) letters += 'h';
+      i = end;
+    } else if (c == '#' || c == '?' || (c == '0' && letters.empty())) {
+      return "";
+    } else if (std::string_view("dmyhs").find(c) != std::string_view::npos) {
+      letters += c;
+    }
+  }
+  return letters;
+}
+
+std::vector<CellKind> read_cell_styles(const ZipArchive& archive, const std::string& part) {
+  std::map<std::size_t, std::string> codes;
+  std::vector<CellKind> kinds;
+  bool in_cells = false;  // cellXfs are of cells; cellStyleXfs of styles that these begin from
+  const auto number_of = [](const XmlAttributes& attributes, std::string_view name) {
+    const std::string_view text = attributes.find(name).value_or("0");
+    std::size_t number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+  };
+  const auto begin = [&](std::string_view name, const XmlAttributes& attributes) {
+    if (name == "numFmt")
+      codes.insert_or_assign(number_of(attributes, "numFmtId"),
+                             std::string(attributes.find("formatCode").value_or("")));
+    if (name == "cellXfs") in_cells = true;
+    if (name != "xf" || !in_cells) return;
+    const std::size_t number = number_of(attributes, "numFmtId");
+    const auto code = codes.find(number);
+    kinds.push_back(kind_of_format(number, code == codes.end() ? std::string_view{} : code->second));
+  };
+  const auto end = [&](std::string_view name) {
+    if (name == "cellXfs") in_cells = false;
+  };
+  parse(archive, part, {begin, end, [](std::string_view) {}});
+  return kinds;
+}
+
+// ---- the cells of a sheet
+
+[[noreturn]] void refuse(std::size_t row, std::string field, std::string expected, std::string found) {
+  throw InputError({.line = row,
+                    .field = std::move(field),
+                    .expected = std::move(expected),
+                    .found = std::move(found),
+                    .remedy = "save the workbook anew in the spreadsheet program"});
+}
+
+std::optional<std::size_t> whole(std::string_view text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// The column of "BC12", from 1; 0 if there is none.
+std::size_t column_in(std::string_view reference) {
+  std::size_t column = 0;
+  for (const char c : reference) {
+    if (c < 'A' || c > 'Z') break;
+    column = 26 * column + static_cast<std::size_t>(c - 'A' + 1);
+    if (column > most_columns) return 0;
+  }
+  return column;
+}
+
+// "_x000D_" is how the format writes a character that XML has not; to a table it is a blank.
+std::string without_escapes(std::string text) {
+  for (std::size_t at = text.find("_x"); at != std::string::npos; at = text.find("_x", at + 1)) {
+    const bool is_whole = at + 6 < text.size() && text[at + 6] == '_';
+    if (is_whole && text.find_first_not_of("0123456789abcdefABCDEF", at + 2) == at + 6 &&
+        text.compare(at, 4, "_x00") == 0)
+      text.replace(at, 7, " ");
+  }
+  return text;
+}
+
+// Words on one line.
+std::string on_a_line(std::string text) {
+  text = without_escapes(std::move(text));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  return std::string(trimmed(text));
+}
+
+// Digits with marks alone: a number in the manner of some country, or a line of several, of a text file opened as a workbook.
+bool is_like_number(std::string_view words) {
+  return words.find_first_of("0123456789") != std::string_view::npos &&
+         words.find_first_not_of("0123456789+-.,;eE' ") == std::string_view::npos;
+}
+
+// The words of <si> and <is>: those of their runs, without what tells how to pronounce them.
+class Words {
+ public:
+  void begin(std::string_view name) {
+    if (name == "rPh") ++pronounced_;
+    in_text_ = name == "t" && pronounced_ == 0;
+  }
+  void end(std::string_view name) {
+    if (name == "rPh" && pronounced_ > 0) --pronounced_;
+    in_text_ = false;
+  }
+  void text(std::string_view piece) {
+    if (in_text_) words_ += piece;
+    if (words_.size() > most_text) refuse(0, "", "words of at most 512 MiB", "more in a cell");
+  }
+  std::string take() { return std::exchange(words_, {}); }
+
+ private:
+  std::string words_;
+  std::size_t pronounced_ = 0;
+  bool in_text_ = false;
+};
+
+struct Worksheet {
+  Sheet cells;
+  std::string lines;                   // in place of these: of words in one column alone
+  std::size_t rows_of_readings = 0;    // with two numbers or more, or numbers alone
+  std::size_t numbers = 0;             // cells
+  std::size_t numeric_words = 0;       // cells whose words are digits and marks
+  std::size_t first_numeric_word = 0;  // row, from 1
+  std::size_t without_value = 0;       // formulas that no spreadsheet program has computed
+};
+
+class SheetReader {
+ public:
+  SheetReader(const std::vector<std::string>& shared_strings, const std::vector<CellKind>& styles, bool dates_from_1904)
+      : shared_(shared_strings), styles_(styles) {
+    out_.cells = Sheet(dates_from_1904);
+  }
+
+  void begin(std::string_view name, const XmlAttributes& attributes) {
+    if (name == "row") begin_row(attributes);
+    if (name == "c") begin_cell(attributes);
+    if (name == "f" && in_cell_) has_formula_ = true;
+    in_value_ = name == "v" && in_cell_;
+    if (in_cell_) inline_.begin(name);
+  }
+
+  void end(std::string_view name) {
+    in_value_ = false;
+    if (in_cell_) inline_.end(name);
+    if (name == "c") end_cell();
+    if (name == "row") end_row();
+  }
+
+  void text(std::string_view piece) {
+    if (in_value_) value_ += piece;
+    if (in_cell_) inline_.text(piece);
+  }
+
+  Worksheet take() {
+    if (only_words_ && out_.numbers == 0 && filled_rows_ > 0) {
+      for (std::size_t line = 0; line < out_.cells.size(); ++line) out_.lines.append(out_.cells.at(line, 0)) += '\n';
+      return std::move(out_);
+    }
+    if (filled_rows_ * widest_ > most_cells) refuse_large();
+    out_.cells.fill();
+    return std::move(out_);
+  }
+
+ private:
+  void begin_row(const XmlAttributes& attributes) {
+    const auto stated = attributes.find("r");
+    const std::size_t row = stated ? whole(*stated).value_or(0) : row_ + 1;
+    if (row <= row_ || row > most_rows) refuse(row_ + 1, "", "rows in their order", "one out of place");
+    row_ = row;
+    cells_.clear();
+    column_ = 0;
+  }
+
+  void begin_cell(const XmlAttributes& attributes) {
+    if (row_ == 0 || in_cell_) refuse(row_, "", "cells in rows", "one out of place");
+    const auto stated = attributes.find("r");
+    const std::size_t column = stated ? column_in(*stated) : column_ + 1;
+    if (column <= column_ || column > most_columns)
+      refuse(row_, stated ? "cell " + in_quotes(*stated) : "", "cells in their order", "one out of place");
+    next_column_ = column;
+    type_ = attributes.find("t").value_or("n");
+    style_ = whole(attributes.find("s").value_or("0")).value_or(0);
+    in_cell_ = true;
+    has_formula_ = false;
+    value_.clear();
+    inline_ = {};
+  }
+
+  void end_cell() {
+    if (!in_cell_) return;
+    in_cell_ = false;
+    SheetCell cell = content();
+    if (cell.text.empty()) return;
+    only_words_ = only_words_ && next_column_ == 1;
+    size_ += cell.text.size();
+    if (size_ > most_text) refuse_large();
+    column_ = next_column_;
+    cells_.resize(column_);
+    cells_.back() = std::move(cell);
+  }
+
+  SheetCell content() {
+    if (has_formula_ && trimmed(value_).empty() && type_ != "inlineStr" && type_ != "str") ++out_.without_value;
+    if (type_ == "s") return counted(on_a_line(shared()));
+    if (type_ == "inlineStr") return counted(on_a_line(inline_.take()));
+    if (type_ == "b")
+      return {value_.empty() ? "" : trimmed(value_) == "1" || trimmed(value_) == "true" ? "TRUE" : "FALSE"};
+    if (type_ == "e") return {on_a_line(value_), CellKind::error};
+    if (type_ != "n") return counted(on_a_line(value_));  // str, d
+    std::string number(trimmed(value_));
+    if (number.empty()) return {};
+    double ignored = 0;
+    const std::string_view digits = std::string_view(number).substr(number.front() == '+' ? 1 : 0);
+    const auto [end, error] = fast_float::from_chars(digits.data(), digits.data() + digits.size(), ignored);
+    if (error != std::errc{} || end != digits.data() + digits.size())
+      refuse(row_, fmt::format("column {}", next_column_), "a number, as the cell says that it holds",
+             in_quotes(number));
+    ++out_.numbers;
+    return {std::move(number), style_ < styles_.size() ? styles_[style_] : CellKind::number};
+  }
+
+  SheetCell counted(std::string words) {
+    if (is_like_number(words) && out_.numeric_words++ == 0) out_.first_numeric_word = row_;
+    return {std::move(words)};
+  }
+
+  const std::string& shared() const {
+    const auto index = whole(trimmed(value_));
+    if (!index || *index >= shared_.size())
+      refuse(row_, fmt::format("column {}", next_column_),
+             fmt::format("one of the {} strings of the workbook", shared_.size()), in_quotes(value_));
+    return shared_[*index];
+  }
+
+  void end_row() {
+    if (row_ <= out_.cells.size()) return;  // an end without a beginning
+    out_.cells.append(row_ - 1, cells_);
+    if (cells_.empty()) return;
+    ++filled_rows_;
+    widest_ = std::max(widest_, cells_.size());
+    std::size_t numbers = 0, words = 0;
+    for (const SheetCell& cell : cells_)
+      if (!cell.text.empty())
+        ++(cell.kind == CellKind::number || is_dated(cell.kind) || is_like_number(cell.text) ? numbers : words);
+    if (numbers > 1 || (numbers == 1 && words == 0)) ++out_.rows_of_readings;
+  }
+
+  [[noreturn]] void refuse_large() const {
+    throw InputError({.line = row_,
+                      .expected = "a sheet of at most 512 MiB of text and 67 million cells",
+                      .found = "a larger one",
+                      .remedy = "save the columns of the measurement as CSV"});
+  }
+
+  const std::vector<std::string>& shared_;
+  const std::vector<CellKind>& styles_;
+  Worksheet out_;
+  std::vector<SheetCell> cells_;  // of the row that is read
+  bool only_words_ = true;        // in one column, so far
+  std::size_t filled_rows_ = 0, widest_ = 0, size_ = 0;
+  std::size_t row_ = 0, column_ = 0, next_column_ = 0, style_ = 0;  // last written; of the cell that is read
+  bool in_cell_ = false, in_value_ = false, has_formula_ = false;
+  std::string type_, value_;
+  Words inline_;
+};
+
+// The strings that the cells of a workbook refer to.
+std::vector<std::string> read_shared_strings(const ZipArchive& archive, const std::string& part) {
+  std::vector<std::string> strings;
+  std::size_t size = 0;
+  Words words;
+  parse(archive, part,
+        {[&](std::string_view name, const XmlAttributes&) { words.begin(name); },
+         [&](std::string_view name) {
+           words.end(name);
+           if (name != "si") return;
+           strings.push_back(words.take());
+           size += sizeof(std::string) + strings.back().size();
+           if (size > most_text) refuse(0, "", "words of at most 512 MiB", "more in the workbook");
+         },
+         [&](std::string_view piece) { words.text(piece); }});
+  return strings;
+}
+
+// ---- the workbook
 
 [[noreturn]] void refuse_kind(std::string found, std::string remedy) {
   throw InputError({.expected = "an Excel workbook (.xlsx) or a table as text",
@@ -59,9 +381,7 @@ std::map<std::string, Relation> relations_of(const ZipArchive& archive, const st
         std::string(attributes.find("Id").value_or("")),
         Relation{std::string(type.substr(type.rfind('/') + 1)), to.lexically_normal().generic_string()});
   };
-  XmlStream xml({begin, [](std::string_view) {}, [](std::string_view) {}});
-  archive.read(file.generic_string(), [&](std::string_view piece) { xml.feed(piece); });
-  xml.finish();
+  parse(archive, file.generic_string(), {begin, [](std::string_view) {}, [](std::string_view) {}});
   return relations;
 }
 
@@ -98,9 +418,7 @@ class Workbook {
       sheets_.push_back({std::string(attributes.find("name").value_or("")), relation->second.part,
                          attributes.find("state").value_or("visible") != "visible"});
     };
-    XmlStream xml({begin, [](std::string_view) {}, [](std::string_view) {}});
-    archive_.read(main, [&](std::string_view piece) { xml.feed(piece); });
-    xml.finish();
+    parse(archive_, main, {begin, [](std::string_view) {}, [](std::string_view) {}});
     if (sheets_.empty()) refuse_kind("a workbook without a sheet of cells", "save the table in one");
   }
 
@@ -109,8 +427,6 @@ class Workbook {
     for (const ListedSheet& sheet : sheets_) names.push_back(sheet.name);
     return names;
   }
-
-  bool dates_from_1904() const { return dates_from_1904_; }
 
   struct Chosen {
     std::size_t index;
@@ -144,7 +460,11 @@ class Workbook {
  private:
   Worksheet read(std::size_t index) const {
     try {
-      return read_worksheet(archive_, sheets_[index].part, strings_, styles_);
+      SheetReader sheet(strings_, styles_, dates_from_1904_);
+      parse(archive_, sheets_[index].part,
+            {[&](std::string_view name, const XmlAttributes& attributes) { sheet.begin(name, attributes); },
+             [&](std::string_view name) { sheet.end(name); }, [&](std::string_view piece) { sheet.text(piece); }});
+      return sheet.take();
     } catch (const InputError& error) {
       InputFault fault = error.fault;
       fault.field =
@@ -190,7 +510,7 @@ class Workbook {
 
 std::vector<std::string> notes_on(const Worksheet& sheet) {
   std::vector<std::string> notes;
-  if (sheet.one_column)
+  if (!sheet.lines.empty())
     notes.emplace_back(
         "all cells are words in one column: read as the text file that it was before it was opened as a workbook");
   else if (sheet.numbers > 0 && sheet.numeric_words > 0)
@@ -206,6 +526,15 @@ std::vector<std::string> notes_on(const Worksheet& sheet) {
 
 }  // namespace
 
+InputError no_workbook(const std::string& file) {
+  return InputError({.file = file,
+                     .field = "--sheet",
+                     .expected = "a workbook (.xlsx), as this names a sheet",
+                     .found = "a text file",
+                     .remedy = "leave it out",
+                     .key = "record.sheet"});
+}
+
 bool is_packed(std::string_view bytes) {
   return bytes.starts_with(zip_mark) || bytes.starts_with(empty_zip_mark) ||
          bytes.starts_with(office_mark.substr(0, 4));
@@ -216,17 +545,26 @@ std::string shown(const SheetChoice& sheet) {
   return name != nullptr ? in_quotes(*name) : std::to_string(std::get<std::size_t>(sheet));
 }
 
-InputError WorkbookSheet::dated(const std::string& file, std::size_t row, std::size_t column, double days,
+InputError WorkbookSheet::dated(const std::string& file, std::size_t line, std::size_t column,
                                 std::string_view expected) const {
-  const CellKind kind = kinds.at(row, column);
+  const CellKind kind = cells.kind(line, column);
   const char* what = kind == CellKind::clock ? "clock time" : kind == CellKind::date ? "date" : "date and clock time";
   return InputError({.file = file,
-                     .line = row,
-                     .field = fmt::format("sheet {}, cell {}", in_quotes(name), cell_name(row, column)),
+                     .line = line + 1,
+                     .field = fmt::format("sheet {}, cell {}", in_quotes(name), cell_name(line + 1, column + 1)),
                      .expected = std::string(expected),
-                     .found = fmt::format("the {} {}", what, shown_days(days, kind, dates_from_1904)),
+                     .found = fmt::format("the {} {}", what, cells.shown(line, column)),
                      .remedy = "format the cell as a number and type it again, or delete the row",
                      .part = TablePart::cell});
+}
+
+CellKind kind_of_format(std::size_t number, std::string_view code) {
+  if (code.empty()) return built_in(number);
+  const std::string letters = letters_of(code);
+  const auto has = [&](std::string_view some) { return letters.find_first_of(some) != std::string::npos; };
+  const bool has_clock = has("hs"), has_date = has("yd");
+  if (has_clock) return has_date ? CellKind::date_and_clock : CellKind::clock;
+  return has_date || has("m") ? CellKind::date : CellKind::number;
 }
 
 InputError with_other_sheets(const InputError& error, const std::string& name, const std::vector<std::string>& sheets) {
@@ -245,13 +583,13 @@ WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice
   if (bytes.starts_with(office_mark.substr(0, 4))) refuse_office_document(bytes);
   const Workbook workbook(bytes);
   auto [index, sheet, has_readings] = workbook.choose(wanted, purpose);
-  WorkbookSheet out{workbook.names()[index], workbook.names(), {}, SheetHolds::numbers, notes_on(sheet)};
-  if (sheet.numeric_words > sheet.numbers) out.holds = SheetHolds::words;
-  if (sheet.one_column) out.holds = SheetHolds::lines_of_text;
-  out.text = std::move(sheet.text);
-  out.kinds = std::move(sheet.kinds);
-  out.dates_from_1904 = workbook.dates_from_1904();
-  out.is_chosen = wanted.has_value();
+  WorkbookSheet out{.name = workbook.names()[index],
+                    .sheets = workbook.names(),
+                    .cells = std::move(sheet.cells),
+                    .text = {},
+                    .notes = notes_on(sheet),
+                    .is_chosen = wanted.has_value()};
+  if (!sheet.lines.empty()) out.text = std::move(sheet.lines);
   if (out.sheets.size() > 1)
     out.notes.insert(out.notes.begin(),
                      wanted ? fmt::format("the sheet is {}, as stated", in_quotes(out.name))

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
-#include "io/text_table.h"
 #include "report/campaign_document.h"
 #include "report/figures.h"
 #include "result/table.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "io/text_table.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {

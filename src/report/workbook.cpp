@@ -10,7 +10,7 @@
 
 #include "io/durable_file.h"
 #include "io/input_error.h"
-#include "io/text_table.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {

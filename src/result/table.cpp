@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "io/text.h"
 #include "io/text_file.h"
-#include "io/text_table.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {

@@ -7,7 +7,6 @@
 #include <doctest/doctest.h>
 
 #include "io/table.h"
-#include "io/text_table.h"
 #include "tests/report/some_campaign.h"
 
 using namespace flexslip;

@@ -7,6 +7,18 @@
 
 using namespace flexslip;
 
+namespace {
+
+std::vector<std::vector<std::size_t>> columns_of(const std::vector<std::string>& titles) {
+  std::vector<std::vector<std::size_t>> columns;
+  for (const ColumnGroup& group : side_by_side(titles)) columns.push_back(group.columns);
+  return columns;
+}
+
+using Groups = std::vector<std::vector<std::size_t>>;
+
+}  // namespace
+
 TEST_CASE("column_words: titles of the machines' manuals and dictionaries mean what they say") {
   for (const char* name : {"Time", "Running Time", "Prüfzeit", "PRÜFZEIT", "Temps", "Elapsed", "時間", "Tiempo"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::time, name);
@@ -47,4 +59,21 @@ TEST_CASE("column_words: titles on one line without separators, as MTS 793 and t
   CHECK(split_titles("Time sec   Load N", 2) == Titles{"Time sec", "Load N"});
   CHECK(split_titles("w_s [m] F [N]", 2) == Titles{"w_s [m]", "F [N]"});
   CHECK(split_titles("no such thing here", 3).empty());
+}
+
+TEST_CASE("table: specimens beside each other") {
+  CHECK(columns_of({"Extension (mm)", "Load (N)", "Extension (mm)", "Load (N)"}) == Groups{{0, 1}, {2, 3}});
+  CHECK(columns_of({"Time", "Weg", "Kraft", "", "Time", "Weg", "Kraft", "", "Time", "Weg", "Kraft"}) ==
+        Groups{{0, 1, 2}, {4, 5, 6}, {8, 9, 10}});
+  CHECK(columns_of({"Time (s)", "Extension", "Load", "Extension", "Load"}) == Groups{{0, 1, 2}, {0, 3, 4}});
+  CHECK(side_by_side(std::vector<std::string>{"t", "Weg", "Kraft", "Weg", "Kraft"})[1].first == 3);
+}
+
+TEST_CASE("table: what is one specimen") {
+  CHECK(columns_of({"Time", "Extension", "Load"}).empty());
+  CHECK(columns_of({"Load", "Load"}).empty());                              // two load cells
+  CHECK(columns_of({"Extension", "Load", "Extension", "Force"}).empty());   // not the same titles
+  CHECK(columns_of({"Voltage", "Current", "Voltage", "Current"}).empty());  // nothing measured
+  CHECK(columns_of({"Extension", "Load", "Extension", "Load", "Extra"}).empty());
+  CHECK(columns_of({}).empty());
 }

@@ -10,7 +10,7 @@
 
 #include <doctest/doctest.h>
 
-#include "instruments/canonical.h"
+#include "instruments/export_fields.h"
 #include "io/input_error.h"
 #include "tests/has.h"
 #include "tests/instruments/export_files.h"

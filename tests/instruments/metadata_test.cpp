@@ -5,15 +5,12 @@
 
 #include <doctest/doctest.h>
 
-#include "instruments/sheet.h"
-
 using namespace flexslip;
 
 namespace {
 
 std::string read_line(std::string_view line, char separator) {
-  const Sheet sheet(line, separator);
-  const Metadatum datum = metadatum_on(line, sheet.cells(0), 1);
+  const Metadatum datum = metadatum_on(Sheet(std::string(line), separator), 0);
   return datum.name + "|" + datum.value;
 }
 

@@ -11,9 +11,8 @@
 
 #include <doctest/doctest.h>
 
-#include "instruments/canonical.h"
-#include "instruments/column_unit.h"
 #include "instruments/export.h"
+#include "instruments/export_fields.h"
 #include "io/input_error.h"
 #include "tests/instruments/export_files.h"
 

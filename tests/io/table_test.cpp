@@ -13,7 +13,10 @@
 #include <rapidcheck.h>
 
 #include "io/input_error.h"
+#include "io/text.h"
 #include "tests/has.h"
+#include "tests/refusal.h"
+#include "tests/temporary_folder.h"
 
 using namespace flexslip;
 
@@ -46,12 +49,6 @@ std::string complaint_about_file(const std::string& path, const std::vector<Want
 }
 
 using Values = std::vector<double>;
-
-struct TemporaryFolder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "flexslip_table_test";
-  TemporaryFolder() { std::filesystem::create_directories(path); }
-  ~TemporaryFolder() { std::filesystem::remove_all(path); }
-};
 
 using Rows = std::vector<std::vector<Cell>>;
 
@@ -161,6 +158,7 @@ TEST_CASE("table: bad cells are refused with line and column") {
   CHECK(has(complaint("x,y\n1,2\n3,\"1,234.5\"\n"), "write no thousands separators"));
   CHECK(has(complaint("x;y\n1;1,000,292\n", x_and_y, ','), "write no thousands separators"));
   CHECK(has(complaint("x;y\n1;1.234,5\n", x_and_y, ','), "write no thousands separators"));
+  CHECK(has(complaint("x;y\n1;1.234\n", x_and_y, ','), "write decimal commas, or leave out --decimal ,"));
   CHECK(complaint("x,y\n1,2\n0,5,1,5\n") ==
         "t.csv:3: expected 2 cells as in the header on line 1, found 4; if these are decimal commas, write decimal "
         "points, or separate cells by ; and pass --decimal ,");
@@ -192,14 +190,14 @@ TEST_CASE("table: a column that is not there is refused with those that are") {
 
 TEST_CASE("outside: files, folders and files that are not there") {
   const TemporaryFolder folder;
-  const std::string path = (folder.path / "a.csv").string();
+  const std::string path = (folder.path() / "a.csv").string();
   std::ofstream(path) << "x,y\n1,2\n";
   CHECK(read_table(path, x_and_y).columns[1].values == Values{2});
-  CHECK_THROWS_WITH_AS(read_table(folder.path.string(), x_and_y),
-                       (folder.path.string() + ": expected a file, found a directory").c_str(), InputError);
+  CHECK_THROWS_WITH_AS(read_table(folder.path().string(), x_and_y),
+                       (folder.path().string() + ": expected a file, found a directory").c_str(), InputError);
   CHECK_THROWS_WITH_AS(read_table(path + "x", x_and_y), (path + "x cannot be read: No such file or directory").c_str(),
                        InputError);
-  CHECK_THROWS_AS(write_table((folder.path / "none" / "b.csv").string(), {"x"}, rows_of({})), InputError);
+  CHECK_THROWS_AS(write_table((folder.path() / "none" / "b.csv").string(), {"x"}, rows_of({})), InputError);
 }
 
 TEST_CASE("limit: one point is a table; whether it is a test is for others to say") {
@@ -289,4 +287,46 @@ TEST_CASE("outside: measured data, if the folder beside the repository has them"
   CHECK(brass.columns[0].values[0] == 4.40547e-8);
   CHECK_THROWS_AS(read_table(folder + "instruments/mts_testsuite_empty/EMPTY_BOM_ONLY_DAQ_Timed2.txt", bluehill),
                   InputError);
+}
+
+TEST_CASE("table: words, quotes, comments, a mark of byte order, rows shorter than the header") {
+  const TemporaryFolder folder;
+  const auto file = folder.file(
+      "table.csv",
+      "\xEF\xBB\xBF# kept by hand\nname;span [um];note\r\n\"a;b\";1278;\"he said \"\"no\"\"\"\n\n# b;1;2\nc\n");
+  const auto table = read_text_table(file);
+  CHECK(table.titles == std::vector<std::string>{"name", "span [um]", "note"});
+  CHECK(table.header_line == 2);
+  REQUIRE(table.rows.size() == 2);
+  CHECK(table.rows[0].line == 3);
+  CHECK(table.rows[0].cells == std::vector<std::string>{"a;b", "1278", "he said \"no\""});
+  CHECK(table.rows[1].line == 6);
+  CHECK(table.rows[1].cells == std::vector<std::string>{"c", "", ""});
+}
+
+TEST_CASE("identity: words are read back as they were, and no spreadsheet takes them for a formula") {
+  const TemporaryFolder folder;
+  for (const std::string words : {"=cmd", "+1", "-1", "@x", "'=cmd", "''-1", "=", "'", "''", "'a", "a=b", "1", ""}) {
+    INFO(words);
+    const std::string written = without_formula(words);
+    CHECK((written.empty() || std::string("=+-@").find(written.front()) == std::string::npos));
+    CHECK(read_text_table(folder.file("table.csv", "name,end\n" + written + ",x\n")).rows.front().cells.front() ==
+          words);
+  }
+  CHECK(without_formula("=cmd") == "'=cmd");
+  CHECK(without_formula("SS14") == "SS14");
+  CHECK(read_text_table(folder.file("table.csv", "a,b\n-1,+2.5 mm\n")).rows.front().cells ==
+        std::vector<std::string>{"-1", "+2.5 mm"});
+}
+
+TEST_CASE("table: what is no such table is refused with its line") {
+  const auto says = [](const std::string& content) {
+    const TemporaryFolder folder;
+    return message_of([&] { read_text_table(folder.file("table.csv", content)); });
+  };
+  CHECK(says("").find("an empty file") != std::string::npos);
+  CHECK(says("a,b\n1,2,3\n").find(":2: expected 2 cells") != std::string::npos);
+  CHECK(says("a,a\n").find(":1: expected each title once, found 'a' twice") != std::string::npos);
+  CHECK(says("a,,b\n").find("an empty one") != std::string::npos);
+  CHECK(says("a,b\n\"x,y\n").find(":2: expected quotes in pairs") != std::string::npos);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -24,24 +25,34 @@ const std::string& two_specimens() {
   return bytes;
 }
 
-std::string_view line(std::string_view text, std::size_t number) {
-  for (std::size_t i = 1; i < number; ++i) text.remove_prefix(text.find('\n') + 1);
-  return text.substr(0, text.find('\n'));
+using Cells = std::vector<std::string>;
+
+Cells cells_of(const WorkbookSheet& sheet, std::size_t row) {
+  return {sheet.cells.cells(row - 1).begin(), sheet.cells.cells(row - 1).end()};
+}
+
+// All that a sheet holds.
+std::vector<Cells> rows_of(const WorkbookSheet& sheet) {
+  std::vector<Cells> rows;
+  for (std::size_t row = 1; row <= sheet.cells.size(); ++row) rows.push_back(cells_of(sheet, row));
+  return rows;
 }
 
 }  // namespace
 
-TEST_CASE("table: a sheet as text, a line for each row, all with as many cells") {
+TEST_CASE("table: the cells of a sheet, in all rows as many") {
   const WorkbookSheet sheet = read_sheet(two_specimens());
   CHECK(sheet.name == "Specimen 1");
   CHECK(sheet.sheets == std::vector<std::string>{"Notes", "Specimen 1", "Specimen 2"});
-  CHECK(sheet.holds == SheetHolds::numbers);
-  CHECK(line(sheet.text, 1) == "\"Support span\"\t\"17 mm\"\t");
-  CHECK(line(sheet.text, 2) == "");
-  CHECK(line(sheet.text, 3) == "\"Time (s)\"\t\"Crosshead (mm)\"\t\"Force (N)\"");
-  CHECK(line(sheet.text, 14) == "1.0\t0.2\t390.0");  // 40 i - i^2/10 at i = 10
-  CHECK(line(read_sheet(two_specimens(), "3").text, 14) == "1.0\t0.2\t195.0");
-  CHECK(read_sheet(two_specimens(), "Specimen 2").text == read_sheet(two_specimens(), "3").text);
+  CHECK_FALSE(sheet.text);
+  CHECK(cells_of(sheet, 1) == Cells{"Support span", "17 mm", ""});
+  CHECK(cells_of(sheet, 2).empty());
+  CHECK(cells_of(sheet, 3) == Cells{"Time (s)", "Crosshead (mm)", "Force (N)"});
+  CHECK(sheet.cells.kind(2, 0) == CellKind::word);
+  CHECK(cells_of(sheet, 14) == Cells{"1.0", "0.2", "390.0"});  // 40 i - i^2/10 at i = 10
+  CHECK(sheet.cells.kind(13, 2) == CellKind::number);
+  CHECK(cells_of(read_sheet(two_specimens(), "3"), 14) == Cells{"1.0", "0.2", "195.0"});
+  CHECK(rows_of(read_sheet(two_specimens(), "Specimen 2")) == rows_of(read_sheet(two_specimens(), "3")));
 }
 
 TEST_CASE("workbook: a sheet that is not there is refused with those that are") {
@@ -70,8 +81,8 @@ TEST_CASE("identity: with any bit turned it is refused, or says the same") {
     }
     CAPTURE(at);
     if (read)
-      CHECK(
-          (read->name != right.name || read->text == right.text));  // a name in the table of contents may hide a sheet
+      CHECK((read->name != right.name ||
+             rows_of(*read) == rows_of(right)));  // a name in the table of contents may hide a sheet
   }
 }
 
@@ -81,4 +92,27 @@ TEST_CASE("workbook: what begins as an archive or an old office document is told
   CHECK_FALSE(is_packed("Position,Force\n"));
   CHECK_FALSE(is_packed("PK"));
   CHECK_FALSE(is_packed(""));
+}
+
+TEST_CASE("table: formats built in, as ECMA-376 lists them") {
+  for (const int number : {0, 1, 2, 3, 4, 9, 10, 11, 12, 13, 37, 38, 39, 40, 48, 49})
+    CHECK(kind_of_format(number) == CellKind::number);
+  for (const int number : {14, 15, 16, 17}) CHECK(kind_of_format(number) == CellKind::date);
+  for (const int number : {18, 19, 20, 21, 45, 46, 47}) CHECK(kind_of_format(number) == CellKind::clock);
+  CHECK(kind_of_format(22) == CellKind::date_and_clock);
+}
+
+TEST_CASE("table: codes of formats, by their letters, and not by those of words, colours and languages") {
+  const auto of = [](std::string_view code) { return kind_of_format(164, code); };
+  for (const char* code : {"General", "0.00E+00", "#,##0.00", "0.00\" mm/s\"", "0.00\\ \\m\\m", "[Red]0.0", "0.000 mm",
+                           "?/?", "_-* #,##0.00_-", "[$-409]0.00", "@", "[>100]0;[<5]0.0", "0\\d", "\"day\" 0", "0.0%"})
+    CHECK_MESSAGE(of(code) == CellKind::number, code);
+  for (const char* code : {"yyyy-mm-dd", "d-mmm", "mmm\\-yy", "[$-407]d. mmmm yyyy", "dd/mm/yyyy;@", "mmm"})
+    CHECK_MESSAGE(of(code) == CellKind::date, code);
+  for (const char* code : {"h:mm:ss", "[h]:mm:ss", "mm:ss.0", "[ss].00", "[$-F400]h:mm:ss AM/PM", "[mm]:ss", "[m]"})
+    CHECK_MESSAGE(of(code) == CellKind::clock, code);
+  CHECK(of("yyyy-mm-dd hh:mm:ss.000") == CellKind::date_and_clock);
+  CHECK(of("\"") == CellKind::number);
+  CHECK(of("[") == CellKind::number);
+  CHECK(of("\\") == CellKind::number);
 }

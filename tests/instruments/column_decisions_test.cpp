@@ -1,4 +1,4 @@
-#include "instruments/voltage.h"
+#include "instruments/column_decisions.h"
 
 #include <cmath>
 #include <random>

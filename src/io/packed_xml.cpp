@@ -1,10 +1,15 @@
-// The one file that unpacks: by minizip and zlib.
-#include "io/zip_archive.h"
+// The one file that unpacks, by minizip and zlib, and that takes XML apart, by expat.
+#include "io/packed_xml.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
+#include <exception>
+#include <new>
+#include <utility>
 
+#include <expat.h>
 #include <fmt/format.h>
 #include <minizip/unzip.h>
 
@@ -62,6 +67,10 @@ int no_error(void* /*opaque*/, void* /*stream*/) { return 0; }
                     .remedy = "save the sheet with the measurement as CSV"});
 }
 
+constexpr char between = '|';  // a namespace and a name
+
+std::string_view local(std::string_view name) { return name.substr(name.rfind(between) + 1); }
+
 }  // namespace
 
 struct ZipArchive::Opened {
@@ -111,6 +120,71 @@ void ZipArchive::read(const std::string& part, const std::function<void(std::str
   if (got < 0 || unpacked != info.uncompressed_size) refuse_damaged("damage in the part " + in_quotes(part));
   if (unzCloseCurrentFile(archive) == UNZ_CRCERROR)
     refuse_damaged("another checksum than it should have in the part " + in_quotes(part));
+}
+
+std::optional<std::string_view> XmlAttributes::find(std::string_view name) const {
+  for (const char** pair = pairs_; *pair != nullptr; pair += 2)
+    if (local(pair[0]) == name) return pair[1];
+  return std::nullopt;
+}
+
+struct XmlStream::Parser {
+  XmlHandlers handlers;
+  XML_Parser parser = XML_ParserCreateNS(nullptr, between);
+  std::exception_ptr thrown{};  // by a handler, or here: not through the C of the parser
+
+  template <class Call>
+  static void guarded(void* user, const Call& call) {
+    Parser& self = *static_cast<Parser*>(user);
+    if (self.thrown) return;
+    try {
+      call(self);
+    } catch (...) {
+      self.thrown = std::current_exception();
+      XML_StopParser(self.parser, XML_FALSE);
+    }
+  }
+};
+
+XmlStream::XmlStream(XmlHandlers handlers) : parser_(std::make_unique<Parser>()) {
+  parser_->handlers = std::move(handlers);
+  XML_ParserStruct* const parser = parser_->parser;
+  if (parser == nullptr) throw std::bad_alloc();
+  XML_SetUserData(parser, parser_.get());
+  XML_SetElementHandler(
+      parser,
+      [](void* user, const char* name, const char** attributes) {
+        Parser::guarded(user, [&](Parser& self) { self.handlers.begin(local(name), XmlAttributes(attributes)); });
+      },
+      [](void* user, const char* name) {
+        Parser::guarded(user, [&](Parser& self) { self.handlers.end(local(name)); });
+      });
+  XML_SetCharacterDataHandler(parser, [](void* user, const char* text, int length) {
+    Parser::guarded(user, [&](Parser& self) { self.handlers.text({text, static_cast<std::size_t>(length)}); });
+  });
+  XML_SetStartDoctypeDeclHandler(parser, [](void* user, const char*, const char*, const char*, int) {
+    Parser::guarded(user, [](Parser&) {
+      throw InputError({.expected = "a workbook as spreadsheet programs write it",
+                        .found = "a document type in its XML",
+                        .remedy = "save it anew in the spreadsheet program"});
+    });
+  });
+}
+
+XmlStream::~XmlStream() { XML_ParserFree(parser_->parser); }
+
+void XmlStream::feed(std::string_view piece) { parse(piece, false); }
+
+void XmlStream::finish() { parse({}, true); }
+
+void XmlStream::parse(std::string_view piece, bool is_last) {
+  const XML_Status status =
+      XML_Parse(parser_->parser, piece.data(), static_cast<int>(piece.size()), is_last ? XML_TRUE : XML_FALSE);
+  if (parser_->thrown) std::rethrow_exception(parser_->thrown);
+  if (status == XML_STATUS_OK) return;
+  throw InputError({.expected = "a whole workbook",
+                    .found = fmt::format("broken XML in it ({})", XML_ErrorString(XML_GetErrorCode(parser_->parser))),
+                    .remedy = "save it anew in the spreadsheet program"});
 }
 
 }  // namespace flexslip

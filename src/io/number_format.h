@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace flexslip {
 
@@ -15,9 +17,21 @@ struct NumberFormat {
 };
 
 // A cell as a number, NaN if it is none: digits with at most one decimal mark, in groups of three if at all in groups.
-// Cells that are 'nan', or empty, are none. Regrouped cells are none either: see regrouped.h.
+// Cells that are 'nan', or empty, are none. Cells of a decimal mark that separates thousands too are none either: see Regrouped.
 // Max error:  correctly rounded.
 double number_in(std::string_view cell, const NumberFormat& format);
+
+// A cell with a number in some country's notation (digits with a sign, marks . , ' and spaces, an exponent), and perhaps
+// its unit: "12.5 N".
+struct NumberCell {
+  std::string_view number, unit;
+};
+
+// Both parts are empty if the cell holds no number.
+NumberCell number_cell(std::string_view cell);
+
+// Is there something in the cell that says that there is no number: nothing, a dash, "nan", "N/A"?
+bool says_missing(std::string_view cell);
 
 // What the cells of a file say about its number format. Each is worth looking at: "1,234" may be either, "0,123" not.
 class NumberEvidence {
@@ -49,5 +63,24 @@ class NumberEvidence {
   std::size_t spaces_ = 0, apostrophes_ = 0;
   std::size_t ungrouped_ = 0;  // cells with more than three digits in a row before any decimal mark
 };
+
+// A column whose decimal commas a spreadsheet has taken for separators of thousands.
+// Opened in an English spreadsheet, "100,0292" is the integer 1000292 and is saved as "1,000,292"; "100,014" is saved as
+// it was, and "100,01" and "0,1366", which no grouping explains, stay words. The digits are right; where the decimal
+// comma was is not in the cell, but in its neighbours: a decimal more or less is a factor of ten.
+struct Regrouped {
+  enum class Status { none, restored, ambiguous };
+  Status status = Status::none;
+  std::vector<double> values;  // unless ambiguous; NaN for a cell that is no number
+  std::size_t moved = 0;       // cells whose decimal comma was elsewhere than the last comma
+  std::size_t row = 0;         // ambiguous: the first that its neighbour does not decide
+};
+
+// The numbers of a column with decimal commas.
+// Method:     the decimals of each cell such that the column varies least in all (a shortest path over the rows). That is
+//             accepted only if some cell that cannot be regrouped anchors it, and each choice is at least thirty
+//             times nearer to its neighbour than the next best.
+// Cost:       linear.
+Regrouped restored(std::span<const std::string_view> cells);
 
 }  // namespace flexslip

@@ -1,4 +1,4 @@
-#include "io/xml_stream.h"
+#include "io/packed_xml.h"
 
 #include <string>
 #include <string_view>

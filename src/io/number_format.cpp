@@ -1,0 +1,323 @@
+#include "io/number_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fast_float/fast_float.h>
+
+#include "fibre/limits.h"
+#include "io/input_error.h"
+#include "io/quantity.h"
+#include "io/text.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double none = not_a_number;
+constexpr std::size_t damaged_share = 100;  // one cell in so many may be damaged; empirical, far above what disks do
+
+// The part of a cell that marks can stand in: without sign and exponent.
+std::string_view mantissa_of(std::string_view cell) {
+  if (cell.starts_with('+') || cell.starts_with('-')) cell.remove_prefix(1);
+  return cell.substr(0, cell.find_first_of("eE"));
+}
+
+// Digits in groups of three behind one to three, "1,234,567", all before `end`.
+bool in_groups(std::string_view whole, char mark) {
+  const std::size_t first = whole.find(mark);
+  if (first == 0 || first > 3 || first == std::string_view::npos) return false;
+  if (whole.front() == '0') return false;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const bool at_mark = i >= first && (i - first) % 4 == 0;
+    if (at_mark ? whole[i] != mark : !is_digit(whole[i])) return false;
+  }
+  return (whole.size() - first) % 4 == 0;
+}
+
+// The bytes of a space within a number, no-break and narrow ones as well; 0 if there is none.
+std::size_t space_at(std::string_view text) {
+  for (const std::string_view space : {" ", "\u00a0", "\u202f"})
+    if (text.starts_with(space)) return space.size();
+  return 0;
+}
+
+// Three digits and no fourth: what a space between digits separates.
+bool begins_group(std::string_view text) {
+  return text.size() >= 3 && std::all_of(text.begin(), text.begin() + 3, is_digit) &&
+         (text.size() == 3 || !is_digit(text[3]));
+}
+
+bool looks_numeric(std::string_view cell) {
+  if (cell.empty()) return false;
+  if (cell.front() == '+' || cell.front() == '-') cell.remove_prefix(1);
+  bool digit = false;
+  while (!cell.empty() && cell.front() != 'e' && cell.front() != 'E') {
+    const bool is_part = is_digit(cell.front()) || cell.front() == '.' || cell.front() == ',' || cell.front() == '\'';
+    digit = digit || is_digit(cell.front());
+    const std::size_t space = is_part ? 0 : space_at(cell);
+    if (!is_part && space == 0) return false;
+    cell.remove_prefix(is_part ? 1 : space);
+    if (!is_part && !(digit && begins_group(cell))) return false;
+  }
+  if (!digit || cell.empty()) return digit;
+  cell.remove_prefix(1);
+  if (!cell.empty() && (cell.front() == '+' || cell.front() == '-')) cell.remove_prefix(1);
+  return !cell.empty() && std::all_of(cell.begin(), cell.end(), is_digit);
+}
+
+// Spaces of any kind in a number as ordinary ones.
+std::string with_plain_spaces(std::string_view cell) {
+  std::string plain;
+  while (!cell.empty()) {
+    const std::size_t space = space_at(cell);
+    plain += space > 0 ? ' ' : cell.front();
+    cell.remove_prefix(std::max<std::size_t>(space, 1));
+  }
+  return plain;
+}
+
+// A number with a decimal point, or NaN. Infinities are none: no instrument measures them.
+double plain_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole && std::isfinite(value) ? value : none;
+}
+
+// ---- decimal commas that were taken for separators of thousands
+
+constexpr std::size_t fewest_decimals = 3;  // those of a group
+constexpr std::size_t most_lost = 6;        // that a column's other cells may show
+// Times nearer than the next best. A decimal is a factor of 10, so a step may be up to a thirtieth of the value: that of a
+// test recorded at thirty points a millimetre is, from 1 mm on.
+constexpr double decisive = 30;
+constexpr NumberFormat decimal_comma{',', '\0'};
+constexpr NumberFormat thousands_comma{'.', ','};
+
+// What a cell may stand for: one value, or one for each number of decimals from three on.
+struct Candidates {
+  std::array<double, most_lost - fewest_decimals + 1> values{};
+  std::size_t count = 0;
+};
+
+bool may_be_regrouped(std::string_view cell) {
+  return cell.find(',') != std::string_view::npos && !std::isnan(number_in(cell, thousands_comma));
+}
+
+std::size_t decimals_of(std::string_view cell) {
+  const std::size_t comma = cell.find(',');
+  return comma == std::string_view::npos ? 0 : cell.size() - comma - 1;
+}
+
+Candidates candidates_of(std::string_view cell, std::size_t decimals) {
+  if (!may_be_regrouped(cell)) {
+    const double value = number_in(cell, decimal_comma);
+    return {{value}, std::isnan(value) ? std::size_t{0} : std::size_t{1}};
+  }
+  std::string digits;
+  for (const char c : cell)
+    if (c != ',') digits += c;
+  Candidates candidates;
+  for (std::size_t behind = fewest_decimals; behind <= decimals; ++behind) {
+    std::string text = digits;
+    text.insert(text.size() - std::min(behind, text.size()), ".");
+    candidates.values[candidates.count++] = number_in(text, {});
+  }
+  return candidates;
+}
+
+// Is each other reading of one of two neighbours much farther from the other one's than the chosen? Two that differ
+// together are not compared: the cells further on decide between those, up to one that has a single reading.
+bool decides(const Candidates& a, std::size_t chosen_a, const Candidates& b, std::size_t chosen_b) {
+  const double step = std::abs(a.values[chosen_a] - b.values[chosen_b]);
+  for (std::size_t i = 0; i < a.count; ++i)
+    if (i != chosen_a && std::abs(a.values[i] - b.values[chosen_b]) < decisive * step) return false;
+  for (std::size_t i = 0; i < b.count; ++i)
+    if (i != chosen_b && std::abs(a.values[chosen_a] - b.values[i]) < decisive * step) return false;
+  return true;
+}
+
+}  // namespace
+
+double number_in(std::string_view cell, const NumberFormat& format) {
+  if (format.decimal == '.' && format.thousands != '.')
+    if (const double value = plain_number(cell); !std::isnan(value)) return value;
+  const std::string spaced = with_plain_spaces(cell);
+  const std::string_view mantissa = mantissa_of(spaced);
+  const std::string_view whole = mantissa.substr(0, mantissa.find(format.decimal));
+  const bool grouped = format.thousands != '\0' && format.thousands != format.decimal &&
+                       whole.find(format.thousands) != std::string_view::npos;
+  if (grouped && !in_groups(whole, format.thousands)) return none;
+  std::string plain;
+  bool point_seen = false;
+  for (const char c : spaced) {
+    if (c == format.decimal) {
+      if (std::exchange(point_seen, true)) return none;
+      plain += '.';
+    } else if (grouped && c == format.thousands && !point_seen) {
+      continue;
+    } else if (c == '.' || c == ',' || c == ' ' || c == '\'') {
+      return none;
+    } else {
+      plain += c;
+    }
+  }
+  return plain_number(plain);
+}
+
+void NumberEvidence::add(std::string_view cell) {
+  const bool has_exponent = cell.find_first_of("eE") != std::string_view::npos;
+  const std::string_view mantissa = mantissa_of(cell);
+  const std::size_t mark_at = mantissa.find_first_of(".,");
+  const std::string_view whole = mantissa.substr(0, mark_at);
+  if (std::count_if(whole.begin(), whole.end(), is_digit) > 3 && std::all_of(whole.begin(), whole.end(), is_digit))
+    ++ungrouped_;
+  if (whole.find('\'') != std::string_view::npos) ++apostrophes_;
+  if (whole.find_first_of(" \xc2\xe2") != std::string_view::npos) ++spaces_;
+  if (mark_at == std::string_view::npos) return;
+  const std::size_t points = static_cast<std::size_t>(std::count(mantissa.begin(), mantissa.end(), '.'));
+  const std::size_t commas = static_cast<std::size_t>(std::count(mantissa.begin(), mantissa.end(), ','));
+  if (points > 0 && commas > 0) {
+    const bool comma_last = mantissa.rfind(',') > mantissa.rfind('.');
+    ++(comma_last ? comma_.as_decimal : point_.as_decimal);
+    ++(comma_last ? point_.as_group : comma_.as_group);
+    return;
+  }
+  Mark& mark = points > 0 ? point_ : comma_;
+  const char sign = points > 0 ? '.' : ',';
+  if (points + commas > 1)
+    ++mark.as_group;
+  else if (has_exponent || !in_groups(mantissa, sign))
+    ++mark.as_decimal;
+  else
+    ++mark.either;
+}
+
+std::optional<char> NumberEvidence::decimal() const {
+  const std::size_t points = point_.as_decimal;
+  const std::size_t commas = comma_.as_decimal;
+  if (points == 0 && commas == 0) {
+    if (point_.as_group > 0 && comma_.as_group == 0) return ',';
+    if (comma_.as_group > 0 && point_.as_group == 0) return '.';
+    return std::nullopt;
+  }
+  if (std::min(points, commas) > std::max(points, commas) / damaged_share)
+    throw InputError({.expected = "one decimal mark",
+                      .found = std::to_string(points) + " numbers with a decimal point and " + std::to_string(commas) +
+                               " with a decimal comma",
+                      .remedy = "say which it is with --decimal"});
+  return points > commas ? '.' : ',';
+}
+
+bool NumberEvidence::undecidable() const { return point_.either + comma_.either > 0; }
+
+char NumberEvidence::thousands(char decimal) const {
+  const Mark& other = decimal == '.' ? comma_ : point_;
+  const Mark& same = decimal == '.' ? point_ : comma_;
+  const std::size_t marked = same.as_decimal + same.either;
+  if (same.as_group > marked / damaged_share) return decimal;
+  // Someone who groups digits groups all of them. Where others are not grouped, or hardly any are, a group is a damaged
+  // cell: a flipped bit turns "12.345" into "12,345".
+  const std::size_t enough = std::max(ungrouped_, marked / damaged_share);
+  if (other.as_group > ungrouped_ || other.either > enough) return decimal == '.' ? ',' : '.';
+  if (spaces_ > ungrouped_) return ' ';
+  return apostrophes_ > ungrouped_ ? '\'' : '\0';
+}
+
+NumberCell number_cell(std::string_view cell) {
+  if (cell.empty()) return {};
+  const char first = cell.front();
+  if ((first < '0' || first > '9') && first != '+' && first != '-' && first != '.' && first != ',') return {};
+  if (looks_numeric(cell)) return {cell, {}};
+  const std::size_t space = cell.find_last_of(" \t");
+  if (space == std::string_view::npos) return {};
+  const std::string_view number = trimmed(cell.substr(0, space));
+  const std::string_view unit = cell.substr(space + 1);
+  if (!looks_numeric(number) || !(volts_in(unit) || machine_unit(unit))) return {};
+  return {number, unit};
+}
+
+bool says_missing(std::string_view cell) {
+  static constexpr std::array<std::string_view, 8> words{"nan", "n/a", "#n/a", "na", "-", "--", "---", "null"};
+  if (cell.empty()) return true;
+  return cell.size() <= 4 && std::find(words.begin(), words.end(), folded(cell)) != words.end();
+}
+
+Regrouped restored(std::span<const std::string_view> cells) {
+  std::size_t decimals = fewest_decimals;
+  bool anchored = false;
+  bool regrouped = false;
+  for (const std::string_view cell : cells) {
+    const bool may_be = may_be_regrouped(cell);
+    regrouped = regrouped || (may_be && std::count(cell.begin(), cell.end(), ',') > 1);
+    if (may_be || std::isnan(number_in(cell, decimal_comma))) continue;
+    anchored = true;
+    decimals = std::max(decimals, std::min(decimals_of(cell), most_lost));
+  }
+
+  Regrouped result;
+  result.values.reserve(cells.size());
+  if (!regrouped) {
+    for (const std::string_view cell : cells) result.values.push_back(number_in(cell, decimal_comma));
+    return result;
+  }
+  result.status = anchored ? Regrouped::Status::restored : Regrouped::Status::ambiguous;
+
+  // Shortest path: the least sum of |steps| that ends in each reading of a row, and where it came from.
+  std::vector<Candidates> rows;
+  std::vector<std::array<std::size_t, most_lost>> from(cells.size());
+  std::array<double, most_lost> cost{};
+  std::size_t last = cells.size();  // the row before with a number
+  rows.reserve(cells.size());
+  for (std::size_t row = 0; row < cells.size(); ++row) {
+    rows.push_back(candidates_of(cells[row], decimals));
+    if (rows[row].count == 0) continue;
+    std::array<double, most_lost> next{};
+    for (std::size_t i = 0; last < cells.size() && i < rows[row].count; ++i) {
+      next[i] = infinity;
+      for (std::size_t j = 0; j < rows[last].count; ++j) {
+        const double sum = cost[j] + std::abs(rows[row].values[i] - rows[last].values[j]);
+        if (sum < next[i]) from[row][i] = j;
+        next[i] = std::min(next[i], sum);
+      }
+    }
+    cost = next;
+    last = row;
+  }
+
+  std::vector<std::size_t> chosen(cells.size(), 0);
+  if (last < cells.size()) {
+    const auto* const end = cost.data() + rows[last].count;
+    chosen[last] =
+        static_cast<std::size_t>(std::min_element(static_cast<const double*>(cost.data()), end) - cost.data());
+  }
+  std::size_t later = cells.size();
+  for (std::size_t row = cells.size(); row-- > 0;) {
+    if (rows[row].count == 0) continue;
+    if (later < cells.size()) chosen[row] = from[later][chosen[later]];
+    later = row;
+  }
+
+  std::size_t before = cells.size();
+  for (std::size_t row = 0; row < cells.size(); ++row) {
+    const Candidates& candidates = rows[row];
+    result.values.push_back(candidates.count == 0 ? not_a_number : candidates.values[chosen[row]]);
+    if (candidates.count == 0) continue;
+    const double value = result.values[row];
+    if (candidates.count > 1 && candidates.values[0] != value) ++result.moved;
+    const bool has_before = before < cells.size();
+    if (has_before && !decides(rows[before], chosen[before], candidates, chosen[row])) {
+      if (result.status != Regrouped::Status::ambiguous) result.row = row;
+      result.status = Regrouped::Status::ambiguous;
+    }
+    before = row;
+  }
+  return result;
+}
+
+}  // namespace flexslip

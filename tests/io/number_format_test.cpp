@@ -1,0 +1,111 @@
+#include "io/number_format.h"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "io/input_error.h"
+
+using namespace flexslip;
+
+namespace {
+
+NumberEvidence evidence_of(const std::vector<std::string>& cells) {
+  NumberEvidence evidence;
+  for (const std::string& cell : cells) evidence.add(cell);
+  return evidence;
+}
+
+// A number of four decimals as a German program writes it and an English spreadsheet saves it again: zeros at the end
+// are dropped; three or more digits behind the comma, and digits before it, are taken for an integer.
+std::string through_spreadsheet(double value) {
+  std::string text = fmt::format("{:.4f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  const std::size_t point = text.find('.');
+  if (point == std::string::npos) return text;
+  const std::size_t decimals = text.size() - point - 1;
+  text.erase(point, 1);
+  if (decimals < 3 || text.front() == '0') return text.insert(point, ",");
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("number_format: values against the same numbers in C++") {
+  CHECK(number_in("1,234.5", {'.', ','}) == 1234.5);
+  CHECK(number_in("1.234.567,25", {',', '.'}) == 1234567.25);
+  CHECK(number_in("1 234,5", {',', ' '}) == 1234.5);
+  CHECK(number_in("1\u00a0234,5", {',', ' '}) == 1234.5);
+  CHECK(number_in("1'234.5", {'.', '\''}) == 1234.5);
+  CHECK(number_in("5e-005", {}) == 5e-5);
+  CHECK(number_in("-4,40547E-8", {',', '\0'}) == -4.40547e-8);
+  CHECK(std::signbit(number_in("-0", {})));
+}
+
+TEST_CASE("number_format: what is not written in the format is no number") {
+  for (const char* text : {"", "nan", "inf", "1,5", "1.2.3", "1,234", "--1", "1e999", "0x1"})
+    CHECK_MESSAGE(std::isnan(number_in(text, {})), text);
+  for (const char* text : {"12,34", "1,2345", ",123", "0,123", "1234,567", "1,234,56"})
+    CHECK_MESSAGE(std::isnan(number_in(text, {'.', ','})), text);
+}
+
+TEST_CASE("number_format: what cells prove, and what they leave open") {
+  CHECK(evidence_of({"0,5", "1,25"}).decimal() == ',');
+  CHECK(evidence_of({"0.5", "1,234"}).decimal() == '.');
+  CHECK(evidence_of({"1,234.5"}).decimal() == '.');
+  CHECK(evidence_of({"1,234.5"}).thousands('.') == ',');
+  CHECK(evidence_of({"1.234,5", "2.345,6"}).thousands(',') == '.');
+  CHECK_FALSE(evidence_of({"1,234", "2,345"}).decimal().has_value());
+  CHECK(evidence_of({"1,234", "2,345"}).undecidable());
+  CHECK_FALSE(evidence_of({"1", "2"}).undecidable());
+  CHECK_THROWS_AS(evidence_of({"0,5", "0.5"}).decimal(), InputError);
+}
+
+TEST_CASE("number_format: a damaged cell in many changes nothing") {
+  NumberEvidence evidence;
+  for (int i = 0; i < 1000; ++i) evidence.add("12.345");
+  for (int i = 0; i < 1000; ++i) evidence.add("0.5");
+  evidence.add("12,345");
+  evidence.add("0,5");
+  CHECK(evidence.decimal() == '.');
+  CHECK(evidence.thousands('.') == '\0');
+}
+
+TEST_CASE("regrouped: a test that went through an English spreadsheet comes back as it was") {
+  std::vector<double> truth;
+  std::vector<std::string> cells;
+  for (int i = 0; i < 14000; ++i) {
+    truth.push_back(std::round(1366 + 166.6 * i) / 1e4);
+    cells.push_back(through_spreadsheet(truth.back()));
+  }
+  const std::vector<std::string_view> views(cells.begin(), cells.end());
+  const Regrouped result = restored(views);
+  CHECK(result.status == Regrouped::Status::restored);
+  CHECK(result.values == truth);
+  CHECK(result.moved > truth.size() / 2);
+}
+
+TEST_CASE("regrouped: an even column of decimal commas is left alone, and no guess is made without an anchor") {
+  const std::vector<std::string_view> even{"0,5", "1,234", "2,5"};
+  CHECK(restored(even).status == Regrouped::Status::none);
+  CHECK(restored(even).values == std::vector<double>{0.5, 1.234, 2.5});
+  const std::vector<std::string_view> afloat{"1,000,292", "1,000,312"};
+  CHECK(restored(afloat).status == Regrouped::Status::ambiguous);
+  const std::vector<std::string_view> uneven{"0,1366", "1,000,292", "0,5", "100,014"};
+  CHECK(restored(uneven).status == Regrouped::Status::ambiguous);
+}
+
+TEST_CASE("number_format: numbers in any notation, with a unit or without, and what is none") {
+  for (const char* text : {"1", "-0", "+1.5", "1,5", "1.234,5", "1'234.5", "1 234", "4.4E-8", "5e-005", ".5"})
+    CHECK_MESSAGE(number_cell(text).number == text, text);
+  CHECK(number_cell("12.5 N").number == "12.5");
+  CHECK(number_cell("12.5 N").unit == "N");
+  for (const char* text : {"", "-", "e5", "1e", "1-Preload", "12:30", "10/26/2022", "1 apple", "inf", "nan", "1e5x"})
+    CHECK_MESSAGE(number_cell(text).number.empty(), text);
+}
