@@ -1,4 +1,4 @@
-// Flags that several commands have: of a test beside its data file, each of which says what a key of a case file says; of an analysis; of a trace.
+// Flags that several commands have: of a test beside its data file, each of which says what a key of a case file says; of an analysis.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,6 @@
 #include "case/case_keys.h"
 #include "case/fitted.h"
 #include "fibre/supported_state.h"
-#include "instruments/trace_words.h"
 #include "io/input_error.h"
 
 namespace flexslip {
@@ -51,8 +50,5 @@ const Supports& within_limits(const Supports& stated);
 
 // Gives a command the options --model, --false-alarms, --suspect-limit and --check-stability.
 void add_analysis_options(CLI::App& command, AnalysisChoice& choice);
-
-// Those that say how a height trace is to be read.
-void add_trace_options(CLI::App& command, TraceWords& words);
 
 }  // namespace flexslip

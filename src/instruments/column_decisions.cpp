@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/text.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

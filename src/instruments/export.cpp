@@ -10,13 +10,13 @@
 
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
 #include "instruments/column_decisions.h"
 #include "instruments/layout.h"
 #include "io/input_error.h"
 #include "io/table.h"
 #include "io/text.h"
 #include "io/workbook.h"
+#include "numerics/elementary.h"
 
 // Reading is a chain: bytes are opened as a sheet of cells, its lines are laid out as tables, all their numbers together say how numbers are
 // written, each table gives its columns, and these their specimens; last, column_decisions.h says what the columns are. What each link decided

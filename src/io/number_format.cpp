@@ -9,10 +9,10 @@
 
 #include <fast_float/fast_float.h>
 
-#include "fibre/limits.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
 #include "io/text.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

@@ -17,7 +17,6 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
-#include "fibre/limits.h"
 #include "io/call_files.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
@@ -25,6 +24,7 @@
 #include "io/sheet.h"
 #include "io/statistics_rows.h"
 #include "io/text.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {

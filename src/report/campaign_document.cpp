@@ -14,7 +14,7 @@
 #include "finding/finding.h"
 #include "finding/printed.h"
 #include "io/quantity.h"
-#include "io/text_table.h"
+#include "io/text.h"
 #include "report/figures.h"
 #include "surface/texture.h"
 

@@ -13,7 +13,7 @@
 #include "finding/answer.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
-#include "io/text_table.h"
+#include "io/text.h"
 #include "report/figures.h"
 #include "report/modulus_document.h"
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "finding/printed.h"
-#include "io/text_table.h"
+#include "io/text.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
