@@ -10,6 +10,7 @@
 
 #include "design/design_answer.h"
 #include "design/design_result.h"
+#include "design/sweep_parts.h"
 #include "result/fields.h"
 
 namespace flexslip {
