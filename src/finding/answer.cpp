@@ -754,8 +754,10 @@ std::string slip_or_crack_in_words(T test) {
     case CrackVerdict::not_by_cracks_alone:
       return rises.verdict == CrackVerdict::not_by_cracks_alone
                  ? fmt::format("cracks alone cannot make these drops: {}; {}", stiffer, slips)
-                 : fmt::format("cracks alone would need {} of the stiffness, and the reload lost {:.1f} ± {:.1f} %; {}",
-                               percent(judgement.loss_needed), 100 * judgement.loss, 100 * judgement.loss_error, slips);
+                 : fmt::format(
+                       "cracks alone would take {} of the stiffness; by the reload it lost {}{:.1f} ± {:.1f} %; {}",
+                       percent(judgement.loss_needed), judgement.loss > 0 ? "" : "none: ", 100 * judgement.loss,
+                       100 * judgement.loss_error, slips);
     case CrackVerdict::cracks: {
       const double lost = lost_by_rises(rises);
       return fmt::format("{}{}; {}",
@@ -844,7 +846,7 @@ std::string reload_in_words(T test) {
   std::vector<std::string> parts;
   if (friction.status == CyclesStatus::ok) {
     const auto [in, out, rms] = direction_means(friction);
-    parts.push_back(fmt::format("friction {:.2g} sliding in and {:.2g} sliding out{}", in, out,
+    parts.push_back(fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
                                 is_beyond_friction(friction) ? ", which differ by more than friction can" : ""));
   }
   if (has_reload(test))

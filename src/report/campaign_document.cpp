@@ -93,8 +93,11 @@ std::string enumerated(const Campaign& campaign, Predicate belongs, std::string_
 }
 
 bool is_failure(const CampaignTest& test) { return !test.summary; }
-bool is_untrusted(const CampaignTest& test) { return test.summary && !is_trusted(test.summary->standing); }
-bool is_suspect(const CampaignTest& test) { return test.summary && test.summary->suspect && !is_untrusted(test); }
+// One whose friction is told and still is not counted: a crack, a wrong input and no answer are counted as what they are.
+bool is_suspect(const CampaignTest& test) {
+  return test.summary && test.summary->suspect && is_trusted(test.summary->standing) &&
+         test.verdict != word_of(VerdictCode::crack);
+}
 
 // "21 slip, 9 undecided, 0 crack, 8 without drops"; the others where there are some.
 std::string verdicts_in_words(const Campaign& campaign) {
@@ -404,7 +407,6 @@ std::string answer_of(const Campaign& campaign) {
                                    verdicts_in_words(campaign), friction_in_words(campaign));
   for (const std::string& words :
        {enumerated(campaign, is_suspect, "is suspect", "are suspect"),
-        enumerated(campaign, is_untrusted, "is not to be trusted", "are not to be trusted"),
         enumerated(campaign, is_failure, "could not be evaluated", "could not be evaluated")})
     if (!words.empty()) answer += fmt::format(" {}.", words);
   return answer;
