@@ -17,7 +17,7 @@ from ._fit import Draws, Fit, fit
 from ._flexslip import version as __version__
 from ._modulus import Modulus, modulus
 from ._read import Export, read
-from ._rollers import RollerStates, elastica_on_loose_rollers, elastica_on_rollers, elastica_on_rollers_inverse
+from ._rollers import RollerStates, elastica_on_rollers, elastica_on_rollers_inverse
 from ._simulate import Profile, Simulation, friction_profile, simulate
 from ._states import Details, Inverse, Slopes, States, elastica, elastica_details, elastica_inverse, elastica_slopes
 from ._surface import Surface, surface
@@ -26,7 +26,7 @@ from ._sweep import Sweep, sweep
 __all__ = [
     "Answer", "Campaign", "Case", "Description", "Design", "DesignMap", "Details", "Draws", "Equilibrium", "EquilibriumRegion", "Estimate",
     "Export", "Fit", "InputError", "Inverse", "Modulus", "Profile", "Quantity", "RollerStates", "Simulation", "Slopes", "States", "Surface",
-    "Sweep", "Table", "campaign", "design", "elastica", "elastica_details", "elastica_inverse", "elastica_on_loose_rollers",
-    "elastica_on_rollers", "elastica_on_rollers_inverse", "elastica_slopes", "equilibrium", "equilibrium_region", "fit", "friction_profile",
-    "keys", "modulus", "read", "simulate", "surface", "sweep",
+    "Sweep", "Table", "campaign", "design", "elastica", "elastica_details", "elastica_inverse", "elastica_on_rollers",
+    "elastica_on_rollers_inverse", "elastica_slopes", "equilibrium", "equilibrium_region", "fit", "friction_profile", "keys", "modulus", "read",
+    "simulate", "surface", "sweep",
 ]

@@ -16,7 +16,7 @@ from ._errors import InputError as InputError
 from ._fit import Draws as Draws, Fit as Fit
 from ._modulus import Modulus as Modulus
 from ._read import Export as Export, read as read
-from ._rollers import RollerStates as RollerStates, elastica_on_loose_rollers as elastica_on_loose_rollers, elastica_on_rollers as elastica_on_rollers, elastica_on_rollers_inverse as elastica_on_rollers_inverse
+from ._rollers import RollerStates as RollerStates, elastica_on_rollers as elastica_on_rollers, elastica_on_rollers_inverse as elastica_on_rollers_inverse
 from ._simulate import Profile as Profile, Simulation as Simulation
 from ._states import Details as Details, Inverse as Inverse, Slopes as Slopes, States as States, elastica as elastica, elastica_details as elastica_details, elastica_inverse as elastica_inverse, elastica_slopes as elastica_slopes
 from ._surface import Surface as Surface, surface as surface
@@ -26,9 +26,9 @@ __version__: str
 __all__ = [
     "Answer", "Campaign", "Case", "Description", "Design", "DesignMap", "Details", "Draws", "Equilibrium", "EquilibriumRegion", "Estimate",
     "Export", "Fit", "InputError", "Inverse", "Modulus", "Profile", "Quantity", "RollerStates", "Simulation", "Slopes", "States", "Surface",
-    "Sweep", "Table", "campaign", "design", "elastica", "elastica_details", "elastica_inverse", "elastica_on_loose_rollers",
-    "elastica_on_rollers", "elastica_on_rollers_inverse", "elastica_slopes", "equilibrium", "equilibrium_region", "fit", "friction_profile",
-    "keys", "modulus", "read", "simulate", "surface", "sweep",
+    "Sweep", "Table", "campaign", "design", "elastica", "elastica_details", "elastica_inverse", "elastica_on_rollers",
+    "elastica_on_rollers_inverse", "elastica_slopes", "equilibrium", "equilibrium_region", "fit", "friction_profile", "keys", "modulus", "read",
+    "simulate", "surface", "sweep",
 ]
 
 Path = str | os.PathLike[str]

@@ -1874,7 +1874,7 @@ class SimulationPath(Answer):
         """mobilised friction [1]"""
     @property
     def motion(self) -> str:
-        """how the specimen moves: stick, slip_in, slip_out, snap, crack, apart (the nose lifts off), rolls (on loose rollers)"""
+        """how the specimen moves: stick, slip_in, slip_out, snap, crack, apart (the nose lifts off)"""
     @property
     def drawn_in(self) -> float:
         """length that has slid past the first contacts, over both supports [m]"""
@@ -2093,7 +2093,7 @@ class SimulationFields(Answer):
 
     @property
     def status(self) -> str:
-        """whether the path is complete: ok, or why it ends early: slipped_through, contact_lost, not_computable (on loose rollers)"""
+        """whether the path is complete: ok, or why it ends early: slipped_through, contact_lost"""
     @property
     def units(self) -> SimulationUnits:
         """units of plain numbers"""

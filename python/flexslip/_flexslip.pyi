@@ -15,7 +15,6 @@ states_slopes: np.ufunc
 states_from_forces: np.ufunc
 states_more: np.ufunc
 states_on_rollers: np.ufunc
-states_on_loose_rollers: np.ufunc
 states_on_rollers_from_forces: np.ufunc
 deepest_on_supports: float
 widest_supports: float

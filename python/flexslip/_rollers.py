@@ -96,31 +96,6 @@ def elastica_on_rollers(w: Any, q: Any, *, roller_radius: Any = 0.0, thickness: 
     return answer
 
 
-def elastica_on_loose_rollers(w: Any, *, roller_radius: Any, thickness: Any = 0.0, out: Any = None) -> RollerStates:
-    """The same on rollers that roll loose on a flat base, which determine the friction: it is one of the answers.
-
-    Parameters
-    ----------
-    w, thickness, out
-        As of :func:`elastica_on_rollers`.
-    roller_radius : array_like
-        Radius of the rollers, in spans, above 0.
-
-    Examples
-    --------
-    >>> import flexslip
-    >>> state = flexslip.elastica_on_loose_rollers(0.1, roller_radius=0.05)
-    >>> round(float(state.q), 4)
-    0.1519
-    """
-    w = numbers("w", w)
-    _require_deflection(w)
-    radius, thick = _supports(roller_radius, thickness)
-    require("roller_radius", seen(radius), _LEAST, GREATEST, "a radius above 0")
-    answer: RollerStates = computed(_flexslip.states_on_loose_rollers, RollerStates, (w, radius, thick), out, (0.1, 0.1, 0))
-    return answer
-
-
 def elastica_on_rollers_inverse(w: Any, F: Any, *, roller_radius: Any = 0.0, thickness: Any = 0.0, out: Any = None) -> Inverse:
     """Length between the contacts and mobilised friction of states with deflection w and force F: the inverse of :func:`elastica_on_rollers`.
 

@@ -63,8 +63,7 @@ py::dict told(const Simulated& simulated, bool energies) {
 
 py::list figures(const Simulated& simulated) {
   py::list out;
-  if (simulated.test.followed)
-    out.append(plain(simulated_figure(simulated.test, cracks_of(simulated.input, simulated.test.scales))));
+  out.append(plain(simulated_figure(simulated.test, cracks_of(simulated.input, simulated.test.scales))));
   return out;
 }
 

@@ -19,7 +19,6 @@
 #include "fibre/batch.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
-#include "fibre/loose_rollers.h"
 #include "fibre/supported_state.h"
 #include "parts.h"
 
@@ -98,17 +97,6 @@ struct OnRollers {
   Columns operator()(Numbers w, Numbers q, Numbers radius, Numbers thickness) {
     for (std::size_t i = 0; i < w.size(); ++i) {
       const SupportedState state = state_on_supports(w[i], q[i], {radius[i], 0.5 * thickness[i]});
-      each.put(i, numbers_of(state), state.status == FibreStatus::ok);
-    }
-    return each.columns();
-  }
-};
-struct OnLooseRollers {
-  static constexpr std::size_t inputs = 3, outputs = 9;
-  Each<outputs> each{};
-  Columns operator()(Numbers w, Numbers radius, Numbers thickness) {
-    for (std::size_t i = 0; i < w.size(); ++i) {
-      const SupportedState state = state_on_loose_rollers(w[i], {radius[i], 0.5 * thickness[i]}).state;
       each.put(i, numbers_of(state), state.status == FibreStatus::ok);
     }
     return each.columns();
@@ -205,8 +193,6 @@ void add_states(py::module_& module) {
   module.attr("states_more") = ufunc<WholeState>("states_more", "theta0, Pn, U, curvature of S, q");
   module.attr("states_on_rollers") = ufunc<OnRollers>(
       "states_on_rollers", "q, F, theta0, Pn, U, curvature, length, slid, imaged of w, q, radius, thickness");
-  module.attr("states_on_loose_rollers") =
-      ufunc<OnLooseRollers>("states_on_loose_rollers", "the same of w, radius, thickness");
   module.attr("states_on_rollers_from_forces") =
       ufunc<InverseOnRollers>("states_on_rollers_from_forces", "length, q of w, F, radius, thickness");
   module.attr("largest_q") = largest_q;

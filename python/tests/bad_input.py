@@ -89,7 +89,6 @@ class Elastica(unittest.TestCase):
             drawn = [each.T.view(Masked) if isinstance(each, np.ndarray) else each for each in drawn]
         w, q, radius, thickness = drawn
         for call in (lambda: flexslip.elastica_on_rollers(w, q, roller_radius=radius, thickness=thickness),
-                     lambda: flexslip.elastica_on_loose_rollers(w, roller_radius=radius, thickness=thickness),
                      lambda: flexslip.elastica_on_rollers_inverse(w, q, roller_radius=radius, thickness=thickness)):
             try:
                 with np.errstate(all="ignore"):
@@ -109,7 +108,6 @@ class Elastica(unittest.TestCase):
                             (lambda: flexslip.elastica_on_rollers(0.1, 0.3, roller_radius=[[0.1, 0.5]]), "roller_radius[0, 1]: "),
                             (lambda: flexslip.elastica_on_rollers(0.1, 0.3, roller_radius=0.4, thickness=0.15), "roller_radius: "),
                             (lambda: flexslip.elastica_on_rollers(0.1, 0.3, thickness=-0.1), "thickness: "), (lambda: flexslip.elastica_on_rollers(0.1, 0.3, thickness=0.2), "thickness: "),
-                            (lambda: flexslip.elastica_on_loose_rollers(0.1, roller_radius=0), "roller_radius: "),
                             (lambda: flexslip.elastica_on_rollers_inverse(0.1, [-1.0]), "F[0]: ")):
             with self.assertRaises(flexslip.InputError) as raised:
                 call()

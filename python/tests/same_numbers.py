@@ -206,10 +206,6 @@ class Tables(unittest.TestCase):
             by_program = written("state", w=w, q=q)
             for name in states._fields:
                 np.testing.assert_array_equal(getattr(states, name), by_program[name], name)
-            loose = flexslip.elastica_on_loose_rollers(w, **supports)
-            by_program = written("state", "--loose", w=w)
-            for name in states._fields:
-                np.testing.assert_array_equal(getattr(loose, name), by_program[name], name)
             back = flexslip.elastica_on_rollers_inverse(w, states.F, **supports)
             by_program = written("invert", w=w, F=states.F)
             for name in back._fields:

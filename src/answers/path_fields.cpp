@@ -61,9 +61,7 @@ Fields<SimulatedPoint> path_fields(const PathColumns& columns) {
       .own("length", kind::length, "length of the specimen's axis between the contacts", &SimulatedPoint::length)
       .titled("S")
       .number("q", "mobilised friction", &SimulatedPoint::q)
-      .words("motion",
-             "how the specimen moves: stick, slip_in, slip_out, snap, crack, apart (the nose lifts off), rolls (on "
-             "loose rollers)",
+      .words("motion", "how the specimen moves: stick, slip_in, slip_out, snap, crack, apart (the nose lifts off)",
              &SimulatedPoint::motion);
   if (columns.three_lengths)
     fields
@@ -84,10 +82,7 @@ Fields<SimulatedPoint> path_fields(const PathColumns& columns) {
 
 Fields<Simulation> simulation_fields(const PathColumns& columns) {
   return Fields<Simulation>()
-      .words("status",
-             "whether the path is complete: ok, or why it ends early: slipped_through, contact_lost, not_computable "
-             "(on loose "
-             "rollers)",
+      .words("status", "whether the path is complete: ok, or why it ends early: slipped_through, contact_lost",
              &Simulation::status)
       .group("units", "units of plain numbers", units_of_numbers<Simulation>())
       .list("path", "path of the test, point by point", path_fields(columns), &Simulation::path)

@@ -243,8 +243,8 @@ void check_rig(const Test& test) {
                     fmt::format("add that of your rig, such as {} = {}", name,
                                 member == &RigInput::pin_friction ? "0.1" : written(0.2 * *rig.roller_radius)));
     if (!is_pinned && rig.*member)
-      refuse(test, fmt::format("rig.{}", name), "rollers on pins beside it",
-             rig.rollers == Rollers::loose ? "'loose'" : "'fixed'", "write rollers = \"pinned\", or delete it");
+      refuse(test, fmt::format("rig.{}", name), "rollers on pins beside it", "'fixed'",
+             "write rollers = \"pinned\", or delete it");
   }
   if (is_pinned && !(*rig.pin_radius <= *rig.roller_radius))
     refuse(test, "rig.pin_radius", "at most the radius of the roller",

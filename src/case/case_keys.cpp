@@ -81,6 +81,12 @@ constexpr CaseKey at_most(double most, std::string_view why, CaseKey key) {
   return key;
 }
 
+constexpr CaseKey without(std::string_view gone, std::string_view why, CaseKey key) {
+  key.gone = gone;
+  key.why_gone = why;
+  return key;
+}
+
 constexpr std::array keys{
     plain(of_test, "reduced", Holds::yes_no, "true", "",
           "whether all numbers are in reduced variables, without units; false unless given"),
@@ -136,10 +142,12 @@ constexpr std::array keys{
     quantity(at<&RigInput::roller_radius>, "roller_radius", kind::length, Range::non_negative, R"("5 mm")", "0.08", "",
              "radius of the rollers that serve as supports; knife edges unless given",
              ". Friction along the specimen is looked up where its axis touches the roller"),
-    word(
-        at<&RigInput::rollers>, "rollers", "fixed|pinned|loose", R"("pinned")", "",
-        "how the rollers move: not at all, on pins, or loose on a base; fixed unless given",
-        R"(. `"pinned"` rollers turn on pins, and friction is at most that of the pins, the same everywhere. `"loose"` rollers roll on a flat base and the specimen rolls on them as long as there is enough friction: simulate shows the curve, and the other commands, which ask for friction, refuse them ([theory](theory.md#rollers-and-thickness)))"),
+    without(
+        "loose", "loose rollers were a feature of earlier versions: write \"fixed\" or \"pinned\"",
+        word(
+            at<&RigInput::rollers>, "rollers", "fixed|pinned", R"("pinned")", "",
+            "how the rollers move: not at all, or on pins; fixed unless given",
+            R"(. `"pinned"` rollers turn on pins, and friction is at most that of the pins, the same everywhere ([theory](theory.md#rollers-and-thickness)))")),
     quantity(at<&RigInput::pin_radius>, "pin_radius", kind::length, Range::positive, R"("1 mm")", "0.02", "",
              "radius of the pins on which the rollers turn"),
     quantity(at<&RigInput::pin_friction>, "pin_friction", kind::number, Range::non_negative, "0.1", "0.1", "",

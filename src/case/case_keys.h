@@ -57,6 +57,8 @@ struct CaseKey {
   std::string_view more;           // what docs/case-files.md adds (Markdown)
   double most = infinity;          // the greatest value within the range
   std::string_view why_most = "";  // a remedy for one that is greater
+  std::string_view gone = "";      // a word of earlier versions; "": none
+  std::string_view why_gone = "";  // a remedy for it
   std::string_view section = "";   // "": a key of the case itself
   Slot (*slot)(const TestPart&) = nullptr;
 

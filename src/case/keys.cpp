@@ -212,6 +212,8 @@ void Keys::take(const CaseKey& key, std::optional<double>& value) const {
 
 template <class Word>
 void Keys::take(const CaseKey& key, Word& value) const {
+  if (!key.gone.empty() && is_word(key.name, key.gone))
+    refuse(key.name, what_holds(key), kind_of_node(need(key.name)), std::string(key.why_gone));
   value = static_cast<Word>(word(key.name, words_of(key)));
 }
 

@@ -93,7 +93,7 @@ Scales scales_of(const Test& test);  // as it states its bending stiffness
 // What the specimen of a test stands on, and how far off: rollers or edges, with its thickness if friction acts at its surface.
 // Fails:      InputError if rollers and thickness leave no span.
 Supports supports_of(const Test& test, const Scales& scales);
-Fibre fibre_of(const Test& test, const Scales& scales);  // on fixed or pinned rollers
+Fibre fibre_of(const Test& test, const Scales& scales);
 
 // Fails:      InputError if the test has no stiffness of the rig.
 Rig rig_of(const Test& test, const Scales& scales);

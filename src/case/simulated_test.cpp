@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "bending_test/rolling.h"
 #include "data/names.h"
 #include "data/section.h"
 #include "io/input_error.h"
@@ -29,6 +28,7 @@ EnergyAccount difference(const EnergyAccount& after, const EnergyAccount& before
   return change;
 }
 
+// Legs of a path, in indices of its points. The way from the straight fibre to the first point belongs to the first leg.
 template <class Point>
 std::vector<Leg> legs_along(const std::vector<Point>& path, const LegOptions& options) {
   std::vector<double> stages{0};
@@ -53,12 +53,6 @@ std::optional<double> wraps_nose_from(const Test& input, const History& history,
   return wraps == history.path.end() ? std::nullopt : std::optional(wraps->stage);
 }
 
-}  // namespace
-
-std::vector<Leg> legs_of(const History& history, const LegOptions& options) {
-  return legs_along(history.path, options);
-}
-
 std::vector<SimulatedLeg> told_legs(const Simulation& test, const LegOptions& options) {
   std::vector<SimulatedLeg> told;
   EnergyAccount before{};
@@ -74,6 +68,8 @@ std::vector<SimulatedLeg> told_legs(const Simulation& test, const LegOptions& op
   }
   return told;
 }
+
+}  // namespace
 
 Simulation simulated(const Test& input, const History& history, const Fibre& fibre, const Scales& scales,
                      const LegOptions& options) {
@@ -117,6 +113,10 @@ Simulation simulated(const Test& input, const History& history, const Fibre& fib
   return test;
 }
 
+namespace {
+
+// Gaussian noise on the force, and so on the deflection, which an experiment infers from the force and the stage.
+// Units:      deviation in those of the case, stiffness of the load train likewise. The same seed gives the same readings.
 void add_noise(std::vector<SimulatedPoint>& path, double deviation, double stiffness, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
@@ -128,8 +128,6 @@ void add_noise(std::vector<SimulatedPoint>& path, double deviation, double stiff
     point.deflection -= error / stiffness;
   }
 }
-
-namespace {
 
 // Why the path ends before its programme does.
 std::string reason_of_end(const Test& input, HistoryStatus status, const Simulation& test) {
@@ -190,90 +188,6 @@ std::vector<std::string> left_out_in_words(const Test& input, const Simulation& 
   return remarks;
 }
 
-// On rollers that roll loose: no snaps, no heat, no history.
-SimulatedTest simulate_rolling(const Test& input, const SimulationOptions& options, const Scales& scales,
-                               const StageProgramme& programme, const LegOptions& legs) {
-  const FrictionInput asked_for = input.friction.value_or(FrictionInput{});
-  for (const auto& [asked, key] : {std::pair{!input.specimen->cracks.empty(), "specimen.cracks"},
-                                   {input.other.has_value(), "friction.other"},
-                                   {asked_for.build_up_length.value_or(0) > 0, "friction.build_up_length"},
-                                   {asked_for.static_excess.value_or(0) > 0, "friction.static_excess"},
-                                   {input.stage->snaps != SnapRest::nearest_stable, "stage.snaps"}})
-    if (asked)
-      throw wrong_value(input, key, "fixed or pinned rollers", "rollers = \"loose\"",
-                        "leave it out, or write rollers = \"fixed\"");
-  const Supports supports = supports_of(input, scales);
-  const double stiffness = scales.reduced_stiffness(rig_stiffness_of(input));
-  const auto surface = surface_of(input, scales);
-  std::vector<double> stages{programme.positions.front()};
-  for (std::size_t i = 1; i < programme.positions.size(); ++i) {
-    const double from = programme.positions[i - 1], to = programme.positions[i];
-    const int parts = programme.in_steps ? 1 : options.points;
-    for (int j = 1; j <= parts; ++j) stages.push_back(j < parts ? from + (to - from) * j / parts : to);
-  }
-  Simulation test{.status = {},
-                  .path = {},
-                  .snaps = {},
-                  .cracks = {},
-                  .wraps_nose_from = {},
-                  .legs = {},
-                  .has_surface = surface.has_value(),
-                  .has_three_lengths = true,
-                  .has_two_sides = false};
-  EnergyAccount energy{};
-  bool gets_there = true;
-  // A roller needs friction to roll.
-  std::optional<Friction> friction;
-  if (asked_for.has_parameters())
-    friction =
-        first_friction_of(input, Fibre(supports), scales, longest_at_stage(scales.reduced_length(programme.farthest)));
-  std::optional<double> slides_from, friction_there;
-  const auto shown = [&](double position) { return readable(position, kind_in(input, kind::length)); };
-  for (const double position : stages) {
-    const double stage = scales.reduced_length(position);
-    const auto found = state_at_stage(stage, stiffness, supports);
-    gets_there = found.has_value();
-    if (!gets_there) break;
-    const SupportedState& state = found->state;
-    if (friction && !slides_from && std::abs(state.q) > friction->at(state.length).mu) {
-      slides_from = position;
-      friction_there = std::abs(state.q);
-    }
-    energy.bending = state.U;
-    energy.load_train = std::isinf(stiffness) ? 0 : 0.5 * state.F * state.F / stiffness;
-    energy.stage_work = energy.bending + energy.load_train;
-    test.path.push_back({.stage = position,
-                         .deflection = scales.physical_length(state.w),
-                         .force = scales.physical_force(state.F),
-                         .length = scales.physical_length(state.length),
-                         .q = state.q,
-                         .motion = "rolls",
-                         .drawn_in = scales.physical_length(state.slid),
-                         .imaged = scales.physical_length(state.imaged),
-                         .strain = surface ? surface->strain(state.curvature) : 0,
-                         .stress = surface ? surface->stress(state.curvature) : 0,
-                         .energy = energy});
-  }
-  test.status = gets_there ? "ok" : "not_computable";
-  test.energy = energy;
-  test.legs = told_legs(test, legs);
-  add_noise(test.path, options.noise, rig_stiffness_of(input), options.seed);
-  std::vector<std::string> remarks = left_out_in_words(input, test, scales);
-  SimulatedTest result{input.reduced, is_in_inches(input), scales, std::move(test), {}, std::move(remarks), ""};
-  if (slides_from)
-    result.remarks.push_back(
-        fmt::format("from the stage position {} on, rolling takes more friction than the case states, {:.3g} or more: "
-                    "the specimen slides on its rollers there, but what follows is computed as if it rolled on",
-                    shown(*slides_from), *friction_there));
-  if (!gets_there)
-    result.why_it_ends = fmt::format(
-        "{}: loose rollers are computed up to the stage position {}; beyond, the specimen slips through, is bent by "
-        "more than {:g} spans, or the rollers, with half its thickness, take more than {:g} of the distance that is "
-        "left between them",
-        input.source, shown(result.simulation.path.back().stage), deepest_on_supports, widest_supports);
-  return result;
-}
-
 }  // namespace
 
 SimulatedTest simulate(const Test& input, const SimulationOptions& options, double farthest) {
@@ -282,7 +196,6 @@ SimulatedTest simulate(const Test& input, const SimulationOptions& options, doub
   const Scales scales = scales_of(input);
   const StageProgramme programme = programme_of(input);
   const LegOptions legs{programme.measured ? least_measured_travel : least_stated_travel};
-  if (input.rig->rollers == Rollers::loose) return simulate_rolling(input, options, scales, programme, legs);
   BendingTest bending_test =
       bending_test_of(input, scales, std::max(farthest, scales.reduced_length(programme.farthest)));
 
@@ -318,16 +231,16 @@ SimulatedTest simulate(const Test& input, const SimulationOptions& options, doub
 }
 
 SimulatedPortrait portrait_of(const SimulatedTest& test, const std::vector<Crack>& cracks) {
-  const FollowedTest& followed = test.followed.value();
+  const FollowedTest& followed = test.followed;
   History history =
       followed.in_steps ? follow_continuously(followed.bending_test, followed.stages, 2, cracks) : followed.history;
-  std::vector<Leg> legs = legs_of(history, followed.legs);
+  std::vector<Leg> legs = legs_along(history.path, followed.legs);
   SlidingLimits limits = limits_of(followed.bending_test, history);
   return {std::move(history), std::move(legs), std::move(limits)};
 }
 
 OverallPortrait overall_portrait(const SimulatedTest& test, std::span<const double> stages) {
-  const BendingTest& bending_test = test.followed.value().bending_test;
+  const BendingTest& bending_test = test.followed.bending_test;
   return overall_portrait(bending_test.friction.kinetic, bending_test.rig, stages);
 }
 

@@ -49,17 +49,8 @@ struct Simulation {
   bool has_surface, has_three_lengths, has_two_sides;
 };
 
-// Legs of a path, in indices of its points. The way from the straight fibre to the first point belongs to the first leg.
-// Domain:     as find_legs.
-std::vector<Leg> legs_of(const History& history, const LegOptions& options);
-std::vector<SimulatedLeg> told_legs(const Simulation& test, const LegOptions& options);
-
 Simulation simulated(const Test& input, const History& history, const Fibre& fibre, const Scales& scales,
                      const LegOptions& options);
-
-// Gaussian noise on the force, and so on the deflection, which an experiment infers from the force and the stage.
-// Units:      deviation in those of the case, stiffness of the load train likewise. The same seed gives the same readings.
-void add_noise(std::vector<SimulatedPoint>& path, double deviation, double stiffness, std::uint64_t seed);
 
 struct SimulationOptions {
   int points = 200;        // on each stretch of sticking or sliding, where the stage moves continuously; at least 2
@@ -68,7 +59,7 @@ struct SimulationOptions {
   HistoryProgress progress = {};
 };
 
-// What was followed, on supports that friction is met on: what figures are drawn of.
+// What was followed: what figures are drawn of.
 struct FollowedTest {
   BendingTest bending_test;
   History history;
@@ -81,18 +72,16 @@ struct SimulatedTest {
   bool reduced, in_inches;  // as the case
   Scales scales;
   Simulation simulation;
-  std::optional<FollowedTest> followed;  // none on rollers that roll loose: no snaps, no heat, no history
-  std::vector<std::string> remarks;      // sentences
-  std::string why_it_ends;               // before its programme does; "" if it does not
+  FollowedTest followed;
+  std::vector<std::string> remarks;  // sentences
+  std::string why_it_ends;           // before its programme does; "" if it does not
 };
 
 // Friction is made ready for stage positions up to `farthest` [L], of which figures may ask beyond the programme.
-// Fails:      InputError as bending_test_of; for a path that does not fit into a gigabyte; on rollers that roll loose also for cracks, and for a
-//             friction of the other support.
+// Fails:      InputError as bending_test_of; for a path that does not fit into a gigabyte.
 SimulatedTest simulate(const Test& input, const SimulationOptions& options, double farthest = 0);
 
 // The test as a picture shows it: of a stage in steps also between its readings.
-// Domain:     a test that was followed. So for the next.
 struct SimulatedPortrait {
   History history;
   std::vector<Leg> legs;  // of its path

@@ -10,7 +10,6 @@
 
 #include "case/fitted.h"
 #include "case/mechanics.h"
-#include "fibre/loose_rollers.h"
 #include "fibre/supported_state.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
@@ -137,14 +136,10 @@ std::optional<double> supports_share(const Measurement& measurement, const Small
   const Scales scales(*test.rig->span, 1);
   const Supports supports = supports_of(test, scales);
   if (supports.radius == 0 && supports.half_depth == 0) return std::nullopt;
-  const bool loose = test.rig->rollers == Rollers::loose;
-  const auto state = [&](double w) {
-    return loose ? state_on_loose_rollers(w, supports).state : state_on_supports(w, 0, supports);
-  };
   const auto [from, to] = told_between(measurement.record, numbers);
   const double w_from = scales.reduced_length(from), w_to = scales.reduced_length(to);
   if (!(w_from > 0 && w_to > w_from && w_to <= deepest_on_supports)) return std::nullopt;
-  const SupportedState low = state(w_from), high = state(w_to);
+  const SupportedState low = state_on_supports(w_from, 0, supports), high = state_on_supports(w_to, 0, supports);
   if (low.status != FibreStatus::ok || high.status != FibreStatus::ok) return std::nullopt;
   constexpr double euler_bernoulli = 48;
   return (high.F - low.F) / (euler_bernoulli * (w_to - w_from)) - 1;

@@ -54,8 +54,8 @@ struct SpecimenInput {
 // Where friction acts on the specimen: at its surface, or, as the paper has it, at its axis, as if it had no thickness.
 enum class FrictionAt { surface, axis };
 
-// What rollers do when the specimen slides over them: nothing, turn on their pins, or roll on a flat base.
-enum class Rollers { fixed, pinned, loose };
+// What rollers do when the specimen slides over them: nothing, or turn on their pins.
+enum class Rollers { fixed, pinned };
 
 struct RigInput {
   std::optional<double> span{};               // [m] reduced: 1; none: the export of the record says it

@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -57,25 +56,12 @@ void write_test(const SimulateRequest& request, const SimulatedTest& test) {
     write_csv(request.output.path, path_fields(columns), test.simulation.path, frame);
 }
 
-void require_history(const SimulateRequest& request, const Test& input) {
-  if (input.rig && input.rig->rollers == Rollers::loose)
-    for (const auto& [asked, field] :
-         {std::pair{!request.figure.empty(), "--figure"}, std::pair{!request.equilibria_at.empty(), "--equilibria-at"}})
-      if (asked)
-        throw InputError({.file = input.source,
-                          .field = field,
-                          .expected = "fixed or pinned rollers",
-                          .found = "rollers = \"loose\"",
-                          .remedy = "leave it out"});
-  if (!request.equilibria_at.empty() && input.specimen && !input.specimen->cracks.empty())
-    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as all equilibria are drawn",
-                      fmt::format("{}", input.specimen->cracks.size()), "leave out --equilibria-at, or the cracks");
-}
-
 void run_simulate(const SimulateRequest& request) {
   const Test input = read_case(request.file, request.changes);
   const double noise = noise_of(request, input);
-  require_history(request, input);
+  if (!request.equilibria_at.empty() && input.specimen && !input.specimen->cracks.empty())
+    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as all equilibria are drawn",
+                      fmt::format("{}", input.specimen->cracks.size()), "leave out --equilibria-at, or the cracks");
   std::vector<double> marked;
   if (!request.figure.empty() && !request.equilibria_at.empty())
     marked = marked_stages(request, input, scales_of(input, bending_stiffness_of(input)));
@@ -120,8 +106,7 @@ void add_simulate_command(CLI::App& app) {
   command->footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction and\n"
       "how the specimen moved there, in SI, or reduced if the case is. motion is stick, slip_in, slip_out, snap,\n"
-      "crack, apart (the nose is off the specimen) or rolls (on loose rollers). The output is a record that\n"
-      "`flexslip fit` reads.\n"
+      "crack or apart (the nose is off the specimen). The output is a record that `flexslip fit` reads.\n"
       "\n"
       "Some tests have more columns:\n"
       "  section known            strain and stress of bending, at the surface at midspan\n"

@@ -11,7 +11,6 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "fibre/elastica.h"
-#include "fibre/loose_rollers.h"
 #include "fibre/supported_state.h"
 #include "io/input_error.h"
 
@@ -22,11 +21,10 @@ struct StateRequest {
   std::string file;
   std::optional<double> S, w, q;
   std::optional<double> radius, thickness;  // of rollers, and of the specimen on them
-  bool loose = false;                       // rollers
   bool slopes = false;
   Output output;
 
-  bool on_supports() const { return radius || thickness || loose; }
+  bool on_supports() const { return radius || thickness; }
 };
 
 // States by their length, on edges, or by their deflection, on rollers.
@@ -50,12 +48,7 @@ Input read_input(const StateRequest& request) {
                       .expected = "a length, as the supports are edges",
                       .found = "a deflection",
                       .remedy = "write --S, or add --roller-radius or --thickness"});
-  if (request.loose && request.q)
-    throw InputError({.field = "--q",
-                      .expected = "a deflection alone, as loose rollers determine the friction",
-                      .found = "both",
-                      .remedy = "leave it out"});
-  if (!request.loose && value.has_value() != request.q.has_value())
+  if (value.has_value() != request.q.has_value())
     throw InputError({.field = "state",
                       .expected = fmt::format("both --{} and --q", first),
                       .found = value ? fmt::format("--{} alone", first) : "--q alone"});
@@ -64,12 +57,9 @@ Input read_input(const StateRequest& request) {
                       .expected = fmt::format("either a file or --{} and --q", first),
                       .found = value ? "both" : "neither",
                       .remedy = value ? "" : "write - for standard input, or see flexslip state --help"});
-  if (value) return {"", first, {*value}, {request.q.value_or(0)}, {0}};
-  std::vector<WantedColumn> columns{{first, kind::number}};
-  if (!request.loose) columns.push_back({"q", kind::number});
-  const Table table = read_table(request.file, columns);
-  Input input{table.source, first, table.columns[0].values, {}, {}};
-  input.q = request.loose ? std::vector<double>(table.rows(), 0.0) : table.columns[1].values;
+  if (value) return {"", first, {*value}, {*request.q}, {0}};
+  const Table table = read_table(request.file, {{first, kind::number}, {"q", kind::number}});
+  Input input{table.source, first, table.columns[0].values, table.columns[1].values, {}};
   for (std::size_t row = 0; row < table.rows(); ++row) input.lines.push_back(table.line_of(row));
   return input;
 }
@@ -119,14 +109,10 @@ void run_states_on_supports(const StateRequest& request, const Input& input) {
   const Supports supports = within_limits({request.radius.value_or(0), 0.5 * request.thickness.value_or(0)});
   if (request.slopes)
     throw InputError({.field = "--slopes", .expected = "edges as supports", .found = "rollers or a thickness"});
-  if (request.loose && !(supports.radius > 0))
-    throw InputError(
-        {.field = "--loose", .expected = "rollers with a radius", .found = "none", .remedy = "add --roller-radius"});
   std::vector<RollerState> states;
   std::vector<std::size_t> missing;
   for (std::size_t row = 0; row < input.q.size(); ++row) {
-    const SupportedState state = request.loose ? state_on_loose_rollers(input.values[row], supports).state
-                                               : state_on_supports(input.values[row], input.q[row], supports);
+    const SupportedState state = state_on_supports(input.values[row], input.q[row], supports);
     states.push_back({.w = input.values[row]});
     if (state.status == FibreStatus::ok)
       states.back().state = state;
@@ -136,9 +122,8 @@ void run_states_on_supports(const StateRequest& request, const Input& input) {
   write_states(request, roller_state_fields(), states, missing.empty());
   if (missing.empty()) return;
   const std::size_t row = missing.front();
-  throw CalculationFailed(fmt::format("{}no state with a force exists at w = {}{} on these supports{}",
-                                      place_of(input, row), input.values[row],
-                                      request.loose ? "" : fmt::format(", q = {}", input.q[row]), likewise(missing)));
+  throw CalculationFailed(fmt::format("{}no state with a force exists at w = {}, q = {} on these supports{}",
+                                      place_of(input, row), input.values[row], input.q[row], likewise(missing)));
 }
 
 void run_state(const StateRequest& request) {
@@ -186,8 +171,6 @@ void add_state_command(CLI::App& app) {
       ->add_option("--thickness", request->thickness,
                    "Thickness of the specimen, in spans; friction acts at its surface")
       ->type_name("NUMBER");
-  command->add_flag("--loose", request->loose,
-                    "The rollers roll on a flat base and determine the friction: give only --w; a column q is ignored");
   command->add_flag("--slopes", request->slopes, "Also write the partial derivatives with respect to S and q");
   add_output_options(*command, request->output);
   command->footer(
@@ -203,7 +186,6 @@ void add_state_command(CLI::App& app) {
       "Examples:\n"
       "  flexslip state --S 1.2 --q 0.3\n"
       "  flexslip state --w 0.1 --q 0 --roller-radius 0.078 --thickness 0.0625\n"
-      "  flexslip state --w 0.1 --roller-radius 0.05 --loose\n"
       "  flexslip state states.csv --output results.csv");
   command->callback([request] { run_state(*request); });
 }

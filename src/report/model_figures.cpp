@@ -244,7 +244,7 @@ Plot simulated_figure(const SimulatedTest& test, const std::vector<Crack>& crack
 
 Plot equilibria_figure(const SimulatedTest& test, std::span<const double> stages) {
   const OverallPortrait portrait = overall_portrait(test, stages);
-  const double stiffness = test.followed.value().bending_test.rig.stiffness;
+  const double stiffness = test.followed.bending_test.rig.stiffness;
   const ForcePlane plane = plane_of(units_of(test), portrait.in);
   PlotTable points = plane.table("equilibria");
   points.titles.emplace_back("stability (0 stable; 1 partial; 2 unstable)");
