@@ -127,7 +127,7 @@ TEST_CASE("wrong load train: named before the bending stiffness, with that which
   };
   constexpr double stiffness = 90.65;  // [N/m] of the example
   // The stage for the deflection: the initial slope is that of specimen and load train, and friction steepens it.
-  const Case stiff =
+  const Test stiff =
       read_case(FLEXSLIP_SOURCE_DIR "/examples/simulated/case.toml", std::vector<std::string>{"rig.stiffness=\"inf\""});
   const Answer by_slope = answer_of(fit_test(stiff, {}));
   CHECK(train_of(by_slope) == doctest::Approx(stiffness).epsilon(0.1));
