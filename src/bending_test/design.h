@@ -151,7 +151,7 @@ bool snaps(const Design& design);
 // Tolerance:  rounded up, by 1e-7, so that on a rig of just this stiffness there is no snap; 1e-8 beside it.
 // Fails:      infinity where the fibre snaps even with the deflection controlled.
 // Method:     on a rig of stiffness k and on all softer ones the loading gets no farther than to a deflection w(k), and up to that the
-//             critical stiffness K(w) is known (critical_stiffness.h): so k = K(travel) at first, and then k = K(w(k)) until it stays.
+//             critical stiffness K(w) is known (the other critical_stiffness): so k = K(travel) at first, and then k = K(w(k)) until it stays.
 //             No stiffer rig snaps at any moment of this. It stays at a cusp, because along a rising k(S) the stage positions of folds
 //             fall, by F k'/k^2.
 // Cost:       a few times that of critical_stiffness.

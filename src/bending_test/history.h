@@ -1,4 +1,5 @@
-// What a test measures: the path of states through a programme of stage positions, with its snaps and its energy account.
+// What a test measures: the path of states through a programme of stage positions, with its snaps and its
+// energy account; specimens that crack; stages that move in steps; and the curves that pictures show.
 #pragma once
 
 #include <cstdint>
@@ -71,7 +72,7 @@ struct Snap {
 // Likewise a jump along a line of slope -k; the specimen may snap from where it ends.
 struct CrackOpened {
   double stage;             // [L]
-  PathPoint before, after;  // at the same length, but for what cracking_fibre.h says
+  PathPoint before, after;  // at the same length, but for what is said at Crack
   double released;          // [EI/L]
 };
 
@@ -89,7 +90,7 @@ struct History {
 using HistoryProgress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
 // The states at given stage positions: loading, unloading, reloading, in any order; a position repeated is a halt. A test starts
-// with the straight fibre at stage 0. Cracks happen as cracking_fibre.h says; all is in units of the first bending stiffness.
+// with the straight fibre at stage 0. Cracks happen as said at Crack; all is in units of the first bending stiffness.
 // Domain:     cracks as there; stages finite and >= 0, the greatest at least 1e-6; std::invalid_argument, naming the index, otherwise.
 // Max error:  as MovingFibre; the energy account closes to 1e-10 + 2^-48/(S - 1) of the greatest energy in it, S being
 //             the least length at which the stage turned: near the straight fibre S - 1 has few digits.

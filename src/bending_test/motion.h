@@ -1,4 +1,5 @@
-// How the fibre moves while the stage does: at rest on its supports, sliding over them, or in a snap.
+// How the fibre moves while the stage does: at rest on its supports, sliding over them, or in a snap; and where the work of
+// the stage goes.
 //
 // The state of a test is (S, q), which fixes deflection, force and stage position. Moving the stage changes q at fixed S as
 // long as friction holds (stick); then the fibre slides in along q = μ(S), or out along q = -μ(S); where the curve folds back
@@ -151,7 +152,7 @@ struct EnergyAccount {
   double load_train;  // F^2/(2k)
   double friction;    // heat: ∫ q Pn dS in sliding, ∫ μ Pn |dS| in snaps
   double snaps;       // what the snaps set free beyond friction: noise, vibration
-  double cracks;      // what the cracks set free, at a fixed stage position (cracking_fibre.h)
+  double cracks;      // what the cracks set free, at a fixed stage position (Crack, history.h)
   double
       imbalance;  // stage_work less the sum of the others; zero but for rounding and quadrature. The work of a stretch is
                   // integrated and not made from the others, so that this is a check

@@ -1,4 +1,5 @@
-// The fibre on a loading frame of finite stiffness: overall equilibria, their stability, and the folds where it snaps.
+// The fibre on a loading frame of finite stiffness: overall equilibria, their stability, the folds where it snaps,
+// and how far a loading gets.
 //
 // Along a sliding curve, q = μ(S) drawn in or q = -μ(S) let out, the frame asks for the stage position G(S) = w + F/k. At a
 // given stage position every root of G(S) = stage is an overall equilibrium; it is stable where G rises with S (4.31), and at
@@ -126,7 +127,7 @@ double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, do
 // Cost:       3 µs.
 double longest_in_loading(const Friction& along, const Rig& rig, double stage);
 
-// The folds of a sliding curve, found with a guarantee: the work behind trace_loading_curve and trace_unloading_curve (rig.h).
+// The folds of a sliding curve, found with a guarantee: the work behind trace_loading_curve and trace_unloading_curve.
 
 // Domain:     as trace_loading_curve and trace_unloading_curve, whose arguments these are; std::invalid_argument if there is no state at S_from.
 // Tolerance, cost: as there.

@@ -1,4 +1,4 @@
-// The beginning of a test of a specimen with a thickness: bent by less than some half depths its surface slides outwards first, sticks, and then
+// The states on the path of a test; and its beginning, of a specimen with a thickness: bent by less than some half depths its surface slides outwards first, sticks, and then
 // slides in (theory.md, "Rollers and thickness").
 //
 // Two states belong to each length there, so that the way is told in the deflection, which only rises while the stage advances: friction matters
@@ -13,7 +13,7 @@ namespace flexslip {
 
 // A state on the path of a test.
 
-// apart: the nose is off a fibre that friction holds bent, without a force. crack: cracking_fibre.h.
+// apart: the nose is off a fibre that friction holds bent, without a force. crack: Crack (history.h).
 enum class Motion { stick, slip_in, slip_out, snap, crack, apart };
 
 struct PathPoint {

@@ -1,4 +1,4 @@
-// A sliding curve as a table: work along it, and the length at a stage position, for the price of a few polynomials.
+// A sliding curve sampled: as a table of work and lengths for the price of a few polynomials, as one short piece, and on the fixed ladder of fits.
 #pragma once
 
 #include <array>

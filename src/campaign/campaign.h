@@ -1,5 +1,5 @@
 // One test of a campaign as the campaign keeps it: what its table, figures and pages are made of, whether it was computed just
-// now or in a run before.
+// now or in a run before; and what several tests share.
 #pragma once
 
 #include <cstddef>

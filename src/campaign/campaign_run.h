@@ -1,4 +1,5 @@
-// A campaign computed: every test on its own, on as many threads as wanted, with the same answers for any number of them.
+// A campaign computed: every test on its own, on as many threads as wanted, with the same answers for any number of them;
+// each test kept in a folder, so that a run that was stopped goes on.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// The commands of the program, one file each.
+// The commands of the program, one file each; merge with sweep.
 //
 // A command reads its arguments in its callback. It throws an InputError for bad input, and CalculationFailed, once what
 // could be computed is written, if that is not all; main() turns these into messages and exit codes.

@@ -28,19 +28,9 @@
 #include "io/text_file.h"
 
 namespace flexslip {
+namespace {
 
 // The file that a sweep ends in, as the commands `sweep` and `merge` make it.
-
-// The path as it is.
-// Fails:      InputError if it is empty or standard output.
-std::string file_to_write(const std::string& path);
-
-// Announces the file (CallFiles), before anything is read.
-void announce_sweep(const std::string& path);
-
-// Joins the parts in a file, and says what came of it on standard output. The file is safe on the disk when this returns.
-// Fails:      InputError if the file cannot be written; CalculationFailed, naming the parts, if some are missing or damaged.
-void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output);
 
 // A sweep as an array of jobs of Slurm.
 
@@ -51,12 +41,6 @@ struct SlurmJobs {
   unsigned threads;  // of each job
   double minutes;    // that a job is expected to take
 };
-
-// A commented script that submits itself, and the merge after it.
-// Fails:      InputError if sbatch could not read the name of the output.
-std::string slurm_script(const SlurmJobs& jobs);
-
-namespace {
 
 std::size_t count_of(const std::vector<PartFault>& faults, PartState state) {
   return static_cast<std::size_t>(
@@ -96,8 +80,8 @@ std::string words_of(const std::vector<std::uint64_t>& counts) {
   return text;
 }
 
-}  // namespace
-
+// The path as it is.
+// Fails:      InputError if it is empty or standard output.
 std::string file_to_write(const std::string& path) {
   if (!path.empty() && path != "-") return path;
   throw InputError({.field = "--output",
@@ -106,11 +90,14 @@ std::string file_to_write(const std::string& path) {
                     .remedy = "pass --output FILE"});
 }
 
+// Announces the file (CallFiles), before anything is read.
 void announce_sweep(const std::string& path) {
   files_of_this_call().writes(path, "--output");
   files_of_this_call().writes(UnfinishedFile::name_for(path), "--output");
 }
 
+// Joins the parts in a file, and says what came of it on standard output. The file is safe on the disk when this returns.
+// Fails:      InputError if the file cannot be written; CalculationFailed, naming the parts, if some are missing or damaged.
 void join_parts(std::span<const SweepParts> folders, const std::string& path, const Output& output) {
   const SweepPlan& plan = folders.front().plan();
   const SweepMerge merge = [&] {
@@ -131,8 +118,6 @@ void join_parts(std::span<const SweepParts> folders, const std::string& path, co
   if (!is_done) throw CalculationFailed(words_of(merge, folders.front(), path));
   if (!output.json) write_text("-", fmt::format("{}: {} designs ({})\n", path, plan.rows, words_of(merge.counts)));
 }
-
-namespace {
 
 // A file name as sbatch reads it in quotes: % begins what it replaces, and a quote would end it.
 std::string sbatch_name(const std::string& path) {
@@ -192,8 +177,8 @@ fi
 exec "$FLEXSLIP" sweep "$CASE" "${{CHANGES[@]}}" --output "$OUTPUT" --shard "$SLURM_ARRAY_TASK_ID/{shards}" --threads "$SLURM_CPUS_PER_TASK"
 )script";
 
-}  // namespace
-
+// A commented script that submits itself, and the merge after it.
+// Fails:      InputError if sbatch could not read the name of the output.
 std::string slurm_script(const SlurmJobs& jobs) {
   constexpr double safety = 3;         // nodes differ, and so do the designs of a sweep
   constexpr double least_minutes = 5;  // for starting up
@@ -208,8 +193,6 @@ std::string slurm_script(const SlurmJobs& jobs) {
                      fmt::arg("program", shell_word(jobs.program)), fmt::arg("case_file", shell_word(jobs.case_file)),
                      fmt::arg("changes", changes), fmt::arg("output", shell_word(jobs.output)));
 }
-
-namespace {
 
 struct SweepRequest {
   std::string file;

@@ -1,4 +1,5 @@
-// The coefficient of friction along the fibre, as the support sees it: μ as a function of the length S between the supports.
+// The coefficient of friction along the fibre, as the support sees it: μ as a function of the length S between the supports;
+// and Coulomb's law with a static excess.
 //
 // A point of the fibre at arc length s from midspan meets the support when S = 2 s, so a wave of length λ along the fibre
 // has the period 2 λ in S: hence π S/λ in (4.25). All lengths are in spans.

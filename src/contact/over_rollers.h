@@ -1,4 +1,5 @@
-// Friction as a fibre meets it that slides over rollers: of the point that touches, which is not the length that has slid.
+// Friction as a fibre meets it that slides over rollers: of the point that touches, which is not the length that has slid; on slopes;
+// and capped by what else gives way.
 //
 // The axis between the contacts is shorter than what has been drawn in by what lies on the rollers, and that depends on friction through the
 // slope of the fibre. So friction met at a length is the solution of q = μ(S(Σ, q)), another one drawn in than let out (theory.md, "Rollers and

@@ -1,4 +1,4 @@
-// Where a loading curve begins.
+// Where a loading curve begins, and the zero of its force before that.
 #pragma once
 
 #include <cstddef>

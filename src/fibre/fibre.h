@@ -1,7 +1,7 @@
 // The fibre on its supports: one map Ψ for whatever the supports are.
 //
 // On knife edges, of a specimen without thickness, it is that of elastica.h, bit by bit. On rollers, or with a thickness, that of
-// supported_state.h by tables (supported_tables.h) built where they are asked for; S then is Σ, what has been drawn in along the surface past the
+// supported_state.h by tables (state_table.h) built where they are asked for; S then is Σ, what has been drawn in along the surface past the
 // contacts of the straight fibre, plus the span: what slides, what sticks, and what a snap jumps in. Copies share the tables.
 //
 // With a thickness the surface slides outwards first, so that two states belong to a length below 1 and just above: here a length means the

@@ -1,4 +1,4 @@
-// Ψ tabulated: for work that needs very many states and no more than 12 digits of each.
+// Ψ tabulated: for work that needs very many states and no more than 12 digits of each; likewise on supports.
 //
 // Piecewise Chebyshev interpolation of w/σ and F/σ in σ = √(S - 1) and q: in these Ψ is smooth down to the straight fibre, and nothing of
 // the friction law or the rig is in it. It is built cell by cell, where it is asked for (cell_table.h). Reduced variables as in elastica.h; arrays and their

@@ -164,8 +164,8 @@ Found too_few_points(T test) {
                      Print(test).length(1)),
                  .short_form = "bent too little",
                  .remedy =
-                     "If the deflection should be larger, check the units; if not, bend a thinner specimen, or "
-                     "bend farther.",
+                     "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend "
+                     "farther; flexslip modulus evaluates the record without friction.",
                  .numbers = {{"deflection_over_span", deepest}}};
 }
 
@@ -358,7 +358,8 @@ Found misses_force(T test) {
 Found drops_differ(T test) {
   const Check* check = check_of(test, CheckKind::drops);
   if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged("Drops of the fit say nothing where the fit is not to be used.");
+  if (presumes_too_much(test))
+    return unjudged("The fit cannot be used, so its drops are not compared with those of the record.");
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("The model has no profiles whose drops could be counted.");
   const auto number = [&](std::string_view name) { return number_of(*check, name); };
@@ -375,7 +376,7 @@ Found drops_differ(T test) {
 Found coloured_noise(T test) {
   const Check* check = check_of(test, CheckKind::whiteness);
   if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged("What the fit leaves says nothing where it is not to be used.");
+  if (presumes_too_much(test)) return unjudged("The fit cannot be used, so what it leaves is not judged.");
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("A constant friction cannot predict the next reading.");
   const double p = number_of(*check, "p_value");
@@ -391,7 +392,7 @@ Found coloured_noise(T test) {
 Found simpler_fits_better(T test) {
   const Check* check = check_of(test, CheckKind::nesting);
   if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged("Explanations are not compared where none is to be used.");
+  if (presumes_too_much(test)) return unjudged("The fit cannot be used, so simpler explanations are not compared.");
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("The likeliest explanation contains no simpler one.");
   return checked(*check, "No simpler explanation fits better.",
@@ -541,7 +542,7 @@ Found no_reload(T test) {
       lost_stiffness(judgement))
     return std::nullopt;
   return Finding{.severity = Severity::note,
-                 .sentence = "Without a reload nothing bounds what stiffness was lost besides.",
+                 .sentence = "Without a reload nobody knows how much stiffness was lost.",
                  .remedy = reload_remedy(test)};
 }
 

@@ -1,5 +1,5 @@
 // One measured test from its record to its answers: what friction, where along the specimen, how certainly, which drops are
-// slips, and how much of the work was friction. SI in, everything of the model in reduced variables with their Scales beside.
+// slips, and how much of the work was friction; and what is known without a fit: may it slide, how stiff is it. SI in, everything of the model in reduced variables with their Scales beside.
 #pragma once
 
 #include <cmath>
@@ -113,7 +113,7 @@ struct TestAnalysis {
   double bending_stiffness_error;  // [1] as used
   bool stiffness_from_slope;
   double stiffness_over_slope;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
-  // The fit misses the record by more than a tenth of its greatest force, or it may not slide (plausible_sliding.h).
+  // The fit misses the record by more than a tenth of its greatest force, or it may not slide (may_slide).
   bool model_implausible = false;
   OverFrictionless over_frictionless{};  // beforehand
   bool stiffness_implausible;            // they differ by more than 40 % and twice its error

@@ -1,4 +1,5 @@
-// A Gaussian process along the fibre as seen at many places (looks.h): what they say of it, in time proportional to their number.
+// A Gaussian process along the fibre as seen at many places (Looks): what they say of it, in time proportional to their number;
+// its hyperparameters, its likelihood with gradient, and draws beforehand.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // A measured load-unload-reload test from its record to its answers: friction both ways, the loops run forward again, where the
-// work went, and whether the specimen lost stiffness.
+// work went, and whether the specimen lost stiffness, and over which length friction builds up.
 #pragma once
 
 #include <cstddef>

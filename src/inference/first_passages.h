@@ -1,4 +1,5 @@
-// Readings of a loading as first passages: sliding in, the fibre passes a length S when the stage first reaches G(S; μ(S)).
+// Readings of a loading as first passages: sliding in, the fibre passes a length S when the stage first reaches G(S; μ(S));
+// and the gaps that were jumped over.
 //
 // Each reading tells friction twice, and both are linear in μ: an equality where the fibre is, and a bound on the friction that it jumped
 // over. Noise of the force moves the inverted state along the level curve of the stage position, so that readings are linearised at the

@@ -1,4 +1,4 @@
-// Specimens of a kind: their mean and how they differ, from what the record of each says of itself.
+// What records say of a number: their likelihoods, one value for several of them, and specimens of a kind, their mean and how they differ.
 #pragma once
 
 #include <cstddef>

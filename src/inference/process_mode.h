@@ -1,4 +1,5 @@
-// One mode of the posterior of friction along a fibre: hyperparameters and linearisation that agree with each other.
+// One mode of the posterior of friction along a fibre: hyperparameters and linearisation that agree with each other;
+// and the search for all of them.
 //
 // The posterior is approached by turns: at given hyperparameters the readings are linearised at the state fitted (Gauss-Newton) and the
 // bounds of the gaps, over which the fibre jumped, are taken as Gaussians (expectation propagation); at a given linearisation the

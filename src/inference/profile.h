@@ -1,4 +1,5 @@
-// Friction read off a measured curve, point by point: while the fibre slips, (w, F) inverts to (S, μ).
+// Friction read off a measured curve, point by point: while the fibre slips, (w, F) inverts to (S, μ); suspects;
+// and the length imaged.
 //
 // Reduced variables. A record is one loading up to the failure of the specimen.
 #pragma once

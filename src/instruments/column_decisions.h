@@ -1,4 +1,5 @@
-// What the columns of an export are taken for: as its words say, or as the user does, and what remains to be asked.
+// What the columns of an export are taken for: as its words say, or as the user does, and what remains to be asked; a force that is
+// there only as a voltage.
 #pragma once
 
 #include <cstddef>

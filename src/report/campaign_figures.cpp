@@ -189,7 +189,7 @@ std::string clipped(const std::string& name) {
 
 // Its friction, a line each.
 std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {
-  if (!is_trusted(test.standing)) return "";
+  if (!is_trusted(test.standing) || !std::isfinite(test.mu0.value)) return "";
   std::string lines =
       fmt::format("*μ*_0 {} {:.3f}", test.mu0_is_bound ? "≤" : "=", test.mu0_is_bound ? test.mu0.high : test.mu0.value);
   if (test.wave_claimed && test.wavelength && test.amplitude)

@@ -71,13 +71,17 @@ struct AsText {
     return words.empty() ? "" : wrapped(words, indent, indent, width);
   }
   std::string operator()(const Rows& rows) const {
+    constexpr std::size_t widest = 30;  // longer labels stand on a line of their own
     std::size_t label_width = 13;
     for (const auto& [label, words] : rows)
-      if (!words.empty()) label_width = std::max(label_width, width_of(label));
+      if (!words.empty() && width_of(label) <= widest) label_width = std::max(label_width, width_of(label));
+    const std::string indent(has_title ? 3 : 2, ' ');
     std::string out;
     for (const auto& [label, words] : rows) {
       if (words.empty()) continue;
-      const std::string begin = fmt::format("{}{}   ", has_title ? "   " : "  ", padded(label, label_width, false));
+      const bool is_wide = width_of(label) > label_width;
+      if (is_wide) out += indent + label + '\n';
+      const std::string begin = fmt::format("{}{}   ", indent, padded(is_wide ? "" : label, label_width, false));
       out += wrapped(printable(words), std::string(width_of(begin), ' '), begin, width);
     }
     return out;

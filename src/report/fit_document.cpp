@@ -73,7 +73,7 @@ std::string caution_of(T test, const Answer& answer) {
     return "The numbers below assume that the specimen kept its stiffness; the record speaks against that.";
   return is_trusted(answer.standing)
              ? ""
-             : "The fit is not to be used: it tells no friction. What is drawn of it shows where it fails.";
+             : "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
 }
 
 // Where μ₀ lies to what the literature gives.

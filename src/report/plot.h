@@ -60,9 +60,9 @@ inline constexpr Style fill(Colour colour, double opacity) { return {.colour = c
 inline constexpr Style mark(Symbol symbol, Colour colour, double size, double width = 1) {
   return {colour, width, Dash::solid, symbol, size};
 }
-// below: a curve on which others lie.
+// below: a curve on which others lie. Widths of one colour differ: gnuplot's SVG gives a key's dashes to the next of its colour and width.
 inline constexpr Style fit{colours::black, 1.6}, snap{colours::black, 1, Dash::dashed}, zero{colours::black, 0.75};
-inline constexpr Style euler{colours::orange, 1, Dash::long_dashed}, frictionless{colours::orange, 1};
+inline constexpr Style euler{colours::orange, 1, Dash::long_dashed}, frictionless{colours::orange, 1.2};
 inline constexpr Style drop{colours::grey, 0.6, Dash::dashed}, below{colours::silver, 2};
 inline constexpr Style loading{colours::blue, 1.4}, unloading{colours::vermillion, 1.4};
 inline constexpr Style measured = mark(Symbol::disc, colours::blue, 1.7, 0.5), literature = fill(colours::green, 0.15);

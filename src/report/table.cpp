@@ -186,7 +186,12 @@ void add_told(PrintedTable& table, const std::vector<Description>& entries, cons
       default:
         break;
     }
-    if (!cell.empty()) table.rows.push_back({name, cell, interval, meaning_for_people(each.meaning)});
+    const std::string meaning = meaning_for_people(each.meaning);
+    if (!cell.empty())
+      table.rows.push_back({name, cell, interval,
+                            each.shape == Shape::yes_no
+                                ? "yes if " + (meaning.starts_with("whether ") ? meaning.substr(8) : meaning)
+                                : meaning});
     if (each.shape == Shape::estimate) add_told(table, each.entries, value, frame, name + ".");
   }
 }

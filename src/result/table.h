@@ -1,4 +1,4 @@
-// Answers as tables: the rows of what describes itself, a column a number. What CSV, XLSX and print lay out.
+// Answers as tables: the rows of what describes itself, a column a number. What CSV, XLSX and print lay out; and answers as JSON.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Coulomb friction on a slope, and the slope that explains a friction.
+// Coulomb friction on a slope, the slope that explains a friction, and a surface as a rounded edge sees it.
 //
 // A support that climbs a slope tan α of the specimen's surface shows μ_app = (μ + tan α)/(1 - μ tan α) = tan(atan μ + α), and on the way down
 // tan(atan μ - α). To first order A μ = (1 + μ²) times the amplitude of the slope (theory.md, "A surface and its friction").

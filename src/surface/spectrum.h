@@ -1,4 +1,4 @@
-// The power spectrum of a trace by several tapers, each an estimate of its own.
+// The power spectrum of a trace by several tapers, each an estimate of its own; and its smooth part.
 //
 // Sine tapers (Riedel and Sidorenko, IEEE Trans. Signal Process. 43, 1995): v_k(t) = √(2/(n+1)) sin(πk t/(n+1)), t = 1..n. Their mean over k = 1..K
 // has chi squared of 2K freedoms, a half bandwidth of (K+1)/2 of the least frequency 1/(n step), and little bias beyond it.

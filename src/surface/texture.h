@@ -1,4 +1,5 @@
-// What a levelled trace says of its surface: its waves, how high and steep it is and over which lengths, and what of it is noise.
+// What a levelled trace says of its surface: its waves, how high and steep it is and over which lengths, what of it is noise, and
+// whether a trace can show a wave.
 #pragma once
 
 #include <cstddef>

@@ -27,7 +27,7 @@ Test rod(const std::string& modulus, const std::string& rig = "") {
 
 }  // namespace
 
-TEST_CASE("stiffness_used: E I of a rod, with the uncertainty stated or assumed (formula)") {
+TEST_CASE("mechanics: E I of a rod, with the uncertainty stated or assumed (formula)") {
   const double EI = 30e9 * std::acos(-1.0) / 64 * std::pow(40e-6, 4);
   const auto stated = bending_stiffness_of(
       rod("modulus = { value = \"30 GPa\", uncertainty = \"1.5 GPa\" }", "stiffness = \"90 N/m\""));
@@ -42,7 +42,7 @@ TEST_CASE("stiffness_used: E I of a rod, with the uncertainty stated or assumed 
   CHECK(has(message_of([&] { bending_stiffness_of(open); }), "modulus"));
 }
 
-TEST_CASE("stiffness_used: load train and supports are springs in line, and taken apart again (identity)") {
+TEST_CASE("mechanics: load train and supports are springs in line, and taken apart again (identity)") {
   const Test soft = rod("modulus = \"30 GPa\"", "stiffness = \"90 N/m\"\nsupport_stiffness = \"200 N/m\"");
   CHECK(load_train_stiffness_of(soft) == 90);
   CHECK(support_compliance_of(soft) == to(1e-15, 1 / 400.0));  // each support carries half the force
@@ -65,7 +65,7 @@ StageProgramme programme(const std::string& stage, const std::string& path = "ca
 
 }  // namespace
 
-TEST_CASE("stage_programme: turning points exactly, or every reading of steps") {
+TEST_CASE("mechanics: turning points exactly, or every reading of steps") {
   const auto exact = programme("program = [\"0 um\", \"300 um\", \"100 um\"]\nstep = \"continuous\"");
   CHECK(!exact.in_steps);
   CHECK(!exact.measured);
@@ -79,7 +79,7 @@ TEST_CASE("stage_programme: turning points exactly, or every reading of steps") 
   CHECK(steps.positions.back() == to(1e-14, 1e-4));
 }
 
-TEST_CASE("stage_programme: a measured one is that of its file") {
+TEST_CASE("mechanics: a measured one is that of its file") {
   const TemporaryFolder folder;
   folder.file("stage.csv", "w_s [um]\n0\n40\n90\n20\n");
   const auto read = programme("file = \"" + folder.path().string() + "/stage.csv\"\nstage = \"w_s\"");
@@ -88,7 +88,7 @@ TEST_CASE("stage_programme: a measured one is that of its file") {
   CHECK(read.positions.size() == 4);
 }
 
-TEST_CASE("stage_programme: what is none is refused by its key (limit)") {
+TEST_CASE("mechanics: what is none is refused by its key (limit)") {
   CHECK(has(message_of([] { programme("program = [\"0 um\", \"0 um\"]"); }), "[stage] program[2]"));
   CHECK(has(message_of([] { programme("program = [\"0 um\", \"1 m\"]"); }), "[stage] program[2]"));
 }

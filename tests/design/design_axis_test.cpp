@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 
 namespace flexslip {
-TEST_CASE("design_parameter: each is described once, in its place") {
+TEST_CASE("design axis: each is described once, in its place") {
   std::set<std::string_view> names;
   std::size_t place = 0;
   for (const auto& each : design_parameters()) {
@@ -22,7 +22,7 @@ TEST_CASE("design_parameter: each is described once, in its place") {
   }
 }
 
-TEST_CASE("design_parameter: what a number may be (limit)") {
+TEST_CASE("design axis: what a number may be (limit)") {
   const auto& mu0 = described(DesignParameter::mu0);
   const auto& stiffness = described(DesignParameter::stiffness);
   const auto& span = described(DesignParameter::span);

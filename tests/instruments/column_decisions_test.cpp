@@ -8,7 +8,9 @@
 
 using namespace flexslip;
 
-TEST_CASE("voltage: a second load cell and a force of noise are found, an unrelated channel is not, by construction") {
+TEST_CASE(
+    "column decisions: a second load cell and a force of noise are found, an unrelated channel is not, by "
+    "construction") {
   std::mt19937 random(1);
   std::normal_distribution<double> noise;
   std::vector<double> ramp, cell, scatter, hum;

@@ -77,7 +77,7 @@ TEST_CASE("number_format: a damaged cell in many changes nothing") {
   CHECK(evidence.thousands('.') == '\0');
 }
 
-TEST_CASE("regrouped: a test that went through an English spreadsheet comes back as it was") {
+TEST_CASE("number_format: a test that went through an English spreadsheet comes back as it was") {
   std::vector<double> truth;
   std::vector<std::string> cells;
   for (int i = 0; i < 14000; ++i) {
@@ -91,7 +91,7 @@ TEST_CASE("regrouped: a test that went through an English spreadsheet comes back
   CHECK(result.moved > truth.size() / 2);
 }
 
-TEST_CASE("regrouped: an even column of decimal commas is left alone, and no guess is made without an anchor") {
+TEST_CASE("number_format: an even column of decimal commas is left alone, and no guess is made without an anchor") {
   const std::vector<std::string_view> even{"0,5", "1,234", "2,5"};
   CHECK(restored(even).status == Regrouped::Status::none);
   CHECK(restored(even).values == std::vector<double>{0.5, 1.234, 2.5});

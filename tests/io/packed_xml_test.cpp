@@ -36,7 +36,7 @@ TEST_CASE("identity: a document says the same in pieces of any size, names witho
   for (std::size_t size = 1; size < document.size(); ++size) CHECK(told(document, size) == whole);
 }
 
-TEST_CASE("xml_stream: what is cut off, broken or could define entities is refused") {
+TEST_CASE("packed_xml: what is cut off, broken or could define entities is refused") {
   for (std::size_t size = 0; size < document.size(); ++size) {
     CAPTURE(size);
     CHECK_THROWS_AS(told(document.substr(0, size), 7), InputError);
@@ -46,7 +46,7 @@ TEST_CASE("xml_stream: what is cut off, broken or could define entities is refus
   CHECK_THROWS_WITH_AS(told("<a><b></a></b>", 5), doctest::Contains("broken XML"), InputError);
 }
 
-TEST_CASE("xml_stream: what a handler throws comes out of feed") {
+TEST_CASE("packed_xml: what a handler throws comes out of feed") {
   XmlStream xml({[](std::string_view, const XmlAttributes&) { throw InputError({.expected = "no element"}); },
                  [](std::string_view) {}, [](std::string_view) {}});
   CHECK_THROWS_WITH_AS(xml.feed(document), doctest::Contains("no element"), InputError);

@@ -23,7 +23,7 @@ TraceFile some_trace(double amplitude, double wavelength) {
 
 }  // namespace
 
-TEST_CASE("surface words, table: what a wave, a question and a friction come to") {
+TEST_CASE("surface document, table: what a wave, a question and a friction come to") {
   SurfaceOptions options;
   options.friction = 0.5;
   options.wavelengths = {10.9e-6, 1.5e-7};
@@ -43,7 +43,7 @@ TEST_CASE("surface words, table: what a wave, a question and a friction come to"
   CHECK(figure.panels.size() == 3);
 }
 
-TEST_CASE("surface words, limit: a friction on which it would slide by itself is refused with its place") {
+TEST_CASE("surface document, limit: a friction on which it would slide by itself is refused with its place") {
   SurfaceOptions options;
   options.friction = 0.01;
   const std::string message = message_of([&] { study_surface(some_trace(0.11e-6, 10.9e-6), options); });
