@@ -146,10 +146,14 @@ std::string friction_in_words(const Campaign& campaign) {
                         at_most(over->mu0_limit));
   if (mu0.count == 0)
     return limits.empty() ? " No test tells friction." : fmt::format(" No test tells friction from zero; {}.", limits);
-  return fmt::format(" Friction {:.2f}{}{}{}.", mu0.mean,
+  const bool has_undecided = std::any_of(campaign.tests.begin(), campaign.tests.end(), [](const CampaignTest& test) {
+    return test.verdict == word_of(VerdictCode::undecided);
+  });
+  return fmt::format(" Friction {:.2f}{}{}{}{}.", mu0.mean,
                      mu0.count == 1 ? ""
                                     : fmt::format(" averaged over {} specimens, {:.2f} to {:.2f} between them",
                                                   mu0.count, mu0.min, mu0.max),
+                     has_undecided ? ", if the drops of those undecided are slips" : "",
                      limits.empty() ? "" : "; " + limits, work_in_words(campaign));
 }
 

@@ -71,10 +71,12 @@ struct AsText {
     return words.empty() ? "" : wrapped(words, indent, indent, width);
   }
   std::string operator()(const Rows& rows) const {
-    constexpr std::size_t widest = 30;  // longer labels stand on a line of their own
+    // A longer label stands on a line of its own, if its words do not fit beside it.
+    constexpr std::size_t usual = 30, margins = 6;
     std::size_t label_width = 13;
     for (const auto& [label, words] : rows)
-      if (!words.empty() && width_of(label) <= widest) label_width = std::max(label_width, width_of(label));
+      if (!words.empty() && (width_of(label) <= usual || width_of(label) + width_of(words) + margins <= width))
+        label_width = std::max(label_width, width_of(label));
     const std::string indent(has_title ? 3 : 2, ' ');
     std::string out;
     for (const auto& [label, words] : rows) {
