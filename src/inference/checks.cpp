@@ -78,6 +78,10 @@ Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropO
       drawn.deflection.push_back(stages[i] - drawn.force[i] / problem.rig.stiffness);
       error = rho * error + fresh * normal();
     }
+    // A test drawn ends where its specimen slips through.
+    const auto end = std::find_if(drawn.force.begin(), drawn.force.end(), [](double F) { return !std::isfinite(F); });
+    const auto held = static_cast<std::size_t>(end - drawn.force.begin());
+    for (auto* column : {&drawn.stage, &drawn.deflection, &drawn.force}) column->resize(held);
     const Falls falls = falls_beyond(threshold, drops_of(drawn).drops);
     numbers.push_back(falls.number);
     if (falls.number > 0) means.push_back(falls.mean);

@@ -69,6 +69,12 @@ class OddButLegal(InFolder):
         self.assertIn(run("fit", CASE, "--set", 'rig.stiffness="40 N/m"').returncode, (0, 1))
         self.fitted(self.record("smooth.csv", self.smooth()), "2960 GPa")
 
+    def test_a_span_so_much_too_short_that_tests_drawn_from_the_fit_slip_through(self):
+        for span in "180 um", "300 um", "500 um":
+            answer = run("fit", CASE, "--set", f'rig.span="{span}"', "--set", 'rig.stiffness="inf"', "--json")
+            self.assertIn(answer.returncode, (0, 1), answer.stderr)
+            self.assertIn(json.loads(answer.stdout)["verdict"]["code"], ("check_input", "no_answer"), span)
+
     def test_an_interrupt_ends_a_fit(self):
         process = subprocess.Popen([PROGRAM, "fit", str(CASE), "--quiet"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         time.sleep(0.2)
