@@ -69,11 +69,11 @@ PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& col
 
 // What a reader of numbers should know that are given all the same; empty where there is nothing.
 std::string caution_of(T test, const Answer& answer) {
-  if (lost_stiffness(*test.judgement))
-    return "The numbers below assume that the specimen kept its stiffness; the record speaks against that.";
-  return is_trusted(answer.standing)
-             ? ""
-             : "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
+  if (!is_trusted(answer.standing))
+    return "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
+  return lost_stiffness(*test.judgement)
+             ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
+             : "";
 }
 
 // Where μ₀ lies to what the literature gives.
@@ -184,16 +184,18 @@ Chapter wave_chapter(T test) {
 // ---- Checks
 
 Chapter checks_chapter(T test, const Answer& answer) {
+  std::vector<Finding> findings = answer.findings;  // the weightiest first, and last what could not be judged
+  std::stable_partition(findings.begin(), findings.end(),
+                        [](const Finding& finding) { return finding.severity != Severity::unjudged; });
   Rows rows;
-  for (const Finding& finding : answer.findings)
+  for (const Finding& finding : findings)
     rows.push_back({std::string(name_of(finding.severity)), with_remedy(finding)});
   Chapter chapter{"What was checked", {rows}};
   if (!is_fitted(test)) return chapter;
   chapter.blocks.emplace_back(numbers(test, "suspect_criteria"));
   chapter.blocks.emplace_back(
       std::string("A test is suspect where more than 5 % of the points judged are above the limit. Friction alone "
-                  "lifts a sound curve "
-                  "above the Euler–Bernoulli line, by 5 % at μ = 0.6."));
+                  "lifts a sound curve above the Euler–Bernoulli line, by 5 % at μ = 0.6."));
   if (is_trusted(answer.standing)) chapter.blocks.emplace_back(numbers(test, "replay"));
   return chapter;
 }
