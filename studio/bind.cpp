@@ -1,6 +1,5 @@
 // The mechanics for JavaScript: the only file that knows Emscripten. Arrays are copied, since memory may move as it grows; what cannot be
 // computed is answered as a sentence.
-#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <optional>

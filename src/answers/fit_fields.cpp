@@ -1,7 +1,6 @@
 #include "answers/fit_fields.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>

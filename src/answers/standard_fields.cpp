@@ -1,6 +1,5 @@
 #include "answers/standard_fields.h"
 
-#include <cmath>
 #include <vector>
 
 #include "case/studies.h"

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "contact/over_rollers.h"
 #include "fibre/batch.h"

@@ -401,7 +401,8 @@ struct Writer {
   template <class Value>
   std::string operator()(Value value) const {  // a word, or a whole number
     const auto number = static_cast<std::uint64_t>(value);
-    return std::is_enum_v<Value> ? toml_text(words_of(key).at(number)) : std::to_string(number);
+    return std::is_enum_v<Value> ? toml_text(words_of(key).at(static_cast<std::size_t>(number)))
+                                 : std::to_string(number);
   }
   template <class... Values>
   std::string operator()(const std::variant<Values...>& value) const {

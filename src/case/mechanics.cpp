@@ -57,7 +57,7 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
 // All positions at which the stage turns, halts or ends, cycle by cycle.
 std::vector<double> written_out(const StageInput& stage) {
   std::vector<double> turns{stage.program.front()};
-  turns.reserve(1 + stage.cycles * (stage.program.size() - 1));
+  turns.reserve(1 + static_cast<std::size_t>(stage.cycles) * (stage.program.size() - 1));
   for (std::uint64_t cycle = 0; cycle < stage.cycles; ++cycle)
     turns.insert(turns.end(), stage.program.begin() + 1, stage.program.end());
   return turns;
@@ -189,7 +189,7 @@ FrictionTable read_surface(const Side& side) {
   options.step = surface.trace_step;
   const TraceFile file = read_trace(*surface.trace, options, length);
   const double radius = surface.edge_radius.value_or(test.rig->roller_radius.value_or(0));
-  PreparedTrace ready = prepared(file.sampled, surface.level, surface.cutoff, radius);
+  PreparedTrace ready = prepared(file.sampled, static_cast<std::size_t>(surface.level), surface.cutoff, radius);
   const bool is_inwards = surface.direction == TraceDirection::inwards;
   for (const bool turned : {false, true}) {
     if (turned && is_inwards) std::reverse(ready.path.begin(), ready.path.end());
@@ -247,7 +247,8 @@ Friction of_roughness(const Side& side, const Scales& scales, double S_max) {
 
 // Without a reference the mean holds at the span.
 Friction of_waves(const Side& side, const Scales& scales, double S_max) {
-  const auto& [test, friction, section] = side;
+  const Test& test = side.test;
+  const FrictionInput& friction = side.friction;
   FrictionWaves waves{*friction.mu0, friction.drift.value_or(0) * scales.span(), {}};
   if (friction.reference) {
     constexpr double rounding = 1e-3;  // of the four digits that a length is shown in

@@ -1,7 +1,6 @@
 #include "case/studies.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <utility>

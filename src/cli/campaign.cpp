@@ -1,7 +1,6 @@
 #include "campaign/campaign.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>

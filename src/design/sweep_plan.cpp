@@ -1,12 +1,10 @@
 #include "design/sweep_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>

@@ -4,7 +4,6 @@
 #include "fibre/cell_table.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <hwy/foreach_target.h>  // must come before highway.h
@@ -250,10 +249,9 @@ std::vector<double> CellTable::coefficients_of(std::size_t x_cell, std::size_t q
       x.push_back(at(x_cell, node(a), grid.x_scale));
       q.push_back(at(q_cell, node(b), grid.q_scale) + axes_.q_least);
     }
-  x.push_back(at(x_cell, 1, grid.x_scale));
-  q.push_back(at(q_cell, -1, grid.q_scale) + axes_.q_least);
+  const double far = at(x_cell, 1, grid.x_scale), least = at(q_cell, -1, grid.q_scale) + axes_.q_least;
+  if (std::isnan(source_({&far, 1}, {&least, 1}).first.front())) return nothing;
   const Pair pair = source_(x, q);
-  if (std::isnan(pair.first.back())) return nothing;
   std::vector<double> cell(CellLayout::cell);
   for (std::size_t k = 0; k < 2; ++k) {
     const std::vector<double>& values = k == 0 ? pair.first : pair.second;

@@ -292,20 +292,43 @@ SupportedTables::BranchEnd SupportedTables::end_at(std::size_t index) const {
   return {high, last.slid + 4 * std::abs(last.slid - before.slid) + close};
 }
 
-// By bisection, where Newton's iteration leads nowhere: close to the end of the branch.
+// Where Newton's iteration leads nowhere, close to the end of the branch: by the secant within a bracket, by halves while its upper end has no state.
 double SupportedTables::beyond(double S, double q) const {
   if (S - 1 > branch_end(q).slid) return not_a_number;
-  double low = 1.25 * supports.half_depth, high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9;
-  const auto slid = [&](double w) {
+  const auto miss = [&](double w) {
     const SupportedState at = state(w, q);
-    return at.status == FibreStatus::ok ? at.slid : not_a_number;
+    return at.status == FibreStatus::ok ? at.slid - (S - 1) : infinity;
   };
-  while (slid(high) < S - 1 && high < deepest_on_supports) high *= 1.1;
-  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-    (slid(middle) < S - 1 ? low : high) = middle;
-  const double reached = slid(low);
-  constexpr double close = 1e-10;  // of the length
-  return std::abs(reached - (S - 1)) <= close ? low : not_a_number;
+  constexpr double close = 1e-10, rounding = 1e-15;  // of the length
+  double low = least_w(), high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9, slope = 0;
+  double short_by = S - least_length(supports), over_by = miss(high);
+  const auto raise = [&](double w, double miss_there) {
+    slope = (short_by + miss_there) / (w - low);
+    low = w, short_by = -miss_there;
+  };
+  for (; over_by < 0; over_by = miss(high)) {
+    raise(high, over_by);
+    high *= 1.1;
+  }
+  bool was_raised = false, was_lowered = false;
+  for (;;) {
+    const double middle = 0.5 * (low + high), secant = low + (high - low) * short_by / (short_by + over_by);
+    const double w = std::isfinite(over_by) && low < secant && secant < high ? secant : middle;
+    if (!(low < w && w < high)) break;
+    // The length rises ever more steeply, at most as a square root does at its end.
+    if (std::isinf(over_by) && 8 * slope * (high - low) + close < short_by) return not_a_number;
+    const double there = miss(w);
+    if (std::abs(there) <= rounding * S) return w;
+    if (there < 0) {
+      raise(w, there);
+      if (was_raised) over_by *= 0.5;
+    } else {
+      high = w, over_by = there;
+      if (was_lowered) short_by *= 0.5;
+    }
+    was_raised = there < 0, was_lowered = there > 0;
+  }
+  return -miss(low) <= close ? low : not_a_number;
 }
 
 CellTable::Pair SupportedTables::pair_by_length(std::span<const double> x, std::span<const double> q) const {

@@ -184,7 +184,7 @@ Found other_train_in_drops(T test) {
   std::size_t misfits = 0;
   std::vector<double> compliances;  // [m/N]
   for (std::size_t i = 0; i < drops.size(); ++i) {
-    const auto [before, after] = std::pair(drops[i].before, drops[i].after);
+    const std::size_t before = drops[i].before, after = drops[i].after;
     const std::size_t rows = std::min(before - (i == 0 ? 0 : std::min(drops[i - 1].after, before)), most_rows);
     if (rows == 0) continue;
     const double times = static_cast<double>(after - before) / static_cast<double>(rows);

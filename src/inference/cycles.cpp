@@ -22,7 +22,8 @@
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
-namespace flexslip::loops {
+namespace flexslip {
+namespace {
 
 // The points of a cyclic record, each as friction at a length of the fibre, for some bending stiffness and contact: which loop they belong
 // to, and whether the fibre slides there.
@@ -47,29 +48,9 @@ struct LoopLegs {
   std::size_t column;  // of its contact
 };
 
-// Standard deviation of one reading, from second differences within the legs: no smooth curve passes for noise.
-double reading_noise(const ReducedRecord& record, std::span<const Leg> legs);
-
-std::vector<LoopLegs> pair_legs(std::span<const Leg> legs);
-
-// The points of a record under a calibration; `columns` are the contacts of its legs.
-std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double least_deflection,
-                          std::span<const Leg> legs, const Calibration& calibration,
-                          std::span<const std::size_t> columns);
-
-// Of each leg the first point in `points`, and the end.
-std::vector<std::size_t> leg_starts(std::span<const Point> points, std::size_t legs);
-
-// Marks the points that stick after the turn at which a leg begins, if the fibre was in contact there. A record that begins by
-// unloading begins at a turn.
-void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double force_noise);
-
-// That of nothing is 0.
-double median_or_zero(std::vector<double> values);
-
 // The points of a loop that slide, by length: as both directions at the same places, and as one friction that all of them support.
 
-inline constexpr double least_noise = 1e-9;  // [1] of q: keeps the filter regular for records without noise
+constexpr double least_noise = 1e-9;  // [1] of q: keeps the filter regular for records without noise
 
 // Sorted by S: one loop's points that slide.
 struct Row {
@@ -89,9 +70,6 @@ struct Noise {
   double force, difference, length;
 };
 
-std::vector<Block> make_blocks(std::span<const Point> points, std::span<const LoopLegs> loops, std::size_t legs,
-                               double force_noise);
-
 // Both directions at the same places.
 struct Pairs {
   std::vector<double> S, in, out;
@@ -99,17 +77,12 @@ struct Pairs {
   std::vector<double> noise_of_unit;                         // variance of in - out, for force noise 1
 };
 
-// Points sliding out, paired with the points sliding in around them where these leave no gap, averaged over places.
-Pairs pair_directions(const Block& block);
-
 // Friction at the rows of a block, as all of them support it: ±q = μ(S) ± δ(S)/2 + noise with μ a random walk, by a Kalman filter
 // along S and Rauch, Tung & Striebel's smoother on the way back.
 struct Smoothed {
   std::vector<Eigen::Vector3d> mu;  // and its regressors to ln EI and contact
   std::vector<double> variance;
 };
-
-Smoothed smooth(const Block& block, const Noise& noise);
 
 // Bending stiffness and contacts at which loading and unloading are mirror images: by least squares, and the noise by its likelihood.
 
@@ -140,12 +113,6 @@ class Estimator {
   const Calibration& calibration_;
   const CyclesOptions& options_;
 };
-
-// Maximises the restricted likelihood over the logarithms of the noise, by steps along each that shrink to 5 %.
-Noise likely_noise(const Estimator& estimator, const Noise& start, double reading, double shortest, double longest);
-
-namespace {
-
 // Slope of q on the stage over points [first, last); NaN where the stage stands still.
 double slope_of_q(std::span<const Point> points, std::size_t first, std::size_t last) {
   // From the first position on: where the stage stands still, all are zero, and so is their mean.
@@ -163,10 +130,10 @@ double slope_of_q(std::span<const Point> points, std::size_t first, std::size_t 
   return xx > 0 ? xy / xx : not_a_number;
 }
 
-}  // namespace
-
+// That of nothing is 0.
 double median_or_zero(std::vector<double> values) { return values.empty() ? 0 : median_of(std::move(values)); }
 
+// Standard deviation of one reading, from second differences within the legs: no smooth curve passes for noise.
 double reading_noise(const ReducedRecord& record, std::span<const Leg> legs) {
   std::vector<double> bends;
   for (const auto& leg : legs)
@@ -188,6 +155,7 @@ std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
   return loops;
 }
 
+// The points of a record under a calibration; `columns` are the contacts of its legs.
 std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double least_deflection,
                           std::span<const Leg> legs, const Calibration& calibration,
                           std::span<const std::size_t> columns) {
@@ -223,6 +191,7 @@ std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double le
   return points;
 }
 
+// Of each leg the first point in `points`, and the end.
 std::vector<std::size_t> leg_starts(std::span<const Point> points, std::size_t legs) {
   std::vector<std::size_t> starts;
   starts.reserve(legs + 1);
@@ -233,6 +202,8 @@ std::vector<std::size_t> leg_starts(std::span<const Point> points, std::size_t l
   return starts;
 }
 
+// Marks the points that stick after the turn at which a leg begins, if the fibre was in contact there. A record that begins by
+// unloading begins at a turn.
 void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double force_noise) {
   const auto starts = leg_starts(points, legs.size());
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
@@ -262,12 +233,8 @@ void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double fo
   }
 }
 
-namespace {
-
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t most_places = 100;  // of a loop: finer than bumps, coarser than readings
-
-}  // namespace
 
 std::vector<Block> make_blocks(std::span<const Point> points, std::span<const LoopLegs> loops, std::size_t legs,
                                double force_noise) {
@@ -301,6 +268,7 @@ std::vector<Block> make_blocks(std::span<const Point> points, std::span<const Lo
   return blocks;
 }
 
+// Points sliding out, paired with the points sliding in around them where these leave no gap, averaged over places.
 Pairs pair_directions(const Block& block) {
   std::vector<const Row*> in, out;
   for (const auto& row : block.rows) (row.side > 0 ? in : out).push_back(&row);
@@ -418,11 +386,6 @@ Smoothed smooth(const Block& block, const Noise& noise) {
   return result;
 }
 
-}  // namespace flexslip::loops
-
-namespace flexslip {
-namespace {
-
 constexpr double lost_degrees = 6;  // of freedom: three for the trend, three of Fisher's transform
 constexpr double normal_95 = 1.959964;
 
@@ -449,92 +412,6 @@ std::vector<double> without_trend(std::span<const double> S, std::span<const dou
   const Eigen::VectorXd rest = b - A * weighted.colPivHouseholderQr().solve(root.cwiseProduct(b));
   return {rest.data(), rest.data() + n};
 }
-
-}  // namespace
-
-double effective_count(std::span<const double> a, std::span<const double> b) {
-  const auto autocovariance = [](std::span<const double> x, std::size_t lag) {
-    double sum = 0;
-    for (std::size_t i = lag; i < x.size(); ++i) sum += x[i] * x[i - lag];
-    return sum;
-  };
-  const double a0 = autocovariance(a, 0);
-  const double b0 = autocovariance(b, 0);
-  const auto n = static_cast<double>(a.size());
-  if (!(a0 > 0 && b0 > 0)) return n;
-  double sum = 0;
-  for (std::size_t lag = 1; lag < a.size(); ++lag) {
-    const double ra = autocovariance(a, lag) / a0;
-    const double rb = autocovariance(b, lag) / b0;
-    if (ra <= 0 || rb <= 0) break;
-    sum += ra * rb;
-  }
-  return n / (1 + 2 * sum);
-}
-
-BumpCorrelation together(std::span<const BumpCorrelation> loops) {
-  double sum = 0, weights = 0, points = 0;
-  for (const auto& loop : loops) {
-    const double weight = loop.effective_points - lost_degrees;
-    if (!(weight > 1) || std::isnan(loop.value)) continue;
-    sum += weight * std::atanh(loop.value);
-    weights += weight;
-    points += loop.effective_points;
-  }
-  if (!(weights > 0)) return {not_a_number, not_a_number, not_a_number, 0};
-  const double z = sum / weights;
-  const double half = normal_95 / std::sqrt(weights);
-  return {std::tanh(z), std::tanh(z - half), std::tanh(z + half), points};
-}
-
-BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const double> in, std::span<const double> out,
-                                std::span<const double> noise) {
-  const std::size_t n = S.size();
-  if (in.size() != n || out.size() != n || noise.size() != n)
-    throw std::invalid_argument(
-        "bumps are correlated at places with one length, two values and their noise: there are " + std::to_string(n) +
-        ", " + std::to_string(in.size()) + ", " + std::to_string(out.size()) + " and " + std::to_string(noise.size()));
-  for (std::size_t i = 0; i < n; ++i) {
-    require(i == 0 || S[i] > S[i - 1], "the lengths at which bumps are correlated must rise", S[i]);
-    require(noise[i] >= 0, "a variance of noise must be >= 0", noise[i]);
-  }
-  if (n < least_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
-  std::vector<double> weights(n, 1.0);
-  auto a = without_trend(S, in, weights);
-  auto b = without_trend(S, out, weights);
-  // Places count by what they tell: the noise of some, near contact, exceeds all bumps.
-  std::vector<double> squares;
-  squares.reserve(2 * n);
-  for (const double value : a) squares.push_back(value * value);
-  for (const double value : b) squares.push_back(value * value);
-  const double spread =
-      loops::median_or_zero(squares) / 0.455;  // 0.455 is the median of the square of a standard normal
-  if (!(spread > 0)) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
-  for (std::size_t i = 0; i < n; ++i) weights[i] = spread / (spread + noise[i]);
-  a = without_trend(S, in, weights);
-  b = without_trend(S, out, weights);
-  double ab = 0, aa = 0, bb = 0, total = 0, total_squares = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    ab += weights[i] * a[i] * b[i];
-    aa += weights[i] * a[i] * a[i];
-    bb += weights[i] * b[i] * b[i];
-    total += weights[i];
-    total_squares += weights[i] * weights[i];
-    a[i] *= std::sqrt(weights[i]);
-    b[i] *= std::sqrt(weights[i]);
-  }
-  const double count = effective_count(a, b) * total * total / (total_squares * static_cast<double>(n));
-  const double r = aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
-  // With no degree of freedom left, nothing is known: the interval is all of [-1, 1].
-  const double half = normal_95 / std::sqrt(std::max(count - lost_degrees, std::numeric_limits<double>::min()));
-  const double z = std::atanh(r);
-  return {r, std::tanh(z - half), std::tanh(z + half), count};
-}
-
-}  // namespace flexslip
-
-namespace flexslip::loops {
-namespace {
 
 struct Information {
   Eigen::Matrix4d gram = Eigen::Matrix4d::Zero();
@@ -566,8 +443,6 @@ Information whiten(const Pairs& places, const Noise& noise) {
   }
   return information;
 }
-
-}  // namespace
 
 NormalStep Estimator::estimate(const Noise& noise, Eigen::Index differences) const {
   const auto contacts = static_cast<Eigen::Index>(calibration_.contact.size());
@@ -604,6 +479,7 @@ NormalStep Estimator::estimate(const Noise& noise, Eigen::Index differences) con
   return result;
 }
 
+// Maximises the restricted likelihood over the logarithms of the noise, by steps along each that shrink to 5 %.
 Noise likely_noise(const Estimator& estimator, const Noise& start, double reading, double shortest, double longest) {
   const std::array<double, 3> low{elementary::log(reading + 1e-12), elementary::log(1e-5), elementary::log(shortest)};
   const std::array<double, 3> high{elementary::log(1e2 * reading + 1e-9), elementary::log(2.0),
@@ -638,12 +514,6 @@ Noise likely_noise(const Estimator& estimator, const Noise& start, double readin
   return noise_at(at);
 }
 
-}  // namespace flexslip::loops
-
-namespace flexslip {
-namespace {
-
-using namespace loops;
 constexpr std::size_t least_points = 20;
 constexpr std::size_t settling = 5;  // iterations after which it is fixed which points slide
 constexpr std::size_t most_iterations = 40;
@@ -915,6 +785,84 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
 }
 
 }  // namespace
+
+double effective_count(std::span<const double> a, std::span<const double> b) {
+  const auto autocovariance = [](std::span<const double> x, std::size_t lag) {
+    double sum = 0;
+    for (std::size_t i = lag; i < x.size(); ++i) sum += x[i] * x[i - lag];
+    return sum;
+  };
+  const double a0 = autocovariance(a, 0);
+  const double b0 = autocovariance(b, 0);
+  const auto n = static_cast<double>(a.size());
+  if (!(a0 > 0 && b0 > 0)) return n;
+  double sum = 0;
+  for (std::size_t lag = 1; lag < a.size(); ++lag) {
+    const double ra = autocovariance(a, lag) / a0;
+    const double rb = autocovariance(b, lag) / b0;
+    if (ra <= 0 || rb <= 0) break;
+    sum += ra * rb;
+  }
+  return n / (1 + 2 * sum);
+}
+
+BumpCorrelation together(std::span<const BumpCorrelation> loops) {
+  double sum = 0, weights = 0, points = 0;
+  for (const auto& loop : loops) {
+    const double weight = loop.effective_points - lost_degrees;
+    if (!(weight > 1) || std::isnan(loop.value)) continue;
+    sum += weight * std::atanh(loop.value);
+    weights += weight;
+    points += loop.effective_points;
+  }
+  if (!(weights > 0)) return {not_a_number, not_a_number, not_a_number, 0};
+  const double z = sum / weights;
+  const double half = normal_95 / std::sqrt(weights);
+  return {std::tanh(z), std::tanh(z - half), std::tanh(z + half), points};
+}
+
+BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const double> in, std::span<const double> out,
+                                std::span<const double> noise) {
+  const std::size_t n = S.size();
+  if (in.size() != n || out.size() != n || noise.size() != n)
+    throw std::invalid_argument(
+        "bumps are correlated at places with one length, two values and their noise: there are " + std::to_string(n) +
+        ", " + std::to_string(in.size()) + ", " + std::to_string(out.size()) + " and " + std::to_string(noise.size()));
+  for (std::size_t i = 0; i < n; ++i) {
+    require(i == 0 || S[i] > S[i - 1], "the lengths at which bumps are correlated must rise", S[i]);
+    require(noise[i] >= 0, "a variance of noise must be >= 0", noise[i]);
+  }
+  if (n < least_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
+  std::vector<double> weights(n, 1.0);
+  auto a = without_trend(S, in, weights);
+  auto b = without_trend(S, out, weights);
+  // Places count by what they tell: the noise of some, near contact, exceeds all bumps.
+  std::vector<double> squares;
+  squares.reserve(2 * n);
+  for (const double value : a) squares.push_back(value * value);
+  for (const double value : b) squares.push_back(value * value);
+  const double spread = median_or_zero(squares) / 0.455;  // 0.455 is the median of the square of a standard normal
+  if (!(spread > 0)) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
+  for (std::size_t i = 0; i < n; ++i) weights[i] = spread / (spread + noise[i]);
+  a = without_trend(S, in, weights);
+  b = without_trend(S, out, weights);
+  double ab = 0, aa = 0, bb = 0, total = 0, total_squares = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    ab += weights[i] * a[i] * b[i];
+    aa += weights[i] * a[i] * a[i];
+    bb += weights[i] * b[i] * b[i];
+    total += weights[i];
+    total_squares += weights[i] * weights[i];
+    a[i] *= std::sqrt(weights[i]);
+    b[i] *= std::sqrt(weights[i]);
+  }
+  const double count = effective_count(a, b) * total * total / (total_squares * static_cast<double>(n));
+  const double r = aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
+  // With no degree of freedom left, nothing is known: the interval is all of [-1, 1].
+  const double half = normal_95 / std::sqrt(std::max(count - lost_degrees, std::numeric_limits<double>::min()));
+  const double z = std::atanh(r);
+  return {r, std::tanh(z - half), std::tanh(z + half), count};
+}
 
 DirectionMeans direction_means(const CyclicFriction& friction) {
   double places = 0, in = 0, out = 0, square = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "fibre/batch_inverse.h"
 #include "fibre/state_table.h"

@@ -1,7 +1,6 @@
 #include "inference/slip_or_crack.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <span>

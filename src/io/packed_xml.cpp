@@ -18,7 +18,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t piece = 1 << 16;  // [bytes] unpacked at a time
+constexpr std::size_t piece_size = 1 << 16;  // [bytes] unpacked at a time
 
 // The bytes as a file that minizip reads.
 struct Bytes {
@@ -109,7 +109,7 @@ void ZipArchive::read(const std::string& part, const std::function<void(std::str
 
   // Whatever take throws, the part is closed.
   const std::unique_ptr<void, void (*)(void*)> to_close(archive, [](void* open) { unzCloseCurrentFile(open); });
-  std::array<char, piece> buffer{};
+  std::array<char, piece_size> buffer{};
   std::uint64_t unpacked = 0;
   int got = 0;
   while ((got = unzReadCurrentFile(archive, buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {

@@ -1,7 +1,6 @@
 #include "io/table.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <filesystem>

@@ -400,7 +400,7 @@ std::optional<LiteratureFriction> literature_of(const Campaign& campaign) {
   return all ? friction_in_literature(*all) : std::nullopt;
 }
 
-std::string answer_of(const Campaign& campaign) {
+std::string campaign_in_short(const Campaign& campaign) {
   if (campaign.tests.empty()) return "No tests.";
   if (std::all_of(campaign.tests.begin(), campaign.tests.end(), is_failure))
     return fmt::format("No answer: {}.",
@@ -439,7 +439,7 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
 
 std::string campaign_text(const Campaign& campaign) {
   std::vector<Chapter> chapters = document_of(campaign, with_error);
-  chapters.insert(chapters.begin(), {"", {answer_of(campaign)}});
+  chapters.insert(chapters.begin(), {"", {campaign_in_short(campaign)}});
   return in_text(chapters);
 }
 

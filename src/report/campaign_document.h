@@ -11,7 +11,7 @@
 namespace flexslip {
 
 // How many tests, with what verdicts, what friction, what share of the work, what is suspect and what failed.
-std::string answer_of(const Campaign& campaign);
+std::string campaign_in_short(const Campaign& campaign);
 
 // An estimate in print, "0.519 (0.40 to 0.64)" or "0.519 ± 0.060", in a unit that is `factor` of its own.
 using WriteEstimate = std::string(const Estimate& estimate, double factor);

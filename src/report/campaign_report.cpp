@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -114,7 +113,8 @@ DrawStatus write_campaign_report(const std::string& folder, const Campaign& camp
   FilesBeside files;
   for (const TableFile& file : table_files) files.files.push_back({file.name, file.holds});
   chapters.push_back({"Files", {files, fmt::format("FlexSlip {}.", FLEXSLIP_VERSION)}});
-  return write_page(folder, "Friction in a campaign of bending tests", answer_in_html(answer_of(campaign)), chapters);
+  return write_page(folder, "Friction in a campaign of bending tests", answer_in_html(campaign_in_short(campaign)),
+                    chapters);
 }
 
 void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option) {

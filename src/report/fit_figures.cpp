@@ -1,4 +1,3 @@
-#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>

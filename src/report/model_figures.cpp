@@ -1,6 +1,4 @@
-#include <array>
 #include <cctype>
-#include <optional>
 #include <stdexcept>
 #include <tuple>
 

@@ -2,13 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -27,7 +27,7 @@ std::string on_one_line(const Campaign& campaign) { return in_text(document_of(c
 }  // namespace
 
 TEST_CASE("table: the answer of a campaign counted by hand") {
-  CHECK(answer_of(some_campaign()) ==
+  CHECK(campaign_in_short(some_campaign()) ==
         "6 tests: 4 slip, 0 undecided, 0 crack, 1 without drops, 1 without an answer. Friction 0.51 averaged over 4 "
         "specimens, 0.30 to 0.75 between them; 25 % of the work (25 to 25 %). SS8 is suspect. SS99 could not be "
         "evaluated.");
@@ -36,7 +36,7 @@ TEST_CASE("table: the answer of a campaign counted by hand") {
   auto of_maize = some_campaign();
   of_maize.tests.front().materials = Materials{"maize", "steel"};
   CHECK_FALSE(has(on_one_line(of_maize), "literature"));
-  CHECK(answer_of(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})) ==
+  CHECK(campaign_in_short(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})) ==
         "1 test: 0 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.30; 25 % of the work.");
 }
 
@@ -53,11 +53,11 @@ TEST_CASE("table: what surface would explain the waves of a campaign, and what w
 }
 
 TEST_CASE("limit: no tests, none with an answer, all suspect") {
-  CHECK(answer_of(no_tests()) == "No tests.");
+  CHECK(campaign_in_short(no_tests()) == "No tests.");
   CHECK(campaign_text(no_tests()) == "No tests.\n");
-  CHECK(answer_of(only_failures()) == "No answer: none of the 2 tests could be evaluated.");
+  CHECK(campaign_in_short(only_failures()) == "No answer: none of the 2 tests could be evaluated.");
   CHECK(has(campaign_text(only_failures()), "   SS1                 a.csv:17: column 'F_N': expected a number"));
-  const std::string suspect = answer_of(campaign_of({some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6)}));
+  const std::string suspect = campaign_in_short(campaign_of({some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6)}));
   CHECK(has(suspect, " Friction 1.25. SS8 is suspect."));
 }
 
