@@ -227,7 +227,7 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
   const double least = least_half_depths * supports().half_depth;
   for (std::size_t i = 0; i < n; ++i)
     if (w[i] > 0 && w[i] >= least && w[i] <= deepest_on_supports) active.push_back(i);
-  // The force rises with friction, nearly in proportion.
+  // The force rises with friction, nearly in proportion. Less than the least friction looked for is none.
   for (int round = 0; round < 12 && !active.empty(); ++round) {
     std::vector<double> w_now, q_now;
     for (const std::size_t i : active) {
@@ -244,8 +244,9 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
         found.q[i] = q[i] + step;
         found.S[i] = 1 + at.columns[0][j] + at.columns[3][j] * step;
       } else if (std::isfinite(step)) {
-        q[i] = std::clamp(q[i] + step, q[i] - 0.8, q[i] + 0.8);
-        if (std::abs(q[i]) < largest_q) active[left++] = i;
+        const double before = q[i];
+        q[i] = std::max(std::clamp(before + step, before - 0.8, before + 0.8), -largest_q_on_supports);
+        if (q[i] != before && q[i] < largest_q) active[left++] = i;
       } else if (q[i] < largest_q_on_supports) {
         q[i] += 0.25;  // where the branch has ended more friction makes a force
         active[left++] = i;

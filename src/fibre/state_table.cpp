@@ -300,10 +300,11 @@ double SupportedTables::beyond(double S, double q) const {
     return at.status == FibreStatus::ok ? at.slid - (S - 1) : infinity;
   };
   constexpr double close = 1e-10, rounding = 1e-15;  // of the length
-  double low = least_w(), high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9, slope = 0;
+  double low = least_w(), high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9;
   double short_by = S - least_length(supports), over_by = miss(high);
+  double way = 0, rise = infinity;  // to `low` from the one before
   const auto raise = [&](double w, double miss_there) {
-    slope = (short_by + miss_there) / (w - low);
+    way = w - low, rise = short_by + miss_there;
     low = w, short_by = -miss_there;
   };
   for (; over_by < 0; over_by = miss(high)) {
@@ -315,8 +316,10 @@ double SupportedTables::beyond(double S, double q) const {
     const double middle = 0.5 * (low + high), secant = low + (high - low) * short_by / (short_by + over_by);
     const double w = std::isfinite(over_by) && low < secant && secant < high ? secant : middle;
     if (!(low < w && w < high)) break;
-    // The length rises ever more steeply, at most as a square root does at its end.
-    if (std::isinf(over_by) && 8 * slope * (high - low) + close < short_by) return not_a_number;
+    // The length rises ever more steeply, at most as a square root does towards its end: four times what that one would reach is not enough.
+    const double left = std::sqrt(high - low);
+    if (std::isinf(over_by) && 4 * rise * left / (std::sqrt(way + high - low) - left) + close < short_by)
+      return not_a_number;
     const double there = miss(w);
     if (std::abs(there) <= rounding * S) return w;
     if (there < 0) {

@@ -176,7 +176,8 @@ void Sheet::fill() {
   Sheet filled(dates_from_1904_);
   for (Line& line : lines_) {
     if (line.cells == 0) continue;
-    const auto first = static_cast<std::ptrdiff_t>(line.first_cell), end = first + line.cells;
+    const auto first = static_cast<std::ptrdiff_t>(line.first_cell);
+    const auto end = first + static_cast<std::ptrdiff_t>(line.cells);
     line.first_cell = filled.cells_.size();
     filled.cells_.insert(filled.cells_.end(), cells_.begin() + first, cells_.begin() + end);
     filled.kinds_.insert(filled.kinds_.end(), kinds_.begin() + first, kinds_.begin() + end);

@@ -123,7 +123,7 @@ std::string work_in_words(const Campaign& campaign) {
   if (shares.empty()) return "";
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
   const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
-  return fmt::format("; {} of the work{}", percent(mean),
+  return fmt::format("; {}{} of the work went into friction", percent(mean),
                      shares.size() == 1 ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, percent(*most)));
 }
 
