@@ -18,7 +18,6 @@ FENCE = re.compile(r"^( *)```(\w*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
 PAGES = sorted(path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *(SOURCE / "docs").glob("*.md")] if path.name not in ("case-files.md", "python.md"))
 # A block is named by its page and the words that it begins with.
 NOT_RUN = {
-    ("performance.md", "cmake --preset release"): "builds the benchmarks and measures for an hour",
     ("sweeps.md", "parallel flexslip"): "outside/sweep runs it on a smaller sweep",
     ("sweeps.md", "flexslip sweep map.toml --slurm"): "outside/slurm runs it on a Slurm of its own",
     ("sweeps.md", "flexslip merge here"): "outside/sweep joins parts of two folders",
