@@ -172,8 +172,7 @@ cn vanishes at K: its error is absolute.
   out << R"(
 ## Why not the AGM
 
-S − 1 at m = 3/4 by the closed forms from one arithmetic–geometric ladder, whose functions are good to the last digit but of which S − 1 is a difference, and by the integrals P and R of
-`elliptic_arc`; the worst of 64 neighbouring u.
+S − 1 at m = 3/4 by the closed forms from one arithmetic–geometric ladder, and by the integrals P and R of `elliptic_arc`; the worst of 64 neighbouring u.
 
 | S − 1 | AGM, relative | digits kept | P and R, relative | digits kept |
 |---|---|---|---|---|

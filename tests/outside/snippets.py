@@ -18,7 +18,6 @@ FENCE = re.compile(r"^( *)```(\w*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
 PAGES = sorted(path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *(SOURCE / "docs").glob("*.md")] if path.name not in ("case-files.md", "python.md"))
 # A block is named by its page and the words that it begins with.
 NOT_RUN = {
-    ("performance.md", "cmake --preset release"): "builds the benchmarks and measures for an hour",
     ("sweeps.md", "parallel flexslip"): "outside/sweep runs it on a smaller sweep",
     ("sweeps.md", "flexslip sweep map.toml --slurm"): "outside/slurm runs it on a Slurm of its own",
     ("sweeps.md", "flexslip merge here"): "outside/sweep joins parts of two folders",
@@ -58,8 +57,6 @@ def prepare(page, folder):
     if page.name == "sweeps.md":  # the case of the page, which stands below its call; coarser, as the same answers take a minute
         case = next(body for language, body in blocks(page) if language == "toml" and "[rig]" in body)
         (folder / "map.toml").write_text(case.replace("points = 50", "points = 5").replace("points = 40", "points = 4"), encoding="utf-8")
-    if page.name == "tutorial.md":
-        shutil.copy(example / "test.csv", folder / "test.csv")
 
 
 def self_made(span, diameter, stiffness):
@@ -96,9 +93,6 @@ class Snippets(InFolder):
             case = tomllib.loads(body)
             if name:
                 (folder / name.group(1)).write_text(body, encoding="utf-8")
-            elif page.name == "tutorial.md":
-                (folder / "my-case.toml").write_text(body, encoding="utf-8")
-                self.assertEqual(run("fit", folder / "my-case.toml").returncode, 0)
             return
         scripts = {"sh": ["bash", "-euo", "pipefail", "-c", body], "bash": ["bash", "-euo", "pipefail", "-c", body], "python": ["/usr/bin/python3", "-c", body],
                    "matlab": ["octave-cli", "--quiet", "--no-init-file", "--eval", body]}
