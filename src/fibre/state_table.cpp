@@ -292,7 +292,7 @@ SupportedTables::BranchEnd SupportedTables::end_at(std::size_t index) const {
   return {high, last.slid + 4 * std::abs(last.slid - before.slid) + close};
 }
 
-// Where Newton's iteration leads nowhere, close to the end of the branch: by the secant within a bracket, by halves while its upper end has no state.
+// Where Newton's iteration leads nowhere, close to the end of the branch: within a bracket whose upper end may have no state.
 double SupportedTables::beyond(double S, double q) const {
   if (S - 1 > branch_end(q).slid) return not_a_number;
   const auto miss = [&](double w) {
@@ -311,15 +311,23 @@ double SupportedTables::beyond(double S, double q) const {
     raise(high, over_by);
     high *= 1.1;
   }
-  bool was_raised = false, was_lowered = false;
-  for (;;) {
-    const double middle = 0.5 * (low + high), secant = low + (high - low) * short_by / (short_by + over_by);
-    const double w = std::isfinite(over_by) && low < secant && secant < high ? secant : middle;
+  // By halves down to a state beyond the length; towards its end the length rises at most as a square root does: four times that is not enough.
+  while (std::isinf(over_by)) {
+    const double left = std::sqrt(high - low), w = 0.5 * (low + high);
     if (!(low < w && w < high)) break;
-    // The length rises ever more steeply, at most as a square root does towards its end: four times what that one would reach is not enough.
-    const double left = std::sqrt(high - low);
-    if (std::isinf(over_by) && 4 * rise * left / (std::sqrt(way + high - low) - left) + close < short_by)
-      return not_a_number;
+    if (4 * rise * left / (std::sqrt(way + high - low) - left) + close < short_by) return not_a_number;
+    const double there = miss(w);
+    if (there < 0)
+      raise(w, there);
+    else
+      high = w, over_by = there;
+  }
+  // By the secant, an end that stays counting for half each time.
+  bool was_raised = false, was_lowered = false;
+  while (std::isfinite(over_by)) {
+    const double secant = low + (high - low) * short_by / (short_by + over_by);
+    const double w = low < secant && secant < high ? secant : 0.5 * (low + high);
+    if (!(low < w && w < high)) break;
     const double there = miss(w);
     if (std::abs(there) <= rounding * S) return w;
     if (there < 0) {
@@ -329,7 +337,7 @@ double SupportedTables::beyond(double S, double q) const {
       high = w, over_by = there;
       if (was_lowered) short_by *= 0.5;
     }
-    was_raised = there < 0, was_lowered = there > 0;
+    was_raised = there<0, was_lowered = there> 0;
   }
   return -miss(low) <= close ? low : not_a_number;
 }

@@ -29,7 +29,8 @@ std::string on_one_line(const Campaign& campaign) { return in_text(document_of(c
 TEST_CASE("table: the answer of a campaign counted by hand") {
   CHECK(campaign_in_short(some_campaign()) ==
         "6 tests: 4 slip, 0 undecided, 0 crack, 1 without drops, 1 without an answer. Friction 0.51 averaged over 4 "
-        "specimens, 0.30 to 0.75 between them; 25 % (25 to 25 %) of the work went into friction. SS8 is suspect. SS99 could not be "
+        "specimens, 0.30 to 0.75 between them; 25 % (25 to 25 %) of the work went into friction. SS8 is suspect. SS99 "
+        "could not be "
         "evaluated.");
   CHECK(has(on_one_line(some_campaign()),
             "0.5 to 0.721 for glass on steel; the mean is within it, and 1 of 4 tests agree with it"));
