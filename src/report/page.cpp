@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <future>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/input_error.h"
+#include "io/parallel.h"
 #include "io/text.h"
 #include "io/text_file.h"
 
@@ -175,15 +175,9 @@ std::string html_figure(const std::string& folder, const Plot& plot, DrawStatus 
 
 // All of them, two at a time: gnuplot keeps to one core.
 DrawStatus draw_all(const std::vector<Plot>& plots, const std::string& folder) {
-  const auto draw_every_second = [&](std::size_t first) {
-    DrawStatus drawn = DrawStatus::drawn;
-    for (std::size_t i = first; i < plots.size(); i += 2) drawn = draw(plots[i], folder, {"svg", "pdf", "png"});
-    return drawn;
-  };
-  auto others = std::async(std::launch::async, draw_every_second, 1);
-  const DrawStatus drawn = draw_every_second(0);
-  others.get();
-  return drawn;
+  std::vector<DrawStatus> drawn(plots.size(), DrawStatus::drawn);
+  for_each_index(plots.size(), 2, [&](std::size_t i) { drawn[i] = draw(plots[i], folder, {"svg", "pdf", "png"}); });
+  return drawn.empty() ? DrawStatus::drawn : drawn.front();
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ for (const [width, height] of [[1280, 800], [1920, 1080], [820, 1180]])
   for (const theme of ["light", "dark"])
     test(`first picture, ${width} by ${height}, ${theme}: the example is open and analysed, nothing overflows`, { skip }, async () => {
       const tab = await open({ width, height, theme });
-      assert.match(await tab.locator("#answer h1").innerText(), /^SLIP friction 0\.49\d+ ± 0\.00\d+; 33 % of the work was friction, not toughness\.$/);
-      assert.match(await tab.locator("#answer .lead").innerText(), /^Next: Unload and load once more;/);
+      assert.match(await tab.locator("#answer h1").innerText(), /^SLIP\s+friction 0\.49\d+ ± 0\.00\d+; 33 % of the work was friction, not toughness\.$/);
+      assert.match(await tab.locator("#answer .lead").innerText(), /^Next: unload and load once more;/);
       assert.equal(await tab.locator(".numbers > div").count(), 5);
       assert.ok((await tab.locator(".checks li").count()) >= 6);
       assert.equal(await tab.evaluate(() => document.documentElement.dataset.theme), theme);
@@ -172,7 +172,6 @@ test("rows: dragging a handle changes the command, and the fit uses those rows",
   await tab.keyboard.press("f");
   await fitted(tab);
   assert.match(await tab.locator("#what").innerText(), new RegExp(`rows 1–${until} of 426`));
-  assert.doesNotMatch(await tab.locator("#answer .lead").innerText(), /^35 drops/);
   await tab.keyboard.press("Control+z");
   await tab.keyboard.press("Control+z");
   await painted(tab);

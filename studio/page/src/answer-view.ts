@@ -20,10 +20,10 @@ export function drawAnswer(studio: Studio): void {
   }
   const answer = answerOf(fit.answer, fit.text);
   fill(host,
-    el("p", { class: "lead" }, answer.next ? `Next: ${answer.next}` : "", studio.changed ? " By the last fit, not by hand." : ""),
     el("h1", {}, answer.verdict, " ", el("span", {}, answer.rest)),
     el("div", { class: "numbers" }, ...answer.numbers.map((n) => el("div", {}, el("div", { class: "label" }, rich(n.label)), el("div", { class: "value" }, n.value, " ", el("em", {}, rich(n.rest))), el("span", { class: "condition", title: n.condition.replace(/[*_]/g, "") }, rich(n.condition))))),
-    el("ul", { class: "checks", "aria-label": "Checks of the fit" }, ...answer.checks.map((c) => el("li", { class: c.mark, tabindex: c.reason ? 0 : null }, glyph(c.mark), el("span", {}, rich(c.words)), c.reason ? el("div", { class: "reason" }, c.reason) : null))));
+    el("ul", { class: "checks", "aria-label": "Checks of the fit" }, ...answer.checks.map((c) => el("li", { class: c.mark, tabindex: c.reason ? 0 : null }, glyph(c.mark), el("span", {}, rich(c.words)), c.reason ? el("div", { class: "reason" }, c.reason) : null))),
+    el("p", { class: "lead" }, answer.next ? `Next: ${answer.next[0]!.toLowerCase()}${answer.next.slice(1)}` : "", studio.changed ? " By the last fit, not by hand." : ""));
 }
 
 /** One line: the row, its numbers, and what can be said of the drop. */
