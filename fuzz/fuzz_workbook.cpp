@@ -11,8 +11,8 @@
 #include "io/packed_xml.h"
 #include "io/workbook.h"
 
+using flexslip::export_in;
 using flexslip::InputError;
-using flexslip::read_export;
 using flexslip::read_sheet;
 using flexslip::WorkbookSheet;
 using flexslip::XmlAttributes;
@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const WorkbookSheet sheet = read_sheet(bytes);
     if (sheet.name.empty() && sheet.sheets.empty()) std::abort();
     if (sheet.cells.size() == 0) std::abort();
-    if (read_export(bytes, "fuzz").specimens.empty()) std::abort();
+    if (export_in(std::string(bytes), "fuzz").specimens.empty()) std::abort();
   } catch (const InputError& error) {
     if (error.fault.expected.empty() || std::string(error.what()).find('\n') != std::string::npos) std::abort();
   }

@@ -20,6 +20,7 @@
 #include "io/quantity.h"
 #include "io/table.h"
 #include "io/text.h"
+#include "io/text_file.h"
 
 namespace flexslip {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <istream>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -13,9 +12,7 @@
 #include "instruments/column_decisions.h"
 #include "instruments/layout.h"
 #include "io/input_error.h"
-#include "io/table.h"
 #include "io/text.h"
-#include "io/workbook.h"
 #include "numerics/elementary.h"
 
 // Reading is a chain: bytes are opened as a sheet of cells, its lines are laid out as tables, all their numbers together say how numbers are
@@ -440,7 +437,7 @@ std::string program_of(const Export& file, bool has_bracketed_units) {
   for (const std::string_view word :
        {"standardkraft", "standardweg", "force standard", "course standard", "standard force", "standard travel"})
     if (has(titles, word)) return "Zwick testXpert";
-  if (file.encoding == Encoding::shift_jis || has(titles, "試験力") || has(titles, "ストローク"))
+  if (file.origin.encoding == Encoding::shift_jis || has(titles, "試験力") || has(titles, "ストローク"))
     return "Shimadzu Trapezium";
   if (has(titles, "setname|cycle")) return "CellScale";
   if (has(titles, "run #")) return "PASCO Capstone";
@@ -478,23 +475,26 @@ void require_names(const Export& file, const TableBlock& main) {
 }
 
 // Dates are no numbers, where a column that means something holds them.
-void require_no_dates(const Export& file, const WorkbookSheet& workbook) {
+void require_no_dates(const Export& file, const SheetFile& sheet) {
   for (const ExportedSpecimen& specimen : file.specimens)
     for (const ExportColumn& column : specimen.columns)
       for (std::size_t row = 0; column.role != ColumnRole::other && row < specimen.lines.size(); ++row)
-        if (std::isnan(column.values[row]) && is_dated(workbook.cells.kind(specimen.lines[row] - 1, column.number - 1)))
-          throw workbook.dated(file.source, specimen.lines[row] - 1, column.number - 1,
-                               fmt::format("a number in the column {}", in_quotes(column.name)));
+        if (std::isnan(column.values[row]) && is_dated(sheet.cells.kind(specimen.lines[row] - 1, column.number - 1)))
+          throw dated(sheet, specimen.lines[row] - 1, column.number - 1,
+                      fmt::format("a number in the column {}", in_quotes(column.name)));
 }
 
-// An export whose source, encoding and separator are known.
-Export export_in(Export file, const Sheet& sheet, const ExportOptions& options) {
+// What a sheet holds.
+Export recognise(const SheetFile& opened, const ExportOptions& options) {
+  const Sheet& sheet = opened.cells;
   const Layout layout = layout_of(sheet);
-  const auto [format, apply] = marks_in(sheet, layout, options, file.separator);
-  file.quoted = sheet.quoted();
-  file.decimal = format.decimal;
-  file.thousands = format.thousands;
-  file.has_marks = apply;
+  const auto [format, apply] = marks_in(sheet, layout, options, opened.origin.separator);
+  Export file{.origin = opened.origin,
+              .decimal = format.decimal,
+              .thousands = format.thousands,
+              .has_marks = apply,
+              .quoted = sheet.quoted(),
+              .notes = opened.notes};
   const TableBlock& main =
       *std::max_element(layout.blocks.begin(), layout.blocks.end(),
                         [](const auto& a, const auto& b) { return a.rows.size() < b.rows.size(); });
@@ -515,42 +515,31 @@ Export export_in(Export file, const Sheet& sheet, const ExportOptions& options) 
   const bool has_bracketed_units = !main.titles.empty() && !main.units.empty() &&
                                    sheet.text(main.header_line + 1).find('(') != std::string_view::npos;
   file.format = program_of(file, has_bracketed_units);
-  return decided(std::move(file), options, format, layout.blocks.front().header_line + 1);
+  file = decided(std::move(file), options, format, layout.blocks.front().header_line + 1);
+  require_no_dates(file, opened);
+  return file;
 }
 
-Export read_text(std::string text, Export file, const ExportOptions& options) {
-  static constexpr std::string_view known = ",;\t ";
-  if (options.separator && known.find(*options.separator) == std::string_view::npos)
-    throw InputError({.field = "separator",
-                      .expected = "a comma, a semicolon, a tab or a space",
-                      .found = in_quotes(std::string_view(&*options.separator, 1))});
-  file.separator = options.separator ? *options.separator : separator_of(text);
-  const Sheet sheet(std::move(text), file.separator);
-  return export_in(std::move(file), sheet, options);
+bool is_empty(const Sheet& sheet) {
+  for (std::size_t line = 0; line < sheet.size(); ++line)
+    if (!trimmed(sheet.text(line)).empty()) return false;
+  return true;
 }
 
-Export read_workbook(std::string_view bytes, Export file, const ExportOptions& options) {
-  WorkbookSheet workbook = read_sheet(bytes, options.sheet);
-  file.sheet = workbook.name;
-  file.sheets = workbook.sheets;
-  file.sheet_is_chosen = workbook.is_chosen;
-  file.notes = workbook.notes;
-  file.has_delimiters = workbook.text.has_value();
-  for (const auto& [is_given, flag] :
-       {std::pair{options.encoding.has_value(), "--encoding"}, std::pair{options.separator.has_value(), "--separator"}})
-    if (is_given && !file.has_delimiters)
-      throw InputError({.field = flag,
-                        .expected = "a text file",
-                        .found = "a workbook, which needs no such choice",
-                        .remedy = fmt::format("leave {} out", flag)});
+// The same, with the place of what is refused.
+Export recognised(const SheetFile& file, const ExportOptions& options) {
   try {
-    if (workbook.text) return read_text(std::move(*workbook.text), std::move(file), options);
-    Export read = export_in(std::move(file), workbook.cells, options);
-    require_no_dates(read, workbook);
-    return read;
+    if (is_empty(file.cells))
+      throw InputError(
+          {.expected = "rows of numbers",
+           .found = file.origin.byte_order_mark ? "an empty file: a byte order mark and nothing else" : "an empty file",
+           .remedy = "export the test again"});
+    return recognise(file, options);
   } catch (const InputError& error) {
-    if (workbook.is_chosen) throw;
-    throw with_other_sheets(error, workbook.name, workbook.sheets);
+    const InputFault& fault = error.fault;
+    const bool is_placed = !fault.file.empty() || (fault.field.starts_with("--") && fault.key.empty());
+    throw with_other_sheets(is_placed ? error : located(error, file.origin.source, fault.line, fault.field),
+                            file.origin);
   }
 }
 
@@ -580,12 +569,14 @@ char mark_of(const std::string& text, std::string_view flag, std::string_view al
 
 }  // namespace
 
+std::string said(const ReadingWords& words, std::string_view name) {
+  const auto found = words.find(name);
+  return found == words.end() ? std::string() : found->second;
+}
+
 ExportOptions options_of(const ReadingWords& words) {
   using namespace std::string_view_literals;
-  const auto said = [&](std::string_view name) {
-    const auto found = words.find(name);
-    return found == words.end() ? std::string() : found->second;
-  };
+  const auto said = [&](std::string_view name) { return flexslip::said(words, name); };
   ExportOptions options;
   if (const std::string sheet = said("sheet"); !sheet.empty()) options.sheet = sheet;
   if (const std::string number = said("sheet-number"); !number.empty()) options.sheet = std::size_t{std::stoul(number)};
@@ -617,54 +608,41 @@ std::vector<Metadatum> all_metadata(const Export& file) {
   return all;
 }
 
-Export read_export(std::string_view bytes, const std::string& source, const ExportOptions& options) {
-  Export file{.source = source};
-  try {
-    if (is_packed(bytes)) return read_workbook(bytes, std::move(file), options);
-    if (options.sheet) throw no_workbook("");
-    DecodedText decoded = decode(bytes, options.encoding);
-    if (decoded.text.find_first_not_of(" \t\r\n") == std::string::npos)
-      throw InputError({.expected = "rows of numbers",
-                        .found = decoded.byte_order_mark ? "an empty file: a byte order mark and nothing else"
-                                 : bytes.empty()         ? "an empty file"
-                                                         : "an empty file: blanks only",
-                        .remedy = "export the test again"});
-    file.encoding = decoded.encoding;
-    file.byte_order_mark = decoded.byte_order_mark;
-    return read_text(std::move(decoded.text), std::move(file), options);
-  } catch (const InputError& error) {
-    const bool is_of_call = error.fault.field.starts_with("--") && error.fault.key.empty();
-    if (!error.fault.file.empty() || is_of_call) throw;
-    throw located(error, source, error.fault.line, error.fault.field);
-  }
+Export read_export(const std::string& path, const ExportOptions& options) {
+  return recognised(open_sheet(path, options.file(), SheetFor::readings), options);
 }
 
-Export read_export(const std::string& path, const ExportOptions& options) {
-  const auto in = open_to_read(path);
-  const std::string bytes{std::istreambuf_iterator<char>(*in), std::istreambuf_iterator<char>()};
-  return read_export(bytes, path == "-" ? "standard input" : path, options);
+Export export_in(std::string bytes, const std::string& source, const ExportOptions& options) {
+  return recognised(sheet_in(std::move(bytes), source, options.file(), SheetFor::readings), options);
 }
 
 std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
                           const Kind& kind) {
-  const auto refuse = [&](std::size_t line, std::string expected, std::string found, std::string remedy) {
-    throw InputError({file.source, line, "column " + in_quotes(column.name), std::move(expected), std::move(found),
-                      std::move(remedy)});
-  };
-  const std::optional<Unit> unit = machine_unit(column.unit);
-  const std::string wanted = fmt::format("a unit of {}", kind.name.substr(kind.name.find(' ') + 1));
   const RoleWords& words = words_for(column.role);
-  const std::string remedy =
-      fmt::format("state it with {}, as in {} {}", words.unit_flag, words.unit_flag, words.usual_unit);
-  if (volts_in(column.unit))
-    refuse(0, wanted, in_quotes(column.unit), "give its calibration, as in --calibration \"222 N/V\"");
-  if (!unit) refuse(0, wanted, column.unit.empty() ? "none" : in_quotes(column.unit) + ", which is unknown", remedy);
-  if (unit->dimension != kind.dimension) refuse(0, wanted, in_quotes(column.unit), remedy);
+  return in_si(file, specimen, column, kind, words.unit_flag, words.usual_unit);
+}
+
+std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
+                          const Kind& kind, std::string_view unit_flag, std::string_view usual_unit) {
+  const bool is_plain = kind.dimension == Dimension{} && column.unit.empty();
+  const std::optional<Unit> unit = is_plain ? Unit{} : machine_unit(column.unit);
+  const auto refuse = [&](std::string found) {
+    const bool is_voltage = kind.dimension == kind::force.dimension && volts_in(column.unit);
+    throw InputError({.file = file.origin.source,
+                      .field = "column " + in_quotes(column.name),
+                      .expected = fmt::format("a unit of {}", noun(kind)),
+                      .found = std::move(found),
+                      .remedy = is_voltage ? "give its calibration, as in --calibration \"222 N/V\""
+                                           : fmt::format("state it with {0}, as in {0} {1}", unit_flag, usual_unit)});
+  };
+  if (column.unit.empty() && !is_plain) refuse("none");
+  if (!unit) refuse(in_quotes(column.unit) + (volts_in(column.unit) ? "" : ", which is unknown"));
+  if (unit->dimension != kind.dimension) refuse(in_quotes(column.unit));
   std::vector<double> values;
   values.reserve(column.values.size());
   for (std::size_t row = 0; row < column.values.size(); ++row) {
     if (std::isnan(column.values[row]))
-      throw InputError({.file = file.source,
+      throw InputError({.file = file.origin.source,
                         .line = specimen.lines[row],
                         .field = "column " + in_quotes(column.name),
                         .expected = "a number",
@@ -674,6 +652,39 @@ std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, 
     values.push_back(to_si(column.values[row], *unit));
   }
   return values;
+}
+
+std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted,
+                         std::string_view flag) {
+  std::vector<std::size_t> by_number, by_name;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < specimen.columns.size(); ++i) {
+    const ExportColumn& column = specimen.columns[i];
+    names.push_back(column.name);
+    const bool by_title = !column.unit.empty() && (wanted == fmt::format("{} [{}]", column.name, column.unit) ||
+                                                   wanted == fmt::format("{} ({})", column.name, column.unit));
+    if (std::to_string(column.number) == wanted) by_number.push_back(i);
+    if (column.name == wanted || by_title) by_name.push_back(i);
+  }
+  const std::vector<std::size_t>& found = by_number.empty() ? by_name : by_number;
+  const auto refuse = [&](std::string expected, std::string what, std::string remedy) {
+    throw InputError({.file = file.origin.source,
+                      .field = std::string(flag),
+                      .expected = std::move(expected),
+                      .found = std::move(what),
+                      .remedy = std::move(remedy)});
+  };
+  if (found.empty()) {
+    const std::string meant = nearest(wanted, names);
+    refuse("one of the columns " + listed(names) + ", or its number", in_quotes(wanted),
+           meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
+  }
+  const ExportColumn& column = specimen.columns[found.front()];
+  if (found.size() > 1)
+    refuse("one column", fmt::format("{} called {}", found.size(), in_quotes(wanted)),
+           fmt::format("give its number: {} {}", flag, column.number));
+  if (!column.words.empty()) refuse("a column of numbers", fmt::format("words in {}", in_quotes(column.name)), "");
+  return found.front();
 }
 
 const ExportColumn& column_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role) {
@@ -687,7 +698,7 @@ const ExportColumn& column_with(const Export& file, const ExportedSpecimen& spec
     names.push_back(column.name);
   }
   if (found != nullptr && names.size() == 1) return *found;
-  throw InputError({.file = file.source,
+  throw InputError({.file = file.origin.source,
                     .field = std::string(words_for(role).word()),
                     .expected = "one column with it",
                     .found = names.empty() ? "no name that says so among " + listed(all) : "several: " + listed(names),

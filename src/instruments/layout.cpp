@@ -191,16 +191,6 @@ TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t
 
 // ---- rows that are no readings
 
-std::vector<LabelledRow> labelled_rows(const Sheet& sheet, const TableBlock& block) {
-  std::vector<LabelledRow> labelled;
-  for (std::size_t row = 0; row < block.rows.size(); ++row) {
-    const Cells cells = sheet.cells(block.rows[row]);
-    const auto first = std::find_if(cells.begin(), cells.end(), [](std::string_view each) { return !each.empty(); });
-    if (first != cells.end() && is_label(*first)) labelled.push_back({row, names_statistic(*first)});
-  }
-  return labelled;
-}
-
 // A number before the marks are known: those of a column are wrong by one factor, if at all.
 double roughly(const Sheet& sheet, std::size_t line, std::size_t column) {
   const std::string_view number = number_cell(sheet.at(line, column)).number;
@@ -208,42 +198,17 @@ double roughly(const Sheet& sheet, std::size_t line, std::size_t column) {
   return sheet.number(line, column, {has_comma && number.find('.') == std::string_view::npos ? ',' : '.', '\0'});
 }
 
-// How many rows stand below the last break, lines without anything.
-std::size_t rows_below_break(const Sheet& sheet, const TableBlock& block) {
-  std::size_t begin = block.rows.size() - 1;
-  while (begin > 0 && block.rows[begin - 1] + 1 == block.rows[begin]) --begin;
-  for (std::size_t line = begin > 0 ? block.rows[begin - 1] + 1 : 0; begin > 0 && line < block.rows[begin]; ++line)
-    if (!is_blank(sheet.cells(line))) return 0;
-  return begin > 0 ? block.rows.size() - begin : 0;
-}
-
-// The rows of statistics, by their labels, or without one by their numbers in the columns that hold numbers.
-std::vector<std::size_t> statistics_of(const Sheet& sheet, const TableBlock& block, const std::vector<bool>& numeric) {
-  std::vector<std::size_t> rows = rows_below_readings(labelled_rows(sheet, block), block.rows.size());
-  if (!rows.empty()) return rows;
-  std::vector<std::vector<double>> columns;
-  for (std::size_t column = 0; column < numeric.size(); ++column) {
-    if (!numeric[column]) continue;
-    columns.emplace_back();
-    for (const std::size_t line : block.rows) columns.back().push_back(roughly(sheet, line, column));
-  }
-  const std::vector<std::span<const double>> views(columns.begin(), columns.end());
-  for (std::size_t tail = statistics_at_end(views, rows_below_break(sheet, block)); tail > 0; --tail)
-    rows.push_back(block.rows.size() - tail);
-  return rows;
-}
-
 Layout without_statistics(const Sheet& sheet, Layout layout) {
   for (TableBlock& block : layout.blocks) {
-    const std::size_t below = rows_below_break(sheet, block), count = block.rows.size();
-    std::vector<std::size_t> lines;
-    for (const std::size_t row : statistics_of(sheet, block, layout.numeric)) lines.push_back(block.rows[row]);
-    if (lines.empty() && are_few(below, count))
-      layout.notes.push_back(below_a_break(block.rows[count - below] + 1, block.rows.back() + 1));
-    if (lines.empty()) continue;
-    std::erase_if(block.rows, [&](std::size_t line) { return std::binary_search(lines.begin(), lines.end(), line); });
-    for (std::size_t& line : lines) ++line;
-    layout.notes.push_back(left_out_statistics(lines));
+    std::vector<std::vector<double>> columns;
+    for (std::size_t column = 0; column < layout.numeric.size(); ++column) {
+      if (!layout.numeric[column]) continue;
+      std::vector<double>& numbers = columns.emplace_back();
+      for (const std::size_t line : block.rows) numbers.push_back(roughly(sheet, line, column));
+    }
+    auto [rows, notes] = statistics_among(sheet, block.rows, columns);
+    block.rows = without_rows(std::move(block.rows), rows);
+    layout.notes.insert(layout.notes.end(), notes.begin(), notes.end());
   }
   return layout;
 }

@@ -344,9 +344,9 @@ std::string with_typeset_unit(const std::string& number, std::string_view unit) 
 
 double within(Range range, double value, std::string_view text, const Kind& kind) {
   const auto refuse = [&](std::string_view adjective, std::string_view remedy) {
-    const std::string_view noun = kind.name.substr(kind.name.find(' ') + 1);
-    throw InputError(
-        {.expected = fmt::format("a {} {}", adjective, noun), .found = in_quotes(text), .remedy = std::string(remedy)});
+    throw InputError({.expected = fmt::format("a {} {}", adjective, noun(kind)),
+                      .found = in_quotes(text),
+                      .remedy = std::string(remedy)});
   };
   if (std::isnan(value)) refuse("known", "");
   if (std::isinf(value) && !(range == Range::positive_or_infinite && value > 0)) refuse("finite", "");
@@ -392,9 +392,7 @@ Unit parse_unit(std::string_view text, const Kind& kind) {
   const bool is_number = kind.dimension == Dimension{};
   const std::string_view body = trimmed(text);
   if (is_number && (body.empty() || body == "1" || body == "-")) return {};
-  const auto wanted = [&] {
-    return is_number ? std::string("no unit") : fmt::format("a unit of {}", kind.name.substr(kind.name.find(' ') + 1));
-  };
+  const auto wanted = [&] { return is_number ? std::string("no unit") : fmt::format("a unit of {}", noun(kind)); };
   const auto remedy = [&] { return is_number ? std::string() : "such as " + in_units("", kind); };
   if (body.empty()) throw InputError({.expected = wanted(), .found = "none", .remedy = remedy()});
   const Unit unit = parse_unit(body);

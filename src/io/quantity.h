@@ -38,6 +38,9 @@ struct Kind {
   std::string_view example;                 // "1278 um"
 };
 
+// Its name without the article, "length".
+constexpr std::string_view noun(const Kind& kind) { return kind.name.substr(kind.name.find(' ') + 1); }
+
 namespace kind {
 namespace shown_in {
 inline constexpr std::array<std::string_view, 4> length{"nm", "um", "mm", "m"};

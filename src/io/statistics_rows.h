@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/sheet.h"
+
 namespace flexslip {
 
 // Does a cell call its row a statistic: "Mean", "Std. Dev.", "Mittelwert", "Écart type", "平均"?
@@ -14,6 +16,9 @@ bool names_statistic(std::string_view cell);
 
 // Letters, so that it can be the label of a row, and no number or unit with one.
 bool is_label(std::string_view cell);
+
+// The label of a line, its first cell that is not empty; empty if that is no label.
+std::string_view label_of(const Sheet& sheet, std::size_t line);
 
 // A row whose first cell that is not empty is a label.
 struct LabelledRow {
@@ -30,14 +35,33 @@ std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labell
 // more than readings are from each other in some column, or below a break.
 // Domain:     columns of one length; of fewer than two columns or twelve rows, none. So many rows stand below a break; 0 without one.
 // Cost:       linear.
-std::size_t statistics_at_end(std::span<const std::span<const double>> columns, std::size_t below_break = 0);
+std::size_t statistics_at_end(std::span<const std::vector<double>> columns, std::size_t below_break = 0);
 
-// Are so few of the rows below a break that they may be no readings? More are another cycle.
-bool are_few(std::size_t below_break, std::size_t rows);
+// Rows that are no readings, in their order, and what is said of them, and of those that may be none.
+struct StatisticsRows {
+  std::vector<std::size_t> rows;
+  std::vector<std::string> notes;
+};
 
-// What is said of them, with their lines: "left out, as they hold statistics of the readings: lines 42 to 45".
-std::string left_out_statistics(std::span<const std::size_t> lines);
-// And of rows that may be some: "lines 42 to 43 stand below a break and count as readings: delete them if they are none".
-std::string below_a_break(std::size_t first_line, std::size_t last_line);
+// The rows of statistics among those of a table, which stand on these lines of a sheet, counted from 0 and rising: by their labels, or if there are none
+// by their numbers in these columns. Lines that are known to be none are said with them.
+StatisticsRows statistics_among(const Sheet& sheet, std::span<const std::size_t> lines,
+                                std::span<const std::vector<double>> columns,
+                                std::vector<std::size_t> known_lines = {});
+
+// The values of a column, one for each row, without those of some rows, which rise.
+template <class Value>
+std::vector<Value> without_rows(std::vector<Value> all, std::span<const std::size_t> rows) {
+  if (rows.empty()) return all;
+  std::vector<Value> kept;
+  kept.reserve(all.size() - rows.size());
+  auto next = rows.begin();
+  for (std::size_t row = 0; row < all.size(); ++row)
+    if (next != rows.end() && *next == row)
+      ++next;
+    else
+      kept.push_back(all[row]);
+  return kept;
+}
 
 }  // namespace flexslip

@@ -9,6 +9,7 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include "io/input_error.h"
 #include "io/packed_xml.h"
 #include "io/text.h"
 
@@ -444,8 +445,7 @@ class Workbook {
       for (std::size_t i = 0; i < sheets_.size(); ++i) {
         if (sheets_[i].is_hidden != hidden) continue;
         Worksheet sheet = read(i);
-        if (purpose == SheetFor::readings && sheet.rows_of_readings >= fewest_readings)
-          return {i, std::move(sheet), true};
+        if (purpose != SheetFor::words && sheet.rows_of_readings >= fewest_readings) return {i, std::move(sheet), true};
         if (!with_number && sheet.numbers + sheet.numeric_words > 0) with_number = {i, std::move(sheet), false};
         if (with_number && purpose == SheetFor::words) break;
       }
@@ -526,15 +526,6 @@ std::vector<std::string> notes_on(const Worksheet& sheet) {
 
 }  // namespace
 
-InputError no_workbook(const std::string& file) {
-  return InputError({.file = file,
-                     .field = "--sheet",
-                     .expected = "a workbook (.xlsx), as this names a sheet",
-                     .found = "a text file",
-                     .remedy = "leave it out",
-                     .key = "record.sheet"});
-}
-
 bool is_packed(std::string_view bytes) {
   return bytes.starts_with(zip_mark) || bytes.starts_with(empty_zip_mark) ||
          bytes.starts_with(office_mark.substr(0, 4));
@@ -543,19 +534,6 @@ bool is_packed(std::string_view bytes) {
 std::string shown(const SheetChoice& sheet) {
   const std::string* name = std::get_if<std::string>(&sheet);
   return name != nullptr ? in_quotes(*name) : std::to_string(std::get<std::size_t>(sheet));
-}
-
-InputError WorkbookSheet::dated(const std::string& file, std::size_t line, std::size_t column,
-                                std::string_view expected) const {
-  const CellKind kind = cells.kind(line, column);
-  const char* what = kind == CellKind::clock ? "clock time" : kind == CellKind::date ? "date" : "date and clock time";
-  return InputError({.file = file,
-                     .line = line + 1,
-                     .field = fmt::format("sheet {}, cell {}", in_quotes(name), cell_name(line + 1, column + 1)),
-                     .expected = std::string(expected),
-                     .found = fmt::format("the {} {}", what, cells.shown(line, column)),
-                     .remedy = "format the cell as a number and type it again, or delete the row",
-                     .part = TablePart::cell});
 }
 
 CellKind kind_of_format(std::size_t number, std::string_view code) {
@@ -567,18 +545,6 @@ CellKind kind_of_format(std::size_t number, std::string_view code) {
   return has_date || has("m") ? CellKind::date : CellKind::number;
 }
 
-InputError with_other_sheets(const InputError& error, const std::string& name, const std::vector<std::string>& sheets) {
-  if (sheets.size() < 2 || error.fault.part == TablePart::cell) return error;
-  std::vector<std::string> others;
-  for (const std::string& each : sheets)
-    if (each != name) others.push_back(each);
-  InputFault fault = error.fault;
-  fault.remedy += fmt::format("{}this is the sheet {}, and there {} also {}: read another with --sheet \"{}\"",
-                              fault.remedy.empty() ? "" : "; ", in_quotes(name), others.size() == 1 ? "is" : "are",
-                              listed(others), others.front());
-  return InputError(fault);
-}
-
 WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice>& wanted, SheetFor purpose) {
   if (bytes.starts_with(office_mark.substr(0, 4))) refuse_office_document(bytes);
   const Workbook workbook(bytes);
@@ -587,8 +553,7 @@ WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice
                     .sheets = workbook.names(),
                     .cells = std::move(sheet.cells),
                     .text = {},
-                    .notes = notes_on(sheet),
-                    .is_chosen = wanted.has_value()};
+                    .notes = notes_on(sheet)};
   if (!sheet.lines.empty()) out.text = std::move(sheet.lines);
   if (out.sheets.size() > 1)
     out.notes.insert(out.notes.begin(),

@@ -28,7 +28,7 @@ double deviation(const std::vector<double>& values) {
 }
 
 std::size_t at_end(const std::vector<double>& a, const std::vector<double>& b) {
-  const std::vector<std::span<const double>> columns{a, b};
+  const std::vector<std::vector<double>> columns{a, b};
   return statistics_at_end(columns);
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("statistics at the end: an unloading that ends halfway is none, and th
   a.back() = middle;
   for (std::size_t i = 0; i < a.size(); ++i) b[i] = 0.03 * a[i];
   CHECK(at_end(a, b) == 0);
-  const std::vector<std::span<const double>> columns{a, b};
+  const std::vector<std::vector<double>> columns{a, b};
   CHECK(statistics_at_end(columns, 1) == 1);
 }
 
@@ -91,6 +91,6 @@ TEST_CASE("statistics at the end: readings that are all alike are none") {
   for (std::size_t i = 0; i < b.size(); ++i) b[i] = 5 + 1e-4 * std::sin(static_cast<double>(i));
   CHECK(at_end(a, b) == 0);
   CHECK(at_end(ramp(11, 1), ramp(11, 2)) == 0);
-  const std::vector<std::span<const double>> one{a};
+  const std::vector<std::vector<double>> one{a};
   CHECK(statistics_at_end(one) == 0);
 }
