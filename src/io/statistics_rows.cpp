@@ -90,6 +90,52 @@ Jump jump_to(std::span<const std::vector<double>> columns, std::size_t row, std:
   return jump;
 }
 
+bool is_label(std::string_view cell) {
+  static constexpr std::array<std::string_view, 6> missing{"nan", "n/a", "na", "null", "inf", "none"};
+  if (cell.empty() || !is_letter(cell.front())) return false;
+  return cell.size() > 4 || std::find(missing.begin(), missing.end(), folded(cell)) == missing.end();
+}
+
+// A row whose first cell that is not empty is a label.
+struct LabelledRow {
+  std::size_t row;  // from 0
+  bool is_statistic;
+};
+
+std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labelled, std::size_t rows) {
+  if (labelled.empty() || 2 * labelled.size() >= rows) return {};
+  std::vector<std::size_t> found;
+  std::size_t below = 0;  // how many stand at the end
+  while (below < labelled.size() && labelled[labelled.size() - 1 - below].row == rows - 1 - below) ++below;
+  if (below > most_below) below = 0;
+  for (std::size_t i = 0; i < labelled.size(); ++i)
+    if (labelled[i].is_statistic || i + below >= labelled.size()) found.push_back(labelled[i].row);
+  return found;
+}
+
+// How many rows at the end are statistics by their numbers. So many rows stand below a break; 0 without one.
+std::size_t statistics_at_end(std::span<const std::vector<double>> columns, std::size_t below_break) {
+  if (columns.size() < 2 || columns.front().size() < fewest_rows) return 0;
+  const std::size_t rows = columns.front().size();
+  const std::size_t most = std::min(most_at_end, rows / 4);
+  std::vector<Summary> above(columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t row = 0; row + most < rows; ++row) above[i].add(columns[i][row]);
+  for (std::size_t tail = most; tail > 0; --tail) {
+    bool are_all = true, jumps = false;
+    for (std::size_t row = rows - tail; are_all && row < rows; ++row) {
+      const std::size_t which = statistic_on(above, columns, row);
+      are_all = which < Summary::count;
+      if (which >= Summary::of_all || jumps) continue;
+      const Jump jump = jump_to(columns, row, rows - tail);
+      jumps = jump.is_one && (jump.is_far || tail == below_break);
+    }
+    if (are_all && jumps) return tail;
+    for (std::size_t i = 0; i < columns.size(); ++i) above[i].add(columns[i][rows - tail]);
+  }
+  return 0;
+}
+
 // How many rows stand below the last break, lines without anything.
 std::size_t rows_below_break(const Sheet& sheet, std::span<const std::size_t> lines) {
   if (lines.empty()) return 0;
@@ -122,45 +168,6 @@ bool names_statistic(std::string_view cell) {
   if (end > 0 && statistics.find(" " + label.substr(0, end) + " ") != std::string_view::npos) return true;
   return label.starts_with("st. dev") || label.starts_with("standard dev") || label.starts_with("standard err") ||
          label.starts_with("standart sapma");
-}
-
-bool is_label(std::string_view cell) {
-  static constexpr std::array<std::string_view, 6> missing{"nan", "n/a", "na", "null", "inf", "none"};
-  if (cell.empty() || !is_letter(cell.front())) return false;
-  return cell.size() > 4 || std::find(missing.begin(), missing.end(), folded(cell)) == missing.end();
-}
-
-std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labelled, std::size_t rows) {
-  if (labelled.empty() || 2 * labelled.size() >= rows) return {};
-  std::vector<std::size_t> found;
-  std::size_t below = 0;  // how many stand at the end
-  while (below < labelled.size() && labelled[labelled.size() - 1 - below].row == rows - 1 - below) ++below;
-  if (below > most_below) below = 0;
-  for (std::size_t i = 0; i < labelled.size(); ++i)
-    if (labelled[i].is_statistic || i + below >= labelled.size()) found.push_back(labelled[i].row);
-  return found;
-}
-
-std::size_t statistics_at_end(std::span<const std::vector<double>> columns, std::size_t below_break) {
-  if (columns.size() < 2 || columns.front().size() < fewest_rows) return 0;
-  const std::size_t rows = columns.front().size();
-  const std::size_t most = std::min(most_at_end, rows / 4);
-  std::vector<Summary> above(columns.size());
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    for (std::size_t row = 0; row + most < rows; ++row) above[i].add(columns[i][row]);
-  for (std::size_t tail = most; tail > 0; --tail) {
-    bool are_all = true, jumps = false;
-    for (std::size_t row = rows - tail; are_all && row < rows; ++row) {
-      const std::size_t which = statistic_on(above, columns, row);
-      are_all = which < Summary::count;
-      if (which >= Summary::of_all || jumps) continue;
-      const Jump jump = jump_to(columns, row, rows - tail);
-      jumps = jump.is_one && (jump.is_far || tail == below_break);
-    }
-    if (are_all && jumps) return tail;
-    for (std::size_t i = 0; i < columns.size(); ++i) above[i].add(columns[i][rows - tail]);
-  }
-  return 0;
 }
 
 std::string_view label_of(const Sheet& sheet, std::size_t line) {

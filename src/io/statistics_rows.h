@@ -14,28 +14,8 @@ namespace flexslip {
 // Does a cell call its row a statistic: "Mean", "Std. Dev.", "Mittelwert", "Écart type", "平均"?
 bool names_statistic(std::string_view cell);
 
-// Letters, so that it can be the label of a row, and no number or unit with one.
-bool is_label(std::string_view cell);
-
-// The label of a line, its first cell that is not empty; empty if that is no label.
+// The label of a line, its first cell that is not empty, if that holds letters and is no number or unit with one; empty otherwise.
 std::string_view label_of(const Sheet& sheet, std::size_t line);
-
-// A row whose first cell that is not empty is a label.
-struct LabelledRow {
-  std::size_t row;  // from 0
-  bool is_statistic;
-};
-
-// Which of these are no readings: where labels are few, those that name a statistic, and those that stand below all rows without one.
-// Where half of the rows or more have one, labels are data: phases, names.
-std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labelled, std::size_t rows);
-
-// How many rows at the end are, each in all columns, the mean, the standard deviation, the sum, the least or the greatest of the
-// numbers above, to three digits: 0 unless one of them is a mean, a deviation or a sum that is elsewhere than the row above it, by far
-// more than readings are from each other in some column, or below a break.
-// Domain:     columns of one length; of fewer than two columns or twelve rows, none. So many rows stand below a break; 0 without one.
-// Cost:       linear.
-std::size_t statistics_at_end(std::span<const std::vector<double>> columns, std::size_t below_break = 0);
 
 // Rows that are no readings, in their order, and what is said of them, and of those that may be none.
 struct StatisticsRows {
@@ -43,8 +23,15 @@ struct StatisticsRows {
   std::vector<std::string> notes;
 };
 
-// The rows of statistics among those of a table, which stand on these lines of a sheet, counted from 0 and rising: by their labels, or if there are none
-// by their numbers in these columns. Lines that are known to be none are said with them.
+// The rows of statistics among those of a table, which stand on these lines of a sheet, counted from 0 and rising. Lines that are known to be
+// statistics are said with them.
+// Domain:     columns of one length, that of the lines.
+// Method:     by labels, where they are few: rows whose label names a statistic, and those below all rows without a label. Where half of the rows or
+//             more have one, labels are data: phases, names. Or else by numbers: rows at the end that are, each in all columns, the mean, the standard
+//             deviation, the sum, the least or the greatest of those above, to three digits; one of them a mean, a deviation or a sum that is
+//             elsewhere than the row above it, by far more than readings are from each other in some column, or below a break.
+//             Of fewer than two columns or twelve rows, none.
+// Cost:       linear.
 StatisticsRows statistics_among(const Sheet& sheet, std::span<const std::size_t> lines,
                                 std::span<const std::vector<double>> columns,
                                 std::vector<std::size_t> known_lines = {});
