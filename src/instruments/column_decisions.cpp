@@ -136,6 +136,31 @@ double step_ratio(std::span<const double> values) {
   return sum > 0 ? steps / sum : 2;
 }
 
+// A force that is only there as a voltage: a load cell whose calibration the file does not hold.
+struct VoltageFinding {
+  const ExportColumn* voltage;
+  const ExportColumn* force;  // nullptr if there is none
+  double correlation;         // with the force; NaN if there is none
+  bool force_is_noise;        // the force does not rise above its own scatter, and the voltage does
+};
+
+// The column in volts that may be the force of the test: the words of none say otherwise. The file must not be evaluated
+// without a decision if there is no force beside it, or if it follows the force (a second load cell), or if the force is
+// noise and the voltage is not. nullopt if the voltages are something else.
+std::optional<VoltageFinding> voltage_for_force(const Columns& columns) {
+  const ExportColumn* force = nullptr;
+  for (const ExportColumn* column : columns)
+    if (column->role == ColumnRole::force && !volts_in(column->unit)) force = column;
+  for (const ExportColumn* column : columns) {
+    if (!volts_in(column->unit)) continue;
+    if (force == nullptr) return VoltageFinding{column, nullptr, not_a_number, false};
+    const double r = correlation(force->values, column->values);
+    const bool is_noise = step_ratio(force->values) > noise && step_ratio(column->values) < noise;
+    if (std::abs(r) >= follows || is_noise) return VoltageFinding{column, force, r, is_noise};
+  }
+  return std::nullopt;
+}
+
 InputError force_in_volts(const Export& file, std::size_t header_line, std::string found, std::string remedy) {
   return InputError({.file = file.origin.source,
                      .line = header_line,
@@ -149,30 +174,23 @@ void require_no_voltage_for_force(const Export& file, const ExportOptions& optio
   if (options.columns.contains(ColumnRole::force)) return;
   const auto unit = options.units.find(ColumnRole::force);
   const bool has_calibration = unit != options.units.end() && unit->second.ends_with("/V");
-  std::vector<MeasuredColumn> measured;
-  Columns which;
+  Columns columns;
   for (const ExportColumn& column : file.specimens.front().columns) {
-    const bool is_force = column.role == ColumnRole::force, is_voltage = volts_in(column.unit).has_value();
-    if (is_force && is_voltage && column.words.empty() && has_calibration) return;
-    if (!(is_force || column.role == ColumnRole::other) || !column.words.empty()) continue;
-    measured.push_back({column.values, is_voltage, is_force});
-    which.push_back(&column);
+    const bool is_force = column.role == ColumnRole::force;
+    if (is_force && volts_in(column.unit) && column.words.empty() && has_calibration) return;
+    if ((is_force || column.role == ColumnRole::other) && column.words.empty()) columns.push_back(&column);
   }
-  const std::optional<VoltageFinding> finding = voltage_for_force(measured);
+  const std::optional<VoltageFinding> finding = voltage_for_force(columns);
   if (!finding) return;
-  const ExportColumn& voltage = *which[finding->column];
-  const auto force = std::find_if(which.begin(), which.end(), [](const ExportColumn* each) {
-    return each->role == ColumnRole::force && !volts_in(each->unit);
-  });
+  const auto& [voltage, force, r, force_is_noise] = *finding;
   std::string remedy =
-      fmt::format("if it is the force, state its calibration: --force {} {}", voltage.number, calibration_hint);
-  std::string found = fmt::format("column {} in {}", in_quotes(voltage.name), voltage.unit);
-  if (force != which.end()) {
-    remedy += fmt::format("; if {} is the force, pass --force {}", in_quotes((*force)->name), (*force)->number);
-    found += finding->force_is_noise
-                 ? fmt::format(" beside {}, which holds only noise", in_quotes((*force)->name))
-                 : fmt::format(", which follows {} (correlation {:.3f}) as a second load cell would",
-                               in_quotes((*force)->name), finding->correlation);
+      fmt::format("if it is the force, state its calibration: --force {} {}", voltage->number, calibration_hint);
+  std::string found = fmt::format("column {} in {}", in_quotes(voltage->name), voltage->unit);
+  if (force != nullptr) {
+    remedy += fmt::format("; if {} is the force, pass --force {}", in_quotes(force->name), force->number);
+    found += force_is_noise ? fmt::format(" beside {}, which holds only noise", in_quotes(force->name))
+                            : fmt::format(", which follows {} (correlation {:.3f}) as a second load cell would",
+                                          in_quotes(force->name), r);
   }
   throw force_in_volts(file, header_line, std::move(found), std::move(remedy));
 }
@@ -351,20 +369,6 @@ std::string flags_of(const Export& file, const std::map<ColumnRole, std::string>
 }
 
 }  // namespace
-
-std::optional<VoltageFinding> voltage_for_force(std::span<const MeasuredColumn> columns) {
-  std::optional<std::size_t> force;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i].is_force && !columns[i].is_voltage) force = i;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (!columns[i].is_voltage) continue;
-    if (!force) return VoltageFinding{i, not_a_number, false};
-    const double r = correlation(columns[*force].values, columns[i].values);
-    const bool is_noise = step_ratio(columns[*force].values) > noise && step_ratio(columns[i].values) < noise;
-    if (std::abs(r) >= follows || is_noise) return VoltageFinding{i, r, is_noise};
-  }
-  return std::nullopt;
-}
 
 Export decided(Export file, const ExportOptions& options, const NumberFormat& format, std::size_t header_line) {
   file = with_columns(std::move(file), options.columns);
