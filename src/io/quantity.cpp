@@ -116,24 +116,27 @@ std::string remedy_for_symbol(std::string_view symbol) {
          "\"mN/um\" or \"N m^2\"";
 }
 
-// Digits of a power written in superscripts, as plain text: "⁻²" is "-2".
-std::string take_superscripts(std::string_view& text) {
-  static constexpr std::array<std::pair<std::string_view, char>, 11> superscripts{{{"⁰", '0'},
-                                                                                   {"¹", '1'},
-                                                                                   {"²", '2'},
-                                                                                   {"³", '3'},
-                                                                                   {"⁴", '4'},
-                                                                                   {"⁵", '5'},
-                                                                                   {"⁶", '6'},
-                                                                                   {"⁷", '7'},
-                                                                                   {"⁸", '8'},
-                                                                                   {"⁹", '9'},
-                                                                                   {"⁻", '-'}}};
+// A unit in ASCII: "N·m⁻²" is "N*m-2".
+std::string in_ascii(std::string_view text) {
+  static constexpr std::array<std::pair<std::string_view, char>, 13> signs{{{"⁰", '0'},
+                                                                            {"¹", '1'},
+                                                                            {"²", '2'},
+                                                                            {"³", '3'},
+                                                                            {"⁴", '4'},
+                                                                            {"⁵", '5'},
+                                                                            {"⁶", '6'},
+                                                                            {"⁷", '7'},
+                                                                            {"⁸", '8'},
+                                                                            {"⁹", '9'},
+                                                                            {"⁻", '-'},
+                                                                            {"·", '*'},
+                                                                            {"⋅", '*'}}};
   std::string plain;
-  for (std::size_t before = plain.size() + 1; before != plain.size();) {
-    before = plain.size();
-    for (const auto& [superscript, digit] : superscripts)
-      if (take(text, superscript)) plain += digit;
+  while (!text.empty()) {
+    const auto* const sign =
+        std::find_if(signs.begin(), signs.end(), [&](const auto& each) { return text.starts_with(each.first); });
+    plain += sign == signs.end() ? text.front() : sign->second;
+    text.remove_prefix(sign == signs.end() ? 1 : sign->first.size());
   }
   return plain;
 }
@@ -141,7 +144,7 @@ std::string take_superscripts(std::string_view& text) {
 // Reads units left to right: factor { (space | * | · | /) factor }.
 class UnitReader {
  public:
-  explicit UnitReader(std::string_view text) : whole_(text), rest_(text) {}
+  explicit UnitReader(std::string_view text) : whole_(text), ascii_(in_ascii(text)) {}
 
   Unit read() {
     if (take(rest_, "1")) {
@@ -159,7 +162,7 @@ class UnitReader {
         continue;
       }
       if (divided) refuse("one reading", "what follows a / is ambiguous; write \"N s/m\" or \"N/m/s\"");
-      take_times();
+      take(rest_, "*");  // a product needs no sign; a space has already been passed
       multiply_by_factor(1);
     }
     return unit_;
@@ -173,11 +176,6 @@ class UnitReader {
   void skip_spaces() {
     while (take(rest_, " ") || take(rest_, "\t")) {
     }
-  }
-
-  void take_times() {  // a product needs no sign; a space has already been passed
-    for (const std::string_view times : {"*", "·", "⋅"})
-      if (take(rest_, times)) return;
   }
 
   void multiply_by_factor(int sign) {
@@ -201,25 +199,16 @@ class UnitReader {
   }
 
   std::string_view take_symbol() {
-    static constexpr std::string_view ends[] = {" ", "\t", "*", "·", "⋅", "/", "^", "⁻", "¹", "²",
-                                                "³", "⁴",  "⁵", "⁶", "⁷", "⁸", "⁹", "0", "1", "2",
-                                                "3", "4",  "5", "6", "7", "8", "9", "-", "+"};
-    std::size_t length = rest_.size();
-    for (const std::string_view end : ends) length = std::min(length, rest_.find(end));
-    const std::string_view symbol = rest_.substr(0, length);
-    rest_.remove_prefix(length);
+    const std::string_view symbol = rest_.substr(0, rest_.find_first_of(" \t*/^0123456789-+"));
+    rest_.remove_prefix(symbol.size());
     return symbol;
   }
 
   int take_power() {
     const bool announced = take(rest_, "^") || take(rest_, "**");
-    std::string digits = take_superscripts(rest_);
-    if (digits.empty()) {
-      const std::size_t sign = rest_.starts_with('-') ? 1 : 0;  // "N m-1"
-      const std::size_t end = std::min(rest_.find_first_not_of("0123456789", sign), rest_.size());
-      digits = rest_.substr(0, end);
-      rest_.remove_prefix(end);
-    }
+    const std::size_t sign = rest_.starts_with('-') ? 1 : 0;  // "N m-1"
+    const std::string_view digits = rest_.substr(0, rest_.find_first_not_of("0123456789", sign));
+    rest_.remove_prefix(digits.size());
     if (digits.empty() && !announced) return 1;
     int power = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
@@ -229,8 +218,9 @@ class UnitReader {
   }
 
   std::string_view whole_;
-  std::string_view rest_;
-  Unit unit_;
+  std::string ascii_;
+  std::string_view rest_{ascii_};
+  Unit unit_{};
 };
 
 std::string name_of(Dimension dimension) {

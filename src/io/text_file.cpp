@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -33,6 +34,9 @@ std::string bytes_of(const std::string& path) {
   const auto in = open_to_read(path);
   const std::string source = path == "-" ? "standard input" : path;
   std::string bytes;
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown && size < most) bytes.reserve(size + piece);
   for (std::size_t got = piece; got > 0;) {
     const std::size_t before = bytes.size();
     bytes.resize(before + piece);
