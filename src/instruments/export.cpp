@@ -941,11 +941,8 @@ std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, s
                       .found = std::move(what),
                       .remedy = std::move(remedy)});
   };
-  if (found.empty()) {
-    const std::string meant = nearest(wanted, names);
-    refuse("one of the columns " + listed(names) + ", or its number", in_quotes(wanted),
-           meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
-  }
+  if (found.empty())
+    refuse("one of the columns " + listed(names) + ", or its number", in_quotes(wanted), did_you_mean(wanted, names));
   const ExportColumn& column = specimen.columns[found.front()];
   if (found.size() > 1)
     refuse("one column", fmt::format("{} called {}", found.size(), in_quotes(wanted)),

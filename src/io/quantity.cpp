@@ -110,10 +110,9 @@ std::string remedy_for_symbol(std::string_view symbol) {
       return fmt::format("a product of units needs a space, \"{} {}\"", symbol.substr(0, i), symbol.substr(i));
   static const std::vector<std::string> usual{"nm",  "um",  "mm",  "mN", "N",   "kN",  "Pa",
                                               "kPa", "MPa", "GPa", "mJ", "rad", "deg", "micron"};
-  if (const std::string meant = nearest(symbol, usual); !meant.empty())
-    return fmt::format("did you mean {}?", in_quotes(meant));
-  return "known are m, g, s, N, Pa, J, rad with prefixes, deg, in, mil, lbf, psi, ksi, Msi, kgf, min, h and %, as in "
-         "\"mN/um\" or \"N m^2\"";
+  return did_you_mean(symbol, usual,
+                      "known are m, g, s, N, Pa, J, rad with prefixes, deg, in, mil, lbf, psi, ksi, Msi, kgf, min, h "
+                      "and %, as in \"mN/um\" or \"N m^2\"");
 }
 
 // A unit in ASCII: "N·m⁻²" is "N*m-2".

@@ -85,9 +85,13 @@ struct Opened {
     return !std::isnan(number(line, column)) || is_not_finite(sheet().at(line, column));
   }
 
-  InputFault fault(std::size_t line, std::string field, std::string expected, std::string found,
-                   std::string remedy) const {
-    return {file.origin.source, line + 1, std::move(field), std::move(expected), std::move(found), std::move(remedy)};
+  // Lines count from 0.
+  [[noreturn]] void refuse(std::size_t line, std::string field, std::string expected, std::string found,
+                           std::string remedy, TablePart part = TablePart::none) const {
+    InputFault fault{file.origin.source,  line + 1,         std::move(field),
+                     std::move(expected), std::move(found), std::move(remedy)};
+    fault.part = part;
+    throw InputError(std::move(fault));
   }
 };
 
@@ -96,8 +100,8 @@ std::optional<std::size_t> next_row(const Opened& opened, std::size_t line) {
   while (line < opened.sheet().size() && !opened.is_row(line)) ++line;
   if (line == opened.sheet().size()) return std::nullopt;
   if (const std::size_t cell = opened.sheet().stray_quote(line); cell > 0)
-    throw InputError(opened.fault(line, "", "quotes in pairs around a whole cell",
-                                  fmt::format("a stray quote in cell {}", cell), "delete it"));
+    opened.refuse(line, "", "quotes in pairs around a whole cell", fmt::format("a stray quote in cell {}", cell),
+                  "delete it");
   return line;
 }
 
@@ -121,8 +125,8 @@ Header header_of(const Opened& opened) {
     header.cells.push_back({text, title_in_header(text)});
   }
   if (all_numbers)
-    throw InputError(opened.fault(*line, "", "a header line that names the columns", "numbers",
-                                  "add one above, such as \"w_s [m],F [N]\""));
+    opened.refuse(*line, "", "a header line that names the columns", "numbers",
+                  "add one above, such as \"w_s [m],F [N]\"");
   while (header.cells.back().text.empty())
     header.cells.pop_back();  // a delimiter at the end of the line begins no column
   return header;
@@ -132,11 +136,10 @@ InputError missing_column(const Opened& opened, const Header& header, const std:
                           const std::string& field) {
   std::vector<std::string> names;
   for (const HeaderCell& cell : header.cells) names.push_back(cell.title.name);
-  const std::string meant = nearest(name, names);
   return InputError({.file = opened.file.origin.source,
                      .line = header.line + 1,
                      .field = field,
-                     .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?",
+                     .remedy = did_you_mean(name, names),
                      .problem = "is missing: the file has " + listed(names),
                      .part = TablePart::title});
 }
@@ -155,12 +158,10 @@ std::vector<Source> sources_of(const Opened& opened, const Header& header, const
     const std::string field = "column " + in_quotes(asked.name);
     if (found.empty()) throw missing_column(opened, header, asked.name, field);
     if (found.size() > 1)
-      throw InputError(opened.fault(header.line, field, "one column", std::to_string(found.size()) + " of this name",
-                                    "rename them"));
+      opened.refuse(header.line, field, "one column", std::to_string(found.size()) + " of this name", "rename them");
     for (const Source& other : sources)
       if (other.cell == found[0])
-        throw InputError(
-            opened.fault(header.line, field, "another column for each quantity", "the same one asked for twice", ""));
+        opened.refuse(header.line, field, "another column for each quantity", "the same one asked for twice", "");
     Source source{found[0], field, each.kind, {}};
     for (const std::string& unit : {asked.unit, header.cells[found[0]].title.unit})
       if (!unit.empty()) source.units.push_back(unit);
@@ -209,10 +210,9 @@ AgreedUnit agreed_unit(const Opened& opened, const Header& header, const Source&
       return {parse_unit(at_end, source.kind),
               fmt::format("the unit of '{}' is the end of its name, {}", name, at_end)};
     if (dimension == kind::length.dimension || dimension == kind::force.dimension)
-      throw InputError(
-          opened.fault(header.line, source.field, fmt::format("{} and its unit", source.kind.name),
-                       fmt::format("a name that ends in {}", in_quotes(at_end)),
-                       fmt::format("if it is {} all the same, name it with its unit, {}", source.kind.name, as_in())));
+      opened.refuse(header.line, source.field, fmt::format("{} and its unit", source.kind.name),
+                    fmt::format("a name that ends in {}", in_quotes(at_end)),
+                    fmt::format("if it is {} all the same, name it with its unit, {}", source.kind.name, as_in()));
   }
   try {
     const Unit unit = parse_unit(source.units.empty() ? "" : source.units.front(), source.kind);
@@ -242,13 +242,12 @@ std::string remedy_for_cell(std::string_view cell, char decimal) {
 [[noreturn]] void refuse_cell(const Opened& opened, std::size_t line, const Source& source) {
   const std::string_view cell = opened.sheet().at(line, source.cell);
   const bool is_infinite = is_not_finite(cell);
-  InputFault fault = opened.fault(line, source.field, is_infinite ? "a finite number" : "a number",
-                                  cell.empty() ? "an empty cell" : in_quotes(cell),
-                                  cell.empty()  ? "fill it in or delete the line"
-                                  : is_infinite ? "delete the line"
-                                                : remedy_for_cell(cell, opened.decimal));
-  fault.part = TablePart::cell;
-  throw InputError(std::move(fault));
+  opened.refuse(line, source.field, is_infinite ? "a finite number" : "a number",
+                cell.empty() ? "an empty cell" : in_quotes(cell),
+                cell.empty()  ? "fill it in or delete the line"
+                : is_infinite ? "delete the line"
+                              : remedy_for_cell(cell, opened.decimal),
+                TablePart::cell);
 }
 
 // As many cells as the header, or empty ones beyond.
@@ -259,11 +258,11 @@ void require_count(const Opened& opened, const Header& header, std::size_t line)
                                        cells.end(), [](std::string_view cell) { return !cell.empty(); });
   if (cells.size() >= count && !has_surplus) return;
   const bool perhaps_commas = opened.file.origin.separator == ',' && cells.size() > count;
-  throw InputError(opened.fault(
-      line, "", fmt::format("{} cells as in the header on line {}", count, header.line + 1),
-      std::to_string(cells.size()),
-      perhaps_commas ? "if these are decimal commas, write decimal points, or separate cells by ; and pass --decimal ,"
-                     : ""));
+  opened.refuse(line, "", fmt::format("{} cells as in the header on line {}", count, header.line + 1),
+                std::to_string(cells.size()),
+                perhaps_commas
+                    ? "if these are decimal commas, write decimal points, or separate cells by ; and pass --decimal ,"
+                    : "");
 }
 
 // The rows of numbers from one on, and those that only hold words for a statistic where numbers are wanted. Lines count from 0.
@@ -295,7 +294,7 @@ Rows rows_from(std::optional<std::size_t> row, const Opened& opened, const Heade
     out.lines.push_back(*row);
     for (std::size_t i = 0; i < values.size(); ++i) out.columns[i].push_back(to_si(values[i], units[i]));
   }
-  if (out.lines.empty()) throw InputError(opened.fault(header.line, "", "rows of numbers", "a header only", ""));
+  if (out.lines.empty()) opened.refuse(header.line, "", "rows of numbers", "a header only", "");
   return out;
 }
 

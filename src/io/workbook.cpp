@@ -670,16 +670,15 @@ class Workbook {
     const std::string number = name != nullptr ? *name : std::to_string(std::get<std::size_t>(wanted));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
       if (std::to_string(i + 1) == number) return i;
-    const std::string meant = name != nullptr ? nearest(*name, names()) : "";
     const bool is_name =
         std::any_of(sheets_.begin(), sheets_.end(), [&](const ListedSheet& each) { return each.name == number; });
     throw InputError(
         {.field = "--sheet",
          .expected = (sheets_.size() == 1 ? "the sheet " : "one of the sheets ") + listed(names()) + ", or its number",
-         .found = shown(wanted),
-         .remedy = is_name         ? fmt::format("write the name as text: {}", in_quotes(number))
-                   : meant.empty() ? ""
-                                   : "did you mean " + in_quotes(meant) + "?",
+         .found = name != nullptr ? in_quotes(*name) : number,
+         .remedy = is_name           ? fmt::format("write the name as text: {}", in_quotes(number))
+                   : name != nullptr ? did_you_mean(*name, names())
+                                     : "",
          .key = "record.sheet"});
   }
 
@@ -719,11 +718,6 @@ std::vector<std::string> notes_on(const Worksheet& sheet) {
 bool is_packed(std::string_view bytes) {
   return bytes.starts_with(zip_mark) || bytes.starts_with(empty_zip_mark) ||
          bytes.starts_with(office_mark.substr(0, 4));
-}
-
-std::string shown(const SheetChoice& sheet) {
-  const std::string* name = std::get_if<std::string>(&sheet);
-  return name != nullptr ? in_quotes(*name) : std::to_string(std::get<std::size_t>(sheet));
 }
 
 CellKind kind_of_format(std::size_t number, std::string_view code) {

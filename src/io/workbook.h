@@ -14,7 +14,6 @@ namespace flexslip {
 
 // Which sheet of a workbook: its number from 1, or its name, which may be a number in words where no sheet is called that.
 using SheetChoice = std::variant<std::string, std::size_t>;
-std::string shown(const SheetChoice& sheet);  // "'Data'", "2"
 
 // What a sheet is read for.
 enum class SheetFor {
