@@ -377,6 +377,14 @@ double parse_quantity(std::string_view text, const Kind& kind, Range range) {
 
 Unit parse_unit(std::string_view text) { return UnitReader(trimmed(text)).read(); }
 
+std::optional<Unit> unit_named(std::string_view text) {
+  try {
+    return parse_unit(text);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 Unit parse_unit(std::string_view text, const Kind& kind) {
   const bool is_number = kind.dimension == Dimension{};
   const std::string_view body = trimmed(text);
@@ -398,12 +406,7 @@ std::optional<Unit> machine_unit(std::string_view text) {
   if (small == "gf" || small == "p") return Unit{of_force, -3, standard_gravity};
   for (const auto& [spelling, unit] : spellings)
     if (spelling == small) body = unit;
-  if (body.empty() || body.size() > longest_spelling) return std::nullopt;
-  try {
-    return parse_unit(body);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  return body.empty() || body.size() > longest_spelling ? std::nullopt : unit_named(body);
 }
 
 std::optional<double> volts_in(std::string_view text) {

@@ -91,6 +91,9 @@ double within(Range range, double value, std::string_view text, const Kind& kind
 // Fails:      InputError, without a place, if the text is no unit.
 Unit parse_unit(std::string_view text);
 
+// The same; nullopt if the text is no unit.
+std::optional<Unit> unit_named(std::string_view text);
+
 // A unit from text that must be one of the given kind; kind::number also takes "", "1" and "-".
 // Fails:      InputError, without a place.
 Unit parse_unit(std::string_view text, const Kind& kind);

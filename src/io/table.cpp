@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include "io/durable_file.h"
@@ -24,20 +23,11 @@ bool is_number_with(char decimal, std::string_view cell) { return !std::isnan(nu
 
 // Is the cell called a number, and none that a column may have: "nan", "-inf", "1e999"?
 bool is_not_finite(std::string_view cell) {
-  double value = 0;
-  const auto [end, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error == std::errc{} && end == cell.data() + cell.size() && !std::isfinite(value);
+  const std::optional<double> value = plain_number(cell);
+  return value && !std::isfinite(*value);
 }
 
-bool names_unit(std::string_view text) {
-  if (text == "1" || text == "-") return true;
-  try {
-    parse_unit(text);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
+bool names_unit(std::string_view text) { return text == "1" || text == "-" || unit_named(text); }
 
 // The title of a column as a file has it: a unit at the end in either kind of brackets, or else all of it is a name.
 ColumnTitle title_in_header(std::string_view text) {
@@ -185,12 +175,10 @@ bool is_unit_line(const Opened& opened, const std::vector<Source>& sources, std:
   return words && !numbers;
 }
 
-// What stands behind the last underscore of a name that states no unit elsewhere, where it is a unit: "w_s_m".
-std::string_view unit_in(std::string_view name) {
+// What stands behind the last underscore of a name that states no unit elsewhere: "m" of "w_s_m".
+std::string_view end_of(std::string_view name) {
   const std::size_t at = name.rfind('_');
-  if (at == std::string_view::npos || at == 0) return {};
-  const std::string_view end = name.substr(at + 1);
-  return names_unit(end) ? end : std::string_view{};
+  return at == std::string_view::npos || at == 0 ? std::string_view{} : name.substr(at + 1);
 }
 
 // The unit of a wanted column, on which all that state one agree, and what is said of it.
@@ -202,16 +190,14 @@ struct AgreedUnit {
 AgreedUnit agreed_unit(const Opened& opened, const Header& header, const Source& source) {
   const std::string& name = header.cells[source.cell].title.name;
   const auto as_in = [&] { return fmt::format("such as \"{} [{}]\"", name, source.kind.units.back()); };
-  const std::string_view at_end =
-      source.units.empty() && source.kind.name != kind::number.name ? unit_in(name) : std::string_view{};
-  if (!at_end.empty()) {
-    const Dimension dimension = parse_unit(at_end).dimension;
-    if (dimension == source.kind.dimension)
-      return {parse_unit(at_end, source.kind),
-              fmt::format("the unit of '{}' is the end of its name, {}", name, at_end)};
-    if (dimension == kind::length.dimension || dimension == kind::force.dimension)
+  const bool is_stated = !source.units.empty() || source.kind.name == kind::number.name;
+  const std::string_view end = is_stated ? std::string_view{} : end_of(name);
+  if (const std::optional<Unit> unit = unit_named(end)) {
+    if (unit->dimension == source.kind.dimension)
+      return {*unit, fmt::format("the unit of '{}' is the end of its name, {}", name, end)};
+    if (unit->dimension == kind::length.dimension || unit->dimension == kind::force.dimension)
       opened.refuse(header.line, source.field, fmt::format("{} and its unit", source.kind.name),
-                    fmt::format("a name that ends in {}", in_quotes(at_end)),
+                    fmt::format("a name that ends in {}", in_quotes(end)),
                     fmt::format("if it is {} all the same, name it with its unit, {}", source.kind.name, as_in()));
   }
   try {

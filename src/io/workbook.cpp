@@ -14,7 +14,6 @@
 #include <utility>
 
 #include <expat.h>
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 #include <minizip/unzip.h>
 
@@ -459,10 +458,7 @@ class SheetReader {
     if (type_ != "n") return counted(on_a_line(value_));  // str, d
     std::string number(trimmed(value_));
     if (number.empty()) return {};
-    double ignored = 0;
-    const std::string_view digits = std::string_view(number).substr(number.front() == '+' ? 1 : 0);
-    const auto [end, error] = fast_float::from_chars(digits.data(), digits.data() + digits.size(), ignored);
-    if (error != std::errc{} || end != digits.data() + digits.size())
+    if (!plain_number(number))
       refuse(row_, fmt::format("column {}", next_column_), "a number, as the cell says that it holds",
              in_quotes(number));
     ++out_.numbers;
