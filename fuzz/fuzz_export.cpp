@@ -12,16 +12,16 @@
 #include "io/input_error.h"
 
 using flexslip::Export;
+using flexslip::export_in;
 using flexslip::ExportColumn;
 using flexslip::ExportedSpecimen;
 using flexslip::InputError;
-using flexslip::read_export;
 
 // The name is libFuzzer's. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   try {
-    const Export file = read_export(bytes, "fuzz");
+    const Export file = export_in(std::string(bytes), "fuzz");
     if (file.specimens.empty()) std::abort();
     for (const ExportedSpecimen& specimen : file.specimens) {
       if (specimen.lines.empty()) std::abort();

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <sstream>
 #include <string>
 
 #include "io/input_error.h"
@@ -12,8 +11,8 @@
 using flexslip::Column;
 using flexslip::InputError;
 using flexslip::Kind;
-using flexslip::read_table;
 using flexslip::Table;
+using flexslip::table_in;
 
 // The name is libFuzzer's. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -22,12 +21,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
   for (const Kind& kind : {flexslip::kind::length, flexslip::kind::number}) {
     try {
-      std::istringstream in(text);
-      const Table table = read_table(in, "fuzz", {{"w_s", kind}, {"F", kind}}, decimal);
+      const Table table = table_in(text, "fuzz", {{"w_s", kind}, {"F", kind}}, decimal);
       for (const Column& column : table.columns) {
         if (column.values.size() != table.rows()) std::abort();
         for (std::size_t row = 0; row < table.rows(); ++row)
-          if (!std::isfinite(column.values[row]) || table.line_of(row) < 2) std::abort();
+          if (!std::isfinite(column.values[row]) || table.lines[row] < 2) std::abort();
       }
     } catch (const InputError& error) {
       if (error.fault.expected.empty() || std::string(error.what()).find('\n') != std::string::npos) std::abort();

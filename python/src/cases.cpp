@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -56,9 +57,11 @@ using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 Test with_record(const Test& input, const std::vector<std::pair<std::string, Doubles>>& columns,
                  const std::string& name) {
   Test out = input;
-  Table table{name, {}, {{0, 1}}};
+  Table table{name, {}, {}};
   for (const auto& [title, values] : columns)
     table.columns.push_back({title, std::vector<double>(values.data(), values.data() + values.size())});
+  table.lines.resize(table.rows());
+  std::iota(table.lines.begin(), table.lines.end(), std::size_t{1});
   out.record->file = name;
   out.record->given = std::make_shared<const Table>(std::move(table));
   return out;

@@ -20,6 +20,7 @@
 #include "io/quantity.h"
 #include "io/table.h"
 #include "io/text.h"
+#include "io/text_file.h"
 
 namespace flexslip {
 namespace {
@@ -180,13 +181,12 @@ InputError unknown_column(const TableKey& key, const TextTable& table) {
   std::vector<std::string> known;
   for (const CaseKey& each : case_keys())
     if (each.section == key.section || section_of(each.name) == each.section) known.emplace_back(each.name);
-  const std::string meant = nearest(key.key, known);
-  return InputError({table.source, table.header_line, "column " + in_quotes(key.title),
-                     "'name', or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span "
-                     "[um]', 'diameter [um]', 'stiffness', 'modulus', 'until', 'rig.span', ...",
-                     "an unknown key",
-                     meant.empty() ? "put # before the title of a column that is not meant for FlexSlip"
-                                   : "did you mean " + in_quotes(meant) + "?"});
+  return InputError(
+      {table.source, table.header_line, "column " + in_quotes(key.title),
+       "'name', or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span "
+       "[um]', 'diameter [um]', 'stiffness', 'modulus', 'until', 'rig.span', ...",
+       "an unknown key",
+       did_you_mean(key.key, known, "put # before the title of a column that is not meant for FlexSlip")});
 }
 
 std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::table& common,

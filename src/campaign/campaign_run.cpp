@@ -18,7 +18,6 @@
 #include "io/input_error.h"
 #include "io/parallel.h"
 #include "io/sha256.h"
-#include "io/table.h"
 #include "io/text_file.h"
 #include "numerics/elementary.h"
 #include "result/table.h"

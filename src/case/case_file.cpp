@@ -12,8 +12,8 @@
 
 #include "case/keys.h"
 #include "case/toml.h"
-#include "io/table.h"
 #include "io/text.h"
+#include "io/text_file.h"
 #include "surface/height_trace.h"
 
 namespace flexslip {

@@ -15,7 +15,7 @@
 #include "data/names.h"
 #include "io/input_error.h"
 #include "io/sha256.h"
-#include "io/table.h"
+#include "io/text_file.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {

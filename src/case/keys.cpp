@@ -32,15 +32,12 @@ std::string Keys::key(std::string_view name) const {
 void Keys::only(const std::vector<std::string>& known) const {
   for (auto&& [name, value] : table_) {
     if (std::find(known.begin(), known.end(), name.str()) != known.end()) continue;
-    const std::string meant = nearest(name.str(), known);
     const CaseKey* described = case_key(path_, name.str());
     const bool is_elsewhere = described && described->name == name.str();  // of another model, in this section
     const std::string expected = (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known);
     InputFault fault =
         wrong_value(test_, key(name.str()), expected, is_elsewhere ? "a key without meaning here" : "an unknown key",
-                    is_elsewhere    ? "leave it out"
-                    : meant.empty() ? "expected " + expected
-                                    : "did you mean " + in_quotes(meant) + "?")
+                    is_elsewhere ? "leave it out" : did_you_mean(name.str(), known, "expected " + expected))
             .fault;
     fault.kind = FaultKind::unknown;
     fault.problem = is_elsewhere ? "has no meaning here" : "is an unknown key";

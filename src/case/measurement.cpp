@@ -142,11 +142,11 @@ const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (const auto asked = input.record->specimen) {
     if (*asked <= count) return file.specimens[static_cast<std::size_t>(*asked - 1)];
-    throw wrong_value(input, "record.specimen", fmt::format("one of the {} specimens of {}", count, file.source),
+    throw wrong_value(input, "record.specimen", fmt::format("one of the {} specimens of {}", count, file.origin.source),
                       std::to_string(*asked));
   }
   if (count == 1) return file.specimens.front();
-  throw InputError({.file = file.source,
+  throw InputError({.file = file.origin.source,
                     .expected = "one specimen, or the number of one",
                     .found = fmt::format("{} specimens", count),
                     .remedy = "write specimen = 1 into [record], or pass --specimen 1"});
@@ -163,7 +163,7 @@ const ExportColumn& only_column(const Export& file, const ExportedSpecimen& spec
     names.push_back(column.name);
   }
   if (columns.size() == 1) return *columns.front();
-  throw InputError({.file = file.source,
+  throw InputError({.file = file.origin.source,
                     .field = role == ColumnRole::force ? "the force" : "the displacement",
                     .expected = "one column with it",
                     .found = names.empty() ? "none" : listed(names),
@@ -193,20 +193,13 @@ FoundDisplacement displacement_of(const RecordInput& asked, const Export& file, 
     if (has_role(specimen, role_of(kind))) return {displacement_with(file, specimen, role_of(kind)), kind, false};
   const ExportColumn& column = displacement_with(file, specimen, ColumnRole::displacement);
   throw InputError(
-      {.file = file.source,
+      {.file = file.origin.source,
        .field = fmt::format("column {}", in_quotes(column.name)),
        .expected = "a displacement known to be that of the crosshead or of the specimen's midpoint",
        .found = "a name that does not say which",
        .remedy = "write displacement = \"crosshead\" into [record], or pass --displacement crosshead: it is then "
                  "corrected for the stiffness of the load train, as a modulus requires (ISO 178); write "
                  "\"deflection\" if a deflectometer or a camera measured it"});
-}
-
-std::vector<LineRun> runs_of(const std::vector<std::size_t>& lines) {
-  std::vector<LineRun> runs;
-  for (std::size_t row = 0; row < lines.size(); ++row)
-    if (row == 0 || lines[row] != lines[row - 1] + 1) runs.push_back({row, lines[row]});
-  return runs;
 }
 
 // Adds what the file says and the case does not.
@@ -243,17 +236,17 @@ Readings readings_from(const Test& input, const Export& file) {
   const ExportColumn& force = only_column(file, specimen, ColumnRole::force, "force", "--force");
   const bool is_crosshead = kind == DisplacementOf::crosshead;
   Readings readings{.test = input,
-                    .table = {file.source,
+                    .table = {file.origin.source,
                               {{column.name, in_si(file, specimen, column, kind::length)},
                                {force.name, in_si(file, specimen, force, kind::force)}},
-                              runs_of(specimen.lines)},
+                              specimen.lines},
                     .columns = {is_crosshead ? Reading::stage : Reading::deflection, Reading::force},
                     .preparation = {}};
   std::string words =
       fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
                   file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
                   is_stated ? "stated" : "the file says", force.name);
-  if (file.sheet && file.sheets.size() > 1) words += "; " + file.notes.front();  // of which sheet
+  if (file.origin.sheet && file.origin.sheets.size() > 1) words += "; " + file.notes.front();  // of which sheet
   for (const std::string& note : file.row_notes) words += "; " + note;
   if (file.specimens.size() > 1)
     words += fmt::format("; the specimen is number {} of {}", *asked.specimen, file.specimens.size());
@@ -273,8 +266,7 @@ Readings readings_of_export(const Test& input) {
   try {
     return readings_from(input, file);
   } catch (const InputError& error) {
-    if (!file.sheet || file.sheet_is_chosen) throw;
-    throw with_other_sheets(error, *file.sheet, file.sheets);
+    throw with_other_sheets(error, file.origin);
   }
 }
 
@@ -302,7 +294,7 @@ void require_finite(const Record& record, const Table& table) {
   const RecordCheck check = check_record(record);
   if (check.fault != RecordFault::not_finite) return;
   throw InputError({.file = table.source,
-                    .line = table.line_of(check.index),
+                    .line = table.lines[check.index],
                     .expected = "readings of a bending test",
                     .found = "numbers that are too large",
                     .remedy = "check the units"});
@@ -473,7 +465,7 @@ void hold_stage(const Test& input, const Table& table, Record& record, const Sam
     if (farthest - stage[i] > allowed)
       throw InputError(
           {.file = table.source,
-           .line = table.line_of(sampling.rows[i]),
+           .line = table.lines[sampling.rows[i]],
            .field = "the stage",
            .expected = fmt::format("a position no smaller than in the previous row, {}",
                                    readable_length(input, stage[i - 1] == 0 ? 0 : stage[i - 1])),
@@ -520,7 +512,7 @@ void require_points(const Table& table, const Record& record, std::size_t least_
 void require_loading_first(const Table& table, const Record& record, const Leg& first) {
   if (first.direction == Direction::loading && record.stage[first.last - 1] > record.stage[first.first]) return;
   throw InputError({.file = table.source,
-                    .line = table.line_of(0),
+                    .line = table.lines[0],
                     .field = "the stage",
                     .expected = "a record that begins by loading",
                     .found = "one that begins by unloading",

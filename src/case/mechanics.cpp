@@ -87,7 +87,7 @@ StageProgramme measured_programme(const Test& test) {
   const auto refuse = [&](std::size_t row, const Column& column, std::string expected, std::string found,
                           std::string remedy) {
     throw InputError({.file = table.source,
-                      .line = table.line_of(row),
+                      .line = table.lines[row],
                       .field = fmt::format("column {}", in_quotes(column.name)),
                       .expected = std::move(expected),
                       .found = std::move(found),
@@ -159,7 +159,7 @@ FrictionTable read_friction_table(const Side& side) {
       *side.friction.file, {{*side.friction.length, length_kind}, {side.friction.mu.value_or("mu"), kind::number}});
   const auto refuse = [&](std::size_t row, std::size_t column, std::string expected, double found, const Kind& kind) {
     throw InputError({.file = table.source,
-                      .line = table.line_of(row),
+                      .line = table.lines[row],
                       .field = fmt::format("column {}", in_quotes(table.columns[column].name)),
                       .expected = std::move(expected),
                       .found = readable(found, kind)});

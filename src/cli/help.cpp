@@ -107,11 +107,10 @@ void add_help_command(CLI::App& app) {
       if (each->get_name() == *wanted) return write_text("-", whole_help(*each));
       names.push_back(each->get_name());
     }
-    const std::string meant = nearest(*wanted, names);
     throw InputError({.field = "COMMAND",
                       .expected = "one of the commands " + listed(names),
                       .found = in_quotes(*wanted),
-                      .remedy = meant.empty() ? "" : fmt::format("did you mean {}?", in_quotes(meant))});
+                      .remedy = did_you_mean(*wanted, names)});
   });
 }
 

@@ -51,7 +51,7 @@ void require_domain(const Table& table) {
     for (const Column& column : table.columns)
       if (!(column.values[row] >= 0))
         throw InputError({.file = table.source,
-                          .line = table.line_of(row),
+                          .line = table.lines[row],
                           .field = fmt::format("column '{}'", column.name),
                           .expected = "a number of at least 0",
                           .found = fmt::format("{}", column.values[row])});
@@ -87,7 +87,7 @@ void invert_states(const InvertRequest& request) {
   const std::size_t row = unexplained.front();
   const double most = request.on_supports() ? largest_q_on_supports : largest_q;
   throw CalculationFailed(fmt::format(
-      "{}:{}: no friction between {:g} and {:g} explains w = {}, F = {}{}{}", table.source, table.line_of(row), -most,
+      "{}:{}: no friction between {:g} and {:g} explains w = {}, F = {}{}{}", table.source, table.lines[row], -most,
       most, w[row], F[row],
       w[row] < least_half_depths * supports.half_depth
           ? "; friction cannot be read off deflections below twice the thickness"

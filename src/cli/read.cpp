@@ -38,12 +38,12 @@ struct ReadRequest {
 std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (request.specimen > count)
-    throw InputError({.file = file.source,
+    throw InputError({.file = file.origin.source,
                       .field = "--specimen",
                       .expected = fmt::format("a number from 1 to {}", count),
                       .found = std::to_string(request.specimen)});
   if (request.specimen == 0 && count > 1 && !request.output.json)
-    throw InputError({.file = file.source,
+    throw InputError({.file = file.origin.source,
                       .expected = "one specimen to write",
                       .found = fmt::format("{}", count),
                       .remedy = fmt::format("choose with --specimen 1 to {}; --json lists them", count)});
@@ -71,13 +71,13 @@ std::string_view words_for(char mark) {
 
 void note_decisions(const ReadRequest& request, const Export& file, const ExportedSpecimen& specimen) {
   const auto say = [&](const std::string& remark) { note(request.output, remark); };
-  std::string as = file.sheet ? fmt::format("the sheet {} of a workbook", in_quotes(*file.sheet)) : "";
-  if (file.has_delimiters)
-    as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.encoding),
-                      file.byte_order_mark ? " with byte order mark" : "", words_for(file.separator));
+  std::string as = file.origin.sheet ? fmt::format("the sheet {} of a workbook", in_quotes(*file.origin.sheet)) : "";
+  if (file.origin.has_delimiters)
+    as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.origin.encoding),
+                      file.origin.byte_order_mark ? " with byte order mark" : "", words_for(file.origin.separator));
   if (file.has_marks)
     as += fmt::format(", decimal mark: {}, thousands mark: {}", words_for(file.decimal), words_for(file.thousands));
-  say(fmt::format("{}: {}; {}", file.source, file.format, as));
+  say(fmt::format("{}: {}; {}", file.origin.source, file.format, as));
   say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
                   specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));
   for (const ExportColumn& column : specimen.columns)

@@ -59,9 +59,7 @@ Input read_input(const StateRequest& request) {
                       .remedy = value ? "" : "write - for standard input, or see flexslip state --help"});
   if (value) return {"", first, {*value}, {*request.q}, {0}};
   const Table table = read_table(request.file, {{first, kind::number}, {"q", kind::number}});
-  Input input{table.source, first, table.columns[0].values, table.columns[1].values, {}};
-  for (std::size_t row = 0; row < table.rows(); ++row) input.lines.push_back(table.line_of(row));
-  return input;
+  return {table.source, first, table.columns[0].values, table.columns[1].values, table.lines};
 }
 
 void require_domain(const Input& input) {

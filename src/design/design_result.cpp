@@ -189,10 +189,9 @@ const DesignParameterName& parameter_named(const Test& input, std::string_view n
   for (const auto& known : design_parameters())
     if (known.name == name && value_of(input, known.parameter)) return described(known.parameter);
   const auto names = names_of(input);
-  const std::string meant = nearest(name, names);
   throw InputError({.expected = "a number of this case, one of " + listed(names),
                     .found = in_quotes(name),
-                    .remedy = meant.empty() ? "" : fmt::format("did you mean {}?", in_quotes(meant))});
+                    .remedy = did_you_mean(name, names)});
 }
 
 std::uint64_t points_from(std::string_view text) {

@@ -16,7 +16,7 @@
 #include "case/toml.h"
 #include "design/design_result.h"
 #include "io/sha256.h"
-#include "io/table.h"
+#include "io/text_file.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {

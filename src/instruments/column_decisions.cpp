@@ -44,45 +44,10 @@ void require_kind(const Export& file, const ExportColumn& column, ColumnRole rol
   const RoleWords& words = words_for(role);
   const std::optional<Unit> unit = machine_unit(column.unit);  // of an unknown one in_si says so where it is needed
   if (!unit || words.kind == nullptr || unit->dimension == words.kind->dimension) return;
-  throw InputError({.file = file.source,
+  throw InputError({.file = file.origin.source,
                     .field = std::string(words.flag),
                     .expected = fmt::format("a column in units of {}", words.kind->name),
                     .found = fmt::format("{} in {}", in_quotes(column.name), in_quotes(column.unit))});
-}
-
-// The index of the column that a user names: by number, as repeat_with says it, by name, or by name and unit.
-std::size_t named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted, ColumnRole role) {
-  std::vector<std::size_t> by_number, by_name;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < specimen.columns.size(); ++i) {
-    const ExportColumn& column = specimen.columns[i];
-    names.push_back(column.name);
-    const bool by_title = !column.unit.empty() && (wanted == fmt::format("{} [{}]", column.name, column.unit) ||
-                                                   wanted == fmt::format("{} ({})", column.name, column.unit));
-    if (std::to_string(column.number) == wanted) by_number.push_back(i);
-    if (column.name == wanted || by_title) by_name.push_back(i);
-  }
-  const std::vector<std::size_t>& found = by_number.empty() ? by_name : by_number;
-  const std::string flag{words_for(role).flag};
-  const auto refuse = [&](std::string expected, std::string what, std::string remedy) {
-    throw InputError({.file = file.source,
-                      .field = flag,
-                      .expected = std::move(expected),
-                      .found = std::move(what),
-                      .remedy = std::move(remedy)});
-  };
-  if (found.empty()) {
-    const std::string meant = nearest(wanted, names);
-    refuse("one of the columns " + listed(names) + ", or its number", in_quotes(wanted),
-           meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
-  }
-  const ExportColumn& column = specimen.columns[found.front()];
-  if (found.size() > 1)
-    refuse("one column", fmt::format("{} called {}", found.size(), in_quotes(wanted)),
-           fmt::format("give its number: {} {}", flag, column.number));
-  if (!column.words.empty()) refuse("a column of numbers", fmt::format("words in {}", in_quotes(column.name)), "");
-  require_kind(file, column, role);
-  return found.front();
 }
 
 // The number of a column of another specimen, one beside this, is that of the same title here.
@@ -102,7 +67,9 @@ std::string of_this(const Export& file, const ExportedSpecimen& specimen, std::s
 Export with_columns(Export file, const std::map<ColumnRole, std::string>& columns) {
   for (ExportedSpecimen& specimen : file.specimens)
     for (const auto& [role, name] : columns) {
-      const std::size_t chosen = named(file, specimen, of_this(file, specimen, trimmed(name)), role);
+      const std::size_t chosen =
+          column_named(file, specimen, of_this(file, specimen, trimmed(name)), words_for(role).flag);
+      require_kind(file, specimen.columns[chosen], role);
       for (ExportColumn& column : specimen.columns)
         if (column.role == role) column.role = ColumnRole::other;
       specimen.columns[chosen].role = role;
@@ -122,7 +89,7 @@ Export with_displacement(Export file, ColumnRole role) {
     }
     const std::vector<ExportColumn*>& candidates = unclear.empty() ? all : unclear;
     if (candidates.size() != 1)
-      throw InputError({.file = file.source,
+      throw InputError({.file = file.origin.source,
                         .field = "--displacement",
                         .expected = "one column with a displacement",
                         .found = candidates.empty() ? "none" : std::to_string(candidates.size()),
@@ -169,8 +136,33 @@ double step_ratio(std::span<const double> values) {
   return sum > 0 ? steps / sum : 2;
 }
 
+// A force that is only there as a voltage: a load cell whose calibration the file does not hold.
+struct VoltageFinding {
+  const ExportColumn* voltage;
+  const ExportColumn* force;  // nullptr if there is none
+  double correlation;         // with the force; NaN if there is none
+  bool force_is_noise;        // the force does not rise above its own scatter, and the voltage does
+};
+
+// The column in volts that may be the force of the test: the words of none say otherwise. The file must not be evaluated
+// without a decision if there is no force beside it, or if it follows the force (a second load cell), or if the force is
+// noise and the voltage is not. nullopt if the voltages are something else.
+std::optional<VoltageFinding> voltage_for_force(const Columns& columns) {
+  const ExportColumn* force = nullptr;
+  for (const ExportColumn* column : columns)
+    if (column->role == ColumnRole::force && !volts_in(column->unit)) force = column;
+  for (const ExportColumn* column : columns) {
+    if (!volts_in(column->unit)) continue;
+    if (force == nullptr) return VoltageFinding{column, nullptr, not_a_number, false};
+    const double r = correlation(force->values, column->values);
+    const bool is_noise = step_ratio(force->values) > noise && step_ratio(column->values) < noise;
+    if (std::abs(r) >= follows || is_noise) return VoltageFinding{column, force, r, is_noise};
+  }
+  return std::nullopt;
+}
+
 InputError force_in_volts(const Export& file, std::size_t header_line, std::string found, std::string remedy) {
-  return InputError({.file = file.source,
+  return InputError({.file = file.origin.source,
                      .line = header_line,
                      .field = "force",
                      .expected = "a force in units of force",
@@ -182,30 +174,23 @@ void require_no_voltage_for_force(const Export& file, const ExportOptions& optio
   if (options.columns.contains(ColumnRole::force)) return;
   const auto unit = options.units.find(ColumnRole::force);
   const bool has_calibration = unit != options.units.end() && unit->second.ends_with("/V");
-  std::vector<MeasuredColumn> measured;
-  Columns which;
+  Columns columns;
   for (const ExportColumn& column : file.specimens.front().columns) {
-    const bool is_force = column.role == ColumnRole::force, is_voltage = volts_in(column.unit).has_value();
-    if (is_force && is_voltage && column.words.empty() && has_calibration) return;
-    if (!(is_force || column.role == ColumnRole::other) || !column.words.empty()) continue;
-    measured.push_back({column.values, is_voltage, is_force});
-    which.push_back(&column);
+    const bool is_force = column.role == ColumnRole::force;
+    if (is_force && volts_in(column.unit) && column.words.empty() && has_calibration) return;
+    if ((is_force || column.role == ColumnRole::other) && column.words.empty()) columns.push_back(&column);
   }
-  const std::optional<VoltageFinding> finding = voltage_for_force(measured);
+  const std::optional<VoltageFinding> finding = voltage_for_force(columns);
   if (!finding) return;
-  const ExportColumn& voltage = *which[finding->column];
-  const auto force = std::find_if(which.begin(), which.end(), [](const ExportColumn* each) {
-    return each->role == ColumnRole::force && !volts_in(each->unit);
-  });
+  const auto& [voltage, force, r, force_is_noise] = *finding;
   std::string remedy =
-      fmt::format("if it is the force, state its calibration: --force {} {}", voltage.number, calibration_hint);
-  std::string found = fmt::format("column {} in {}", in_quotes(voltage.name), voltage.unit);
-  if (force != which.end()) {
-    remedy += fmt::format("; if {} is the force, pass --force {}", in_quotes((*force)->name), (*force)->number);
-    found += finding->force_is_noise
-                 ? fmt::format(" beside {}, which holds only noise", in_quotes((*force)->name))
-                 : fmt::format(", which follows {} (correlation {:.3f}) as a second load cell would",
-                               in_quotes((*force)->name), finding->correlation);
+      fmt::format("if it is the force, state its calibration: --force {} {}", voltage->number, calibration_hint);
+  std::string found = fmt::format("column {} in {}", in_quotes(voltage->name), voltage->unit);
+  if (force != nullptr) {
+    remedy += fmt::format("; if {} is the force, pass --force {}", in_quotes(force->name), force->number);
+    found += force_is_noise ? fmt::format(" beside {}, which holds only noise", in_quotes(force->name))
+                            : fmt::format(", which follows {} (correlation {:.3f}) as a second load cell would",
+                                          in_quotes(force->name), r);
   }
   throw force_in_volts(file, header_line, std::move(found), std::move(remedy));
 }
@@ -235,7 +220,7 @@ Restated calibrated(const Export& file, ExportColumn column, std::string_view ca
     throw InputError({.field = "--calibration", .expected = "such as \"222 N/V\"", .found = in_quotes(calibration)});
   const std::optional<double> volts = volts_in(column.unit);
   if (!volts)
-    throw InputError({.file = file.source,
+    throw InputError({.file = file.origin.source,
                       .field = "column " + in_quotes(column.name),
                       .expected = "a column in volts, as a calibration is given",
                       .found = column.unit.empty() ? "no unit" : in_quotes(column.unit)});
@@ -254,7 +239,7 @@ Restated in_unit(const Export& file, ExportColumn column, std::string_view text)
                       .expected = fmt::format("a unit such as {}", words.usual_unit),
                       .found = in_quotes(text)});
   if (volts_in(column.unit))
-    throw InputError({.file = file.source,
+    throw InputError({.file = file.origin.source,
                       .field = "column " + in_quotes(column.name),
                       .expected = "a calibration",
                       .found = fmt::format("the unit {} for values in {}", in_quotes(text), column.unit),
@@ -304,7 +289,7 @@ std::string beside_stated_maximum(const Export& file, const ExportOptions& optio
                              readable(stated->value, kind::force), readable(highest, kind::force));
   if (options.units.contains(ColumnRole::force)) return "";
   throw InputError(
-      {.file = file.source,
+      {.file = file.origin.source,
        .line = stated->where->line,
        .field = "column " + in_quotes(force.name),
        .expected = fmt::format("a maximum of {}, as this line states", readable(stated->value, kind::force)),
@@ -353,9 +338,10 @@ std::vector<std::string> asks_of(const std::vector<ExportColumn>& columns) {
 
 // A sheet as a shell takes it: its name, or its number where that would need more than quotes.
 std::string sheet_word(const Export& file) {
-  if (file.sheet->find_first_of("\"$`\\!") == std::string::npos) return fmt::format("\"{}\"", *file.sheet);
-  const auto at = std::find(file.sheets.begin(), file.sheets.end(), *file.sheet);
-  return std::to_string(1 + (at - file.sheets.begin()));
+  if (file.origin.sheet->find_first_of("\"$`\\!") == std::string::npos)
+    return fmt::format("\"{}\"", *file.origin.sheet);
+  const auto at = std::find(file.origin.sheets.begin(), file.origin.sheets.end(), *file.origin.sheet);
+  return std::to_string(1 + (at - file.origin.sheets.begin()));
 }
 
 std::string mark_word(char mark) {
@@ -368,9 +354,10 @@ std::string mark_word(char mark) {
 
 std::string flags_of(const Export& file, const std::map<ColumnRole, std::string>& units) {
   std::vector<std::string> flags;
-  if (file.sheet) flags.push_back("--sheet " + sheet_word(file));
-  if (file.has_delimiters)
-    flags.push_back(fmt::format("--encoding {} --separator {}", name_of(file.encoding), mark_word(file.separator)));
+  if (file.origin.sheet) flags.push_back("--sheet " + sheet_word(file));
+  if (file.origin.has_delimiters)
+    flags.push_back(
+        fmt::format("--encoding {} --separator {}", name_of(file.origin.encoding), mark_word(file.origin.separator)));
   if (file.has_marks)
     flags.push_back(fmt::format("--decimal {} --thousands {}", mark_word(file.decimal), mark_word(file.thousands)));
   for (const ColumnRole role : {ColumnRole::time, ColumnRole::crosshead, ColumnRole::deflection, ColumnRole::force})
@@ -382,20 +369,6 @@ std::string flags_of(const Export& file, const std::map<ColumnRole, std::string>
 }
 
 }  // namespace
-
-std::optional<VoltageFinding> voltage_for_force(std::span<const MeasuredColumn> columns) {
-  std::optional<std::size_t> force;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i].is_force && !columns[i].is_voltage) force = i;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (!columns[i].is_voltage) continue;
-    if (!force) return VoltageFinding{i, not_a_number, false};
-    const double r = correlation(columns[*force].values, columns[i].values);
-    const bool is_noise = step_ratio(columns[*force].values) > noise && step_ratio(columns[i].values) < noise;
-    if (std::abs(r) >= follows || is_noise) return VoltageFinding{i, r, is_noise};
-  }
-  return std::nullopt;
-}
 
 Export decided(Export file, const ExportOptions& options, const NumberFormat& format, std::size_t header_line) {
   file = with_columns(std::move(file), options.columns);

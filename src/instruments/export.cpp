@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <istream>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "instruments/column_decisions.h"
-#include "instruments/layout.h"
 #include "io/input_error.h"
-#include "io/table.h"
+#include "io/statistics_rows.h"
 #include "io/text.h"
-#include "io/workbook.h"
 #include "numerics/elementary.h"
 
 // Reading is a chain: bytes are opened as a sheet of cells, its lines are laid out as tables, all their numbers together say how numbers are
@@ -24,6 +23,8 @@
 namespace flexslip {
 namespace {
 
+constexpr std::size_t misfit_share = 10;  // one line in so many may be damaged: more, and the rows are not understood
+constexpr std::size_t longest_unit = 16;  // [bytes] a line with longer words is none of units
 constexpr std::size_t longest_summary = 50;  // rows of a table of results; what is longer was measured
 
 using Notes = std::vector<std::string>;
@@ -38,6 +39,269 @@ struct Noted {
 template <class Value>
 void append(std::vector<Value>& all, std::vector<Value> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+// ---- where the tables are
+
+// A table: rows of numbers below a line of names and one of units, either of which may be missing. Lines count from 0.
+struct TableBlock {
+  std::vector<std::string> titles{};   // as many as columns; empty if no line above names the columns
+  std::vector<std::string> units{};    // likewise, without brackets
+  std::size_t header_line = 0;         // that of the titles, or the units, or the first row
+  std::vector<std::size_t> rows{};     // lines
+  std::vector<std::size_t> misfits{};  // lines between the rows with more or fewer cells, or words only
+  std::vector<std::size_t> remarks{};  // lines above the header that belong to no table
+};
+
+struct Layout {
+  std::size_t columns = 0;    // of each row
+  std::vector<bool> numeric;  // which of them hold numbers in most rows
+  std::vector<TableBlock> blocks{};
+  std::vector<std::size_t> remarks{};  // below the last block
+  bool cut_off = false;                // the last line of the file had fewer cells, and is no row
+  std::vector<std::string> notes{};    // on rows of statistics, which are left out, and rows that may be some
+};
+
+using Cells = std::span<const std::string_view>;
+
+bool is_blank(Cells cells) {
+  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.empty(); });
+}
+
+bool has_number(std::string_view cell) { return !number_cell(cell).number.empty(); }
+
+// A row as most are: which of its columns hold numbers, one character each, "101", and how many cells it has.
+struct UsualRow {
+  std::string pattern;
+  std::size_t numbers, cells;
+};
+
+std::string pattern_of(Cells cells) {
+  std::string pattern;
+  for (const std::string_view cell : cells) pattern += has_number(cell) ? '1' : '0';
+  pattern.erase(pattern.find_last_of('1') + 1);
+  return pattern;
+}
+
+// The columns with numbers of most lines, by their numbers, and the cells that most of these lines have.
+UsualRow usual_row(const Sheet& sheet) {
+  std::map<std::string, std::map<std::size_t, std::size_t>> lines_with;  // a pattern, and so many cells
+  for (std::size_t line = 0; line < sheet.size(); ++line)
+    if (!sheet.is_comment(line)) ++lines_with[pattern_of(sheet.cells(line))][sheet.cells(line).size()];
+  UsualRow usual{};
+  std::size_t most = 0;
+  for (const auto& [pattern, lines_of] : lines_with) {
+    std::size_t lines = 0;
+    for (const auto& [cells, count] : lines_of) lines += count;
+    const auto numbers = static_cast<std::size_t>(std::count(pattern.begin(), pattern.end(), '1'));
+    if (numbers * lines <= most) continue;
+    most = numbers * lines;
+    const auto longest = std::max_element(lines_of.begin(), lines_of.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    usual = {pattern, numbers, longest->first};
+  }
+  if (most == 0)
+    throw InputError({.expected = "rows of numbers",
+                      .found = sheet.size() == 0 ? "an empty file" : "no line with numbers",
+                      .remedy = "export the raw data of the test as CSV"});
+  return usual;
+}
+
+// Numbers in most of the columns, or in some and nothing in the others.
+bool is_row(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
+  if (sheet.is_comment(line)) return false;
+  std::size_t numbers = 0;
+  std::size_t words = 0;
+  for (std::size_t i = 0; i < usual.pattern.size(); ++i) {
+    if (usual.pattern[i] != '1') continue;
+    const std::string_view cell = sheet.at(line, i);
+    if (has_number(cell))
+      ++numbers;
+    else if (!says_missing(cell))
+      ++words;
+  }
+  return 2 * numbers > usual.numbers || (numbers > 0 && words == 0);
+}
+
+bool fits(Cells cells, const UsualRow& usual) {
+  if (cells.size() < usual.pattern.size()) return false;
+  return cells.size() <= usual.cells || is_blank(cells.subspan(usual.cells));
+}
+
+// Is a line between rows one with damaged cells: all of them, and some numbers, or each says that it is missing?
+bool is_damaged_row(Cells cells, const UsualRow& usual) {
+  return cells.size() == usual.cells &&
+         (std::any_of(cells.begin(), cells.end(), has_number) || std::all_of(cells.begin(), cells.end(), says_missing));
+}
+
+bool is_unit_line(Cells cells) {
+  std::size_t units = 0;
+  std::size_t others = 0;
+  for (const std::string_view cell : cells) {
+    const bool counts_nothing = cell.empty() || cell == "-" || cell == "1";
+    if (counts_nothing) continue;
+    if (cell.size() > longest_unit) return false;
+    ++(names_a_unit(cell) && !has_number(cell) ? units : others);
+  }
+  return units > others;
+}
+
+bool means_something(std::string_view title) { return role_of(title_parts(title).name) != ColumnRole::other; }
+
+// The titles on a line: as many words as columns and no numbers, or two that mean something. Empty if it has none.
+std::vector<std::string> titles_on(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
+  std::string_view text = trimmed(sheet.text(line));
+  const Cells cells = sheet.cells(line);
+  std::vector<std::string> titles(cells.begin(), cells.end());
+  if (sheet.is_comment(line)) {  // "# time force": its cells are those behind the mark
+    text = trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())));
+    titles.front().erase(0, titles.front().find_first_not_of("# \t"));
+    if (titles.front().empty()) titles.erase(titles.begin());
+  }
+  while (titles.size() > usual.cells && titles.back().empty()) titles.pop_back();
+  if (titles.size() != usual.cells) titles = split_titles(text, usual.cells);
+  std::size_t words = 0;
+  std::size_t units = 0;
+  std::size_t meant = 0;
+  for (const std::string& title : titles) {
+    if (has_number(title)) return {};
+    if (!says_missing(title)) ++words;
+    if (names_a_unit(title)) ++units;
+    if (means_something(title)) ++meant;
+  }
+  // A comment that means nothing is prose, unless it gives each column its unit, as Gwyddion does: "# x [m]  y [m]".
+  const bool have_units = std::all_of(titles.begin(), titles.end(),
+                                      [](const std::string& title) { return names_a_unit(title_parts(title).unit); });
+  const bool is_prose = sheet.is_comment(line) && meant == 0 && !have_units;
+  const bool are_units = units > 1 && 2 * units > words;
+  if (is_prose || are_units || (words < 2 && usual.cells > 1) || words == 0) return {};
+  return 2 * words >= usual.numbers || meant >= 2 ? titles : std::vector<std::string>{};
+}
+
+bool begins_table(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
+  const Cells cells = sheet.cells(line);
+  if (is_unit_line(cells) && cells.size() <= usual.cells + 1 && 2 * cells.size() >= usual.cells) return true;
+  const std::vector<std::string> titles = titles_on(sheet, line, usual);
+  return sheet.is_comment(line) ? std::any_of(titles.begin(), titles.end(), means_something) : !titles.empty();
+}
+
+// The titles on two lines, where cells are merged downwards: what means something and stands above a cell that is empty is its title.
+std::vector<std::string> titles_on_two_lines(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
+  const Cells above = sheet.cells(line - 1), below = sheet.cells(line);
+  if (above.size() != usual.cells || below.size() != usual.cells || sheet.is_comment(line)) return {};
+  std::vector<std::string> titles(below.begin(), below.end());
+  bool is_merged = false;
+  std::size_t words = 0;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    const bool is_title_above = titles[i].empty() && means_something(above[i]);
+    if (is_title_above) titles[i] = above[i];
+    is_merged = is_merged || is_title_above;
+    if (has_number(titles[i]) || names_a_unit(below[i])) return {};  // units may be fewer than titles
+    if (!titles[i].empty()) ++words;
+  }
+  return is_merged && words > 1 ? titles : std::vector<std::string>{};
+}
+
+// A table that begins with a row: names and units are the last of the lines above it that belong to none.
+TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t> above, const UsualRow& usual) {
+  TableBlock block{.header_line = row};
+  if (!above.empty() && is_unit_line(sheet.cells(above.back()))) {
+    const Cells cells = sheet.cells(above.back());
+    block.header_line = above.back();
+    if (fits(cells, usual))
+      for (std::size_t i = 0; i < usual.cells; ++i)
+        block.units.emplace_back(without_brackets(sheet.at(block.header_line, i)));
+    above.pop_back();
+  }
+  if (!above.empty()) {
+    const std::size_t line = above.back();
+    block.titles = titles_on(sheet, line, usual);
+    if (above.size() > 1 && above[above.size() - 2] + 1 == line)
+      if (std::vector<std::string> both = titles_on_two_lines(sheet, line, usual); !both.empty())
+        block.titles = std::move(both);
+    if (!block.titles.empty()) {
+      block.header_line = line;
+      above.pop_back();
+    }
+  }
+  block.remarks = std::move(above);
+  return block;
+}
+
+// A number before the marks are known: those of a column are wrong by one factor, if at all.
+double roughly(const Sheet& sheet, std::size_t line, std::size_t column) {
+  const std::string_view number = number_cell(sheet.at(line, column)).number;
+  const bool has_comma = std::count(number.begin(), number.end(), ',') == 1;
+  return sheet.number(line, column, {has_comma && number.find('.') == std::string_view::npos ? ',' : '.', '\0'});
+}
+
+Layout without_statistics(const Sheet& sheet, Layout layout) {
+  for (TableBlock& block : layout.blocks) {
+    std::vector<std::vector<double>> columns;
+    for (std::size_t column = 0; column < layout.numeric.size(); ++column) {
+      if (!layout.numeric[column]) continue;
+      std::vector<double>& numbers = columns.emplace_back();
+      for (const std::size_t line : block.rows) numbers.push_back(roughly(sheet, line, column));
+    }
+    auto [rows, notes] = statistics_among(sheet, block.rows, columns);
+    block.rows = without_rows(std::move(block.rows), rows);
+    layout.notes.insert(layout.notes.end(), notes.begin(), notes.end());
+  }
+  return layout;
+}
+
+// Most numbers of a file stand in lines with numbers in the same columns: those are its rows. What looks like
+// names or units between them begins another table. Rows of statistics (io/statistics_rows.h) are none, by their labels, or
+// without one by their numbers.
+Layout layout_of(const Sheet& sheet) {
+  const UsualRow usual = usual_row(sheet);
+  Layout layout{.columns = usual.cells, .numeric = std::vector<bool>(usual.cells)};
+  for (std::size_t i = 0; i < usual.pattern.size(); ++i) layout.numeric[i] = usual.pattern[i] == '1';
+  std::vector<std::size_t> gap;  // lines since the last row that are none
+  for (std::size_t line = 0; line < sheet.size(); ++line) {
+    const Cells cells = sheet.cells(line);
+    const bool is_one = is_row(sheet, line, usual);
+    const bool begins = layout.blocks.empty() || (is_one && std::any_of(gap.begin(), gap.end(), [&](std::size_t each) {
+                                                    return begins_table(sheet, each, usual);
+                                                  }));
+    // A line of numbers among the remarks above a table is not its first row: that fits.
+    if (!is_one || (begins && !fits(cells, usual))) {
+      if (is_one || !is_blank(cells)) gap.push_back(line);
+      continue;
+    }
+    if (begins) {
+      layout.blocks.push_back(begun_at(sheet, line, std::exchange(gap, {}), usual));
+    } else {
+      TableBlock& block = layout.blocks.back();
+      for (const std::size_t each : std::exchange(gap, {}))
+        if (!sheet.is_comment(each))
+          (is_damaged_row(sheet.cells(each), usual) ? block.rows : block.misfits).push_back(each);
+    }
+    TableBlock& block = layout.blocks.back();
+    (fits(cells, usual) ? block.rows : block.misfits).push_back(line);
+  }
+  if (layout.blocks.empty())
+    throw InputError({.expected = "rows of numbers", .found = "no row with as many cells as the others"});
+  TableBlock& last = layout.blocks.back();
+  // The end of a file that was cut off: words or a short row as its last line.
+  if (!last.misfits.empty() && last.misfits.back() > last.rows.back() && gap.empty()) {
+    last.misfits.pop_back();
+    layout.cut_off = true;
+  } else if (gap.size() == 1 && gap.back() + 1 == sheet.size() && has_number(sheet.at(gap.back(), 0)) &&
+             sheet.cells(gap.back()).size() < usual.cells) {
+    gap.clear();
+    layout.cut_off = true;
+  }
+  layout.remarks = std::move(gap);
+  for (const TableBlock& block : layout.blocks)
+    if (block.misfits.size() * misfit_share > block.rows.size())
+      throw InputError(
+          {.line = block.misfits.front() + 1,
+           .expected = fmt::format("rows of {} cells", layout.columns),
+           .found = fmt::format("{} lines with more or fewer cells, beside {} rows", block.misfits.size(),
+                                block.rows.size()),
+           .remedy = "name the separator with --separator, or delete the lines that do not belong to the table"});
+  return without_statistics(sheet, std::move(layout));
 }
 
 // ---- how numbers are written
@@ -440,7 +704,7 @@ std::string program_of(const Export& file, bool has_bracketed_units) {
   for (const std::string_view word :
        {"standardkraft", "standardweg", "force standard", "course standard", "standard force", "standard travel"})
     if (has(titles, word)) return "Zwick testXpert";
-  if (file.encoding == Encoding::shift_jis || has(titles, "試験力") || has(titles, "ストローク"))
+  if (file.origin.encoding == Encoding::shift_jis || has(titles, "試験力") || has(titles, "ストローク"))
     return "Shimadzu Trapezium";
   if (has(titles, "setname|cycle")) return "CellScale";
   if (has(titles, "run #")) return "PASCO Capstone";
@@ -478,23 +742,26 @@ void require_names(const Export& file, const TableBlock& main) {
 }
 
 // Dates are no numbers, where a column that means something holds them.
-void require_no_dates(const Export& file, const WorkbookSheet& workbook) {
+void require_no_dates(const Export& file, const SheetFile& sheet) {
   for (const ExportedSpecimen& specimen : file.specimens)
     for (const ExportColumn& column : specimen.columns)
       for (std::size_t row = 0; column.role != ColumnRole::other && row < specimen.lines.size(); ++row)
-        if (std::isnan(column.values[row]) && is_dated(workbook.cells.kind(specimen.lines[row] - 1, column.number - 1)))
-          throw workbook.dated(file.source, specimen.lines[row] - 1, column.number - 1,
-                               fmt::format("a number in the column {}", in_quotes(column.name)));
+        if (std::isnan(column.values[row]) && is_dated(sheet.cells.kind(specimen.lines[row] - 1, column.number - 1)))
+          throw dated(sheet, specimen.lines[row] - 1, column.number - 1,
+                      fmt::format("a number in the column {}", in_quotes(column.name)));
 }
 
-// An export whose source, encoding and separator are known.
-Export export_in(Export file, const Sheet& sheet, const ExportOptions& options) {
+// What a sheet holds.
+Export recognise(const SheetFile& opened, const ExportOptions& options) {
+  const Sheet& sheet = opened.cells;
   const Layout layout = layout_of(sheet);
-  const auto [format, apply] = marks_in(sheet, layout, options, file.separator);
-  file.quoted = sheet.quoted();
-  file.decimal = format.decimal;
-  file.thousands = format.thousands;
-  file.has_marks = apply;
+  const auto [format, apply] = marks_in(sheet, layout, options, opened.origin.separator);
+  Export file{.origin = opened.origin,
+              .decimal = format.decimal,
+              .thousands = format.thousands,
+              .has_marks = apply,
+              .quoted = sheet.quoted(),
+              .notes = opened.notes};
   const TableBlock& main =
       *std::max_element(layout.blocks.begin(), layout.blocks.end(),
                         [](const auto& a, const auto& b) { return a.rows.size() < b.rows.size(); });
@@ -515,42 +782,31 @@ Export export_in(Export file, const Sheet& sheet, const ExportOptions& options) 
   const bool has_bracketed_units = !main.titles.empty() && !main.units.empty() &&
                                    sheet.text(main.header_line + 1).find('(') != std::string_view::npos;
   file.format = program_of(file, has_bracketed_units);
-  return decided(std::move(file), options, format, layout.blocks.front().header_line + 1);
+  file = decided(std::move(file), options, format, layout.blocks.front().header_line + 1);
+  require_no_dates(file, opened);
+  return file;
 }
 
-Export read_text(std::string text, Export file, const ExportOptions& options) {
-  static constexpr std::string_view known = ",;\t ";
-  if (options.separator && known.find(*options.separator) == std::string_view::npos)
-    throw InputError({.field = "separator",
-                      .expected = "a comma, a semicolon, a tab or a space",
-                      .found = in_quotes(std::string_view(&*options.separator, 1))});
-  file.separator = options.separator ? *options.separator : separator_of(text);
-  const Sheet sheet(std::move(text), file.separator);
-  return export_in(std::move(file), sheet, options);
+bool is_empty(const Sheet& sheet) {
+  for (std::size_t line = 0; line < sheet.size(); ++line)
+    if (!trimmed(sheet.text(line)).empty()) return false;
+  return true;
 }
 
-Export read_workbook(std::string_view bytes, Export file, const ExportOptions& options) {
-  WorkbookSheet workbook = read_sheet(bytes, options.sheet);
-  file.sheet = workbook.name;
-  file.sheets = workbook.sheets;
-  file.sheet_is_chosen = workbook.is_chosen;
-  file.notes = workbook.notes;
-  file.has_delimiters = workbook.text.has_value();
-  for (const auto& [is_given, flag] :
-       {std::pair{options.encoding.has_value(), "--encoding"}, std::pair{options.separator.has_value(), "--separator"}})
-    if (is_given && !file.has_delimiters)
-      throw InputError({.field = flag,
-                        .expected = "a text file",
-                        .found = "a workbook, which needs no such choice",
-                        .remedy = fmt::format("leave {} out", flag)});
+// The same, with the place of what is refused.
+Export recognised(const SheetFile& file, const ExportOptions& options) {
   try {
-    if (workbook.text) return read_text(std::move(*workbook.text), std::move(file), options);
-    Export read = export_in(std::move(file), workbook.cells, options);
-    require_no_dates(read, workbook);
-    return read;
+    if (is_empty(file.cells))
+      throw InputError(
+          {.expected = "rows of numbers",
+           .found = file.origin.byte_order_mark ? "an empty file: a byte order mark and nothing else" : "an empty file",
+           .remedy = "export the test again"});
+    return recognise(file, options);
   } catch (const InputError& error) {
-    if (workbook.is_chosen) throw;
-    throw with_other_sheets(error, workbook.name, workbook.sheets);
+    const InputFault& fault = error.fault;
+    const bool is_placed = !fault.file.empty() || (fault.field.starts_with("--") && fault.key.empty());
+    throw with_other_sheets(is_placed ? error : located(error, file.origin.source, fault.line, fault.field),
+                            file.origin);
   }
 }
 
@@ -580,12 +836,14 @@ char mark_of(const std::string& text, std::string_view flag, std::string_view al
 
 }  // namespace
 
+std::string said(const ReadingWords& words, std::string_view name) {
+  const auto found = words.find(name);
+  return found == words.end() ? std::string() : found->second;
+}
+
 ExportOptions options_of(const ReadingWords& words) {
   using namespace std::string_view_literals;
-  const auto said = [&](std::string_view name) {
-    const auto found = words.find(name);
-    return found == words.end() ? std::string() : found->second;
-  };
+  const auto said = [&](std::string_view name) { return flexslip::said(words, name); };
   ExportOptions options;
   if (const std::string sheet = said("sheet"); !sheet.empty()) options.sheet = sheet;
   if (const std::string number = said("sheet-number"); !number.empty()) options.sheet = std::size_t{std::stoul(number)};
@@ -617,54 +875,41 @@ std::vector<Metadatum> all_metadata(const Export& file) {
   return all;
 }
 
-Export read_export(std::string_view bytes, const std::string& source, const ExportOptions& options) {
-  Export file{.source = source};
-  try {
-    if (is_packed(bytes)) return read_workbook(bytes, std::move(file), options);
-    if (options.sheet) throw no_workbook("");
-    DecodedText decoded = decode(bytes, options.encoding);
-    if (decoded.text.find_first_not_of(" \t\r\n") == std::string::npos)
-      throw InputError({.expected = "rows of numbers",
-                        .found = decoded.byte_order_mark ? "an empty file: a byte order mark and nothing else"
-                                 : bytes.empty()         ? "an empty file"
-                                                         : "an empty file: blanks only",
-                        .remedy = "export the test again"});
-    file.encoding = decoded.encoding;
-    file.byte_order_mark = decoded.byte_order_mark;
-    return read_text(std::move(decoded.text), std::move(file), options);
-  } catch (const InputError& error) {
-    const bool is_of_call = error.fault.field.starts_with("--") && error.fault.key.empty();
-    if (!error.fault.file.empty() || is_of_call) throw;
-    throw located(error, source, error.fault.line, error.fault.field);
-  }
+Export read_export(const std::string& path, const ExportOptions& options) {
+  return recognised(open_sheet(path, options.file(), SheetFor::readings), options);
 }
 
-Export read_export(const std::string& path, const ExportOptions& options) {
-  const auto in = open_to_read(path);
-  const std::string bytes{std::istreambuf_iterator<char>(*in), std::istreambuf_iterator<char>()};
-  return read_export(bytes, path == "-" ? "standard input" : path, options);
+Export export_in(std::string bytes, const std::string& source, const ExportOptions& options) {
+  return recognised(sheet_in(std::move(bytes), source, options.file(), SheetFor::readings), options);
 }
 
 std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
                           const Kind& kind) {
-  const auto refuse = [&](std::size_t line, std::string expected, std::string found, std::string remedy) {
-    throw InputError({file.source, line, "column " + in_quotes(column.name), std::move(expected), std::move(found),
-                      std::move(remedy)});
-  };
-  const std::optional<Unit> unit = machine_unit(column.unit);
-  const std::string wanted = fmt::format("a unit of {}", kind.name.substr(kind.name.find(' ') + 1));
   const RoleWords& words = words_for(column.role);
-  const std::string remedy =
-      fmt::format("state it with {}, as in {} {}", words.unit_flag, words.unit_flag, words.usual_unit);
-  if (volts_in(column.unit))
-    refuse(0, wanted, in_quotes(column.unit), "give its calibration, as in --calibration \"222 N/V\"");
-  if (!unit) refuse(0, wanted, column.unit.empty() ? "none" : in_quotes(column.unit) + ", which is unknown", remedy);
-  if (unit->dimension != kind.dimension) refuse(0, wanted, in_quotes(column.unit), remedy);
+  return in_si(file, specimen, column, kind, words.unit_flag, words.usual_unit);
+}
+
+std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
+                          const Kind& kind, std::string_view unit_flag, std::string_view usual_unit) {
+  const bool is_plain = kind.dimension == Dimension{} && column.unit.empty();
+  const std::optional<Unit> unit = is_plain ? Unit{} : machine_unit(column.unit);
+  const auto refuse = [&](std::string found) {
+    const bool is_voltage = kind.dimension == kind::force.dimension && volts_in(column.unit);
+    throw InputError({.file = file.origin.source,
+                      .field = "column " + in_quotes(column.name),
+                      .expected = fmt::format("a unit of {}", noun(kind)),
+                      .found = std::move(found),
+                      .remedy = is_voltage ? "give its calibration, as in --calibration \"222 N/V\""
+                                           : fmt::format("state it with {0}, as in {0} {1}", unit_flag, usual_unit)});
+  };
+  if (column.unit.empty() && !is_plain) refuse("none");
+  if (!unit) refuse(in_quotes(column.unit) + (volts_in(column.unit) ? "" : ", which is unknown"));
+  if (unit->dimension != kind.dimension) refuse(in_quotes(column.unit));
   std::vector<double> values;
   values.reserve(column.values.size());
   for (std::size_t row = 0; row < column.values.size(); ++row) {
     if (std::isnan(column.values[row]))
-      throw InputError({.file = file.source,
+      throw InputError({.file = file.origin.source,
                         .line = specimen.lines[row],
                         .field = "column " + in_quotes(column.name),
                         .expected = "a number",
@@ -674,6 +919,36 @@ std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, 
     values.push_back(to_si(column.values[row], *unit));
   }
   return values;
+}
+
+std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted,
+                         std::string_view flag) {
+  std::vector<std::size_t> by_number, by_name;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < specimen.columns.size(); ++i) {
+    const ExportColumn& column = specimen.columns[i];
+    names.push_back(column.name);
+    const bool by_title = !column.unit.empty() && (wanted == fmt::format("{} [{}]", column.name, column.unit) ||
+                                                   wanted == fmt::format("{} ({})", column.name, column.unit));
+    if (std::to_string(column.number) == wanted) by_number.push_back(i);
+    if (column.name == wanted || by_title) by_name.push_back(i);
+  }
+  const std::vector<std::size_t>& found = by_number.empty() ? by_name : by_number;
+  const auto refuse = [&](std::string expected, std::string what, std::string remedy) {
+    throw InputError({.file = file.origin.source,
+                      .field = std::string(flag),
+                      .expected = std::move(expected),
+                      .found = std::move(what),
+                      .remedy = std::move(remedy)});
+  };
+  if (found.empty())
+    refuse("one of the columns " + listed(names) + ", or its number", in_quotes(wanted), did_you_mean(wanted, names));
+  const ExportColumn& column = specimen.columns[found.front()];
+  if (found.size() > 1)
+    refuse("one column", fmt::format("{} called {}", found.size(), in_quotes(wanted)),
+           fmt::format("give its number: {} {}", flag, column.number));
+  if (!column.words.empty()) refuse("a column of numbers", fmt::format("words in {}", in_quotes(column.name)), "");
+  return found.front();
 }
 
 const ExportColumn& column_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role) {
@@ -687,7 +962,7 @@ const ExportColumn& column_with(const Export& file, const ExportedSpecimen& spec
     names.push_back(column.name);
   }
   if (found != nullptr && names.size() == 1) return *found;
-  throw InputError({.file = file.source,
+  throw InputError({.file = file.origin.source,
                     .field = std::string(words_for(role).word()),
                     .expected = "one column with it",
                     .found = names.empty() ? "no name that says so among " + listed(all) : "several: " + listed(names),

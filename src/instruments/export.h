@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "instruments/column_words.h"
-#include "instruments/encoding.h"
 #include "instruments/metadata.h"
 #include "io/quantity.h"
-#include "io/workbook.h"
+#include "io/sheet_file.h"
 
 namespace flexslip {
 
@@ -29,11 +28,14 @@ struct ExportOptions {
   std::map<ColumnRole, std::string> units{};    // of a column, whatever it states; "222 N/V" for a force given in volts
   std::optional<ColumnRole>
       displacement{};  // which displacement a column is whose words do not say: crosshead, deflection
+
+  SheetOptions file() const { return {sheet, encoding, separator}; }
 };
 
 // The same in words, by the names of flags: {"sheet", "Data"}, {"force-unit", "N"}. Nothing is said where they are missing or empty; "sheet-number"
 // is one that is no name.
 using ReadingWords = std::map<std::string, std::string, std::less<>>;
+std::string said(const ReadingWords& words, std::string_view name);  // empty if nothing is
 
 // Fails:      InputError that names the flag.
 ExportOptions options_of(const ReadingWords& words);
@@ -55,16 +57,10 @@ struct ExportedSpecimen {
 };
 
 struct Export {
-  std::string source;
-  std::optional<std::string> sheet{};  // of the workbook that it is, whose rows are the lines
-  std::vector<std::string> sheets{};   // of that workbook
-  bool sheet_is_chosen = false;        // by who called
-  std::string format{};                // "Instron Bluehill", ..., "table"
-  bool has_delimiters = true;          // encoding, separator and quotes; the cells of a workbook are apart
-  Encoding encoding = Encoding::utf8;
-  bool byte_order_mark = false;
-  char separator = '\t', decimal = '.', thousands = '\0';  // as in ExportOptions
-  bool has_marks = false;                                  // are there numbers in words, to which these apply?
+  SheetOrigin origin{};
+  std::string format{};                  // "Instron Bluehill", ..., "table"
+  char decimal = '.', thousands = '\0';  // as in ExportOptions
+  bool has_marks = false;                // are there numbers in words, to which these apply?
   bool quoted = false;
   std::vector<ExportedSpecimen> specimens{};  // at least one, with at least one row
   std::vector<Metadatum> metadata{};
@@ -79,17 +75,25 @@ struct Export {
 // What a file says of itself; of one specimen, with what it says of that.
 std::vector<Metadatum> all_metadata(const Export& file);
 
-// Reads an export from its bytes.
+// Recognises what the bytes of a file hold.
 // Fails:      InputError with file, line and remedy: nothing in it, no numbers, columns that cannot be told apart.
-Export read_export(std::string_view bytes, const std::string& source, const ExportOptions& options = {});
+Export export_in(std::string bytes, const std::string& source, const ExportOptions& options = {});
 
 // The same from a file; "-" is standard input.
 Export read_export(const std::string& path, const ExportOptions& options = {});
 
 // A column's values in SI.
-// Fails:      InputError for a missing unit, a unit of another kind (a force in volts), a row without a number; with its line.
+// Fails:      InputError for a missing unit, a unit of another kind (a force in volts), a row without a number; with its line. A unit is stated
+//             with the flags of the column's role, or with that given, as in "--height-unit um".
 std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
                           const Kind& kind);
+std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
+                          const Kind& kind, std::string_view unit_flag, std::string_view usual_unit);
+
+// The index of the column of numbers that a user names with a flag: by number, as repeat_with says it, by name, or by name and unit.
+// Fails:      InputError if there is none, or several of this name.
+std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted,
+                         std::string_view flag);
 
 // The column with a role.
 // Fails:      InputError if none has it, or several.

@@ -107,14 +107,16 @@ Fields<ToldExport> export_fields() {
   using E = const ToldExport&;
   const auto chosen = [](E told) -> const ExportedSpecimen& { return told.file.specimens.at(told.chosen); };
   const auto of = [](auto part) { return [part](E told) { return told.file.*part; }; };
+  const auto of_origin = [](auto part) { return [part](E told) { return told.file.origin.*part; }; };
   const auto mark = [](char Export::*part) { return [part](E told) { return text_of(told.file.*part); }; };
   return Fields<ToldExport>()
       .words("format", "format of the file: Instron Bluehill, …, or table", of(&Export::format))
-      .words("sheet", "sheet of the workbook (.xlsx) that was read; null for a text file", of(&Export::sheet))
-      .words("sheets", "sheets of the workbook, in their order", of(&Export::sheets))
-      .words("encoding", "encoding of the text", [](E told) { return name_of(told.file.encoding); })
-      .yes_no("byte_order_mark", "the file begins with a byte order mark", of(&Export::byte_order_mark))
-      .words("delimiter", "separator between columns", mark(&Export::separator))
+      .words("sheet", "sheet of the workbook (.xlsx) that was read; null for a text file",
+             of_origin(&SheetOrigin::sheet))
+      .words("sheets", "sheets of the workbook, in their order", of_origin(&SheetOrigin::sheets))
+      .words("encoding", "encoding of the text", [](E told) { return name_of(told.file.origin.encoding); })
+      .yes_no("byte_order_mark", "the file begins with a byte order mark", of_origin(&SheetOrigin::byte_order_mark))
+      .words("delimiter", "separator between columns", [](E told) { return text_of(told.file.origin.separator); })
       .words("decimal", "decimal mark", mark(&Export::decimal))
       .words("thousands", "mark between thousands; null without one", mark(&Export::thousands))
       .yes_no("quoted", "cells stand in quotes", of(&Export::quoted))

@@ -36,20 +36,13 @@ std::vector<std::string> names_of(const Columns& columns) {
   return names;
 }
 
-// The one that a user names.
-TraceColumn named(const Export& file, const Columns& columns, const std::string& wanted, std::string_view flag,
-                  const std::string& unit) {
-  for (const ExportColumn* column : columns)
-    if (wanted == std::to_string(column->number) || wanted == column->name) return {column, unit};
-  const ColumnTitle title = parse_column_title(wanted);
-  for (const ExportColumn* column : columns)
-    if (title.name == column->name) return {column, title.unit.empty() ? unit : title.unit};
-  const std::string meant = nearest(title.name, names_of(columns));
-  throw InputError({.file = file.source,
-                    .field = std::string(flag),
-                    .expected = "one of the columns " + listed(names_of(columns)) + ", or its number",
-                    .found = in_quotes(wanted),
-                    .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?"});
+// The one that a user names, perhaps with its unit in brackets.
+TraceColumn named(const Export& file, const std::string& wanted, std::string_view flag, const std::string& unit) {
+  const ExportedSpecimen& all = file.specimens.front();
+  const bool is_whole = std::any_of(all.columns.begin(), all.columns.end(),
+                                    [&](const ExportColumn& column) { return column.name == wanted; });
+  const ColumnTitle title = is_whole ? ColumnTitle{wanted, ""} : parse_column_title(wanted);
+  return {&all.columns[column_named(file, all, title.name, flag)], title.unit.empty() ? unit : title.unit};
 }
 
 // The one whose words say what it is.
@@ -69,7 +62,7 @@ const ExportColumn* told(const Columns& columns, std::span<const std::string_vie
 const ExportColumn* other_than(const Columns& two, const ExportColumn* one) { return two[one == two[0] ? 1 : 0]; }
 
 [[noreturn]] void ask(const Export& file, const Columns& columns, std::string_view what) {
-  throw InputError({.file = file.source,
+  throw InputError({.file = file.origin.source,
                     .expected = fmt::format("a column known to hold the {}", what),
                     .found = "the columns " + listed(names_of(columns)),
                     .remedy = fmt::format("name it with --{}, by name or number", what)});
@@ -77,34 +70,26 @@ const ExportColumn* other_than(const Columns& two, const ExportColumn* one) { re
 
 // The values of a column [SI, or reduced].
 std::vector<double> values_of(const Export& file, const TraceColumn& of, const Kind& kind, std::string_view flag) {
-  const ExportColumn& column = *of.column;
-  const auto refuse = [&](std::size_t line, std::string expected, std::string found, std::string remedy) {
-    throw InputError({file.source, line, "column " + in_quotes(column.name), std::move(expected), std::move(found),
-                      std::move(remedy)});
+  ExportColumn column = *of.column;
+  const auto refuse = [&](std::string expected, std::string found, std::string remedy) {
+    throw InputError({.file = file.origin.source,
+                      .field = "column " + in_quotes(column.name),
+                      .expected = std::move(expected),
+                      .found = std::move(found),
+                      .remedy = std::move(remedy)});
   };
   const std::optional<Unit> stated = machine_unit(column.unit), given = machine_unit(of.unit);
-  if (kind.dimension == Dimension{}) {
-    if (!column.unit.empty() || !of.unit.empty())
-      refuse(0, "plain numbers, in spans, as the case is reduced", in_quotes(column.unit + of.unit), "");
-  } else {
-    if (!of.unit.empty() && (!given || given->dimension != kind.dimension))
+  if (kind.dimension == Dimension{} && !(column.unit.empty() && of.unit.empty()))
+    refuse("plain numbers, in spans, as the case is reduced", in_quotes(column.unit + of.unit), "");
+  if (!of.unit.empty()) {
+    if (!given || given->dimension != kind.dimension)
       throw InputError({.field = std::string(flag), .expected = "a unit of length", .found = in_quotes(of.unit)});
-    if (!given && (!stated || stated->dimension != kind.dimension))
-      refuse(0, "a unit of length", column.unit.empty() ? "none" : in_quotes(column.unit),
-             fmt::format("state it with {}, as in {} um", flag, flag));
-    if (given && stated && *given != *stated)
-      refuse(0, fmt::format("the unit {}, as you say", in_quotes(of.unit)), in_quotes(column.unit),
+    if (stated && *given != *stated)
+      refuse(fmt::format("the unit {}, as you say", in_quotes(of.unit)), in_quotes(column.unit),
              "leave the unit out, as the file states it");
+    column.unit = of.unit;
   }
-  const Unit unit = given ? *given : stated.value_or(Unit{});
-  std::vector<double> values;
-  values.reserve(column.values.size());
-  for (const double value : column.values) {
-    if (!std::isfinite(value))
-      refuse(file.specimens.front().lines[values.size()], "a number", "none", "delete the line");
-    values.push_back(to_si(value, unit));
-  }
-  return values;
+  return in_si(file, file.specimens.front(), column, kind, flag, "um");
 }
 
 void require_rising(const TraceFile& read, std::span<const double> x, const Kind& kind) {
@@ -122,16 +107,12 @@ void require_rising(const TraceFile& read, std::span<const double> x, const Kind
 }  // namespace
 
 TraceOptions trace_options_of(const ReadingWords& words) {
-  const auto said = [&](std::string_view name) {
-    const auto found = words.find(name);
-    return found == words.end() ? std::string() : found->second;
-  };
   TraceOptions options{.file = options_of(words),
-                       .position = said("position"),
-                       .height = said("height"),
-                       .position_unit = said("position-unit"),
-                       .height_unit = said("height-unit")};
-  if (const std::string step = said("step"); !step.empty()) try {
+                       .position = said(words, "position"),
+                       .height = said(words, "height"),
+                       .position_unit = said(words, "position-unit"),
+                       .height_unit = said(words, "height-unit")};
+  if (const std::string step = said(words, "step"); !step.empty()) try {
       options.step = parse_quantity(step, kind::length, Range::positive);
     } catch (const InputError& error) {
       throw located(error, "", 0, "--step");
@@ -142,19 +123,19 @@ TraceOptions trace_options_of(const ReadingWords& words) {
 TraceFile read_trace(const std::string& path, const TraceOptions& options, const Kind& kind) {
   const Export file = read_export(path, options.file);
   if (file.specimens.size() != 1)
-    throw InputError({.file = file.source,
+    throw InputError({.file = file.origin.source,
                       .expected = "one trace",
                       .found = fmt::format("{} tables", file.specimens.size()),
                       .remedy = "write each into a file of its own"});
-  TraceFile read{file.source, "", "", file.specimens.front().lines, {}, file.notes};
+  TraceFile read{file.origin.source, "", "", file.specimens.front().lines, {}, file.notes};
   Columns columns;
   for (const ExportColumn& column : file.specimens.front().columns)
     if (column.words.empty()) columns.push_back(&column);
   if (columns.empty()) ask(file, columns, "height");
 
   TraceColumn position{nullptr, options.position_unit}, height{nullptr, options.height_unit};
-  if (!options.position.empty()) position = named(file, columns, options.position, "--position", position.unit);
-  if (!options.height.empty()) height = named(file, columns, options.height, "--height", height.unit);
+  if (!options.position.empty()) position = named(file, options.position, "--position", position.unit);
+  if (!options.height.empty()) height = named(file, options.height, "--height", height.unit);
   const bool has_positions = !options.step && (position.column != nullptr || columns.size() > 1);
   if (position.column == nullptr && has_positions) {
     position.column = columns.size() > 2         ? told(columns, of_position, height.column)
@@ -171,12 +152,12 @@ TraceFile read_trace(const std::string& path, const TraceOptions& options, const
   read.height = height.column->name;
   const std::vector<double> z = values_of(file, height, kind, "--height-unit");
   if (z.size() < fewest_heights)
-    throw InputError({.file = file.source,
+    throw InputError({.file = file.origin.source,
                       .expected = fmt::format("{} heights or more", fewest_heights),
                       .found = fmt::format("{}", z.size())});
   if (!has_positions) {
     if (!options.step)
-      throw InputError({.file = file.source,
+      throw InputError({.file = file.origin.source,
                         .expected = "a column of positions beside the heights, or their distance",
                         .found = fmt::format("the column {}", in_quotes(read.height)),
                         .remedy = "state the distance with --step, as in --step \"0.1 um\""});
@@ -184,7 +165,8 @@ TraceFile read_trace(const std::string& path, const TraceOptions& options, const
     return read;
   }
   if (position.column == height.column)
-    throw InputError({.file = file.source, .expected = "two columns", .found = in_quotes(read.height) + " for both"});
+    throw InputError(
+        {.file = file.origin.source, .expected = "two columns", .found = in_quotes(read.height) + " for both"});
   read.position = position.column->name;
   const std::vector<double> x = values_of(file, position, kind, "--position-unit");
   require_rising(read, x, kind);

@@ -143,4 +143,9 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates, std::string otherwise) {
+  const std::string meant = nearest(word, candidates);
+  return meant.empty() ? otherwise : fmt::format("did you mean {}?", in_quotes(meant));
+}
+
 }  // namespace flexslip

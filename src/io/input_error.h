@@ -66,4 +66,7 @@ std::string on_lines(std::span<const std::size_t> lines);
 // Method:     optimal string alignment distance, letters of either case alike; near is at most a third of the letters.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
+// A remedy that names it: "did you mean 'F_N'?"; where none is near, another remedy.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates, std::string otherwise = "");
+
 }  // namespace flexslip

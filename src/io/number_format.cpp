@@ -81,12 +81,9 @@ std::string with_plain_spaces(std::string_view cell) {
 }
 
 // A number with a decimal point, or NaN. Infinities are none: no instrument measures them.
-double plain_number(std::string_view text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole && std::isfinite(value) ? value : none;
+double finite_number(std::string_view text) {
+  const std::optional<double> value = plain_number(text);
+  return value && std::isfinite(*value) ? *value : none;
 }
 
 // ---- decimal commas that were taken for separators of thousands
@@ -144,9 +141,17 @@ bool decides(const Candidates& a, std::size_t chosen_a, const Candidates& b, std
 
 }  // namespace
 
+std::optional<double> plain_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_whole = error == std::errc{} && end == text.data() + text.size();
+  return is_whole ? std::optional(value) : std::nullopt;
+}
+
 double number_in(std::string_view cell, const NumberFormat& format) {
   if (format.decimal == '.' && format.thousands != '.')
-    if (const double value = plain_number(cell); !std::isnan(value)) return value;
+    if (const double value = finite_number(cell); !std::isnan(value)) return value;
   const std::string spaced = with_plain_spaces(cell);
   const std::string_view mantissa = mantissa_of(spaced);
   const std::string_view whole = mantissa.substr(0, mantissa.find(format.decimal));
@@ -167,7 +172,7 @@ double number_in(std::string_view cell, const NumberFormat& format) {
       plain += c;
     }
   }
-  return plain_number(plain);
+  return finite_number(plain);
 }
 
 void NumberEvidence::add(std::string_view cell) {

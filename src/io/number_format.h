@@ -16,6 +16,10 @@ struct NumberFormat {
   bool operator==(const NumberFormat&) const = default;
 };
 
+// A text that is all one number with a decimal point: "-1.5e3", "+2", also "nan", "-inf" and "1e999". nullopt if it is none.
+// Max error:  correctly rounded.
+std::optional<double> plain_number(std::string_view text);
+
 // A cell as a number, NaN if it is none: digits with at most one decimal mark, in groups of three if at all in groups.
 // Cells that are 'nan', or empty, are none. Cells of a decimal mark that separates thousands too are none either: see Regrouped.
 // Max error:  correctly rounded.

@@ -110,30 +110,32 @@ std::string remedy_for_symbol(std::string_view symbol) {
       return fmt::format("a product of units needs a space, \"{} {}\"", symbol.substr(0, i), symbol.substr(i));
   static const std::vector<std::string> usual{"nm",  "um",  "mm",  "mN", "N",   "kN",  "Pa",
                                               "kPa", "MPa", "GPa", "mJ", "rad", "deg", "micron"};
-  if (const std::string meant = nearest(symbol, usual); !meant.empty())
-    return fmt::format("did you mean {}?", in_quotes(meant));
-  return "known are m, g, s, N, Pa, J, rad with prefixes, deg, in, mil, lbf, psi, ksi, Msi, kgf, min, h and %, as in "
-         "\"mN/um\" or \"N m^2\"";
+  return did_you_mean(symbol, usual,
+                      "known are m, g, s, N, Pa, J, rad with prefixes, deg, in, mil, lbf, psi, ksi, Msi, kgf, min, h "
+                      "and %, as in \"mN/um\" or \"N m^2\"");
 }
 
-// Digits of a power written in superscripts, as plain text: "⁻²" is "-2".
-std::string take_superscripts(std::string_view& text) {
-  static constexpr std::array<std::pair<std::string_view, char>, 11> superscripts{{{"⁰", '0'},
-                                                                                   {"¹", '1'},
-                                                                                   {"²", '2'},
-                                                                                   {"³", '3'},
-                                                                                   {"⁴", '4'},
-                                                                                   {"⁵", '5'},
-                                                                                   {"⁶", '6'},
-                                                                                   {"⁷", '7'},
-                                                                                   {"⁸", '8'},
-                                                                                   {"⁹", '9'},
-                                                                                   {"⁻", '-'}}};
+// A unit in ASCII: "N·m⁻²" is "N*m-2".
+std::string in_ascii(std::string_view text) {
+  static constexpr std::array<std::pair<std::string_view, char>, 13> signs{{{"⁰", '0'},
+                                                                            {"¹", '1'},
+                                                                            {"²", '2'},
+                                                                            {"³", '3'},
+                                                                            {"⁴", '4'},
+                                                                            {"⁵", '5'},
+                                                                            {"⁶", '6'},
+                                                                            {"⁷", '7'},
+                                                                            {"⁸", '8'},
+                                                                            {"⁹", '9'},
+                                                                            {"⁻", '-'},
+                                                                            {"·", '*'},
+                                                                            {"⋅", '*'}}};
   std::string plain;
-  for (std::size_t before = plain.size() + 1; before != plain.size();) {
-    before = plain.size();
-    for (const auto& [superscript, digit] : superscripts)
-      if (take(text, superscript)) plain += digit;
+  while (!text.empty()) {
+    const auto* const sign =
+        std::find_if(signs.begin(), signs.end(), [&](const auto& each) { return text.starts_with(each.first); });
+    plain += sign == signs.end() ? text.front() : sign->second;
+    text.remove_prefix(sign == signs.end() ? 1 : sign->first.size());
   }
   return plain;
 }
@@ -141,7 +143,7 @@ std::string take_superscripts(std::string_view& text) {
 // Reads units left to right: factor { (space | * | · | /) factor }.
 class UnitReader {
  public:
-  explicit UnitReader(std::string_view text) : whole_(text), rest_(text) {}
+  explicit UnitReader(std::string_view text) : whole_(text), ascii_(in_ascii(text)) {}
 
   Unit read() {
     if (take(rest_, "1")) {
@@ -159,7 +161,7 @@ class UnitReader {
         continue;
       }
       if (divided) refuse("one reading", "what follows a / is ambiguous; write \"N s/m\" or \"N/m/s\"");
-      take_times();
+      take(rest_, "*");  // a product needs no sign; a space has already been passed
       multiply_by_factor(1);
     }
     return unit_;
@@ -173,11 +175,6 @@ class UnitReader {
   void skip_spaces() {
     while (take(rest_, " ") || take(rest_, "\t")) {
     }
-  }
-
-  void take_times() {  // a product needs no sign; a space has already been passed
-    for (const std::string_view times : {"*", "·", "⋅"})
-      if (take(rest_, times)) return;
   }
 
   void multiply_by_factor(int sign) {
@@ -201,25 +198,16 @@ class UnitReader {
   }
 
   std::string_view take_symbol() {
-    static constexpr std::string_view ends[] = {" ", "\t", "*", "·", "⋅", "/", "^", "⁻", "¹", "²",
-                                                "³", "⁴",  "⁵", "⁶", "⁷", "⁸", "⁹", "0", "1", "2",
-                                                "3", "4",  "5", "6", "7", "8", "9", "-", "+"};
-    std::size_t length = rest_.size();
-    for (const std::string_view end : ends) length = std::min(length, rest_.find(end));
-    const std::string_view symbol = rest_.substr(0, length);
-    rest_.remove_prefix(length);
+    const std::string_view symbol = rest_.substr(0, rest_.find_first_of(" \t*/^0123456789-+"));
+    rest_.remove_prefix(symbol.size());
     return symbol;
   }
 
   int take_power() {
     const bool announced = take(rest_, "^") || take(rest_, "**");
-    std::string digits = take_superscripts(rest_);
-    if (digits.empty()) {
-      const std::size_t sign = rest_.starts_with('-') ? 1 : 0;  // "N m-1"
-      const std::size_t end = std::min(rest_.find_first_not_of("0123456789", sign), rest_.size());
-      digits = rest_.substr(0, end);
-      rest_.remove_prefix(end);
-    }
+    const std::size_t sign = rest_.starts_with('-') ? 1 : 0;  // "N m-1"
+    const std::string_view digits = rest_.substr(0, rest_.find_first_not_of("0123456789", sign));
+    rest_.remove_prefix(digits.size());
     if (digits.empty() && !announced) return 1;
     int power = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
@@ -229,8 +217,9 @@ class UnitReader {
   }
 
   std::string_view whole_;
-  std::string_view rest_;
-  Unit unit_;
+  std::string ascii_;
+  std::string_view rest_{ascii_};
+  Unit unit_{};
 };
 
 std::string name_of(Dimension dimension) {
@@ -344,9 +333,9 @@ std::string with_typeset_unit(const std::string& number, std::string_view unit) 
 
 double within(Range range, double value, std::string_view text, const Kind& kind) {
   const auto refuse = [&](std::string_view adjective, std::string_view remedy) {
-    const std::string_view noun = kind.name.substr(kind.name.find(' ') + 1);
-    throw InputError(
-        {.expected = fmt::format("a {} {}", adjective, noun), .found = in_quotes(text), .remedy = std::string(remedy)});
+    throw InputError({.expected = fmt::format("a {} {}", adjective, noun(kind)),
+                      .found = in_quotes(text),
+                      .remedy = std::string(remedy)});
   };
   if (std::isnan(value)) refuse("known", "");
   if (std::isinf(value) && !(range == Range::positive_or_infinite && value > 0)) refuse("finite", "");
@@ -388,13 +377,19 @@ double parse_quantity(std::string_view text, const Kind& kind, Range range) {
 
 Unit parse_unit(std::string_view text) { return UnitReader(trimmed(text)).read(); }
 
+std::optional<Unit> unit_named(std::string_view text) {
+  try {
+    return parse_unit(text);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 Unit parse_unit(std::string_view text, const Kind& kind) {
   const bool is_number = kind.dimension == Dimension{};
   const std::string_view body = trimmed(text);
   if (is_number && (body.empty() || body == "1" || body == "-")) return {};
-  const auto wanted = [&] {
-    return is_number ? std::string("no unit") : fmt::format("a unit of {}", kind.name.substr(kind.name.find(' ') + 1));
-  };
+  const auto wanted = [&] { return is_number ? std::string("no unit") : fmt::format("a unit of {}", noun(kind)); };
   const auto remedy = [&] { return is_number ? std::string() : "such as " + in_units("", kind); };
   if (body.empty()) throw InputError({.expected = wanted(), .found = "none", .remedy = remedy()});
   const Unit unit = parse_unit(body);
@@ -411,12 +406,7 @@ std::optional<Unit> machine_unit(std::string_view text) {
   if (small == "gf" || small == "p") return Unit{of_force, -3, standard_gravity};
   for (const auto& [spelling, unit] : spellings)
     if (spelling == small) body = unit;
-  if (body.empty() || body.size() > longest_spelling) return std::nullopt;
-  try {
-    return parse_unit(body);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  return body.empty() || body.size() > longest_spelling ? std::nullopt : unit_named(body);
 }
 
 std::optional<double> volts_in(std::string_view text) {

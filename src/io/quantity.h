@@ -38,6 +38,9 @@ struct Kind {
   std::string_view example;                 // "1278 um"
 };
 
+// Its name without the article, "length".
+constexpr std::string_view noun(const Kind& kind) { return kind.name.substr(kind.name.find(' ') + 1); }
+
 namespace kind {
 namespace shown_in {
 inline constexpr std::array<std::string_view, 4> length{"nm", "um", "mm", "m"};
@@ -87,6 +90,9 @@ double within(Range range, double value, std::string_view text, const Kind& kind
 // A unit from text.
 // Fails:      InputError, without a place, if the text is no unit.
 Unit parse_unit(std::string_view text);
+
+// The same; nullopt if the text is no unit.
+std::optional<Unit> unit_named(std::string_view text);
 
 // A unit from text that must be one of the given kind; kind::number also takes "", "1" and "-".
 // Fails:      InputError, without a place.

@@ -8,17 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "io/input_error.h"
 #include "io/text.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::size_t chunk = 1 << 20;  // [bytes] read at a time: large against a system call, small in memory
-constexpr std::size_t longest_line =
-    1 << 20;  // [bytes] no table has such lines; an endless one must not fill the memory
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t block = 1 << 16;    // [bytes] of the rows of a workbook that are kept together
 constexpr std::size_t sample = 1000;      // lines judged for the separator; more do not change the answer
 constexpr double of_blanks = 0.9;         // tabs are blanks too, but where they separate names have spaces in them
@@ -99,14 +94,11 @@ bool is_comment_or_blank(std::string_view line) {
 
 // Takes a line off the text, whatever ends it: \n, \r\n or \r.
 std::string_view take_line(std::string_view& text) {
-  const std::size_t end = text.find_first_of("\r\n");
+  std::size_t end = 0;
+  while (end < text.size() && text[end] != '\n' && text[end] != '\r') ++end;
   const std::string_view line = text.substr(0, end);
-  if (end == std::string_view::npos) {
-    text = {};
-  } else {
-    const bool pair = text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n';
-    text.remove_prefix(end + (pair ? 2 : 1));
-  }
+  const bool is_pair = text.substr(end, 2) == "\r\n";
+  text.remove_prefix(std::min(end + (is_pair ? 2 : 1), text.size()));
   return line;
 }
 
@@ -131,7 +123,12 @@ bool is_dated(CellKind kind) {
 
 Sheet::Sheet(std::string text, char separator) {
   texts_.push_back(std::move(text));
-  for (std::string_view rest = texts_.front(); !rest.empty();) cut(take_line(rest), separator);
+  const std::string_view all = texts_.front();
+  const auto count = [&](char c) { return static_cast<std::size_t>(std::count(all.begin(), all.end(), c)); };
+  const std::size_t lines = 1 + count('\n');
+  lines_.reserve(lines);
+  cells_.reserve(lines + count(separator));
+  for (std::string_view rest = all; !rest.empty();) cut(take_line(rest), separator);
 }
 
 void Sheet::cut(std::string_view line, char separator) {
@@ -141,6 +138,7 @@ void Sheet::cut(std::string_view line, char separator) {
   while (const std::optional<std::string_view> cell = reader.next())
     cells_.push_back(may_be_quoted ? unescaped(*cell, texts_) : *cell);
   if (reader.broken()) {  // the quotes mean nothing
+    stray_quotes_.emplace(lines_.size(), cells_.size() - first + 1);
     cells_.resize(first);
     CellReader plain(line, separator);
     while (const std::optional<std::string_view> cell = plain.next_plain()) cells_.push_back(*cell);
@@ -189,6 +187,16 @@ void Sheet::fill() {
   kinds_ = std::move(filled.kinds_);
 }
 
+bool Sheet::is_blank(std::size_t line) const {
+  const auto all = cells(line);
+  return std::all_of(all.begin(), all.end(), [](std::string_view cell) { return cell.empty(); });
+}
+
+std::size_t Sheet::stray_quote(std::size_t line) const {
+  const auto found = stray_quotes_.find(line);
+  return found == stray_quotes_.end() ? 0 : found->second;
+}
+
 std::string_view Sheet::at(std::size_t line, std::size_t column) const {
   return column < lines_[line].cells ? cells_[lines_[line].first_cell + column] : std::string_view{};
 }
@@ -212,104 +220,6 @@ std::string Sheet::shown(std::size_t line, std::size_t column) const {
   return is_dated(held) ? shown_days(days(line, column), held, dates_from_1904_) : std::string(at(line, column));
 }
 
-TableRows::TableRows(std::istream& in, std::string source) : in_(&in), source_(std::move(source)) {
-  refill();
-  if (buffer_.starts_with(byte_order_mark)) begin_ += byte_order_mark.size();
-  if (buffer_.find('\n', begin_) == std::string::npos && buffer_.find('\r', begin_) != std::string::npos)
-    ending_ = '\r';
-}
-
-TableRows::TableRows(const Sheet& sheet, std::string source) : sheet_(&sheet), source_(std::move(source)) {}
-
-bool TableRows::next() {
-  if (sheet_ != nullptr) {
-    for (; number_ < sheet_->size(); ++number_) {
-      const auto cells = sheet_->cells(number_);
-      const bool is_blank = std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.empty(); });
-      if (!is_blank && !sheet_->is_comment(number_)) return ++number_, true;
-    }
-    return false;
-  }
-  for (auto line = next_line(); line; line = next_line()) {
-    line_ = *line;
-    if (!is_comment_or_blank(line_)) return true;
-  }
-  return false;
-}
-
-std::optional<std::string_view> TableRows::next_line() {
-  std::size_t end = buffer_.find(ending_, begin_);
-  while (end == std::string::npos) {
-    const std::size_t unread = buffer_.size() - begin_;
-    if (unread > longest_line) {
-      ++number_;
-      refuse("lines of a table", "a line longer than 1 MiB", "");
-    }
-    if (!refill()) break;
-    end = buffer_.find(ending_, unread);
-  }
-  if (begin_ == buffer_.size()) return std::nullopt;
-  ++number_;
-  std::string_view line = std::string_view(buffer_).substr(begin_, end == std::string::npos ? end : end - begin_);
-  begin_ = std::min(begin_ + line.size() + 1, buffer_.size());
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
-bool TableRows::refill() {
-  buffer_.erase(0, begin_);
-  begin_ = 0;
-  const std::size_t kept = buffer_.size();
-  buffer_.resize(kept + chunk);
-  in_->read(buffer_.data() + kept, static_cast<std::streamsize>(chunk));
-  const auto got = static_cast<std::size_t>(in_->gcount());
-  buffer_.resize(kept + got);
-  if (in_->bad()) refuse("a readable file", "an error while reading", "");
-  if (const std::size_t nul = buffer_.find('\0', kept); nul != std::string::npos) refuse_binary(nul);
-  return got > 0;
-}
-
-void TableRows::refuse_binary(std::size_t nul) {
-  if (number_ == 0 && (buffer_.starts_with("\xFF\xFE") || buffer_.starts_with("\xFE\xFF")))
-    refuse("UTF-8 text", "UTF-16 text", "save the file as UTF-8 or as plain CSV");
-  number_ += 1 + static_cast<std::size_t>(std::count(buffer_.data(), buffer_.data() + nul, ending_));
-  refuse("a table as text", "binary data (a NUL byte)", "export the measurement as CSV");
-}
-
-void TableRows::refuse(std::string expected, std::string found, std::string remedy) const {
-  throw InputError({.file = source_,
-                    .line = number_,
-                    .expected = std::move(expected),
-                    .found = std::move(found),
-                    .remedy = std::move(remedy)});
-}
-
-char TableRows::delimiter() const {
-  if (sheet_ != nullptr) return '\t';
-  constexpr std::array<char, 3> candidates{',', ';', '\t'};
-  std::array<std::size_t, 3> count{};
-  bool in_quotes = false;
-  for (const char c : line_) {
-    if (c == '"') in_quotes = !in_quotes;
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (!in_quotes && c == candidates[i]) ++count[i];
-  }
-  const auto most = std::max_element(count.begin(), count.end());
-  return *most == 0 ? ' ' : candidates[static_cast<std::size_t>(most - count.begin())];
-}
-
-std::span<const std::string_view> TableRows::cells(char delimiter) {
-  if (sheet_ != nullptr) return sheet_->cells(number_ - 1);
-  cells_.clear();
-  unescaped_.clear();
-  CellReader reader(line_, delimiter);
-  while (const std::optional<std::string_view> cell = reader.next()) cells_.push_back(unescaped(*cell, unescaped_));
-  if (reader.broken())
-    refuse("quotes in pairs around a whole cell", fmt::format("a stray quote in cell {}", cells_.size() + 1),
-           "delete it");
-  return cells_;
-}
-
 char separator_of(std::string_view text) {
   constexpr std::array candidates{';', '\t', ',', ' '};  // of equals the first
   std::array<double, candidates.size()> score{};
@@ -325,6 +235,21 @@ char separator_of(std::string_view text) {
   const auto best = std::max_element(score.begin(), score.end());
   if (*best == *std::min_element(score.begin(), score.end() - 1)) return ',';
   return candidates[static_cast<std::size_t>(best - score.begin())];
+}
+
+char separator_of_titles(std::string_view text) {
+  std::string_view titles;
+  while (!text.empty() && is_comment_or_blank(titles)) titles = take_line(text);
+  constexpr std::array candidates{',', ';', '\t'};
+  std::array<std::size_t, candidates.size()> count{};
+  bool in_quotes = false;
+  for (const char c : titles) {
+    if (c == '"') in_quotes = !in_quotes;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (!in_quotes && c == candidates[i]) ++count[i];
+  }
+  const auto most = std::max_element(count.begin(), count.end());
+  return *most == 0 ? ' ' : candidates[static_cast<std::size_t>(most - count.begin())];
 }
 
 std::string shown_days(double days, CellKind kind, bool from_1904) {

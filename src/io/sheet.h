@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <istream>
-#include <optional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,7 +33,7 @@ struct SheetCell {
 // All lines of a text, or all rows of a sheet of a workbook. Lines and columns count from 0.
 class Sheet {
  public:
-  // Any line ending. A quote without its partner on the same line is an ordinary character. With a space as separator,
+  // Any line ending. A quote without its partner on the same line is an ordinary character: see stray_quote. With a space as separator,
   // runs of spaces and tabs separate.
   Sheet(std::string text, char separator);
 
@@ -52,6 +51,7 @@ class Sheet {
   // A line without its ending; of a workbook its cells, apart by tabs.
   std::string_view text(std::size_t line) const { return lines_[line].text; }
   bool is_comment(std::size_t line) const { return lines_[line].is_comment; }
+  bool is_blank(std::size_t line) const;                             // has no cell that is not empty
   std::span<const std::string_view> cells(std::size_t line) const {  // trimmed, without their quotes
     return std::span(cells_).subspan(lines_[line].first_cell, lines_[line].cells);
   }
@@ -66,6 +66,8 @@ class Sheet {
                     std::size_t column) const;  // a date or a clock time as it is shown; others as they stand
 
   bool quoted() const { return quoted_; }  // is any cell of the text?
+  // The first cell of a line with a quote that has no partner, counted from 1; 0 if there is none.
+  std::size_t stray_quote(std::size_t line) const;
 
  private:
   struct Line {
@@ -79,49 +81,18 @@ class Sheet {
   std::deque<std::string> texts_;  // that the cells are parts of; they stay where they are
   std::vector<Line> lines_;
   std::vector<std::string_view> cells_;
-  std::vector<CellKind> kinds_;  // of a workbook, of each cell
+  std::vector<CellKind> kinds_;                      // of a workbook, of each cell
+  std::map<std::size_t, std::size_t> stray_quotes_;  // of a line, the cell
   bool dates_from_1904_ = false, quoted_ = false;
-};
-
-// The rows of a table one by one: of a text of any size, in UTF-8, whatever ends its lines, or of a sheet.
-class TableRows {
- public:
-  // Fails:      InputError, also from next(), for what is no text in UTF-8: binary data, UTF-16, a line of more than 1 MiB.
-  TableRows(std::istream& in, std::string source);
-  TableRows(const Sheet& sheet, std::string source);  // which must outlive it
-
-  // Goes to the next row that is neither empty nor a comment, which starts with #; false at the end.
-  bool next();
-  std::size_t number() const { return number_; }  // of the line, counted from 1
-
-  // The delimiter that separates most on this line, quoted cells apart: , ; or tab, or else a space; a tab of a sheet.
-  char delimiter() const;
-  // The cells, without spaces and quotes around them, valid until the next call.
-  // Fails:      InputError for a quote that is not closed.
-  std::span<const std::string_view> cells(char delimiter);
-  const std::string& source() const { return source_; }
-
- private:
-  std::optional<std::string_view> next_line();
-  bool refill();
-  [[noreturn]] void refuse_binary(std::size_t nul);
-  [[noreturn]] void refuse(std::string expected, std::string found, std::string remedy) const;
-
-  const Sheet* sheet_ = nullptr;
-  std::istream* in_ = nullptr;
-  std::string source_;
-  std::string buffer_;
-  std::size_t begin_ = 0;  // of what is not read yet
-  char ending_ = '\n';
-  std::size_t number_ = 0;
-  std::string_view line_;
-  std::vector<std::string_view> cells_;
-  std::deque<std::string> unescaped_;  // cells that held doubled quotes
 };
 
 // The separator with which most cells of a text are numbers: ',', ';', tab or ' '.
 // Method:     over a thousand lines from all of the text, each gives numbers^2 / cells; the greatest sum wins.
 char separator_of(std::string_view text);
+
+// The separator of a text whose first line, comments apart, has titles: that which is most often on it outside of quotes, ',', ';' or tab, or
+// else a space.
+char separator_of_titles(std::string_view text);
 
 // Days as they are shown: "2026-02-01", "00:00:01.5", "2026-02-01 13:05:00". Days count from the end of 1899, or from 1904.
 std::string shown_days(double days, CellKind kind, bool from_1904);

@@ -60,7 +60,7 @@ class Summary {
 };
 
 // The first statistic that a row is in all columns; Summary::count if none.
-std::size_t statistic_on(std::span<const Summary> above, std::span<const std::span<const double>> columns,
+std::size_t statistic_on(std::span<const Summary> above, std::span<const std::vector<double>> columns,
                          std::size_t row) {
   for (std::size_t which = 0; which < Summary::count; ++which) {
     bool is_all = true;
@@ -77,9 +77,9 @@ std::size_t statistic_on(std::span<const Summary> above, std::span<const std::sp
 struct Jump {
   bool is_one = true, is_far = false;
 };
-Jump jump_to(std::span<const std::span<const double>> columns, std::size_t row, std::size_t readings) {
+Jump jump_to(std::span<const std::vector<double>> columns, std::size_t row, std::size_t readings) {
   Jump jump;
-  for (const std::span<const double> column : columns) {
+  for (const std::vector<double>& column : columns) {
     const auto step = [&](std::size_t to) { return std::abs(column[to] - column[to - 1]); };
     double longest = 0;
     for (std::size_t to = 1; to < readings; ++to)
@@ -90,22 +90,17 @@ Jump jump_to(std::span<const std::span<const double>> columns, std::size_t row, 
   return jump;
 }
 
-}  // namespace
-
-bool names_statistic(std::string_view cell) {
-  const std::string label = folded(trimmed(cell));
-  std::size_t end = 0;
-  while (end < label.size() && is_letter(label[end])) ++end;
-  if (end > 0 && statistics.find(" " + label.substr(0, end) + " ") != std::string_view::npos) return true;
-  return label.starts_with("st. dev") || label.starts_with("standard dev") || label.starts_with("standard err") ||
-         label.starts_with("standart sapma");
-}
-
 bool is_label(std::string_view cell) {
   static constexpr std::array<std::string_view, 6> missing{"nan", "n/a", "na", "null", "inf", "none"};
   if (cell.empty() || !is_letter(cell.front())) return false;
   return cell.size() > 4 || std::find(missing.begin(), missing.end(), folded(cell)) == missing.end();
 }
+
+// A row whose first cell that is not empty is a label.
+struct LabelledRow {
+  std::size_t row;  // from 0
+  bool is_statistic;
+};
 
 std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labelled, std::size_t rows) {
   if (labelled.empty() || 2 * labelled.size() >= rows) return {};
@@ -118,7 +113,8 @@ std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labell
   return found;
 }
 
-std::size_t statistics_at_end(std::span<const std::span<const double>> columns, std::size_t below_break) {
+// How many rows at the end are statistics by their numbers. So many rows stand below a break; 0 without one.
+std::size_t statistics_at_end(std::span<const std::vector<double>> columns, std::size_t below_break) {
   if (columns.size() < 2 || columns.front().size() < fewest_rows) return 0;
   const std::size_t rows = columns.front().size();
   const std::size_t most = std::min(most_at_end, rows / 4);
@@ -140,14 +136,20 @@ std::size_t statistics_at_end(std::span<const std::span<const double>> columns, 
   return 0;
 }
 
+// How many rows stand below the last break, lines without anything.
+std::size_t rows_below_break(const Sheet& sheet, std::span<const std::size_t> lines) {
+  if (lines.empty()) return 0;
+  std::size_t begin = lines.size() - 1;
+  while (begin > 0 && lines[begin - 1] + 1 == lines[begin]) --begin;
+  for (std::size_t line = begin > 0 ? lines[begin - 1] + 1 : 0; begin > 0 && line < lines[begin]; ++line)
+    if (!sheet.is_blank(line)) return 0;
+  return begin > 0 ? lines.size() - begin : 0;
+}
+
+// Are so few of the rows below a break that they may be no readings? More are another cycle.
 bool are_few(std::size_t below_break, std::size_t rows) {
   constexpr std::size_t few = 12;
   return below_break > 0 && below_break <= few && 3 * below_break < rows;
-}
-
-std::string left_out_statistics(std::span<const std::size_t> lines) {
-  return lines.size() == 1 ? "left out, as it holds a statistic of the readings: " + on_lines(lines)
-                           : "left out, as they hold statistics of the readings: " + on_lines(lines);
 }
 
 std::string below_a_break(std::size_t first_line, std::size_t last_line) {
@@ -155,6 +157,47 @@ std::string below_a_break(std::size_t first_line, std::size_t last_line) {
              ? fmt::format("line {} stands below a break and counts as a reading: delete it if it is none", last_line)
              : fmt::format("lines {} to {} stand below a break and count as readings: delete them if they are none",
                            first_line, last_line);
+}
+
+}  // namespace
+
+bool names_statistic(std::string_view cell) {
+  const std::string label = folded(trimmed(cell));
+  std::size_t end = 0;
+  while (end < label.size() && is_letter(label[end])) ++end;
+  if (end > 0 && statistics.find(" " + label.substr(0, end) + " ") != std::string_view::npos) return true;
+  return label.starts_with("st. dev") || label.starts_with("standard dev") || label.starts_with("standard err") ||
+         label.starts_with("standart sapma");
+}
+
+std::string_view label_of(const Sheet& sheet, std::size_t line) {
+  const auto cells = sheet.cells(line);
+  const auto first = std::find_if(cells.begin(), cells.end(), [](std::string_view each) { return !each.empty(); });
+  return first != cells.end() && is_label(*first) ? *first : std::string_view{};
+}
+
+StatisticsRows statistics_among(const Sheet& sheet, std::span<const std::size_t> lines,
+                                std::span<const std::vector<double>> columns, std::vector<std::size_t> known_lines) {
+  std::vector<LabelledRow> labelled;
+  for (std::size_t row = 0; row < lines.size(); ++row)
+    if (const std::string_view label = label_of(sheet, lines[row]); !label.empty())
+      labelled.push_back({row, names_statistic(label)});
+  const std::size_t below_break = rows_below_break(sheet, lines);
+  StatisticsRows found{rows_below_readings(labelled, lines.size()), {}};
+  if (found.rows.empty())
+    for (std::size_t tail = statistics_at_end(columns, below_break); tail > 0; --tail)
+      found.rows.push_back(lines.size() - tail);
+  if (found.rows.empty() && are_few(below_break, lines.size()))
+    found.notes.push_back(below_a_break(lines[lines.size() - below_break] + 1, lines.back() + 1));
+  std::vector<std::size_t>& left_out = known_lines;
+  for (const std::size_t row : found.rows) left_out.push_back(lines[row]);
+  if (left_out.empty()) return found;
+  std::sort(left_out.begin(), left_out.end());
+  for (std::size_t& line : left_out) ++line;  // counted from 1
+  found.notes.push_back(fmt::format("left out, as {} of the readings: {}",
+                                    left_out.size() == 1 ? "it holds a statistic" : "they hold statistics",
+                                    on_lines(left_out)));
+  return found;
 }
 
 }  // namespace flexslip

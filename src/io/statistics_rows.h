@@ -7,37 +7,48 @@
 #include <string_view>
 #include <vector>
 
+#include "io/sheet.h"
+
 namespace flexslip {
 
 // Does a cell call its row a statistic: "Mean", "Std. Dev.", "Mittelwert", "Écart type", "平均"?
 bool names_statistic(std::string_view cell);
 
-// Letters, so that it can be the label of a row, and no number or unit with one.
-bool is_label(std::string_view cell);
+// The label of a line, its first cell that is not empty, if that holds letters and is no number or unit with one; empty otherwise.
+std::string_view label_of(const Sheet& sheet, std::size_t line);
 
-// A row whose first cell that is not empty is a label.
-struct LabelledRow {
-  std::size_t row;  // from 0
-  bool is_statistic;
+// Rows that are no readings, in their order, and what is said of them, and of those that may be none.
+struct StatisticsRows {
+  std::vector<std::size_t> rows;
+  std::vector<std::string> notes;
 };
 
-// Which of these are no readings: where labels are few, those that name a statistic, and those that stand below all rows without one.
-// Where half of the rows or more have one, labels are data: phases, names.
-std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labelled, std::size_t rows);
-
-// How many rows at the end are, each in all columns, the mean, the standard deviation, the sum, the least or the greatest of the
-// numbers above, to three digits: 0 unless one of them is a mean, a deviation or a sum that is elsewhere than the row above it, by far
-// more than readings are from each other in some column, or below a break.
-// Domain:     columns of one length; of fewer than two columns or twelve rows, none. So many rows stand below a break; 0 without one.
+// The rows of statistics among those of a table, which stand on these lines of a sheet, counted from 0 and rising. Lines that are known to be
+// statistics are said with them.
+// Domain:     columns of one length, that of the lines.
+// Method:     by labels, where they are few: rows whose label names a statistic, and those below all rows without a label. Where half of the rows or
+//             more have one, labels are data: phases, names. Or else by numbers: rows at the end that are, each in all columns, the mean, the standard
+//             deviation, the sum, the least or the greatest of those above, to three digits; one of them a mean, a deviation or a sum that is
+//             elsewhere than the row above it, by far more than readings are from each other in some column, or below a break.
+//             Of fewer than two columns or twelve rows, none.
 // Cost:       linear.
-std::size_t statistics_at_end(std::span<const std::span<const double>> columns, std::size_t below_break = 0);
+StatisticsRows statistics_among(const Sheet& sheet, std::span<const std::size_t> lines,
+                                std::span<const std::vector<double>> columns,
+                                std::vector<std::size_t> known_lines = {});
 
-// Are so few of the rows below a break that they may be no readings? More are another cycle.
-bool are_few(std::size_t below_break, std::size_t rows);
-
-// What is said of them, with their lines: "left out, as they hold statistics of the readings: lines 42 to 45".
-std::string left_out_statistics(std::span<const std::size_t> lines);
-// And of rows that may be some: "lines 42 to 43 stand below a break and count as readings: delete them if they are none".
-std::string below_a_break(std::size_t first_line, std::size_t last_line);
+// The values of a column, one for each row, without those of some rows, which rise.
+template <class Value>
+std::vector<Value> without_rows(std::vector<Value> all, std::span<const std::size_t> rows) {
+  if (rows.empty()) return all;
+  std::vector<Value> kept;
+  kept.reserve(all.size() - rows.size());
+  auto next = rows.begin();
+  for (std::size_t row = 0; row < all.size(); ++row)
+    if (next != rows.end() && *next == row)
+      ++next;
+    else
+      kept.push_back(all[row]);
+  return kept;
+}
 
 }  // namespace flexslip

@@ -1,53 +1,33 @@
 #include "io/table.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <optional>
-#include <sstream>
+#include <ostream>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
-#include "io/call_files.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
 #include "io/number_format.h"
-#include "io/sheet.h"
+#include "io/sheet_file.h"
 #include "io/statistics_rows.h"
 #include "io/text.h"
-#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
-
-constexpr std::size_t most_labelled = 1 << 16;  // rows with a label; where there are more, labels are data
 
 bool is_number_with(char decimal, std::string_view cell) { return !std::isnan(number_in(cell, {decimal})); }
 
 // Is the cell called a number, and none that a column may have: "nan", "-inf", "1e999"?
 bool is_not_finite(std::string_view cell) {
-  double value = 0;
-  const auto [end, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error == std::errc{} && end == cell.data() + cell.size() && !std::isfinite(value);
+  const std::optional<double> value = plain_number(cell);
+  return value && !std::isfinite(*value);
 }
 
-bool names_unit(std::string_view text) {
-  if (text == "1" || text == "-") return true;
-  try {
-    parse_unit(text);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
+bool names_unit(std::string_view text) { return text == "1" || text == "-" || unit_named(text); }
 
 // The title of a column as a file has it: a unit at the end in either kind of brackets, or else all of it is a name.
 ColumnTitle title_in_header(std::string_view text) {
@@ -72,316 +52,277 @@ struct Source {
   std::vector<std::string> units;  // wherever one is stated: in the title asked for, the header, the line of units
 };
 
-// A table to read from: a text file is read as it is needed, a workbook at once.
-struct OpenedTable {
-  std::shared_ptr<std::istream> text;
-  std::unique_ptr<const WorkbookSheet> sheet;  // of a workbook
-  TableRows rows;
+struct Header {
+  std::size_t line;  // from 0
+  std::vector<HeaderCell> cells;
 };
 
-// "-" is standard input.
-// Fails:      OutputClash if the call writes it; InputError if it cannot be opened, of what read_sheet refuses, and if a sheet is
-//             wanted of a file that is no workbook.
-OpenedTable open_table(const std::string& path, const std::optional<SheetChoice>& wanted, SheetFor purpose) {
-  const std::string source = path == "-" ? "standard input" : path;
-  std::shared_ptr<std::istream> text = open_to_read(path);
-  std::unique_ptr<const WorkbookSheet> sheet;
-  // What begins like a workbook is taken whole, as a stream need not go back.
-  if (const auto first = text->peek(); first == 'P' || first == 0xd0) {
-    std::string bytes{std::istreambuf_iterator<char>(*text), {}};
-    if (is_packed(bytes)) try {
-        sheet = std::make_unique<const WorkbookSheet>(read_sheet(bytes, wanted, purpose));
-      } catch (const InputError& error) {
-        throw located(error, source, error.fault.line, error.fault.field);
-      }
-    text = std::make_shared<std::istringstream>(sheet && sheet->text ? *sheet->text : std::move(bytes));
+// What the links of the chain look at.
+struct Opened {
+  const SheetFile& file;
+  char decimal;  // of words
+
+  const Sheet& sheet() const { return file.cells; }
+  bool is_row(std::size_t line) const { return !sheet().is_comment(line) && !sheet().is_blank(line); }
+
+  // A number, which is that of a workbook or written with the mark of the table; NaN if it is none.
+  double number(std::size_t line, std::size_t column) const {
+    const bool is_word = sheet().kind(line, column) == CellKind::word;
+    return number_in(sheet().at(line, column), {is_word ? decimal : '.'});
   }
-  if (wanted && !sheet) throw no_workbook(source);
-  TableRows rows = sheet && !sheet->text ? TableRows(sheet->cells, source) : TableRows(*text, source);
-  return {std::move(text), std::move(sheet), std::move(rows)};
-}
-
-class TableReader {
- public:
-  TableReader(TableRows& rows, char decimal, const WorkbookSheet* sheet)
-      : rows_(rows), decimal_(decimal), sheet_(sheet) {}
-
-  Table read(const std::vector<WantedColumn>& wanted) {
-    read_header();
-    find(wanted);
-    bool has_row = rows_.next();
-    if (has_row && is_unit_line()) {
-      take_units();
-      has_row = rows_.next();
-    }
-    std::vector<Unit> units;
-    for (const Source& source : sources_) units.push_back(agreed_unit(source));
-    Table table{.source = rows_.source(), .columns = {}, .lines = {}, .notes = {}};
-    for (const Source& source : sources_) table.columns.push_back({header_[source.cell].title.name, {}});
-    std::vector<double> row(sources_.size());
-    for (; has_row; has_row = rows_.next()) {
-      if (!read_row(row)) continue;
-      if (!label_.empty() && labelled_.size() <= most_labelled)
-        labelled_.push_back({table.rows(), names_statistic(label_)});
-      add_line(table, rows_.number());
-      for (std::size_t i = 0; i < row.size(); ++i) table.columns[i].values.push_back(to_si(row[i], units[i]));
-    }
-    if (table.rows() == 0) refuse(header_line_, "", "rows of numbers", "a header only", "");
-    leave_out_statistics(table);
-    table.notes = notes_;
-    return table;
+  // Likewise, or what is called one: "nan", "-inf".
+  bool has_number(std::size_t line, std::size_t column) const {
+    return !std::isnan(number(line, column)) || is_not_finite(sheet().at(line, column));
   }
 
- private:
+  // Lines count from 0.
   [[noreturn]] void refuse(std::size_t line, std::string field, std::string expected, std::string found,
                            std::string remedy, TablePart part = TablePart::none) const {
-    InputFault fault{rows_.source(), line, std::move(field), std::move(expected), std::move(found), std::move(remedy)};
+    InputFault fault{file.origin.source,  line + 1,         std::move(field),
+                     std::move(expected), std::move(found), std::move(remedy)};
     fault.part = part;
     throw InputError(std::move(fault));
   }
-
-  // A number of this row, which is that of a workbook or written with the mark of the table; NaN if it is none.
-  double number(std::size_t column, std::string_view cell) const {
-    const bool is_word = sheet_ == nullptr || sheet_->cells.kind(rows_.number() - 1, column) == CellKind::word;
-    return number_in(cell, {is_word ? decimal_ : '.'});
-  }
-
-  // Likewise, or what is called one: "nan", "-inf".
-  bool is_number(std::size_t column, std::string_view cell) const {
-    return !std::isnan(number(column, cell)) || is_not_finite(cell);
-  }
-
-  void read_header() {
-    if (!rows_.next())
-      refuse(0, "", "a header line and rows of numbers", rows_.number() == 0 ? "an empty file" : "no line with content",
-             "");
-    header_line_ = rows_.number();
-    delimiter_ = rows_.delimiter();
-    bool all_numbers = true;
-    const auto cells = rows_.cells(delimiter_);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      std::string text(cells[i]);
-      const bool names_another = delimiter_ == ' ' && !header_.empty() && text.starts_with('[');
-      if (names_another)
-        text = header_.back().text + " " + text;  // "w_s [m] F [N]": the space before a unit separates nothing
-      if (names_another) header_.pop_back();
-      all_numbers = all_numbers && (cells[i].empty() || is_number(i, cells[i]));
-      header_.push_back({text, title_in_header(text)});
-    }
-    if (all_numbers)
-      refuse(header_line_, "", "a header line that names the columns", "numbers",
-             "add one above, such as \"w_s [m],F [N]\"");
-    while (header_.back().text.empty()) header_.pop_back();  // a delimiter at the end of the line begins no column
-  }
-
-  void find(const std::vector<WantedColumn>& wanted) {
-    for (const WantedColumn& each : wanted) {
-      const ColumnTitle asked = parse_column_title(each.title);
-      std::vector<std::size_t> by_text;
-      std::vector<std::size_t> by_name;
-      for (std::size_t i = 0; i < header_.size(); ++i) {
-        if (header_[i].text == trimmed(each.title)) by_text.push_back(i);
-        if (header_[i].title.name == asked.name || header_[i].text == asked.name) by_name.push_back(i);
-      }
-      const std::vector<std::size_t>& found = by_text.empty() ? by_name : by_text;
-      const std::string field = "column " + in_quotes(asked.name);
-      if (found.empty()) refuse_missing(asked.name, field);
-      if (found.size() > 1)
-        refuse(header_line_, field, "one column", std::to_string(found.size()) + " of this name", "rename them");
-      for (const Source& other : sources_)
-        if (other.cell == found[0])
-          refuse(header_line_, field, "another column for each quantity", "the same one asked for twice", "");
-      Source source{found[0], field, each.kind, {}};
-      if (!asked.unit.empty()) source.units.push_back(asked.unit);
-      if (!header_[found[0]].title.unit.empty()) source.units.push_back(header_[found[0]].title.unit);
-      sources_.push_back(std::move(source));
-    }
-  }
-
-  [[noreturn]] void refuse_missing(const std::string& name, const std::string& field) const {
-    std::vector<std::string> names;
-    for (const HeaderCell& cell : header_) names.push_back(cell.title.name);
-    const std::string meant = nearest(name, names);
-    throw InputError({.file = rows_.source(),
-                      .line = header_line_,
-                      .field = field,
-                      .remedy = meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?",
-                      .problem = "is missing: the file has " + listed(names),
-                      .part = TablePart::title});
-  }
-
-  // A line of units has words where the wanted columns should have numbers.
-  bool is_unit_line() {
-    bool words = false;
-    bool numbers = false;
-    const auto cells = rows_.cells(delimiter_);
-    for (const Source& source : sources_) {
-      if (source.cell >= cells.size() || cells[source.cell].empty()) continue;
-      const std::string_view cell = cells[source.cell];
-      const bool starts_as_number = std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
-      const bool word = !is_number(source.cell, cell) && (!starts_as_number || names_unit(without_brackets(cell)));
-      (word ? words : numbers) = true;
-    }
-    return words && !numbers;
-  }
-
-  void take_units() {
-    const auto cells = rows_.cells(delimiter_);
-    for (Source& source : sources_)
-      if (source.cell < cells.size() && !cells[source.cell].empty())
-        source.units.emplace_back(without_brackets(cells[source.cell]));
-  }
-
-  // What stands behind the last underscore of a name that states no unit elsewhere, where it is a unit: "w_s_m".
-  static std::string_view unit_in(std::string_view name) {
-    const std::size_t at = name.rfind('_');
-    if (at == std::string_view::npos || at == 0) return {};
-    const std::string_view end = name.substr(at + 1);
-    return names_unit(end) ? end : std::string_view{};
-  }
-
-  Unit agreed_unit(const Source& source) {
-    const std::string& name = header_[source.cell].title.name;
-    if (source.units.empty() && source.kind.name != kind::number.name)
-      if (const std::string_view unit = unit_in(name); !unit.empty()) {
-        const Dimension dimension = parse_unit(unit).dimension;
-        if (dimension == source.kind.dimension) {
-          notes_.push_back(fmt::format("the unit of '{}' is the end of its name, {}", name, unit));
-          return parse_unit(unit, source.kind);
-        }
-        if (dimension == kind::length.dimension || dimension == kind::force.dimension)
-          refuse(header_line_, source.field, fmt::format("{} and its unit", source.kind.name),
-                 fmt::format("a name that ends in {}", in_quotes(unit)),
-                 fmt::format("if it is {} all the same, name it with its unit, such as \"{} [{}]\"", source.kind.name,
-                             name, source.kind.units.back()));
-      }
-    try {
-      const Unit unit = parse_unit(source.units.empty() ? "" : source.units.front(), source.kind);
-      for (const std::string& other : source.units)
-        if (parse_unit(other, source.kind) != unit)
-          refuse(header_line_, source.field, "one unit", listed(source.units),
-                 "the file and the title asked for must agree");
-      return unit;
-    } catch (const InputError& error) {
-      const InputError placed = located(error, rows_.source(), header_line_, source.field);
-      if (!source.units.empty()) throw InputError(placed);
-      InputFault fault = placed.fault;
-      fault.remedy = fmt::format("name it with its unit, such as \"{} [{}]\"", name, source.kind.units.back());
-      throw InputError(fault);
-    }
-  }
-
-  // One line into one row; false if all its cells are empty, as spreadsheets write them below a table, or if a word stands for a
-  // statistic where a number is wanted.
-  bool read_row(std::vector<double>& row) {
-    const auto cells = rows_.cells(delimiter_);
-    const std::size_t line = rows_.number() - 1;
-    const Source* lacking = nullptr;
-    for (std::size_t i = 0; i < sources_.size(); ++i) {
-      const std::size_t at = sources_[i].cell;
-      row[i] = at < cells.size() ? number(at, cells[at]) : not_a_number;
-      if (std::isnan(row[i]) && (lacking == nullptr || at < lacking->cell)) lacking = &sources_[i];
-      if (sheet_ != nullptr && is_dated(sheet_->cells.kind(line, at)))
-        throw sheet_->dated(rows_.source(), line, at, "a number in the " + sources_[i].field);
-    }
-    const auto first = std::find_if(cells.begin(), cells.end(), [](std::string_view cell) { return !cell.empty(); });
-    label_ = first != cells.end() && is_label(*first) ? *first : std::string_view{};
-    const bool has_surplus =
-        std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), header_.size())), cells.end(),
-                    [](std::string_view cell) { return !cell.empty(); });
-    const bool is_short = cells.size() < header_.size();
-    if (!has_surplus && !is_short && lacking == nullptr) return true;
-    if (first == cells.end()) return false;
-    if (has_surplus || is_short) refuse_count(cells.size());
-    if (names_statistic(label_)) {
-      statistics_.push_back(rows_.number());
-      return false;
-    }
-    refuse_cell(lacking->field, cells[lacking->cell]);
-  }
-
-  // Rows that say something of the readings, and those that may.
-  void leave_out_statistics(Table& table) {
-    std::vector<std::size_t> rows = rows_below_readings(labelled_, table.rows());
-    const LineRun end = table.lines.back();
-    const std::size_t below_break = end.row > 0 ? table.rows() - end.row : 0;
-    if (rows.empty()) {
-      std::vector<std::span<const double>> columns;
-      for (const Column& column : table.columns) columns.emplace_back(column.values);
-      for (std::size_t tail = statistics_at_end(columns, below_break); tail > 0; --tail)
-        rows.push_back(table.rows() - tail);
-    }
-    for (const std::size_t row : rows) statistics_.push_back(table.line_of(row));
-    std::sort(statistics_.begin(), statistics_.end());
-    if (rows.empty() && are_few(below_break, table.rows()))
-      notes_.push_back(below_a_break(end.line, end.line + below_break - 1));
-    if (!statistics_.empty()) notes_.push_back(left_out_statistics(statistics_));
-    if (!rows.empty()) table = without(rows, table);
-  }
-
-  static Table without(const std::vector<std::size_t>& rows, const Table& all) {
-    Table kept{.source = all.source, .columns = {}, .lines = {}, .notes = {}};
-    for (const Column& column : all.columns) kept.columns.push_back({column.name, {}});
-    auto next = rows.begin();
-    for (std::size_t row = 0; row < all.rows(); ++row) {
-      if (next != rows.end() && *next == row) {
-        ++next;
-        continue;
-      }
-      add_line(kept, all.line_of(row));
-      for (std::size_t i = 0; i < all.columns.size(); ++i) kept.columns[i].values.push_back(all.columns[i].values[row]);
-    }
-    return kept;
-  }
-
-  // The next row of a table stands on a line.
-  static void add_line(Table& table, std::size_t line) {
-    const std::size_t row = table.rows();
-    if (table.lines.empty() || line - table.lines.back().line != row - table.lines.back().row)
-      table.lines.push_back({row, line});
-  }
-
-  [[noreturn]] void refuse_count(std::size_t cells) const {
-    const bool perhaps_commas = delimiter_ == ',' && cells > header_.size();
-    refuse(rows_.number(), "", fmt::format("{} cells as in the header on line {}", header_.size(), header_line_),
-           std::to_string(cells),
-           perhaps_commas
-               ? "if these are decimal commas, write decimal points, or separate cells by ; and pass --decimal ,"
-               : "");
-  }
-
-  [[noreturn]] void refuse_cell(const std::string& field, std::string_view cell) const {
-    const bool is_infinite = is_not_finite(cell);
-    refuse(rows_.number(), field, is_infinite ? "a finite number" : "a number",
-           cell.empty() ? "an empty cell" : in_quotes(cell),
-           cell.empty()  ? "fill it in or delete the line"
-           : is_infinite ? "delete the line"
-                         : remedy_for_cell(cell),
-           TablePart::cell);
-  }
-
-  std::string remedy_for_cell(std::string_view cell) const {
-    const bool comma = cell.find(',') != std::string_view::npos;
-    if (comma && decimal_ == '.' && is_number_with(',', cell)) return "write decimal points, or pass --decimal ,";
-    if (!comma && decimal_ == ',' && is_number_with('.', cell)) return "write decimal commas, or leave out --decimal ,";
-    std::string digits(cell);
-    std::erase_if(digits, [](char c) { return c == ',' || c == '.'; });
-    if (comma && is_number_with('.', digits)) return "write no thousands separators";
-    return "";
-  }
-
-  TableRows& rows_;
-  char decimal_;
-  const WorkbookSheet* sheet_;  // of a workbook
-  char delimiter_ = ',';
-  std::size_t header_line_ = 0;
-  std::vector<HeaderCell> header_;
-  std::vector<Source> sources_;
-  std::vector<std::string> notes_;
-  std::string_view label_;               // that the row begins with
-  std::vector<LabelledRow> labelled_;    // the first of them
-  std::vector<std::size_t> statistics_;  // lines
 };
+
+// Lines from one on that are rows, and whose quotes are in pairs.
+std::optional<std::size_t> next_row(const Opened& opened, std::size_t line) {
+  while (line < opened.sheet().size() && !opened.is_row(line)) ++line;
+  if (line == opened.sheet().size()) return std::nullopt;
+  if (const std::size_t cell = opened.sheet().stray_quote(line); cell > 0)
+    opened.refuse(line, "", "quotes in pairs around a whole cell", fmt::format("a stray quote in cell {}", cell),
+                  "delete it");
+  return line;
+}
+
+Header header_of(const Opened& opened) {
+  const std::optional<std::size_t> line = next_row(opened, 0);
+  if (!line)
+    throw InputError({.file = opened.file.origin.source,
+                      .expected = "a header line and rows of numbers",
+                      .found = opened.sheet().size() == 0 ? "an empty file" : "no line with content"});
+  Header header{*line, {}};
+  bool all_numbers = true;
+  const auto cells = opened.sheet().cells(*line);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    std::string text(cells[i]);
+    // "w_s [m] F [N]": the space before a unit separates nothing.
+    if (opened.file.origin.separator == ' ' && !header.cells.empty() && text.starts_with('[')) {
+      text = header.cells.back().text + " " + text;
+      header.cells.pop_back();
+    }
+    all_numbers = all_numbers && (cells[i].empty() || opened.has_number(*line, i));
+    header.cells.push_back({text, title_in_header(text)});
+  }
+  if (all_numbers)
+    opened.refuse(*line, "", "a header line that names the columns", "numbers",
+                  "add one above, such as \"w_s [m],F [N]\"");
+  while (header.cells.back().text.empty())
+    header.cells.pop_back();  // a delimiter at the end of the line begins no column
+  return header;
+}
+
+InputError missing_column(const Opened& opened, const Header& header, const std::string& name,
+                          const std::string& field) {
+  std::vector<std::string> names;
+  for (const HeaderCell& cell : header.cells) names.push_back(cell.title.name);
+  return InputError({.file = opened.file.origin.source,
+                     .line = header.line + 1,
+                     .field = field,
+                     .remedy = did_you_mean(name, names),
+                     .problem = "is missing: the file has " + listed(names),
+                     .part = TablePart::title});
+}
+
+std::vector<Source> sources_of(const Opened& opened, const Header& header, const std::vector<WantedColumn>& wanted) {
+  std::vector<Source> sources;
+  for (const WantedColumn& each : wanted) {
+    const ColumnTitle asked = parse_column_title(each.title);
+    std::vector<std::size_t> by_text, by_name;
+    for (std::size_t i = 0; i < header.cells.size(); ++i) {
+      const HeaderCell& cell = header.cells[i];
+      if (cell.text == trimmed(each.title)) by_text.push_back(i);
+      if (cell.title.name == asked.name || cell.text == asked.name) by_name.push_back(i);
+    }
+    const std::vector<std::size_t>& found = by_text.empty() ? by_name : by_text;
+    const std::string field = "column " + in_quotes(asked.name);
+    if (found.empty()) throw missing_column(opened, header, asked.name, field);
+    if (found.size() > 1)
+      opened.refuse(header.line, field, "one column", std::to_string(found.size()) + " of this name", "rename them");
+    for (const Source& other : sources)
+      if (other.cell == found[0])
+        opened.refuse(header.line, field, "another column for each quantity", "the same one asked for twice", "");
+    Source source{found[0], field, each.kind, {}};
+    for (const std::string& unit : {asked.unit, header.cells[found[0]].title.unit})
+      if (!unit.empty()) source.units.push_back(unit);
+    sources.push_back(std::move(source));
+  }
+  return sources;
+}
+
+// A line of units has words where the wanted columns should have numbers.
+bool is_unit_line(const Opened& opened, const std::vector<Source>& sources, std::size_t line) {
+  bool words = false;
+  bool numbers = false;
+  for (const Source& source : sources) {
+    const std::string_view cell = opened.sheet().at(line, source.cell);
+    if (cell.empty()) continue;
+    const bool starts_as_number = std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
+    const bool word =
+        !opened.has_number(line, source.cell) && (!starts_as_number || names_unit(without_brackets(cell)));
+    (word ? words : numbers) = true;
+  }
+  return words && !numbers;
+}
+
+// What stands behind the last underscore of a name that states no unit elsewhere: "m" of "w_s_m".
+std::string_view end_of(std::string_view name) {
+  const std::size_t at = name.rfind('_');
+  return at == std::string_view::npos || at == 0 ? std::string_view{} : name.substr(at + 1);
+}
+
+// The unit of a wanted column, on which all that state one agree, and what is said of it.
+struct AgreedUnit {
+  Unit unit;
+  std::string note{};
+};
+
+AgreedUnit agreed_unit(const Opened& opened, const Header& header, const Source& source) {
+  const std::string& name = header.cells[source.cell].title.name;
+  const auto as_in = [&] { return fmt::format("such as \"{} [{}]\"", name, source.kind.units.back()); };
+  const bool is_stated = !source.units.empty() || source.kind.name == kind::number.name;
+  const std::string_view end = is_stated ? std::string_view{} : end_of(name);
+  if (const std::optional<Unit> unit = unit_named(end)) {
+    if (unit->dimension == source.kind.dimension)
+      return {*unit, fmt::format("the unit of '{}' is the end of its name, {}", name, end)};
+    if (unit->dimension == kind::length.dimension || unit->dimension == kind::force.dimension)
+      opened.refuse(header.line, source.field, fmt::format("{} and its unit", source.kind.name),
+                    fmt::format("a name that ends in {}", in_quotes(end)),
+                    fmt::format("if it is {} all the same, name it with its unit, {}", source.kind.name, as_in()));
+  }
+  try {
+    const Unit unit = parse_unit(source.units.empty() ? "" : source.units.front(), source.kind);
+    for (const std::string& other : source.units)
+      if (parse_unit(other, source.kind) != unit)
+        throw InputError({.expected = "one unit",
+                          .found = listed(source.units),
+                          .remedy = "the file and the title asked for must agree"});
+    return {unit};
+  } catch (const InputError& error) {
+    InputFault fault = located(error, opened.file.origin.source, header.line + 1, source.field).fault;
+    if (source.units.empty()) fault.remedy = "name it with its unit, " + as_in();
+    throw InputError(fault);
+  }
+}
+
+std::string remedy_for_cell(std::string_view cell, char decimal) {
+  const bool comma = cell.find(',') != std::string_view::npos;
+  if (comma && decimal == '.' && is_number_with(',', cell)) return "write decimal points, or pass --decimal ,";
+  if (!comma && decimal == ',' && is_number_with('.', cell)) return "write decimal commas, or leave out --decimal ,";
+  std::string digits(cell);
+  std::erase_if(digits, [](char c) { return c == ',' || c == '.'; });
+  if (comma && is_number_with('.', digits)) return "write no thousands separators";
+  return "";
+}
+
+[[noreturn]] void refuse_cell(const Opened& opened, std::size_t line, const Source& source) {
+  const std::string_view cell = opened.sheet().at(line, source.cell);
+  const bool is_infinite = is_not_finite(cell);
+  opened.refuse(line, source.field, is_infinite ? "a finite number" : "a number",
+                cell.empty() ? "an empty cell" : in_quotes(cell),
+                cell.empty()  ? "fill it in or delete the line"
+                : is_infinite ? "delete the line"
+                              : remedy_for_cell(cell, opened.decimal),
+                TablePart::cell);
+}
+
+// As many cells as the header, or empty ones beyond.
+void require_count(const Opened& opened, const Header& header, std::size_t line) {
+  const auto cells = opened.sheet().cells(line);
+  const std::size_t count = header.cells.size();
+  const bool has_surplus = std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), count)),
+                                       cells.end(), [](std::string_view cell) { return !cell.empty(); });
+  if (cells.size() >= count && !has_surplus) return;
+  const bool perhaps_commas = opened.file.origin.separator == ',' && cells.size() > count;
+  opened.refuse(line, "", fmt::format("{} cells as in the header on line {}", count, header.line + 1),
+                std::to_string(cells.size()),
+                perhaps_commas
+                    ? "if these are decimal commas, write decimal points, or separate cells by ; and pass --decimal ,"
+                    : "");
+}
+
+// The rows of numbers from one on, and those that only hold words for a statistic where numbers are wanted. Lines count from 0.
+struct Rows {
+  std::vector<std::size_t> lines;
+  std::vector<std::vector<double>> columns;  // [SI]
+  std::vector<std::size_t> statistics;
+};
+
+Rows rows_from(std::optional<std::size_t> row, const Opened& opened, const Header& header,
+               const std::vector<Source>& sources, const std::vector<Unit>& units) {
+  Rows out{{}, std::vector<std::vector<double>>(sources.size()), {}};
+  std::vector<double> values(sources.size());
+  for (; row; row = next_row(opened, *row + 1)) {
+    const Source* lacking = nullptr;  // the first that has no number
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const std::size_t cell = sources[i].cell;
+      if (is_dated(opened.sheet().kind(*row, cell)))
+        throw dated(opened.file, *row, cell, "a number in the " + sources[i].field);
+      values[i] = opened.number(*row, cell);
+      if (std::isnan(values[i]) && (lacking == nullptr || cell < lacking->cell)) lacking = &sources[i];
+    }
+    require_count(opened, header, *row);
+    if (lacking != nullptr && names_statistic(label_of(opened.sheet(), *row))) {
+      out.statistics.push_back(*row);
+      continue;
+    }
+    if (lacking != nullptr) refuse_cell(opened, *row, *lacking);
+    out.lines.push_back(*row);
+    for (std::size_t i = 0; i < values.size(); ++i) out.columns[i].push_back(to_si(values[i], units[i]));
+  }
+  if (out.lines.empty()) opened.refuse(header.line, "", "rows of numbers", "a header only", "");
+  return out;
+}
+
+// The wanted columns of a sheet: nothing is guessed, as a user names them.
+Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
+  const Header header = header_of(opened);
+  std::vector<Source> sources = sources_of(opened, header, wanted);
+  std::optional<std::size_t> row = next_row(opened, header.line + 1);
+  if (row && is_unit_line(opened, sources, *row)) {
+    for (Source& source : sources)
+      if (const std::string_view unit = opened.sheet().at(*row, source.cell); !unit.empty())
+        source.units.emplace_back(without_brackets(unit));
+    row = next_row(opened, *row + 1);
+  }
+  Table table{opened.file.origin.source, {}, {}, opened.file.notes};
+  std::vector<Unit> units;
+  for (const Source& source : sources) {
+    AgreedUnit agreed = agreed_unit(opened, header, source);
+    units.push_back(agreed.unit);
+    if (!agreed.note.empty()) table.notes.push_back(std::move(agreed.note));
+  }
+  auto [lines, columns, statistics] = rows_from(row, opened, header, sources, units);
+  const StatisticsRows left_out = statistics_among(opened.sheet(), lines, columns, std::move(statistics));
+  table.notes.insert(table.notes.end(), left_out.notes.begin(), left_out.notes.end());
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    table.columns.push_back(
+        {header.cells[sources[i].cell].title.name, without_rows(std::move(columns[i]), left_out.rows)});
+  table.lines = without_rows(std::move(lines), left_out.rows);
+  for (std::size_t& line : table.lines) ++line;  // counted from 1
+  return table;
+}
+
+Table recognise(const SheetFile& file, const std::vector<WantedColumn>& wanted, char decimal) {
+  if (wanted.empty()) throw std::invalid_argument("read_table: no column wanted");
+  if (decimal != '.' && decimal != ',')
+    throw std::invalid_argument(fmt::format("read_table: decimal mark '{}'", decimal));
+  try {
+    return recognise(Opened{file, decimal}, wanted);
+  } catch (const InputError& error) {
+    throw with_other_sheets(error, file.origin);
+  }
+}
 
 void append_word(fmt::memory_buffer& text, std::string_view word) {
   if (word.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -403,8 +344,6 @@ void append_cell(fmt::memory_buffer& text, const Cell& cell) {
     append_word(text, std::get<std::string>(cell));
 }
 
-std::string reason(int error) { return std::generic_category().message(error); }
-
 }  // namespace
 
 ColumnTitle parse_column_title(std::string_view title) {
@@ -420,69 +359,39 @@ ColumnTitle parse_column_title(std::string_view title) {
   return {std::string(name), std::string(unit)};
 }
 
-std::size_t Table::line_of(std::size_t row) const {
-  const auto after =
-      std::upper_bound(lines.begin(), lines.end(), row, [](std::size_t r, const LineRun& run) { return r < run.row; });
-  const LineRun& run = *std::prev(after);
-  return run.line + (row - run.row);
-}
-
-namespace {
-
-Table read_table(TableRows& rows, const std::vector<WantedColumn>& wanted, char decimal, const WorkbookSheet* sheet) {
-  if (wanted.empty()) throw std::invalid_argument("read_table: no column wanted");
-  if (decimal != '.' && decimal != ',')
-    throw std::invalid_argument(fmt::format("read_table: decimal mark '{}'", decimal));
-  return TableReader(rows, decimal, sheet).read(wanted);
-}
-
-}  // namespace
-
-Table read_table(std::istream& in, std::string source, const std::vector<WantedColumn>& wanted, char decimal) {
-  TableRows rows(in, std::move(source));
-  return read_table(rows, wanted, decimal, nullptr);
-}
-
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
-                 const std::optional<SheetChoice>& choice) {
-  auto [text, sheet, rows] = open_table(path, choice, SheetFor::readings);
-  try {
-    Table table = read_table(rows, wanted, decimal, sheet && !sheet->text ? sheet.get() : nullptr);
-    if (sheet) table.notes.insert(table.notes.begin(), sheet->notes.begin(), sheet->notes.end());
-    return table;
-  } catch (const InputError& error) {
-    if (!sheet || choice) throw;
-    throw with_other_sheets(error, sheet->name, sheet->sheets);
-  }
+                 const std::optional<SheetChoice>& sheet) {
+  return recognise(open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings), wanted, decimal);
+}
+
+Table table_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted, char decimal) {
+  return recognise(sheet_in(std::move(bytes), source, {}, SheetFor::titled_readings), wanted, decimal);
 }
 
 TextTable read_text_table(const std::string& path) {
-  auto [text, sheet, rows] = open_table(path, {}, SheetFor::words);
-  TextTable table{.source = rows.source(), .header_line = 0, .titles = {}, .rows = {}};
+  const SheetFile file = open_sheet(path, {}, SheetFor::words);
+  const Opened opened{file, '.'};
+  TextTable table{.source = file.origin.source, .header_line = 0, .titles = {}, .rows = {}};
   const auto refuse = [&](std::size_t line, std::string expected, std::string found, std::string remedy) {
     throw InputError({table.source, line, "", std::move(expected), std::move(found), std::move(remedy)});
   };
-  char delimiter = ',';
-  while (rows.next()) {
-    const bool is_header = table.titles.empty();
-    if (is_header && rows.delimiter() != ' ') delimiter = rows.delimiter();  // or else one column
+  for (auto row = next_row(opened, 0); row; row = next_row(opened, *row + 1)) {
     std::vector<std::string> cells;
-    for (const std::string_view cell : rows.cells(delimiter)) {
-      if (sheet && is_dated(sheet->cells.kind(rows.number() - 1, cells.size())))
-        throw sheet->dated(table.source, rows.number() - 1, cells.size(), "a number or words");
+    for (const std::string_view cell : file.cells.cells(*row)) {
+      if (is_dated(file.cells.kind(*row, cells.size()))) throw dated(file, *row, cells.size(), "a number or words");
       cells.push_back(with_formula(std::string(cell)));
     }
     while (!cells.empty() && cells.back().empty()) cells.pop_back();
-    if (is_header) {
-      table.header_line = rows.number();
+    if (table.titles.empty()) {
+      table.header_line = *row + 1;
       table.titles = std::move(cells);
       continue;
     }
     if (cells.size() > table.titles.size())
-      refuse(rows.number(), fmt::format("{} cells, as the header has", table.titles.size()),
-             std::to_string(cells.size()), "put a cell that holds the delimiter in quotes");
+      refuse(*row + 1, fmt::format("{} cells, as the header has", table.titles.size()), std::to_string(cells.size()),
+             "put a cell that holds the delimiter in quotes");
     cells.resize(table.titles.size());
-    table.rows.push_back({rows.number(), std::move(cells)});
+    table.rows.push_back({*row + 1, std::move(cells)});
   }
   if (table.titles.empty()) refuse(0, "a header line that names the columns", "an empty file", "");
   for (auto title = table.titles.begin(); title != table.titles.end(); ++title) {
@@ -526,18 +435,6 @@ void write_table(const std::string& path, const std::vector<std::string>& titles
     throw located(error, path == "-" ? "standard output" : path, 0, "");
   }
   file.finish();
-}
-
-std::shared_ptr<std::istream> open_to_read(const std::string& path) {
-  announce_input(path);
-  if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // not ours to close
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError({.file = path, .expected = "a file", .found = "a directory"});
-  errno = 0;
-  auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
-  if (!*file) throw unreadable(path, reason(errno));
-  return file;
 }
 
 }  // namespace flexslip

@@ -1,22 +1,65 @@
 #include "io/text_file.h"
 
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
+#include <system_error>
 
+#include "io/call_files.h"
 #include "io/durable_file.h"
+#include "io/input_error.h"
 
 namespace flexslip {
 
-void write_text(const std::string& path, std::string_view text) {
-  OutputFile file(path);
-  file.stream() << text;
-  file.finish();
+std::shared_ptr<std::istream> open_to_read(const std::string& path) {
+  announce_input(path);
+  if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // not ours to close
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError({.file = path, .expected = "a file", .found = "a directory"});
+  errno = 0;
+  auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
+  if (!*file) throw unreadable(path, std::generic_category().message(errno));
+  return file;
+}
+
+std::string bytes_of(const std::string& path) {
+  constexpr std::size_t piece = 1 << 20;
+  constexpr std::size_t most = std::size_t{1}
+                               << 31;  // no test has as many readings; what never ends must not fill the memory
+  const auto in = open_to_read(path);
+  const std::string source = path == "-" ? "standard input" : path;
+  std::string bytes;
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown && size < most) bytes.reserve(size + piece);
+  for (std::size_t got = piece; got > 0;) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + piece);
+    in->read(bytes.data() + before, piece);
+    got = static_cast<std::size_t>(in->gcount());
+    bytes.resize(before + got);
+    if (in->bad()) throw unreadable(source, "an error while reading");
+    if (bytes.size() > most)
+      throw InputError({.file = source, .expected = "a file of at most 2 GiB", .found = "a longer one"});
+  }
+  return bytes;
 }
 
 std::optional<std::string> read_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
   return std::string{std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_text(const std::string& path, std::string_view text) {
+  OutputFile file(path);
+  file.stream() << text;
+  file.finish();
 }
 
 }  // namespace flexslip

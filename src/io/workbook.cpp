@@ -1,15 +1,23 @@
 #include "io/workbook.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
+#include <new>
 #include <utility>
 
-#include <fast_float/fast_float.h>
+#include <expat.h>
 #include <fmt/format.h>
+#include <minizip/unzip.h>
 
-#include "io/packed_xml.h"
+#include "io/input_error.h"
 #include "io/text.h"
 
 namespace flexslip {
@@ -22,19 +30,212 @@ constexpr std::string_view office_mark = "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv;
 constexpr std::size_t fewest_readings =
     3;  // rows: a calibration or a sheet of settings has one or two with numbers alone
 
+// What a part may hold, unpacked [bytes]: ten times what the largest sheet of a measurement has, and little enough that an archive
+// made to fill the memory is refused in seconds.
+constexpr std::uint64_t largest_part = 1ULL << 30;
 constexpr std::size_t most_rows = 1 << 20, most_columns = 1 << 14;  // of the format
 constexpr std::size_t most_text = std::size_t{1} << 29;             // [bytes]
 constexpr std::size_t most_cells = std::size_t{1} << 26;
 
+// ---- the archive, which minizip unpacks
+
+constexpr std::size_t piece_size = 1 << 16;  // [bytes] unpacked at a time
+
+// The bytes as a file that minizip reads.
+struct Bytes {
+  std::string_view all;
+  std::uint64_t at = 0;
+};
+
+Bytes& unpacked_from(void* stream) { return *static_cast<Bytes*>(stream); }
+
+void* open_bytes(void* bytes, const void* /*name*/, int /*mode*/) { return bytes; }
+
+uLong read_bytes(void* /*opaque*/, void* stream, void* to, uLong size) {
+  Bytes& bytes = unpacked_from(stream);
+  const std::string_view rest = bytes.all.substr(std::min<std::uint64_t>(bytes.at, bytes.all.size()), size);
+  if (!rest.empty()) std::memcpy(to, rest.data(), rest.size());
+  bytes.at += rest.size();
+  return static_cast<uLong>(rest.size());
+}
+
+uLong write_nothing(void* /*opaque*/, void* /*stream*/, const void* /*from*/, uLong /*size*/) { return 0; }
+
+ZPOS64_T place_in(void* /*opaque*/, void* stream) { return unpacked_from(stream).at; }
+
+long seek_in(void* /*opaque*/, void* stream, ZPOS64_T offset, int origin) {
+  Bytes& bytes = unpacked_from(stream);
+  const std::uint64_t from = origin == ZLIB_FILEFUNC_SEEK_CUR   ? bytes.at
+                             : origin == ZLIB_FILEFUNC_SEEK_END ? bytes.all.size()
+                                                                : 0;
+  if (offset > bytes.all.size() || from + offset > bytes.all.size()) return -1;
+  bytes.at = from + offset;
+  return 0;
+}
+
+int nothing_to_close(void* /*opaque*/, void* /*stream*/) { return 0; }
+int no_error(void* /*opaque*/, void* /*stream*/) { return 0; }
+
+[[noreturn]] void refuse_damaged(const std::string& found) {
+  throw InputError({.expected = "a whole workbook",
+                    .found = found,
+                    .remedy = "copy or download the file again, or save it anew in the spreadsheet program"});
+}
+
+[[noreturn]] void refuse_large(const std::string& part) {
+  throw InputError({.expected = fmt::format("parts of at most {} MiB, unpacked", largest_part >> 20),
+                    .found = fmt::format("more in {}", in_quotes(part)),
+                    .remedy = "save the sheet with the measurement as CSV"});
+}
+
+// The parts of an archive by name.
+class ZipArchive {
+ public:
+  // The bytes must outlive the archive.
+  explicit ZipArchive(std::string_view bytes) : bytes_{bytes} {
+    zlib_filefunc64_def functions{open_bytes, read_bytes,       write_nothing, place_in,
+                                  seek_in,    nothing_to_close, no_error,      &bytes_};
+    archive_ = unzOpen2_64("", &functions);
+    if (archive_ == nullptr) refuse_damaged("an archive without its table of contents, as of a file cut off");
+  }
+  ~ZipArchive() { unzClose(archive_); }
+  ZipArchive(const ZipArchive&) = delete;
+  ZipArchive& operator=(const ZipArchive&) = delete;
+
+  bool has(const std::string& part) const { return unzLocateFile(archive_, part.c_str(), 1) == UNZ_OK; }
+
+  // Hands over what a part holds, piece by piece; of one that is too large nothing more is unpacked.
+  template <class Take>
+  void read(const std::string& part, const Take& take) const {
+    unz_file_info64 info{};
+    if (!has(part)) refuse_damaged("none with the part " + in_quotes(part));
+    if (unzGetCurrentFileInfo64(archive_, &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
+      refuse_damaged("damage in its table of contents");
+    if ((info.flag & 1U) != 0)
+      throw InputError({.expected = "a workbook without a password",
+                        .found = "an encrypted archive",
+                        .remedy = "save it without a password, or the sheet as CSV"});
+    if (info.uncompressed_size > largest_part) refuse_large(part);
+    if (unzOpenCurrentFile(archive_) != UNZ_OK) refuse_damaged("damage at the part " + in_quotes(part));
+
+    // Whatever take throws, the part is closed.
+    const std::unique_ptr<void, void (*)(void*)> to_close(archive_, [](void* open) { unzCloseCurrentFile(open); });
+    std::array<char, piece_size> buffer{};
+    std::uint64_t unpacked = 0;
+    int got = 0;
+    while ((got = unzReadCurrentFile(archive_, buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
+      unpacked += static_cast<std::uint64_t>(got);
+      if (unpacked > largest_part) refuse_large(part);
+      take({buffer.data(), static_cast<std::size_t>(got)});
+    }
+    if (got < 0 || unpacked != info.uncompressed_size) refuse_damaged("damage in the part " + in_quotes(part));
+    if (unzCloseCurrentFile(archive_) == UNZ_CRCERROR)
+      refuse_damaged("another checksum than it should have in the part " + in_quotes(part));
+  }
+
+ private:
+  Bytes bytes_;
+  unzFile archive_ = nullptr;
+};
+
+// ---- its XML, which expat takes apart
+
+constexpr char between = '|';  // a namespace and a name
+
+std::string_view local(std::string_view name) { return name.substr(name.rfind(between) + 1); }
+
+// The attributes of an element, by their names without namespace; valid while it begins.
+class XmlAttributes {
+ public:
+  explicit XmlAttributes(const char** pairs) : pairs_(pairs) {}
+  std::optional<std::string_view> find(std::string_view name) const {
+    for (const char** pair = pairs_; *pair != nullptr; pair += 2)
+      if (local(pair[0]) == name) return pair[1];
+    return std::nullopt;
+  }
+
+ private:
+  const char** pairs_;  // name, value, ..., nullptr
+};
+
+// What is called for each; names are without namespace. They may throw.
+struct XmlHandlers {
+  std::function<void(std::string_view name, const XmlAttributes&)> begin;
+  std::function<void(std::string_view name)> end = [](std::string_view) {};
+  std::function<void(std::string_view text)> text = [](std::string_view) {};  // in pieces
+};
+
+// The elements of a document as they come; what holds them is not kept.
+class XmlStream {
+ public:
+  explicit XmlStream(XmlHandlers handlers) : handlers_(std::move(handlers)) {
+    if (parser_ == nullptr) throw std::bad_alloc();
+    XML_SetUserData(parser_, this);
+    XML_SetElementHandler(
+        parser_,
+        [](void* user, const char* name, const char** attributes) {
+          guarded(user, [&](XmlStream& self) { self.handlers_.begin(local(name), XmlAttributes(attributes)); });
+        },
+        [](void* user, const char* name) { guarded(user, [&](XmlStream& self) { self.handlers_.end(local(name)); }); });
+    XML_SetCharacterDataHandler(parser_, [](void* user, const char* text, int length) {
+      guarded(user, [&](XmlStream& self) { self.handlers_.text({text, static_cast<std::size_t>(length)}); });
+    });
+    XML_SetStartDoctypeDeclHandler(parser_, [](void* user, const char*, const char*, const char*, int) {
+      guarded(user, [](XmlStream&) {  // it could define entities
+        throw InputError({.expected = "a workbook as spreadsheet programs write it",
+                          .found = "a document type in its XML",
+                          .remedy = "save it anew in the spreadsheet program"});
+      });
+    });
+  }
+  ~XmlStream() { XML_ParserFree(parser_); }
+  XmlStream(const XmlStream&) = delete;
+  XmlStream& operator=(const XmlStream&) = delete;
+
+  // The next piece of the document. Throws what a handler throws.
+  void feed(std::string_view piece, bool is_last = false) {
+    const XML_Status status =
+        XML_Parse(parser_, piece.data(), static_cast<int>(piece.size()), is_last ? XML_TRUE : XML_FALSE);
+    if (thrown_) std::rethrow_exception(thrown_);
+    if (status == XML_STATUS_OK) return;
+    throw InputError({.expected = "a whole workbook",
+                      .found = fmt::format("broken XML in it ({})", XML_ErrorString(XML_GetErrorCode(parser_))),
+                      .remedy = "save it anew in the spreadsheet program"});
+  }
+
+ private:
+  // No exception passes through the C of the parser.
+  template <class Call>
+  static void guarded(void* user, const Call& call) {
+    XmlStream& self = *static_cast<XmlStream*>(user);
+    if (self.thrown_) return;
+    try {
+      call(self);
+    } catch (...) {
+      self.thrown_ = std::current_exception();
+      XML_StopParser(self.parser_, XML_FALSE);
+    }
+  }
+
+  XmlHandlers handlers_;
+  XML_Parser parser_ = XML_ParserCreateNS(nullptr, between);
+  std::exception_ptr thrown_{};
+};
+
 void parse(const ZipArchive& archive, const std::string& part, XmlHandlers handlers) {
   XmlStream xml(std::move(handlers));
   archive.read(part, [&](std::string_view piece) { xml.feed(piece); });
-  xml.finish();
+  xml.feed({}, true);
 }
 
 // ---- what formats show numbers as
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+std::optional<std::size_t> whole(std::string_view text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 // A format built in, some of them as Chinese, Japanese and Korean spreadsheets have them (ECMA-376, 18.8.30).
 CellKind built_in(std::size_t number) {
@@ -45,12 +246,12 @@ CellKind built_in(std::size_t number) {
   return CellKind::number;
 }
 
-// The letters of a format for positive numbers, in lower case, without its words: "[h]:mm" is "h:mm". What stands for digits before
+// The letters of a format in lower case for positive numbers, without its words: "[h]:mm" is "h:mm". What stands for digits before
 // any letter makes it a format of numbers, whatever unit follows.
 std::string letters_of(std::string_view code) {
   std::string letters;
   for (std::size_t i = 0; i < code.size() && code[i] != ';'; ++i) {
-    const char c = lower(code[i]);
+    const char c = code[i];
     if (c == '"') {
       i = std::min(code.find('"', i + 1), code.size());
     } else if (c == '\\' || c == '_' || c == '*') {
@@ -58,7 +259,7 @@ std::string letters_of(std::string_view code) {
     } else if (c == '[') {  // a colour, a condition, a language, or hours that are not cut at 24
       const std::size_t end = std::min(code.find(']', i), code.size());
       const std::string_view inside = code.substr(i + 1, end - i - 1);
-      const bool is_elapsed = !inside.empty() && inside.find_first_not_of("hHmMsS") == std::string_view::npos;
+      const bool is_elapsed = !inside.empty() && inside.find_first_not_of("hms") == std::string_view::npos;
       if (is_elapsed) letters += 'h';
       i = end;
     } else if (c == '#' || c == '?' || (c == '0' && letters.empty())) {
@@ -74,26 +275,22 @@ std::vector<CellKind> read_cell_styles(const ZipArchive& archive, const std::str
   std::map<std::size_t, std::string> codes;
   std::vector<CellKind> kinds;
   bool in_cells = false;  // cellXfs are of cells; cellStyleXfs of styles that these begin from
-  const auto number_of = [](const XmlAttributes& attributes, std::string_view name) {
-    const std::string_view text = attributes.find(name).value_or("0");
-    std::size_t number = 0;
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    return number;
+  const auto number_of = [](const XmlAttributes& attributes) {
+    return whole(attributes.find("numFmtId").value_or("0")).value_or(0);
   };
   const auto begin = [&](std::string_view name, const XmlAttributes& attributes) {
     if (name == "numFmt")
-      codes.insert_or_assign(number_of(attributes, "numFmtId"),
-                             std::string(attributes.find("formatCode").value_or("")));
+      codes.insert_or_assign(number_of(attributes), std::string(attributes.find("formatCode").value_or("")));
     if (name == "cellXfs") in_cells = true;
     if (name != "xf" || !in_cells) return;
-    const std::size_t number = number_of(attributes, "numFmtId");
+    const std::size_t number = number_of(attributes);
     const auto code = codes.find(number);
     kinds.push_back(kind_of_format(number, code == codes.end() ? std::string_view{} : code->second));
   };
   const auto end = [&](std::string_view name) {
     if (name == "cellXfs") in_cells = false;
   };
-  parse(archive, part, {begin, end, [](std::string_view) {}});
+  parse(archive, part, {begin, end});
   return kinds;
 }
 
@@ -105,13 +302,6 @@ std::vector<CellKind> read_cell_styles(const ZipArchive& archive, const std::str
                     .expected = std::move(expected),
                     .found = std::move(found),
                     .remedy = "save the workbook anew in the spreadsheet program"});
-}
-
-std::optional<std::size_t> whole(std::string_view text) {
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
 }
 
 // The column of "BC12", from 1; 0 if there is none.
@@ -268,10 +458,7 @@ class SheetReader {
     if (type_ != "n") return counted(on_a_line(value_));  // str, d
     std::string number(trimmed(value_));
     if (number.empty()) return {};
-    double ignored = 0;
-    const std::string_view digits = std::string_view(number).substr(number.front() == '+' ? 1 : 0);
-    const auto [end, error] = fast_float::from_chars(digits.data(), digits.data() + digits.size(), ignored);
-    if (error != std::errc{} || end != digits.data() + digits.size())
+    if (!plain_number(number))
       refuse(row_, fmt::format("column {}", next_column_), "a number, as the cell says that it holds",
              in_quotes(number));
     ++out_.numbers;
@@ -381,7 +568,7 @@ std::map<std::string, Relation> relations_of(const ZipArchive& archive, const st
         std::string(attributes.find("Id").value_or("")),
         Relation{std::string(type.substr(type.rfind('/') + 1)), to.lexically_normal().generic_string()});
   };
-  parse(archive, file.generic_string(), {begin, [](std::string_view) {}, [](std::string_view) {}});
+  parse(archive, file.generic_string(), {begin});
   return relations;
 }
 
@@ -418,7 +605,7 @@ class Workbook {
       sheets_.push_back({std::string(attributes.find("name").value_or("")), relation->second.part,
                          attributes.find("state").value_or("visible") != "visible"});
     };
-    parse(archive_, main, {begin, [](std::string_view) {}, [](std::string_view) {}});
+    parse(archive_, main, {begin});
     if (sheets_.empty()) refuse_kind("a workbook without a sheet of cells", "save the table in one");
   }
 
@@ -444,8 +631,7 @@ class Workbook {
       for (std::size_t i = 0; i < sheets_.size(); ++i) {
         if (sheets_[i].is_hidden != hidden) continue;
         Worksheet sheet = read(i);
-        if (purpose == SheetFor::readings && sheet.rows_of_readings >= fewest_readings)
-          return {i, std::move(sheet), true};
+        if (purpose != SheetFor::words && sheet.rows_of_readings >= fewest_readings) return {i, std::move(sheet), true};
         if (!with_number && sheet.numbers + sheet.numeric_words > 0) with_number = {i, std::move(sheet), false};
         if (with_number && purpose == SheetFor::words) break;
       }
@@ -480,16 +666,15 @@ class Workbook {
     const std::string number = name != nullptr ? *name : std::to_string(std::get<std::size_t>(wanted));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
       if (std::to_string(i + 1) == number) return i;
-    const std::string meant = name != nullptr ? nearest(*name, names()) : "";
     const bool is_name =
         std::any_of(sheets_.begin(), sheets_.end(), [&](const ListedSheet& each) { return each.name == number; });
     throw InputError(
         {.field = "--sheet",
          .expected = (sheets_.size() == 1 ? "the sheet " : "one of the sheets ") + listed(names()) + ", or its number",
-         .found = shown(wanted),
-         .remedy = is_name         ? fmt::format("write the name as text: {}", in_quotes(number))
-                   : meant.empty() ? ""
-                                   : "did you mean " + in_quotes(meant) + "?",
+         .found = name != nullptr ? in_quotes(*name) : number,
+         .remedy = is_name           ? fmt::format("write the name as text: {}", in_quotes(number))
+                   : name != nullptr ? did_you_mean(*name, names())
+                                     : "",
          .key = "record.sheet"});
   }
 
@@ -526,57 +711,18 @@ std::vector<std::string> notes_on(const Worksheet& sheet) {
 
 }  // namespace
 
-InputError no_workbook(const std::string& file) {
-  return InputError({.file = file,
-                     .field = "--sheet",
-                     .expected = "a workbook (.xlsx), as this names a sheet",
-                     .found = "a text file",
-                     .remedy = "leave it out",
-                     .key = "record.sheet"});
-}
-
 bool is_packed(std::string_view bytes) {
   return bytes.starts_with(zip_mark) || bytes.starts_with(empty_zip_mark) ||
          bytes.starts_with(office_mark.substr(0, 4));
 }
 
-std::string shown(const SheetChoice& sheet) {
-  const std::string* name = std::get_if<std::string>(&sheet);
-  return name != nullptr ? in_quotes(*name) : std::to_string(std::get<std::size_t>(sheet));
-}
-
-InputError WorkbookSheet::dated(const std::string& file, std::size_t line, std::size_t column,
-                                std::string_view expected) const {
-  const CellKind kind = cells.kind(line, column);
-  const char* what = kind == CellKind::clock ? "clock time" : kind == CellKind::date ? "date" : "date and clock time";
-  return InputError({.file = file,
-                     .line = line + 1,
-                     .field = fmt::format("sheet {}, cell {}", in_quotes(name), cell_name(line + 1, column + 1)),
-                     .expected = std::string(expected),
-                     .found = fmt::format("the {} {}", what, cells.shown(line, column)),
-                     .remedy = "format the cell as a number and type it again, or delete the row",
-                     .part = TablePart::cell});
-}
-
 CellKind kind_of_format(std::size_t number, std::string_view code) {
   if (code.empty()) return built_in(number);
-  const std::string letters = letters_of(code);
+  const std::string letters = letters_of(folded(code));
   const auto has = [&](std::string_view some) { return letters.find_first_of(some) != std::string::npos; };
   const bool has_clock = has("hs"), has_date = has("yd");
   if (has_clock) return has_date ? CellKind::date_and_clock : CellKind::clock;
   return has_date || has("m") ? CellKind::date : CellKind::number;
-}
-
-InputError with_other_sheets(const InputError& error, const std::string& name, const std::vector<std::string>& sheets) {
-  if (sheets.size() < 2 || error.fault.part == TablePart::cell) return error;
-  std::vector<std::string> others;
-  for (const std::string& each : sheets)
-    if (each != name) others.push_back(each);
-  InputFault fault = error.fault;
-  fault.remedy += fmt::format("{}this is the sheet {}, and there {} also {}: read another with --sheet \"{}\"",
-                              fault.remedy.empty() ? "" : "; ", in_quotes(name), others.size() == 1 ? "is" : "are",
-                              listed(others), others.front());
-  return InputError(fault);
 }
 
 WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice>& wanted, SheetFor purpose) {
@@ -587,8 +733,7 @@ WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice
                     .sheets = workbook.names(),
                     .cells = std::move(sheet.cells),
                     .text = {},
-                    .notes = notes_on(sheet),
-                    .is_chosen = wanted.has_value()};
+                    .notes = notes_on(sheet)};
   if (!sheet.lines.empty()) out.text = std::move(sheet.lines);
   if (out.sheets.size() > 1)
     out.notes.insert(out.notes.begin(),

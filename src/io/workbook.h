@@ -8,19 +8,18 @@
 #include <variant>
 #include <vector>
 
-#include "io/input_error.h"
 #include "io/sheet.h"
 
 namespace flexslip {
 
 // Which sheet of a workbook: its number from 1, or its name, which may be a number in words where no sheet is called that.
 using SheetChoice = std::variant<std::string, std::size_t>;
-std::string shown(const SheetChoice& sheet);  // "'Data'", "2"
 
-// What a sheet is read for, where none is chosen.
+// What a sheet is read for.
 enum class SheetFor {
-  readings,  // the first visible one with three rows of readings or more, else that for words
-  words,     // the first visible one with a number
+  readings,  // of columns to be found; where no sheet is chosen, the first visible one with three rows of readings or more, else that for words
+  titled_readings,  // of columns that somebody names; likewise
+  words,            // the first visible one with a number
 };
 
 struct WorkbookSheet {
@@ -31,17 +30,7 @@ struct WorkbookSheet {
   Sheet cells;
   std::optional<std::string> text;  // instead, of words in one column alone: a text file that was opened as a workbook
   std::vector<std::string> notes;   // what was decided
-  bool is_chosen = false;           // by who called
-
-  // The refusal of a cell that holds a date or a clock time where a number is wanted, with its place and a remedy. Counted from 0.
-  InputError dated(const std::string& file, std::size_t line, std::size_t column, std::string_view expected) const;
 };
-
-// An error in what a sheet holds that nobody chose, with the others in its remedy: is the table on one of them? One in a single cell is left as it is.
-InputError with_other_sheets(const InputError& error, const std::string& name, const std::vector<std::string>& sheets);
-
-// The refusal of a sheet that is wanted of a file that is no workbook.
-InputError no_workbook(const std::string& file);
 
 // Do the bytes begin as those of an archive or of an old office document do? No table of text does.
 bool is_packed(std::string_view bytes);

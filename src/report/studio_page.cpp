@@ -13,7 +13,6 @@
 
 #include "case/fitted.h"
 #include "io/input_error.h"
-#include "io/table.h"
 #include "io/text_file.h"
 
 namespace flexslip {

@@ -21,11 +21,12 @@ async function source(name) {
 test("table: quantities in SI, as docs/case-files.md has their units; what is none is refused", { skip }, async () => {
   const { parseQuantity } = await source("quantity");
   for (const [words, unit, value] of [["34.8 um", "", 34.8e-6], ["34.8 µm", "", 34.8e-6], ["34,8 µm", "", 34.8e-6], ["1.278 mm", "", 1.278e-3], ["90.65 N/m", "", 90.65], ["88 mN/um", "", 88e3], ["0.5 kN/mm", "", 5e5],
-    ["2.1e-9 N m^2", "", 2.1e-9], ["2.1 mN mm²", "", 2.1e-9], ["29.6 GPa", "", 29.6e9], ["90 deg", "", Math.PI / 2], ["12", "um", 12e-6], ["−3", "", -3], ["inf", "N/m", Infinity], ["5 %", "", 0.05], ["3 micron", "", 3e-6]]) {
+    ["2.1e-9 N m^2", "", 2.1e-9], ["2.1 mN mm²", "", 2.1e-9], ["29.6 GPa", "", 29.6e9], ["90 deg", "", Math.PI / 2], ["12", "um", 12e-6], ["−3", "", -3], ["inf", "N/m", Infinity], ["5 %", "", 0.05], ["3 micron", "", 3e-6],
+    ["2 min", "", 120], ["5 mil", "", 1.27e-4], ["2 ksi", "", 13789514.586336722], ["3 mg", "", 3e-6]]) {
     const read = parseQuantity(words, unit);
     assert.ok(read === value || Math.abs(read - value) <= 4e-16 * Math.abs(value), `${words}: ${read}`);  // one rounding of the number, one of the unit, one of their product
   }
-  for (const words of ["", "um", "12 parsec", "twelve", "1e", "1.2.3 um", "12 um; rm", "0x10 m", "12 __proto__", "12 constructor"]) assert.equal(parseQuantity(words), null, words);
+  for (const words of ["", "um", "12 parsec", "twelve", "1e", "1.2.3 um", "12 um; rm", "0x10 m", "12 __proto__", "12 constructor", "2 TPa", "2 kin"]) assert.equal(parseQuantity(words), null, words);
 });
 
 test("oracle: a word of the command line is what a shell makes of it", { skip }, async () => {

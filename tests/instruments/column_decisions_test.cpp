@@ -1,12 +1,28 @@
 #include "instruments/column_decisions.h"
 
-#include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "tests/has.h"
+#include "tests/refusal.h"
+
 using namespace flexslip;
+
+namespace {
+
+// What is said of a force beside a channel in volts; empty if both are taken as they are.
+std::string said_of(const std::vector<double>& force, const std::vector<double>& volts) {
+  std::string text = "Stroke [mm],Load [N],Aux [V]\n";
+  for (std::size_t i = 0; i < force.size(); ++i)
+    text += std::to_string(0.01 * static_cast<double>(i)) + "," + std::to_string(force[i]) + "," +
+            std::to_string(volts[i]) + "\n";
+  return message_of([&] { export_in(text, "e.csv"); });
+}
+
+}  // namespace
 
 TEST_CASE(
     "column decisions: a second load cell and a force of noise are found, an unrelated channel is not, by "
@@ -20,15 +36,9 @@ TEST_CASE(
     scatter.push_back(noise(random));
     hum.push_back(noise(random));
   }
-  const auto find = [](const std::vector<double>& force, const std::vector<double>& volts) {
-    const std::vector<MeasuredColumn> columns{{force, false, true}, {volts, true, false}};
-    return voltage_for_force(columns);
-  };
-  REQUIRE(find(ramp, cell));
-  CHECK(find(ramp, cell)->correlation < -0.99);
-  REQUIRE(find(scatter, cell));
-  CHECK(find(scatter, cell)->force_is_noise);
-  CHECK_FALSE(find(ramp, hum));
-  const std::vector<MeasuredColumn> alone{{cell, true, false}};
-  CHECK(voltage_for_force(alone));
+  CHECK(has(said_of(ramp, cell), "column 'Aux' in V, which follows 'Load' (correlation -"));
+  CHECK(has(said_of(scatter, cell), "column 'Aux' in V beside 'Load', which holds only noise"));
+  CHECK(said_of(ramp, hum).empty());
+  CHECK(has(message_of([&] { export_in("Stroke [mm],Aux [V]\n0.1,0.5\n0.2,0.6\n0.3,0.7\n", "e.csv"); }),
+            "column 'Aux' in V; if it is the force, state its calibration"));
 }

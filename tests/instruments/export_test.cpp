@@ -37,7 +37,7 @@ struct ExpectedExport {
 
 std::string complaint(const std::string& bytes, const ExportOptions& options = {}) {
   try {
-    read_export(bytes, "e.csv", options);
+    export_in(bytes, "e.csv", options);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -51,8 +51,8 @@ bool same_bits(double a, double b) {
 void check(const Export& found, const ExpectedExport& wanted) {
   CAPTURE(wanted.file);
   CHECK(found.format == wanted.format);
-  CHECK(found.encoding == wanted.encoding);
-  CHECK(found.separator == wanted.separator);
+  CHECK(found.origin.encoding == wanted.encoding);
+  CHECK(found.origin.separator == wanted.separator);
   CHECK(found.decimal == wanted.decimal);
   const ExportedSpecimen& specimen = found.specimens.front();
   CHECK(specimen.lines.size() == wanted.rows);
@@ -78,13 +78,13 @@ std::string canonical(const Export& file, std::size_t specimen = 0) {
 
 // Written, read and written again: the same columns and bits, the same bytes.
 void check_round_trip(const Export& file) {
-  CAPTURE(file.source);
+  CAPTURE(file.origin.source);
   for (std::size_t i = 0; i < file.specimens.size(); ++i) {
     const std::string written = canonical(file, i);
     ExportOptions options;
     for (const ExportColumn& column : file.specimens[i].columns)
       if (column.role == force) options.columns[force] = column.name;  // or a second load cell would be asked for again
-    const Export again = read_export(written, "canonical", options);
+    const Export again = export_in(written, "canonical", options);
     REQUIRE(again.specimens.size() == 1);
     REQUIRE(again.specimens.front().columns.size() == file.specimens[i].columns.size());
     for (std::size_t c = 0; c < file.specimens[i].columns.size(); ++c) {
@@ -373,7 +373,7 @@ const std::vector<ExpectedExport> published{
 }  // namespace
 
 TEST_CASE("export: the made fixtures, of which every number is known, are read as they were written") {
-  for (const ExpectedExport& wanted : made) check(read_export(bytes_of(fixtures / wanted.file), wanted.file), wanted);
+  for (const ExpectedExport& wanted : made) check(export_in(bytes_of(fixtures / wanted.file), wanted.file), wanted);
 }
 
 TEST_CASE("export: published exports of real machines against rows counted and values seen without this reader") {
@@ -385,8 +385,7 @@ TEST_CASE("export: published exports of real machines against rows counted and v
 }
 
 TEST_CASE("export: every file comes back from its canonical form with the same bits, and is written again the same") {
-  for (const ExpectedExport& wanted : made)
-    check_round_trip(read_export(bytes_of(fixtures / wanted.file), wanted.file));
+  for (const ExpectedExport& wanted : made) check_round_trip(export_in(bytes_of(fixtures / wanted.file), wanted.file));
   if (!std::filesystem::exists(campaign_exports)) {
     MESSAGE("skipped: no campaign data");
     return;
@@ -432,7 +431,7 @@ TEST_CASE("export: a force in volts is refused until it is calibrated, and never
   options.units[force] = "N";
   CHECK(has(complaint(volts, options), "--calibration"));
   options.units[force] = "222 N/V";
-  const Export file = read_export(volts, "v.csv", options);
+  const Export file = export_in(volts, "v.csv", options);
   const ExportColumn& column = column_with(file, file.specimens.front(), force);
   CHECK(column.unit == "N");
   CHECK(column.values.back() == doctest::Approx(1407.9).epsilon(1e-6));  // the file has six decimals of 6.3 V
@@ -451,7 +450,7 @@ TEST_CASE("export: the published file with a load cell on an auxiliary input is 
   options.columns[force] = "Aux Input 5";
   CHECK(has(complaint(bytes, options), "--calibration"));
   options.units[force] = "73.1 N/V";
-  check(read_export(bytes, "femur", options),
+  check(export_in(bytes, "femur", options),
         {"femur",
          "MTS TestSuite",
          Encoding::utf8,
@@ -464,34 +463,34 @@ TEST_CASE("export: the published file with a load cell on an auxiliary input is 
           {"Ch 2 Torque", "kN·mm", other, 0.000344647996826097, -0.000504412048030645},
           {"Aux Input 5", "N", force, -0.0174984335899353 * 73.1, 0.00321224331855774 * 73.1},
           {"Running Time", "sec", ColumnRole::time, 0.0205078125, 2.0517578125}}});
-  const Export frame = read_export(bytes, "femur", {.columns = {{force, "Ch 1 Force"}}});
+  const Export frame = export_in(bytes, "femur", {.columns = {{force, "Ch 1 Force"}}});
   CHECK(frame.specimens.front().columns[1].role == force);
   CHECK(frame.specimens.front().name == "C18-L-M-RF");
 }
 
 TEST_CASE("export: dimensions and rate stated in the file, in SI") {
-  const ExportedTest zwick = read_export(bytes_of(fixtures / "zwick.csv"), "z").test;
+  const ExportedTest zwick = export_in(bytes_of(fixtures / "zwick.csv"), "z").test;
   constexpr double ulp = 3e-16;  // relative: to_si rounds once
   CHECK(zwick.span.value() == doctest::Approx(0.064).epsilon(ulp));
   CHECK(zwick.thickness.value() == doctest::Approx(4.02e-3).epsilon(ulp));
   CHECK(zwick.width.value() == doctest::Approx(10.05e-3).epsilon(ulp));
   CHECK(zwick.rate.value() == doctest::Approx(2e-3 / 60).epsilon(ulp));
-  const ExportedTest analyser = read_export(bytes_of(fixtures / "texture_analyser.txt"), "t").test;
+  const ExportedTest analyser = export_in(bytes_of(fixtures / "texture_analyser.txt"), "t").test;
   CHECK(analyser.span.value() == doctest::Approx(0.017).epsilon(ulp));
   CHECK_FALSE(analyser.diameter.has_value());
 }
 
 TEST_CASE("export: the specimens of a file, each with its own name, numbers and dimensions") {
-  const Export file = read_export(bytes_of(fixtures / "shimadzu.csv"), "s");
+  const Export file = export_in(bytes_of(fixtures / "shimadzu.csv"), "s");
   REQUIRE(file.specimens.size() == 2);
   CHECK(file.specimens[0].name == "1 _ 1");
   CHECK(file.specimens[1].name == "1 _ 2");
   CHECK(file.specimens[1].columns[1].values.back() == 2 * f39);
   CHECK(test_in(file.specimens[1].metadata, {}).thickness.value() == doctest::Approx(2.1e-3).epsilon(3e-16));
-  const Export blocks = read_export(bytes_of(fixtures / "mts_blocks.dat"), "m");
+  const Export blocks = export_in(bytes_of(fixtures / "mts_blocks.dat"), "m");
   REQUIRE(blocks.specimens.size() == 2);
   CHECK(blocks.specimens[1].columns[1].values.back() == 2 * f39);
-  const Export named = read_export("SetName,Time [s],Load [N]\na,0.0,1.5\na,0.1,2.5\nb,0.0,3.5\n", "n");
+  const Export named = export_in("SetName,Time [s],Load [N]\na,0.0,1.5\na,0.1,2.5\nb,0.0,3.5\n", "n");
   REQUIRE(named.specimens.size() == 2);
   CHECK(named.specimens[1].name == "b");
   CHECK(named.specimens[1].lines == std::vector<std::size_t>{4});
@@ -500,7 +499,7 @@ TEST_CASE("export: the specimens of a file, each with its own name, numbers and 
 TEST_CASE("export: what the file does not say is asked for with the flag that says it") {
   const auto asks = [](const std::string& text, const ExportOptions& options = {}) {
     std::string all;
-    for (const std::string& question : read_export(text, "e.csv", options).asks) all += question + "\n";
+    for (const std::string& question : export_in(text, "e.csv", options).asks) all += question + "\n";
     return all;
   };
   CHECK(asks(curve_as_csv).empty());
@@ -517,7 +516,7 @@ TEST_CASE(
     "export: a unit that is not stated, not known, of another kind, or a row without a number, is refused in use") {
   const auto refused = [](const std::string& text) {
     try {
-      const Export file = read_export(text, "e.csv");
+      const Export file = export_in(text, "e.csv");
       in_si(file, file.specimens.front(), file.specimens.front().columns[1], kind::force);
     } catch (const InputError& error) {
       return std::string(error.what());
@@ -541,12 +540,12 @@ TEST_CASE("export: contradictions are refused: units of title and row, and a sta
 TEST_CASE("export: rows of another length are left out and said; many of them, and the file is refused") {
   std::string text = "Stroke [mm],Load [N]\n";
   for (int i = 0; i < 40; ++i) text += "0." + std::to_string(10 + i) + ",0.5\n";
-  const Export good = read_export(text + "0.9,", "e.csv");
+  const Export good = export_in(text + "0.9,", "e.csv");
   CHECK(good.specimens.front().lines.size() == 41);  // the last force is missing, and is a NaN
-  const Export cut = read_export(text + "0.9", "e.csv");
+  const Export cut = export_in(text + "0.9", "e.csv");
   CHECK(cut.specimens.front().lines.size() == 40);
   CHECK(has(cut.notes.front(), "ends in the middle of a row"));
-  const Export middle = read_export(text + "0.9\n" + "0.95,0.5\n", "e.csv");
+  const Export middle = export_in(text + "0.9\n" + "0.95,0.5\n", "e.csv");
   CHECK(middle.specimens.front().lines.size() == 41);
   CHECK(has(middle.notes.front(), "line 42"));
   std::string bad = text;
@@ -557,7 +556,7 @@ TEST_CASE("export: rows of another length are left out and said; many of them, a
 TEST_CASE("export: a row that says of every cell that it is missing ends no table") {
   const std::string text =
       "Stroke [mm],Load [N]\n0.1,0.5\n0.2,0.6\n0.3,0.7\nnan,n/a\n0.4,0.8\n0.5,0.9\n0.6,1.0\n0.7,1.1\n";
-  const Export read = read_export(text, "e.csv");
+  const Export read = export_in(text, "e.csv");
   REQUIRE(read.specimens.size() == 1);
   CHECK(read.specimens.front().lines.size() == 8);
   CHECK(read.specimens.front().columns.back().values.back() == 1.1);
@@ -566,10 +565,12 @@ TEST_CASE("export: a row that says of every cell that it is missing ends no tabl
 TEST_CASE("export: the flags that repeat the decisions make the same of the file") {
   for (const ExpectedExport& wanted : made) {
     const std::string bytes = bytes_of(fixtures / wanted.file);
-    const Export file = read_export(bytes, wanted.file);
-    ExportOptions options{
-        .encoding = file.encoding, .separator = file.separator, .decimal = file.decimal, .thousands = file.thousands};
-    const Export again = read_export(bytes, wanted.file, options);
+    const Export file = export_in(bytes, wanted.file);
+    ExportOptions options{.encoding = file.origin.encoding,
+                          .separator = file.origin.separator,
+                          .decimal = file.decimal,
+                          .thousands = file.thousands};
+    const Export again = export_in(bytes, wanted.file, options);
     CHECK(again.repeat_with == file.repeat_with);
     CHECK(canonical(again) == canonical(file));
   }

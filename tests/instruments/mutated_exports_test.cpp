@@ -40,7 +40,7 @@ std::vector<Base> bases_in(const std::filesystem::path& folder) {
     Base base{
         path.filename().string(), bytes_of(path).substr(0, longest), {}, path.filename().string().starts_with("utf16")};
     try {
-      for (const ExportedSpecimen& specimen : read_export(base.bytes, base.name).specimens)
+      for (const ExportedSpecimen& specimen : export_in(base.bytes, base.name).specimens)
         for (const ExportColumn& column : specimen.columns)
           if (column.role != ColumnRole::other) base.unit_of[column.name] = column.unit;
     } catch (const InputError&) {
@@ -128,7 +128,7 @@ void read_damaged(const std::vector<Base>& from, std::size_t mutants) {
     CAPTURE(i);
     std::optional<Export> file;
     try {
-      file = read_export(bytes, base.name);
+      file = export_in(bytes, base.name);
     } catch (const InputError& error) {
       const bool explained = !error.fault.expected.empty() && std::string(error.what()).find('\n') == std::string::npos;
       if (!explained) FAIL_CHECK(error.what());
@@ -151,7 +151,7 @@ void read_damaged(const std::vector<Base>& from, std::size_t mutants) {
     if (file->specimens.front().lines.size() < fewest_rows) continue;
     const std::string written = canonical_of(*file, 0);
     try {
-      const Export again = read_export(written, "canonical");
+      const Export again = export_in(written, "canonical");
       const std::string rewritten = canonical_of(again, 0);
       if (rewritten != written && again.specimens.size() == 1) FAIL_CHECK(first_difference(written, rewritten));
     } catch (const InputError& error) {
@@ -182,7 +182,7 @@ TEST_CASE("export: columns in another order take their titles, units and numbers
   for (const Base& base : bases_in(fixtures)) {
     std::optional<Export> original;
     try {
-      original = read_export(base.bytes, base.name);
+      original = export_in(base.bytes, base.name);
     } catch (const InputError&) {
       continue;
     }
@@ -191,7 +191,7 @@ TEST_CASE("export: columns in another order take their titles, units and numbers
       shuffled.specimens.resize(1);
       std::vector<ExportColumn>& columns = shuffled.specimens.front().columns;
       for (std::size_t i = columns.size(); i > 1; --i) std::swap(columns[i - 1], columns[mutator.below(i)]);
-      const Export again = read_export(canonical_of(shuffled, 0), base.name);
+      const Export again = export_in(canonical_of(shuffled, 0), base.name);
       const std::vector<ExportColumn>& found = again.specimens.front().columns;
       CAPTURE(base.name);
       REQUIRE(found.size() == columns.size());

@@ -55,6 +55,8 @@ TEST_CASE("table: the nearest name is the one that a slip of the finger explains
   CHECK(nearest("Modulus", names) == "modulus");   // case
   CHECK(nearest("F_M", names) == "F_N");           // substituted
   CHECK(nearest("stiffness", names).empty());
+  CHECK(did_you_mean("F_M", names) == "did you mean 'F_N'?");
+  CHECK(did_you_mean("stiffness", names, "leave it out") == "leave it out");
   CHECK(nearest("q", {"S"}).empty());  // nothing in common
   CHECK(nearest(std::string(1 << 20, 'x'), names).empty());
 }

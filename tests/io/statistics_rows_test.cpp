@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -27,9 +29,21 @@ double deviation(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-std::size_t at_end(const std::vector<double>& a, const std::vector<double>& b) {
-  const std::vector<std::span<const double>> columns{a, b};
-  return statistics_at_end(columns);
+// The rows of statistics among lines of a text, but for those that are empty.
+std::vector<std::size_t> found_in(const std::string& text, const std::vector<std::vector<double>>& columns) {
+  const Sheet sheet(text, ',');
+  std::vector<std::size_t> lines;
+  for (std::size_t line = 0; line < sheet.size(); ++line)
+    if (!sheet.is_blank(line)) lines.push_back(line);
+  return statistics_among(sheet, lines, columns).rows;
+}
+
+// How many rows at the end are statistics by their numbers; so many stand below a break.
+std::size_t at_end(const std::vector<std::vector<double>>& columns, std::size_t below_break = 0) {
+  std::string text;
+  for (std::size_t row = 0; row < columns.front().size(); ++row)
+    text += row > 0 && row + below_break == columns.front().size() ? "\n1\n" : "1\n";
+  return found_in(text, columns).size();
 }
 
 }  // namespace
@@ -40,25 +54,29 @@ TEST_CASE("table: labels of statistics, and of what is none") {
     CHECK_MESSAGE(names_statistic(label), label);
   for (const char* label : {"", "meaning", "Maxwell", "Specimen 1", "loading", "minute", "summit", "12", "S"})
     CHECK_FALSE_MESSAGE(names_statistic(label), label);
-  CHECK(is_label("Mean"));
-  CHECK(is_label("平均"));
-  for (const char* cell : {"", "1.5", "-", "nan", "N/A", "#N/A", "+3"}) CHECK_FALSE_MESSAGE(is_label(cell), cell);
+  const auto label = [](const std::string& line) { return std::string(label_of(Sheet(line + "\n", ','), 0)); };
+  CHECK(label("Mean,1") == "Mean");
+  CHECK(label(",平均") == "平均");
+  for (const char* line : {"", "1.5", "-", "nan,Mean", "N/A", "#N/A", "+3"}) CHECK_MESSAGE(label(line).empty(), line);
 }
 
 TEST_CASE("rows below readings: labels are data where half of the rows have one") {
-  const std::vector<LabelledRow> few{{3, true}, {8, false}, {9, false}};
-  CHECK(rows_below_readings(few, 10) == std::vector<std::size_t>{3, 8, 9});
-  CHECK(rows_below_readings(few, 11) ==
-        std::vector<std::size_t>{3});  // row 10 has no label: these are marks of readings
-  CHECK(rows_below_readings(few, 6).empty());
-  std::vector<LabelledRow> many;
-  for (std::size_t row = 70; row < 100; ++row) many.push_back({row, false});
-  CHECK(rows_below_readings(many, 100).empty());
+  const auto found = [](const std::vector<std::string>& labels, std::size_t rows) {
+    std::string text;
+    for (std::size_t row = 0; row < rows; ++row)
+      text += (row + labels.size() < rows ? "" : labels[row + labels.size() - rows]) + ",1\n";
+    return found_in(text, {});
+  };
+  using Rows = std::vector<std::size_t>;
+  CHECK(found({"Mean", "", "", "", "", "a", "b"}, 10) == Rows{3, 8, 9});
+  CHECK(found({"Mean", "", "", "", "", "a", "b", ""}, 11) == Rows{3});  // the last has no label: these mark readings
+  CHECK(found({"Mean", "a", "b"}, 6).empty());
+  CHECK(found(std::vector<std::string>(30, "a"), 100).empty());
 }
 
 TEST_CASE("statistics at the end: found with the digits that are shown, by what they are and not by where") {
   const std::vector<double> a = ramp(200, 0.5), b = ramp(200, 0.031);
-  CHECK(at_end(a, b) == 0);
+  CHECK(at_end({a, b}) == 0);
   const auto with = [](std::vector<double> values, std::initializer_list<double> more) {
     values.insert(values.end(), more);
     return values;
@@ -67,11 +85,12 @@ TEST_CASE("statistics at the end: found with the digits that are shown, by what 
   const auto greatest = [](const std::vector<double>& values) {
     return *std::max_element(values.begin(), values.end());
   };
-  CHECK(at_end(with(a, {mean(a) * round}), with(b, {mean(b) / round})) == 1);
-  CHECK(at_end(with(a, {mean(a), deviation(a)}), with(b, {mean(b), deviation(b)})) == 2);
-  CHECK(at_end(with(a, {greatest(a), mean(a)}), with(b, {greatest(b), mean(b)})) == 2);
-  CHECK(at_end(with(a, {mean(a)}), with(b, {deviation(b)})) == 0);     // not the same of both
-  CHECK(at_end(with(a, {greatest(a)}), with(b, {greatest(b)})) == 0);  // the last reading of a loading is the greatest
+  CHECK(at_end({with(a, {mean(a) * round}), with(b, {mean(b) / round})}) == 1);
+  CHECK(at_end({with(a, {mean(a), deviation(a)}), with(b, {mean(b), deviation(b)})}) == 2);
+  CHECK(at_end({with(a, {greatest(a), mean(a)}), with(b, {greatest(b), mean(b)})}) == 2);
+  CHECK(at_end({with(a, {mean(a)}), with(b, {deviation(b)})}) == 0);  // not the same of both
+  CHECK(at_end({with(a, {greatest(a)}), with(b, {greatest(b)})}) ==
+        0);  // the last reading of a loading is the greatest
 }
 
 TEST_CASE("statistics at the end: an unloading that ends halfway is none, and the same numbers below a break are") {
@@ -81,16 +100,14 @@ TEST_CASE("statistics at the end: an unloading that ends halfway is none, and th
   const double middle = mean({a.begin(), a.end() - 1});
   a.back() = middle;
   for (std::size_t i = 0; i < a.size(); ++i) b[i] = 0.03 * a[i];
-  CHECK(at_end(a, b) == 0);
-  const std::vector<std::span<const double>> columns{a, b};
-  CHECK(statistics_at_end(columns, 1) == 1);
+  CHECK(at_end({a, b}) == 0);
+  CHECK(at_end({a, b}, 1) == 1);
 }
 
 TEST_CASE("statistics at the end: readings that are all alike are none") {
   std::vector<double> a(100, 3.0), b(100);
   for (std::size_t i = 0; i < b.size(); ++i) b[i] = 5 + 1e-4 * std::sin(static_cast<double>(i));
-  CHECK(at_end(a, b) == 0);
-  CHECK(at_end(ramp(11, 1), ramp(11, 2)) == 0);
-  const std::vector<std::span<const double>> one{a};
-  CHECK(statistics_at_end(one) == 0);
+  CHECK(at_end({a, b}) == 0);
+  CHECK(at_end({ramp(11, 1), ramp(11, 2)}) == 0);
+  CHECK(at_end({a}) == 0);
 }

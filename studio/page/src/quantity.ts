@@ -1,15 +1,20 @@
 // Numbers with units: read as people write them, shown with as many digits as their error allows.
 
-const PREFIXES: Record<string, number> = { f: 1e-15, p: 1e-12, n: 1e-9, u: 1e-6, "µ": 1e-6, "μ": 1e-6, m: 1e-3, c: 1e-2, d: 1e-1, k: 1e3, M: 1e6, G: 1e9, T: 1e12 };
-const BASES: Record<string, number> = { m: 1, N: 1, Pa: 1, J: 1, rad: 1, deg: Math.PI / 180, "%": 0.01, micron: 1e-6, in: 0.0254, lbf: 4.4482216152605, psi: 6894.757293168361 };
+// The program's units (src/io/quantity.cpp), to SI: tests/outside/units.py holds that none is missing, and none more.
+const PREFIXES: Record<string, number> = { f: 1e-15, p: 1e-12, n: 1e-9, u: 1e-6, "µ": 1e-6, "μ": 1e-6, m: 1e-3, c: 1e-2, d: 1e-1, k: 1e3, M: 1e6, G: 1e9 };
+const WITH_PREFIX: Record<string, number> = { m: 1, g: 1e-3, s: 1, N: 1, Pa: 1, J: 1, rad: 1 };
+const WITHOUT_PREFIX: Record<string, number> = {
+  micron: 1e-6, microns: 1e-6, in: 0.0254, mil: 2.54e-5, sec: 1, min: 60, h: 3600, lbf: 4.4482216152605, psi: 6894.757293168361, ksi: 6894757.293168361,
+  Msi: 6894757293.168361, kgf: 9.80665, deg: Math.PI / 180, "°": Math.PI / 180, "%": 0.01,
+};
 const SUPERSCRIPTS: Record<string, string> = { "⁰": "0", "¹": "1", "²": "2", "³": "3", "⁴": "4", "⁻": "-" };
 
 function factorOf(symbol: string): number | null {
-  const known = (name: string): number | undefined => (Object.hasOwn(BASES, name) ? BASES[name] : undefined);
-  const whole = known(symbol);
+  const known = (list: Record<string, number>, name: string): number | undefined => (Object.hasOwn(list, name) ? list[name] : undefined);
+  const whole = known(WITHOUT_PREFIX, symbol) ?? known(WITH_PREFIX, symbol);
   if (whole !== undefined) return whole;
-  const base = known(symbol.slice(1)), prefix = PREFIXES[symbol[0] ?? ""];
-  return base !== undefined && prefix !== undefined && /^[a-zA-Z]+$/.test(symbol.slice(1)) ? prefix * base : null;
+  const base = known(WITH_PREFIX, symbol.slice(1)), prefix = known(PREFIXES, symbol[0] ?? "");
+  return base !== undefined && prefix !== undefined ? prefix * base : null;
 }
 
 /** The factor from a unit such as "mN mm²" or "N/m" to SI; null if it is none. */

@@ -26,6 +26,6 @@ struct DecodedText {
 // Method:     the byte order mark; or else UTF-16 by its zero bytes; strict UTF-8; Shift-JIS if the bytes are valid
 //             and most of its two-byte characters are of the rows of kana and common kanji, whose first bytes are rare
 //             signs in CP1252; or else CP1252. No statistics of letters: these take German CP1252 for ISO-8859-3.
-DecodedText decode(std::string_view bytes, std::optional<Encoding> wanted = {});
+DecodedText decode(std::string bytes, std::optional<Encoding> wanted = {});
 
 }  // namespace flexslip

@@ -1,4 +1,4 @@
-#include "instruments/encoding.h"
+#include "io/encoding.h"
 
 #include <algorithm>
 #include <array>
@@ -137,21 +137,16 @@ Encoding encoding_named(std::string_view name) {
   throw InputError({.expected = "one of the encodings " + listed(names), .found = in_quotes(name)});
 }
 
-DecodedText decode(std::string_view bytes, std::optional<Encoding> wanted) {
-  using namespace std::string_view_literals;
-  if (bytes.starts_with("PK\x03\x04"sv) || bytes.starts_with("\xd0\xcf\x11\xe0"sv))
-    throw InputError({.expected = "text",
-                      .found = "a spreadsheet or an archive, such as .xlsx, .xls or .zip",
-                      .remedy = "open it, and save the sheet with the raw data as CSV"});
+DecodedText decode(std::string bytes, std::optional<Encoding> wanted) {
   const auto* const marked = std::find_if(known.begin(), known.end(), [&](const Known& each) {
     return !each.mark.empty() && bytes.starts_with(each.mark) && (!wanted || each.encoding == *wanted);
   });
   const bool has_mark = marked != known.end();
-  if (has_mark) bytes.remove_prefix(marked->mark.size());
+  if (has_mark) bytes.erase(0, marked->mark.size());
   const Encoding encoding = wanted ? *wanted : has_mark ? marked->encoding : encoding_of(bytes);
   DecodedText decoded{"", encoding, has_mark};
   if (encoding == Encoding::utf8 && is_ascii(bytes)) {
-    decoded.text = bytes;
+    decoded.text = std::move(bytes);
   } else {
     auto [text, taken] = Converter(entry(encoding).iconv_name).convert(bytes);
     if (taken < bytes.size())
