@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "data/names.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
 #include "numerics/statistics.h"
@@ -128,13 +129,14 @@ Found too_deep(T test) {
   const double deepest = greatest_deflection(test);
   if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= farthest_deflection || no_force(test))
     return std::nullopt;
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("The deflection reaches {}, {:.2g} times the span of {}. No specimen bends so "
-                                         "far over its supports.",
-                                         Print(test).length(deepest), deepest, Print(test).length(1)),
-                 .short_form = "deflection beyond the span",
-                 .remedy = "Check the units, and where the displacement counts from.",
-                 .numbers = {{"deflection_over_span", deepest}}};
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format(
+          "The deflection reaches {}, {:.2g} times the span of {}. No specimen bends so far over its supports.",
+          Print(test).length(deepest), deepest, Print(test).length(1)),
+      .short_form = "deflection beyond the span",
+      .remedy = "Check the units, and where the displacement counts from.",
+      .numbers = {{"deflection_over_span", deepest}}};
 }
 
 constexpr std::size_t least_rows = 30;
@@ -155,18 +157,18 @@ Found too_few_points(T test) {
   if (test.analysis.status != AnalysisStatus::too_few_points || rows < least_rows || too_deep(test) || no_force(test))
     return std::nullopt;
   const double deepest = greatest_deflection(test), from = friction_told_from(test.analysis.rig.fibre);
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format(
-                     "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and "
-                     "twice the thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the "
-                     "span of {}.",
-                     counted(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
-                     Print(test).length(1)),
-                 .short_form = "bent too little",
-                 .remedy =
-                     "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend "
-                     "farther; flexslip modulus evaluates the record without friction.",
-                 .numbers = {{"deflection_over_span", deepest}}};
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format(
+          "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and twice the "
+          "thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the span of {}.",
+          counted(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
+          Print(test).length(1)),
+      .short_form = "bent too little",
+      .remedy =
+          "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend farther; "
+          "flexslip modulus evaluates the record without friction.",
+      .numbers = {{"deflection_over_span", deepest}}};
 }
 
 std::string train_in_words(T test, double stiffness) {
@@ -204,9 +206,9 @@ Found other_train_in_drops(T test) {
   const std::string as_on = roughly(train, Print(test).as(kind::stiffness));
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("{} of {} drops do not fit the load train stated ({}): while the force falls, "
-                              "the specimen bends as on {}.",
-                              misfits, drops.size(), train_in_words(test, test.analysis.rig.stiffness), as_on),
+      .sentence = fmt::format(
+          "{} of {} drops do not fit the load train stated ({}): while the force falls, the specimen bends as on {}.",
+          misfits, drops.size(), train_in_words(test, test.analysis.rig.stiffness), as_on),
       .short_form = fmt::format("load train as of {}", as_on),
       .remedy = "State the stiffness of the load train under [rig].",
       .numbers = {{"misfits", static_cast<double>(misfits)}, {"load_train", train, kind::stiffness}}};
@@ -223,16 +225,15 @@ Found wrong_load_train(T test) {
     return std::nullopt;
   constexpr double of_a_beam = 48;  // [EI/L^3] force over a small deflection
   const double train = analysis.scales.physical_stiffness(of_a_beam / (times - 1));
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if the "
-                              "bending stiffness stated is right.",
-                              roughly(train, Print(test).as(kind::stiffness))),
-      .short_form = fmt::format("load train as of {}", roughly(train, Print(test).as(kind::stiffness))),
-      .remedy =
-          "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the section "
-          "and the span.",
-      .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "
+                                         "the bending stiffness stated is right.",
+                                         roughly(train, Print(test).as(kind::stiffness))),
+                 .short_form = fmt::format("load train as of {}", roughly(train, Print(test).as(kind::stiffness))),
+                 .remedy =
+                     "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the "
+                     "section and the span.",
+                 .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
 }
 
 Found wrong_stiffness(T test) {
@@ -246,20 +247,19 @@ Found wrong_stiffness(T test) {
                               roughly(times, kind::number), likely_slip_of_units(times)),
       .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
       .remedy =
-          "Check the modulus, the section, the span, the load train, the columns and their units; "
-          "modulus = \"fit\" takes the stiffness from the record.",
+          "Check the modulus, the section, the span, the load train, the columns and their units; modulus = \"fit\" "
+          "takes the stiffness from the record.",
       .numbers = {{"stated_over_slope", times}}};
 }
 
 Found not_explained(T test) {
   if (test.analysis.status != AnalysisStatus::not_explained || no_force(test)) return std::nullopt;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
-      .short_form = "no friction explains it",
-      .remedy =
-          "Check the columns (flexslip read FILE shows them), their units, the span, the section, the modulus "
-          "and the load train."};
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
+                 .short_form = "no friction explains it",
+                 .remedy =
+                     "Check the columns (flexslip read FILE shows them), their units, the span, the section, the "
+                     "modulus and the load train."};
 }
 
 // ---- What stands against an answer
@@ -274,16 +274,15 @@ Found most_drops_impossible(T test) {
                               train_in_words(test, test.analysis.rig.stiffness)),
       .short_form = fmt::format("{} of {} drops are no slips", impossible, drops),
       .remedy =
-          "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these "
-          "drops.",
+          "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these drops.",
       .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
 }
 
 Found no_sliding(T test) {
   if (!test.analysis.model_implausible) return std::nullopt;
   const std::string remedy =
-      "Check the modulus, the section, the span, the contact and the load train. If they are "
-      "right, the specimen gave way: unload and load once more.";
+      "Check the modulus, the section, the span, the contact and the load train. If they are right, the specimen gave "
+      "way: unload and load once more.";
   return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
                  .short_form = "no friction explains it",
@@ -339,9 +338,9 @@ Found implausible_friction(T test) {
           analysis.fit.mu0.low > analysis.most_friction
               ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether they are stuck.",
                             analysis.most_friction)
-          : is_on_edges(test) ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges "
-                                "read so."
-                              : "Image the supports: the length pulled in shows whether the specimen slides."};
+          : is_on_edges(test)
+              ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges read so."
+              : "Image the supports: the length pulled in shows whether the specimen slides."};
 }
 
 Found misses_force(T test) {
@@ -417,14 +416,13 @@ Found unstable(T test) {
 
 Found falling_friction(T test) {
   if (!test.judgement->friction_falls) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence =
-                     "Friction decreases along the record, as it would if stiffness were lost or if rollers were "
-                     "taken for edges.",
-                 .short_form = "friction decreases",
-                 .remedy = is_on_edges(test)
-                               ? "State [rig] roller_radius if the supports are not edges; if they are, image them."
-                               : "Image the supports: the length pulled in shows whether the specimen slides."};
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence =
+          "Friction decreases along the record, as it would if stiffness were lost or if rollers were taken for edges.",
+      .short_form = "friction decreases",
+      .remedy = is_on_edges(test) ? "State [rig] roller_radius if the supports are not edges; if they are, image them."
+                                  : "Image the supports: the length pulled in shows whether the specimen slides."};
 }
 
 Found changed_reload(T test) {
@@ -474,12 +472,11 @@ Found undecided_drops(T test) {
 
 Found few_rows(T test) {
   if (!test.judgement->few_rows) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence =
-                     "Most rises between drops have fewer than five rows: drops and waves of friction may be "
-                     "missed.",
-                 .short_form = "few rows between drops",
-                 .remedy = "Record more rows."};
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = "Most rises between drops have fewer than five rows: drops and waves of friction may be missed.",
+      .short_form = "few rows between drops",
+      .remedy = "Record more rows."};
 }
 
 Found below_frictionless(T test) {
@@ -518,9 +515,7 @@ Found unexpected_stiffness(T test) {
   return checked(
       *check, sentence, sentence + late_beginning(test),
       fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
-      find_contact_or_check(test,
-                            "the modulus, the section, the span, the units and the radius of the "
-                            "supports."));
+      find_contact_or_check(test, "the modulus, the section, the span, the units and the radius of the supports."));
 }
 
 // ---- What is worth knowing, and casts no doubt
@@ -550,14 +545,13 @@ Found jumps(T test) {
   const Judgement& judgement = *test.judgement;
   if (!std::isfinite(judgement.stiffness_for_all)) return std::nullopt;
   const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
-  return Finding{
-      .severity = Severity::note,
-      .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
-                              percent(judgement.jumped)),
-      .remedy = fmt::format("A stiffer rig shows more: on {} or more the force falls only smoothly with such a "
-                            "mean friction.",
-                            Print(test).own(least, kind::stiffness)),
-      .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
+  return Finding{.severity = Severity::note,
+                 .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
+                                         percent(judgement.jumped)),
+                 .remedy = fmt::format(
+                     "A stiffer rig shows more: on {} or more the force falls only smoothly with such a mean friction.",
+                     Print(test).own(least, kind::stiffness)),
+                 .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
 }
 
 Found imaged_length(T test) {
@@ -804,14 +798,7 @@ std::string work_in_words(T test) {
 }
 
 std::string_view source_of(StiffnessSource source) {
-  switch (source) {
-    case StiffnessSource::initial_slope:
-      return "initial slope";
-    case StiffnessSource::mirror:
-      return "loops";
-    default:
-      return "stated";
-  }
+  return name_in_order<StiffnessSource::mirror>(source, {"stated", "stated", "initial slope", "loops"});
 }
 
 std::string stiffness_in_words(T test, bool tells) {
@@ -913,16 +900,8 @@ std::vector<Finding> findings_of(T test) {
 Standing standing_of(const std::vector<Finding>& findings) {
   Severity worst = Severity::note;
   for (const Finding& finding : findings) worst = std::min(worst, finding.severity);
-  switch (worst) {
-    case Severity::refusal:
-      return Standing::untrusted;
-    case Severity::suspicion:
-      return Standing::suspect;
-    case Severity::doubt:
-      return Standing::doubtful;
-    default:
-      return Standing::sound;
-  }
+  constexpr std::array standings{Standing::untrusted, Standing::suspect, Standing::doubtful, Standing::sound};
+  return standings[static_cast<std::size_t>(worst)];
 }
 
 std::vector<std::string_view> finding_codes() {
