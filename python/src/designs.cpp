@@ -16,7 +16,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/design_document.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
 
 namespace flexslip::python {

@@ -7,7 +7,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "answers/path_fields.h"
+#include "answers/mechanics_fields.h"
 #include "answers/profile_fields.h"
 #include "case/simulated_test.h"
 #include "case/studies.h"

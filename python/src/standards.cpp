@@ -9,7 +9,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/modulus_document.h"
+#include "report/answer_documents.h"
 
 namespace flexslip::python {
 namespace {

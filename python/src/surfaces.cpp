@@ -13,8 +13,8 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
-#include "report/surface_document.h"
 
 namespace flexslip::python {
 namespace {

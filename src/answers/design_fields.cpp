@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "answers/mechanics_fields.h"
 #include "data/names.h"
 #include "design/design_result.h"
-#include "result/mechanics.h"
 
 namespace flexslip {
 namespace {

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "answers/mechanics_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "case/fitted.h"
 #include "data/names.h"
 #include "finding/answer.h"
 #include "finding/finding.h"
-#include "result/mechanics.h"
 
 namespace flexslip {
 namespace {
@@ -632,8 +632,7 @@ Fields<LoadingStiffness> loading_fields() {
   return Fields<LoadingStiffness>()
       .words("status",
              "whether the loading is compared: ok, reference (the first), or why not: loaded_too_little, "
-             "window_not_covered, "
-             "too_few_points, not_rising, still_drawn_in, no_reference",
+             "window_not_covered, too_few_points, not_rising, still_drawn_in, no_reference",
              [is_reference](S loading) {
                if (is_reference(loading)) return std::string_view("reference");
                return name_of(loading.status);
@@ -851,16 +850,11 @@ Fields<FittedTest> bending_fields() {
 
 // Of the whole record up to failure, what friction took off the work under the curve.
 Fields<MeasuredEnergy> measured_energy_fields() {
-  return Fields<MeasuredEnergy>()
-      .all_of(energy_fields(), &MeasuredEnergy::account)
-      .number("work_of_fracture", kind::energy, "work on the specimen: area under force over deflection",
-              &MeasuredEnergy::work_of_fracture)
-      .number("friction_share", "share of the work of fracture that went into friction and snaps",
-              &MeasuredEnergy::friction_share)
-      .number("remaining", kind::energy, "work of fracture without friction and snaps",
-              [](const MeasuredEnergy& energy) {
-                return energy.work_of_fracture - energy.account.friction - energy.account.snaps;
-              });
+  return with_work<MeasuredEnergy>(Fields<MeasuredEnergy>().all_of(energy_fields(), &MeasuredEnergy::account),
+                                   &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share,
+                                   [](const MeasuredEnergy& energy) {
+                                     return energy.work_of_fracture - energy.account.friction - energy.account.snaps;
+                                   });
 }
 
 Fields<FittedTest> measurement_fields() {
@@ -960,8 +954,7 @@ Fields<FittedTest> every_fit_field() {
       .group(
           "force_over_frictionless",
           "measured force divided by the force without friction, beyond a deflection of a tenth of the span; no "
-          "friction "
-          "explains values below 1",
+          "friction explains values below 1",
           Fields<OverFrictionless>()
               .number("median", "median over the points", &OverFrictionless::median)
               .number("least", "smallest of the points", &OverFrictionless::least),
@@ -975,11 +968,7 @@ Fields<FittedTest> every_fit_field() {
       .group(
           "friction_read",
           "friction read off the curve point by point, at the bending stiffness of the fit: quantiles of mu in profile",
-          Fields<FrictionRead>()
-              .number("median", "friction below which half of the points lie", &FrictionRead::median)
-              .number("low80", "friction below which a tenth of the points lie", &FrictionRead::low80)
-              .number("high80", "friction above which a tenth of the points lie", &FrictionRead::high80),
-          analysis(&TestAnalysis::friction_read))
+          friction_read_fields(), analysis(&TestAnalysis::friction_read))
       .only_where(is_fitted)
       .number("residual_rms", kind::force,
               "root mean square difference between the force and the mean of the fit run forward",
@@ -1086,6 +1075,13 @@ Frame frame_of(const FittedTest& test) {
           .reduced = test.reduced,
           .in_inches = is_in_inches(test.measurement.test),
           .row = [&test](std::size_t point) { return file_row(test, point); }};
+}
+
+Fields<FrictionRead> friction_read_fields() {
+  return Fields<FrictionRead>()
+      .number("median", "friction below which half of the points lie", &FrictionRead::median)
+      .number("low80", "friction below which a tenth of the points lie", &FrictionRead::low80)
+      .number("high80", "friction above which a tenth of the points lie", &FrictionRead::high80);
 }
 
 const Fields<FittedTest>& fit_fields() {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "answers/fit_fields.h"
-#include "result/mechanics.h"
+#include "answers/mechanics_fields.h"
 
 namespace flexslip {
 

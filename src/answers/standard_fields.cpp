@@ -135,8 +135,7 @@ Fields<PreparationStep> preparation_fields() {
   return Fields<PreparationStep>()
       .words("step",
              "name of the step: columns, metadata, first, repeated, held, interpolated, sign, thinning, zero, "
-             "compliance, end, turn, "
-             "stage or contact",
+             "compliance, end, turn, stage or contact",
              [](S step) { return step.name; })
       .yes_no("changed", "numbers differ from those in the file, or rows are left out",
               [](S step) { return step.changed; })

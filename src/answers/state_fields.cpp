@@ -1,6 +1,6 @@
 #include "answers/state_fields.h"
 
-#include "result/mechanics.h"
+#include "answers/mechanics_fields.h"
 
 namespace flexslip {
 

@@ -12,7 +12,6 @@
 
 #include "case/keys.h"
 #include "case/toml.h"
-#include "io/table.h"
 #include "io/text.h"
 #include "surface/height_trace.h"
 
@@ -109,9 +108,9 @@ std::string field_name(std::string_view key) {
   const std::size_t dot = is_nested ? nested.size() : key.find('.');
   if (key == nested) return fmt::format("[{}]", key);
   if (dot != std::string_view::npos) return fmt::format("[{}] {}", key.substr(0, dot), key.substr(dot + 1));
-  for (const std::string_view section : {"specimen", "rig", "friction", "stage", "record", "sweep"})
-    if (key == section) return fmt::format("[{}]", key);
-  return std::string(key);
+  const std::vector<std::string> sections = case_sections();
+  return std::find(sections.begin(), sections.end(), key) == sections.end() ? std::string(key)
+                                                                            : fmt::format("[{}]", key);
 }
 
 // The line of a key; one that the file does not have is looked for where it would stand, in its section.
@@ -337,6 +336,32 @@ InputError no_change(std::string found, std::string remedy) {
                      .remedy = std::move(remedy)});
 }
 
+std::string full_name(const CaseKey& key) {
+  return key.section.empty() ? std::string(key.name) : fmt::format("{}.{}", key.section, key.name);
+}
+
+// The key that a change names, "rig.stiffness".
+// Fails:      InputError for a text that is no change, or whose key no case file has.
+std::string changed_key(std::string_view change) {
+  const std::size_t equals = change.find('=');
+  if (equals == std::string_view::npos) throw no_change(in_quotes(change), "");
+  const std::string_view name = trimmed(change.substr(0, equals));
+  const std::size_t dot = name.rfind('.');
+  const std::string_view section = name.substr(0, dot == std::string_view::npos ? 0 : dot);
+  const bool is_whole = dot != 0 && !name.ends_with('.');
+  const bool has_keys = section == "friction.other" || section == "sweep.axes" || section.find('.') == section.npos;
+  if (is_whole && has_keys && case_key(section, name.substr(dot + 1))) return std::string(name);  // npos + 1 is 0
+  std::vector<std::string> known;
+  for (const CaseKey& key : case_keys())
+    if (key.section.find('.') == key.section.npos)
+      known.push_back(full_name(key));  // those of arrays change as a whole
+  const auto same =
+      std::find_if(case_keys().begin(), case_keys().end(), [&](const CaseKey& key) { return key.name == name; });
+  const std::string meant = same != case_keys().end() ? full_name(*same) : nearest(name, known);
+  throw no_change(in_quotes(name),
+                  meant.empty() ? "flexslip keys lists the keys" : fmt::format("did you mean {}?", in_quotes(meant)));
+}
+
 bool is_text(const CaseKey& key, std::string_view value) {
   if (value.starts_with('"') || value.starts_with('\'')) return false;  // as a file has it
   switch (key.holds) {
@@ -349,10 +374,6 @@ bool is_text(const CaseKey& key, std::string_view value) {
     default:
       return value == "inf";  // a number of TOML, and the word of a rig
   }
-}
-
-std::string full_name(const CaseKey& key) {
-  return key.section.empty() ? std::string(key.name) : fmt::format("{}.{}", key.section, key.name);
 }
 
 // As TOML reads it, or else text.
@@ -523,6 +544,16 @@ InputError wrong_value(const Test& test, std::string_view key, std::string expec
                      .key = std::string(key)});
 }
 
+InputError wrong_cell(const Table& table, std::size_t row, const Column& column, std::string expected,
+                      std::string found, std::string remedy) {
+  return InputError({.file = table.source,
+                     .line = table.line_of(row),
+                     .field = fmt::format("column {}", in_quotes(column.name)),
+                     .expected = std::move(expected),
+                     .found = std::move(found),
+                     .remedy = std::move(remedy)});
+}
+
 Kind kind_in(const Test& test, const Kind& kind) {
   if (test.reduced) return kind::number;
   return is_in_inches(test) ? in_inches(kind) : kind;
@@ -574,26 +605,6 @@ std::optional<Section> section_of(const Test& test) {
   if (specimen.inner_diameter) return TubularSection{*specimen.diameter, *specimen.inner_diameter};
   if (specimen.wall) return TubularSection{*specimen.diameter, *specimen.diameter - 2 * *specimen.wall};
   return RoundSection{*specimen.diameter};
-}
-
-std::string changed_key(std::string_view change) {
-  const std::size_t equals = change.find('=');
-  if (equals == std::string_view::npos) throw no_change(in_quotes(change), "");
-  const std::string_view name = trimmed(change.substr(0, equals));
-  const std::size_t dot = name.rfind('.');
-  const std::string_view section = name.substr(0, dot == std::string_view::npos ? 0 : dot);
-  const bool is_whole = dot != 0 && !name.ends_with('.');
-  const bool has_keys = section == "friction.other" || section == "sweep.axes" || section.find('.') == section.npos;
-  if (is_whole && has_keys && case_key(section, name.substr(dot + 1))) return std::string(name);  // npos + 1 is 0
-  std::vector<std::string> known;
-  for (const CaseKey& key : case_keys())
-    if (key.section.find('.') == key.section.npos)
-      known.push_back(full_name(key));  // those of arrays change as a whole
-  const auto same =
-      std::find_if(case_keys().begin(), case_keys().end(), [&](const CaseKey& key) { return key.name == name; });
-  const std::string meant = same != case_keys().end() ? full_name(*same) : nearest(name, known);
-  throw no_change(in_quotes(name),
-                  meant.empty() ? "flexslip keys lists the keys" : fmt::format("did you mean {}?", in_quotes(meant)));
 }
 
 toml::table with_changes(toml::table table, const std::vector<std::string>& changes) {

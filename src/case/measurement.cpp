@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "case/case_keys.h"
 #include "case/mechanics.h"
 #include "data/contact.h"
 #include "data/record.h"
@@ -27,11 +28,7 @@ void Preparation::add(std::string_view name, bool changed, std::string done, std
 
 std::string KeyChange::in_case() const { return fmt::format("[{}] {} = {}", section, name, value); }
 
-std::string KeyChange::flag() const {
-  std::string flag(name);
-  std::replace(flag.begin(), flag.end(), '_', '-');
-  return fmt::format("--{} {}", flag, value);
-}
+std::string KeyChange::flag() const { return fmt::format("{} {}", flag_of(name), value); }
 
 namespace {
 

@@ -84,38 +84,30 @@ StageProgramme measured_programme(const Test& test) {
   std::vector<WantedColumn> wanted{{*measured.stage, kind_in(test, kind::length)}};
   if (measured.time) wanted.push_back({*measured.time, kind_in(test, kind::time)});
   Table table = read_table(*measured.file, wanted, measured.decimal);
-  const auto refuse = [&](std::size_t row, const Column& column, std::string expected, std::string found,
-                          std::string remedy) {
-    throw InputError({.file = table.source,
-                      .line = table.line_of(row),
-                      .field = fmt::format("column {}", in_quotes(column.name)),
-                      .expected = std::move(expected),
-                      .found = std::move(found),
-                      .remedy = std::move(remedy)});
-  };
   const Column& stage = table.columns.front();
   const double span = span_of(test);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double position = stage.values[row];
     if (position < 0)
-      refuse(row, stage, "a stage position of at least 0, the point of contact", readable_length(test, position),
-             "count the stage from where it touches the specimen, and leave out the rows before");
+      throw wrong_cell(table, row, stage, "a stage position of at least 0, the point of contact",
+                       readable_length(test, position),
+                       "count the stage from where it touches the specimen, and leave out the rows before");
     if (!(position <= farthest_reduced * span))
-      refuse(row, stage, fmt::format("a stage position within {:g} spans", farthest_reduced),
-             readable_length(test, position), "check its unit");
+      throw wrong_cell(table, row, stage, fmt::format("a stage position within {:g} spans", farthest_reduced),
+                       readable_length(test, position), "check its unit");
     if (!measured.time || row == 0) continue;
     const Column& time = table.columns[1];
     if (time.values[row] < time.values[row - 1])
-      refuse(row, time,
-             fmt::format("a time no earlier than in the previous row, {}",
-                         readable(time.values[row - 1], kind_in(test, kind::time))),
-             readable(time.values[row], kind_in(test, kind::time)), "sort the rows by time");
+      throw wrong_cell(table, row, time,
+                       fmt::format("a time no earlier than in the previous row, {}",
+                                   readable(time.values[row - 1], kind_in(test, kind::time))),
+                       readable(time.values[row], kind_in(test, kind::time)), "sort the rows by time");
   }
   const auto farthest = std::max_element(stage.values.begin(), stage.values.end());
   if (!(*farthest >= nearest_reduced * span))
-    refuse(static_cast<std::size_t>(farthest - stage.values.begin()), stage,
-           fmt::format("a stage that moves to at least {:g} spans", nearest_reduced),
-           readable_length(test, *farthest) + " as the farthest", "check the unit");
+    throw wrong_cell(table, static_cast<std::size_t>(farthest - stage.values.begin()), stage,
+                     fmt::format("a stage that moves to at least {:g} spans", nearest_reduced),
+                     readable_length(test, *farthest) + " as the farthest", "check the unit");
   const double reach = *farthest;
   return {std::move(table.columns.front().values), reach, true, true};
 }
@@ -157,23 +149,20 @@ FrictionTable read_friction_table(const Side& side) {
   const Kind length_kind = kind_in(test, kind::length);
   const Table table = read_table(
       *side.friction.file, {{*side.friction.length, length_kind}, {side.friction.mu.value_or("mu"), kind::number}});
-  const auto refuse = [&](std::size_t row, std::size_t column, std::string expected, double found, const Kind& kind) {
-    throw InputError({.file = table.source,
-                      .line = table.line_of(row),
-                      .field = fmt::format("column {}", in_quotes(table.columns[column].name)),
-                      .expected = std::move(expected),
-                      .found = readable(found, kind)});
-  };
   FrictionTable friction{table.columns[0].values, table.columns[1].values};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (row > 0 && !(friction.S[row] > friction.S[row - 1]))
-      refuse(row, 0, "a length greater than in the previous row", friction.S[row], length_kind);
-    if (friction.mu[row] < 0) refuse(row, 1, "friction of at least 0", friction.mu[row], kind::number);
+      throw wrong_cell(table, row, table.columns[0], "a length greater than in the previous row",
+                       readable(friction.S[row], length_kind));
+    if (friction.mu[row] < 0)
+      throw wrong_cell(table, row, table.columns[1], "friction of at least 0",
+                       readable(friction.mu[row], kind::number));
   }
   if (const double span = span_of(test); !(friction.S.back() / span > 1))
-    refuse(table.rows() - 1, 0,
-           fmt::format("lengths between the supports, which grow from the span of {}", readable_length(test, span)),
-           friction.S.back(), length_kind);
+    throw wrong_cell(
+        table, table.rows() - 1, table.columns[0],
+        fmt::format("lengths between the supports, which grow from the span of {}", readable_length(test, span)),
+        readable(friction.S.back(), length_kind));
   return friction;
 }
 
@@ -528,7 +517,7 @@ std::optional<double> pin_limit_of(const Test& test) {
   return friction_of_pins(*test.rig->pin_friction, *test.rig->pin_radius, *test.rig->roller_radius);
 }
 
-Friction first_friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max) {
+Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max) {
   if (!test.friction) throw missing(test, "friction");
   const FrictionInput& friction = *test.friction;
   if (!friction.model) throw missing(test, "friction.model");
@@ -537,14 +526,10 @@ Friction first_friction_of(const Test& test, const Fibre& fibre, const Scales& s
                       "write a model to compute with, such as model = \"constant\", or \"rough\" with its parameters");
   if (!friction.has_parameters())
     throw missing(test, friction.model == FrictionModel::table ? "friction.file" : "friction.mu0");
-  return friction_of({test, friction, "friction"}, fibre, scales, S_max);
-}
-
-Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max) {
-  Friction first = first_friction_of(test, fibre, scales, S_max);
+  Friction first = friction_of({test, friction, "friction"}, fibre, scales, S_max);
   std::optional<Friction> other;
   if (test.other) other = friction_of({test, *test.other, "friction.other"}, fibre, scales, S_max);
-  if (test.friction->build_up_length.value_or(0) > 0) return built_up(test, std::move(first), fibre, scales, S_max);
+  if (friction.build_up_length.value_or(0) > 0) return built_up(test, std::move(first), fibre, scales, S_max);
   if (!other) return first;
   if (fibre.supports().radius > 0)
     throw wrong_value(test, "rig.roller_radius", "edges, as [friction.other] says that the supports differ", "rollers",

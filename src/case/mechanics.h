@@ -106,9 +106,6 @@ std::optional<double> pin_limit_of(const Test& test);
 // Fails:      InputError if the test has none, a model without parameters, or one that is not covered.
 Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max);
 
-// Of the first support alone.
-Friction first_friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max);
-
 // The test with what the files of its friction hold, so that they are not read again.
 Test with_files_read(Test test);
 

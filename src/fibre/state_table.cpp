@@ -326,7 +326,7 @@ double SupportedTables::beyond(double S, double q) const {
       high = w, over_by = there;
       if (was_lowered) short_by *= 0.5;
     }
-    was_raised = there < 0, was_lowered = there > 0;
+    was_raised = there<0, was_lowered = there> 0;
   }
   return -miss(low) <= close ? low : not_a_number;
 }

@@ -1,5 +1,3 @@
-#include "report/campaign_document.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,6 +13,7 @@
 #include "finding/printed.h"
 #include "io/quantity.h"
 #include "io/text.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
 #include "surface/texture.h"
 
@@ -170,15 +169,15 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
       .rows = {},
       .folding = Folding::never,
       .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"},
-      .paper = {.label = "friction",
-                .caption =
-                    "Friction in bending tests, by the sawtooth of their force curves: friction averaged over the "
-                    "length that slid, amplitude $A$ and wavelength $\\lambda$ of one wave of friction along the "
-                    "specimen (in brackets where it is only indicative), height (half of crest to trough) and rms "
-                    "slope of a surface that would explain them, bending stiffness $EI$, root mean square of "
-                    "measured less model force, drops of the force, and the share of the work that was friction; "
-                    "$\\pm$ standard error, $\\times$ suspect.",
-                .columns = {"Test", "Friction", "A", "λ", "Height", "Slope", "EI", "Residual", "Drops", "Work (%"}}};
+      .paper = {
+          .label = "friction",
+          .caption =
+              "Friction in bending tests, by the sawtooth of their force curves: friction averaged over the length "
+              "that slid, amplitude $A$ and wavelength $\\lambda$ of one wave of friction along the specimen (in "
+              "brackets where it is only indicative), height (half of crest to trough) and rms slope of a surface that "
+              "would explain them, bending stiffness $EI$, root mean square of measured less model force, drops of the "
+              "force, and the share of the work that was friction; $\\pm$ standard error, $\\times$ suspect.",
+          .columns = {"Test", "Friction", "A", "λ", "Height", "Slope", "EI", "Residual", "Drops", "Work (%"}}};
   for (const auto& [category, title] : {std::pair{SawtoothCategory::clear, "Clear sawtooth"},
                                         {SawtoothCategory::nominal, "Nominal sawtooth"},
                                         {SawtoothCategory::none, "No sawtooth, or hardly any"}}) {
@@ -251,10 +250,9 @@ PrintedTable specimen_rows(const Campaign& campaign) {
       .head = {"Sawtooth", "Parameter", "Tests", "Typical", "Specimens differ by"},
       .rows = {},
       .paper = {.label = "friction-specimens",
-                .caption = "Friction between specimens, suspects left out: mean of $\\mu_0$ and its "
-                           "standard deviation between specimens; middle roughness $\\sigma$ and "
-                           "correlation length $\\ell$, and the factor by which specimens differ; 95\\,\\% "
-                           "intervals."}};
+                .caption = "Friction between specimens, suspects left out: mean of $\\mu_0$ and its standard deviation "
+                           "between specimens; middle roughness $\\sigma$ and correlation length $\\ell$, and the "
+                           "factor by which specimens differ; 95\\,\\% intervals."}};
   for (const auto& line : specimen_lines(campaign)) {
     const auto [unit, factor] = print_unit(line.typical.value, line.unit);
     const std::string sign = line.by_factors ? "a factor " : "± ";
@@ -273,12 +271,11 @@ PrintedTable specimen_rows(const Campaign& campaign) {
 }
 
 PrintedTable shared_rows(const Campaign& campaign) {
-  PrintedTable table{
-      .head = {"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"},
-      .rows = {},
-      .paper = {.label = "friction-shared",
-                .caption = "One value for several tests, with its 95\\,\\% interval; $p$: probability that "
-                           "tests that share it differ as much."}};
+  PrintedTable table{.head = {"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"},
+                     .rows = {},
+                     .paper = {.label = "friction-shared",
+                               .caption = "One value for several tests, with its 95\\,\\% interval; $p$: probability "
+                                          "that tests that share it differ as much."}};
   for (const auto& shared : campaign.shared) {
     const std::string tests = fmt::format("{}", shared.tests);
     if (!std::isfinite(shared.estimate.value)) {
@@ -339,16 +336,15 @@ Rows surface_of_waves(const Campaign& campaign) {
   const double mean = std::accumulate(heights.begin(), heights.end(), 0.0) / static_cast<double>(heights.size());
   // The least wave wants the finest pixel, the longest the widest field.
   const WantedImage wanted = wanted_image(*std::max_element(wavelengths.begin(), wavelengths.end()), 2 * *least);
-  return {{"height",
-           fmt::format("waves {} high (half of crest to trough; {} to {}) would explain the waves of friction that "
-                       "are claimed, by their slopes",
-                       length(mean), length(*least), length(*most))},
-          {"image",
-           fmt::format("with pixels of {} it shows those of the mean height; with pixels of {} in fields of {} it "
-                       "settles it for every test (the paper's rule: ten pixels from crest to trough, ten waves in "
-                       "the field)",
-                       length(wanted_image(1, 2 * mean).pixel), length(wanted.pixel), length(wanted.field))},
-          {"trace", "flexslip surface tells what one resolves, and fit --surface whether it fits"}};
+  return {
+      {"height", fmt::format("waves {} high (half of crest to trough; {} to {}) would explain the waves of friction "
+                             "that are claimed, by their slopes",
+                             length(mean), length(*least), length(*most))},
+      {"image",
+       fmt::format("with pixels of {} it shows those of the mean height; with pixels of {} in fields of {} it settles "
+                   "it for every test (the paper's rule: ten pixels from crest to trough, ten waves in the field)",
+                   length(wanted_image(1, 2 * mean).pixel), length(wanted.pixel), length(wanted.field))},
+      {"trace", "flexslip surface tells what one resolves, and fit --surface whether it fits"}};
 }
 
 // What the columns say, of those tables that there are.
@@ -361,21 +357,19 @@ Rows column_rows(const Campaign& campaign) {
            "errors, ranges in parentheses 95 % intervals"},
           {"A, λ", "of the likeliest wave of friction; brackets mark a wave that is only indicative"},
           {"Height, Slope",
-           "half of crest to trough of the wave of the surface that would show it, and the rms of the slopes "
-           "that would show how friction varies"},
+           "half of crest to trough of the wave of the surface that would show it, and the rms of the slopes that "
+           "would show how friction varies"},
           {"Work (%)",
            "share of the work that went into friction; a test that tells no friction, or only a limit, has none"},
-          {"Typical",
-           specimen_rows(campaign).rows.empty()
-               ? ""
-               : "mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with 95 % intervals; specimens "
-                 "differ by the standard deviation of μ₀, and by a factor up or down in σ and ℓ; the error of each "
-                 "record is taken off, and suspects are left out"},
-          {"Agreement",
-           campaign.shared.empty()
-               ? ""
-               : "probability that tests which share one value would differ as much as these; below 0.01 the value "
-                 "is a mean of different ones, and its error says nothing"}};
+          {"Typical", specimen_rows(campaign).rows.empty()
+                          ? ""
+                          : "mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with 95 % intervals; "
+                            "specimens differ by the standard deviation of μ₀, and by a factor up or down in σ and ℓ; "
+                            "the error of each record is taken off, and suspects are left out"},
+          {"Agreement", campaign.shared.empty()
+                            ? ""
+                            : "probability that tests which share one value would differ as much as these; below 0.01 "
+                              "the value is a mean of different ones, and its error says nothing"}};
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
-#include "report/campaign_document.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
 #include "result/table.h"
 
@@ -253,20 +253,19 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
   }
   for (std::size_t k = looks.size(); k-- > 0;) panels.front().marks.push_back({.style = looks[k], .title = words[k]});
   const std::size_t count = panels.size(), rows = (count + panels_across - 1) / panels_across;
-  return {
-      .name = std::move(name),
-      .title = title,
-      .caption = title +
-                 ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the "
-                 "fit run forward. In the corner: the mean friction of the fit, and A and λ where a wave is claimed. "
-                 "Orange: Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the "
-                 "fit. Grey: load lines at the drops of the force, with the stiffness of the load train as slope. ×: "
-                 "suspect.",
-      .width = count < 3 ? 100.0 : 183.0,
-      .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
-      .data = std::move(data),
-      .panels = std::move(panels),
-      .columns = panels_across};
+  return {.name = std::move(name),
+          .title = title,
+          .caption =
+              title +
+              ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the fit run "
+              "forward. In the corner: the mean friction of the fit, and A and λ where a wave is claimed. Orange: "
+              "Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the fit. Grey: "
+              "load lines at the drops of the force, with the stiffness of the load train as slope. ×: suspect.",
+          .width = count < 3 ? 100.0 : 183.0,
+          .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
+          .data = std::move(data),
+          .panels = std::move(panels),
+          .columns = panels_across};
 }
 
 }  // namespace

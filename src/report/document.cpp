@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
+#include "report/draw.h"
 
 namespace flexslip {
 namespace {
@@ -257,9 +258,7 @@ std::string latex_escaped(std::string_view text) {
         std::find_if(commands.begin(), commands.end(), [c](const auto& each) { return each.first == c; });
     out += known == commands.end() ? std::string(1, c) : std::string(known->second);
   }
-  for (const auto& [symbol, command] : symbols)
-    for (auto at = out.find(symbol); at != std::string::npos; at = out.find(symbol, at + command.size()))
-      out.replace(at, symbol.size(), command);
+  for (const auto& [symbol, command] : symbols) out = replaced(std::move(out), symbol, command);
   return out;
 }
 

@@ -5,8 +5,8 @@
 #include "inference/analysis_curves.h"
 #include "inference/process_mode.h"
 #include "numerics/statistics.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
-#include "report/fit_document.h"
 
 namespace flexslip {
 namespace {
@@ -121,8 +121,8 @@ Plot force_figure(const FittedTest& test) {
           .title = "Force against deflection: " + test.name,
           .caption = fmt::format(
               "Force against deflection at midspan. Blue: measured. Black: the mean of the fit run forward{}. Orange: "
-              "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. {}"
-              "Below: measured force less that of the fit, grey where the force says too little about friction{}.",
+              "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. "
+              "{}Below: measured force less that of the fit, grey where the force says too little about friction{}.",
               snaps_in_words,
               count == 0 ? ""
                          : fmt::format("Grey: load lines, whose slope is the stiffness of the load train, through {}. ",
@@ -248,21 +248,21 @@ Plot wavelength_figure(const FittedTest& test) {
     for (const auto& wave : fit.waves)
       marks.push_back(upright(length(wave.wavelength.value), {.dash = Dash::dashed},
                               &wave == &fit.waves.front() ? "Wave of the fit" : ""));
-  return {.name = "wavelengths",
-          .title = "Wavelengths in the friction: " + test.name,
-          .caption = fmt::format(
-              "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness "
-              "being as fitted without a wave. Circle: the likeliest, {:.3g} {}. Dotted: {:g}, beyond which a wave is "
-              "claimed.{}",
-              length(likeliest->wavelength), length.unit, claiming_gain,
-              fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),
-          .width = one_column,
-          .height = 58,
-          .data = {std::move(gains)},
-          .panels = {{.x = {"Wavelength along the specimen *λ*", length.unit, length(fit.scan.front().wavelength),
-                            length(fit.scan.back().wavelength), true},
-                      .y = {"Gain of log-evidence", "", std::clamp(1.04 * least->gain, -highest, 0.0), 1.08 * highest},
-                      .marks = std::move(marks)}}};
+  return {
+      .name = "wavelengths",
+      .title = "Wavelengths in the friction: " + test.name,
+      .caption = fmt::format(
+          "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness being "
+          "as fitted without a wave. Circle: the likeliest, {:.3g} {}. Dotted: {:g}, beyond which a wave is claimed.{}",
+          length(likeliest->wavelength), length.unit, claiming_gain,
+          fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),
+      .width = one_column,
+      .height = 58,
+      .data = {std::move(gains)},
+      .panels = {{.x = {"Wavelength along the specimen *λ*", length.unit, length(fit.scan.front().wavelength),
+                        length(fit.scan.back().wavelength), true},
+                  .y = {"Gain of log-evidence", "", std::clamp(1.04 * least->gain, -highest, 0.0), 1.08 * highest},
+                  .marks = std::move(marks)}}};
 }
 
 bool has_judged_teeth(const FittedTest& test) {
@@ -339,8 +339,8 @@ Plot record_figure(const FittedTest& test) {
   return {.name = "record",
           .title = "Force against deflection: " + test.name,
           .caption =
-              "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the "
-              "model without friction, both with the bending stiffness stated, or that of the initial slope.",
+              "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the model "
+              "without friction, both with the bending stiffness stated, or that of the initial slope.",
           .width = two_columns,
           .height = 78,
           .data = std::move(data),
@@ -386,9 +386,8 @@ Plot loops_figure(const FittedTest& test) {
   return {.name = "loops",
           .title = "Loading and unloading: " + test.name,
           .caption =
-              "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange). "
-              "Black: one friction profile for all loops and both directions, run forward over the stage "
-              "positions.",
+              "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange). Black: "
+              "one friction profile for all loops and both directions, run forward over the stage positions.",
           .width = two_columns,
           .height = 96,
           .data = {std::move(loading), std::move(unloading), std::move(forward)},

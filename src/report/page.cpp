@@ -137,15 +137,8 @@ std::string inline_svg(const fs::path& path, const Plot& plot) {
   std::string svg = read_text(path.string()).value_or("");
   if (svg.find("<svg") == std::string::npos) throw std::runtime_error(fmt::format("no picture in {}", path.string()));
   svg.erase(0, svg.find("<svg"));
-  const auto rename = [&](const std::string& what, const std::string& by) {
-    for (auto at = svg.find(what); at != std::string::npos; at = svg.find(what, at + by.size()))
-      svg.replace(at, what.size(), by);
-  };
-  for (const std::string quote : {"'", "\""}) {
-    rename("id=" + quote, "id=" + quote + plot.name + "-");
-    rename("xlink:href=" + quote + "#", "xlink:href=" + quote + "#" + plot.name + "-");
-  }
-  rename("url(#", "url(#" + plot.name + "-");
+  for (const std::string_view before : {"id='", "id=\"", "xlink:href='#", "xlink:href=\"#", "url(#"})
+    svg = replaced(std::move(svg), before, fmt::format("{}{}-", before, plot.name));
   svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escaped(plot.caption)));
   return svg;
 }

@@ -1,11 +1,10 @@
-#include "report/surface_document.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "finding/printed.h"
+#include "report/answer_documents.h"
 
 namespace flexslip {
 namespace {
