@@ -38,7 +38,7 @@ py::object told(const DesignAnswer& answer) {
 
 py::object told_map(const Map& map) {
   const auto fields = design_map_fields(map.axes);
-  return plain(fields({map.points}, {Scales(1, 1), map.input.reduced}), fields.descriptions());
+  return plain(fields(map.points, {Scales(1, 1), map.input.reduced}), fields.descriptions());
 }
 
 template <class Type>

@@ -86,7 +86,7 @@ std::vector<AnswerDescription> all_answers() {
        category_columns().descriptions()},
       {"campaign: specimens.csv", "typical values and spread between specimens, a row per parameter", true,
        specimen_columns().descriptions()},
-      {"invert --json", "friction of a case, point by point", false, read_test_fields().descriptions()},
+      {"invert --json", "friction of a case, point by point", false, inverted_test_fields().descriptions()},
       {"invert --json of w,F", "friction of single states", false,
        states_fields(no_friction, inverted_fields()).descriptions()},
       {"invert", "friction of a case, point by point, read off at the stated bending stiffness", true,

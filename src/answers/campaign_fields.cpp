@@ -207,19 +207,15 @@ Fields<CampaignTest> failure_fields() {
 
 using SomeTests = std::vector<std::reference_wrapper<const CampaignTest>>;
 
-SomeTests answered_of(const Campaign& campaign) {
-  SomeTests answered;
+// The tests with an answer, or those without.
+SomeTests tests_of(const Campaign& campaign, bool answered) {
+  SomeTests some;
   for (const CampaignTest& test : campaign.tests)
-    if (test.summary) answered.emplace_back(test);
-  return answered;
+    if (test.summary.has_value() == answered) some.emplace_back(test);
+  return some;
 }
-
-SomeTests failures_of(const Campaign& campaign) {
-  SomeTests failures;
-  for (const CampaignTest& test : campaign.tests)
-    if (!test.summary) failures.emplace_back(test);
-  return failures;
-}
+SomeTests answered_of(const Campaign& campaign) { return tests_of(campaign, true); }
+SomeTests failures_of(const Campaign& campaign) { return tests_of(campaign, false); }
 
 // With the estimate as it stands there: its numbers beside the others in JSON, four columns in tables.
 Fields<SharedParameter> shared_fields(const Fields<SharedParameter>& estimate) {

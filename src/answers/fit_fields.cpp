@@ -322,20 +322,18 @@ Fields<Explanation> explanation_fields() {
 
 // All of the fit that is made of the bands along the fibre.
 Fields<FittedTest> band_fields() {
+  const auto at_each = [](auto get) {
+    return [get](T test) {
+      std::vector<double> lengths;
+      for (const double S : test.analysis.fit.band.S) lengths.push_back(get(test.analysis.fit, S));
+      return lengths;
+    };
+  };
   return Fields<FittedTest>()
       .numbers("length", kind::length, "length between the contacts",
-               [](T test) {
-                 std::vector<double> lengths;
-                 for (const double S : test.analysis.fit.band.S)
-                   lengths.push_back(test.analysis.fit.between_contacts(S));
-                 return lengths;
-               })
+               at_each([](const FrictionFit& fit, double S) { return fit.between_contacts(S); }))
       .numbers("drawn_in", kind::length, "length pulled in (both supports)",
-               [](T test) {
-                 std::vector<double> lengths;
-                 for (const double S : test.analysis.fit.band.S) lengths.push_back(S - 1);
-                 return lengths;
-               })
+               at_each([](const FrictionFit&, double S) { return S - 1; }))
       .own_numbers("mean", kind::number, "mean friction at this length",
                    [](T test) { return test.analysis.fit.band.mean; })
       .own_numbers("deviation", kind::number, "standard deviation of friction at this length",
@@ -392,10 +390,6 @@ Fields<Check> check_fields() {
 
 // ---- The surface that would explain it, and a trace it is held against
 
-const WaveEstimate* wave_of(T test) {
-  return test.analysis.fit.waves.empty() ? nullptr : &test.analysis.fit.waves.front();
-}
-
 Fields<HeldSurface> held_fields() {
   using H = const HeldSurface&;
   return Fields<HeldSurface>()
@@ -437,6 +431,12 @@ Fields<FittedTest> implied_fields() {
   const auto mean = [](std::vector<double> ImpliedProfile::*part) {
     return [part](T test) { return test.implied->mean.*part; };
   };
+  const auto of_wave = [](auto get) {
+    return [get](T test) {
+      const std::vector<WaveEstimate>& waves = test.analysis.fit.waves;
+      return waves.empty() ? std::nullopt : std::optional(get(waves.front()));
+    };
+  };
   return Fields<FittedTest>()
       .number("base_friction", "friction of the flat surface, for which the slopes are zero on average",
               of(&ImpliedSurface::base))
@@ -448,22 +448,19 @@ Fields<FittedTest> implied_fields() {
               of(&ImpliedSurface::longest))
       .estimate("wave_height", kind::length,
                 "amplitude of the wave of height that would explain the likeliest wave of friction; null without one",
-                [](T test) { return wave_of(test) ? std::optional(wave_of(test)->height) : std::nullopt; })
+                of_wave([](const WaveEstimate& wave) { return wave.height; }))
       .number("wavelength", kind::length, "wavelength of the likeliest wave of friction",
-              [](T test) { return wave_of(test) ? std::optional(wave_of(test)->wavelength.value) : std::nullopt; })
+              of_wave([](const WaveEstimate& wave) { return wave.wavelength.value; }))
       .yes_no("wave_claimed", "the evidence supports the wave",
-              [](T test) { return wave_of(test) ? std::optional(test.analysis.fit.wave_claimed) : std::nullopt; })
+              [](T test) {
+                const FrictionFit& fit = test.analysis.fit;
+                return fit.waves.empty() ? std::nullopt : std::optional(fit.wave_claimed);
+              })
       .number("pixel_wanted", kind::length,
               "pixel needed to see the wave by the paper's rule, ten pixels from crest to trough",
-              [](T test) {
-                return wave_of(test) ? std::optional(wanted_image(1, 2 * wave_of(test)->height.value).pixel)
-                                     : std::nullopt;
-              })
+              of_wave([](const WaveEstimate& wave) { return wanted_image(1, 2 * wave.height.value).pixel; }))
       .number("field_wanted", kind::length, "field needed to see the wave by the paper's rule, ten waves",
-              [](T test) {
-                return wave_of(test) ? std::optional(wanted_image(wave_of(test)->wavelength.value, 0).field)
-                                     : std::nullopt;
-              })
+              of_wave([](const WaveEstimate& wave) { return wanted_image(wave.wavelength.value, 0).field; }))
       .group("profile", "surface along the specimen",
              Fields<FittedTest>()
                  .numbers("position", kind::length, "position from midspan", of(&ImpliedSurface::position))

@@ -32,7 +32,7 @@ void run_design(const DesignRequest& request) {
   if (!axes.empty()) {
     const auto points = design_map(input, axes, request.threads);
     if (!request.figure.empty()) draw_for(request.output, design_map_figure(input, axes, points), request.figure);
-    return write_rows(request.output, design_map_fields(axes), {points}, map_fields(axes), points,
+    return write_rows(request.output, design_map_fields(axes), points, map_fields(axes), points,
                       {Scales(1, 1), input.reduced});
   }
   constexpr double many = 1e5;

@@ -29,9 +29,8 @@ void run_equilibrium(const EquilibriumRequest& request) {
                                               : study.in_inches ? in_inches(kind::length)
                                                                 : kind::length)));
   if (!request.figure.empty()) draw_for(request.output, equilibrium_figure(study), request.figure);
-  const Equilibria told = told_of(study);
   const EquilibriumColumns columns = columns_of(study);
-  write_rows(request.output, equilibria_fields(columns), told, equilibrium_fields(columns), told.points,
+  write_rows(request.output, equilibria_fields(columns), study, equilibrium_fields(columns), points_of(study),
              {study.scales, study.reduced});
 }
 

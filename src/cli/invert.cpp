@@ -92,9 +92,8 @@ void invert_case(const InvertRequest& request) {
   };
   const InvertedTest test = invert_test(request.test.read(), stated);
   for (const std::string& remark : test.remarks) note(request.output, remark);
-  const ReadTest read{test.measurement, test.stiffness, test.profile};
-  write_rows(request.output, read_test_fields(), read, profile_fields(),
-             points_of(test.measurement.record, test.profile), frame_of(read, test.scales));
+  write_rows(request.output, inverted_test_fields(), test, profile_fields(),
+             points_of(test.measurement.record, test.profile), frame_of(test));
   if (!test.why_no_answer.empty()) throw CalculationFailed(test.why_no_answer);
 }
 

@@ -23,7 +23,7 @@ struct ModulusRequest {
 void run_modulus(const ModulusRequest& request) {
   const auto window = window_of(request.window);
   const ModulusStudy study = with_test(request.test, [&](const Test& input) { return study_modulus(input, window); });
-  const StandardTest test = told_of(study);
+  const StandardTest test = standard_test(study);
   write_words(
       request.output, [&] { return modulus_fields()(test, frame_of(test)); },
       [&] { return in_text(document_of(test)); });
