@@ -49,8 +49,8 @@ void add_equilibria(py::module_& module) {
           study_equilibria(input, {.region = region, .points = points, .levels = levels, .longest = longest}));
     });
   });
-  module.attr("most_equilibria") = most_equilibria;
-  module.attr("most_levels") = most_levels;
+  module.attr("most_equilibria") = max_equilibria;
+  module.attr("most_levels") = max_levels;
 }
 
 }  // namespace flexslip::python

@@ -18,9 +18,9 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one test is a thousand times smaller
-constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
-constexpr double most_turns = 1e5;             // of a stage programme with its cycles: likewise
+constexpr std::size_t max_bytes = 1 << 20;  // [bytes] a description of one test is a thousand times smaller
+constexpr double max_steps = 1e7;           // of a stage programme: minutes of work; more is a slip of the pen
+constexpr double max_turns = 1e5;           // of a stage programme with its cycles: likewise
 
 // What to write for a section that is missing, and for a key of which the example of its row would not do.
 struct Example {
@@ -267,15 +267,15 @@ void check_stage(const Test& test) {
   if (positions.size() < 2)
     refuse(test, "stage.program", "at least two stage positions, a start and an end", std::to_string(positions.size()));
   const auto times = static_cast<double>(stage.cycles);
-  if (const double turns = times * static_cast<double>(positions.size() - 1); !(turns <= most_turns))
+  if (const double turns = times * static_cast<double>(positions.size() - 1); !(turns <= max_turns))
     refuse(test, stage.cycles > 1 ? "stage.cycles" : "stage.program",
-           fmt::format("at most {:.0e} turning points", most_turns), fmt::format("{:.1e}", turns));
+           fmt::format("at most {:.0e} turning points", max_turns), fmt::format("{:.1e}", turns));
   if (!stage.step) return;
   double travel = times * std::abs(positions[1] - positions.back());
   for (std::size_t i = 2; i < positions.size(); ++i) travel += times * std::abs(positions[i] - positions[i - 1]);
   travel += std::abs(positions[1] - positions[0]);
-  if (!(travel / *stage.step <= most_steps))
-    refuse(test, "stage.step", fmt::format("at most {:.0e} steps", most_steps),
+  if (!(travel / *stage.step <= max_steps))
+    refuse(test, "stage.step", fmt::format("at most {:.0e} steps", max_steps),
            fmt::format("{:.1e}", travel / *stage.step), "take a larger step, or \"continuous\"");
 }
 
@@ -521,11 +521,11 @@ std::string to_toml(Test test) {
 std::string case_text(const std::string& path) {
   const std::string source = path == "-" ? "standard input" : path;
   const std::shared_ptr<std::istream> in = open_to_read(path);
-  std::string text(largest_file + 1, '\0');
+  std::string text(max_bytes + 1, '\0');
   in->read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in->bad()) throw InputError({.file = source, .expected = "a readable file", .found = "an error while reading"});
   text.resize(static_cast<std::size_t>(in->gcount()));
-  if (text.size() > largest_file)
+  if (text.size() > max_bytes)
     throw InputError({.file = source, .expected = "a case file (TOML)", .found = "a file of more than 1 MiB"});
   return text;
 }

@@ -58,8 +58,8 @@ constexpr CaseKey word(Member of, std::string_view name, std::string_view words,
 }
 
 constexpr CaseKey plain(Member of, std::string_view name, Holds holds, std::string_view example,
-                        std::string_view meaning, std::string_view more = "", int least = 0) {
-  return in(of, {name, holds, nullptr, Range::any, least, "", example, example, meaning, more});
+                        std::string_view meaning, std::string_view more = "", int min = 0) {
+  return in(of, {name, holds, nullptr, Range::any, min, "", example, example, meaning, more});
 }
 
 constexpr CaseKey estimate(Member of, std::string_view name, const Kind& kind, std::string_view example,
@@ -72,9 +72,9 @@ constexpr CaseKey title(Member of, std::string_view name, const Kind& kind, std:
   return in(of, {name, Holds::title, &kind, Range::any, 0, "", example, reduced, meaning, more});
 }
 
-constexpr CaseKey at_most(double most, std::string_view why, CaseKey key) {
-  key.most = most;
-  key.why_most = why;
+constexpr CaseKey at_most(double max, std::string_view why, CaseKey key) {
+  key.max = max;
+  key.why_max = why;
   return key;
 }
 
@@ -376,7 +376,7 @@ std::string what_holds(const CaseKey& key) {
   std::vector<std::string> parts;
   if (key.holds == Holds::quantity || key.holds == Holds::estimate) parts.emplace_back(key.kind->name);
   for (const std::string_view word : words_of(key)) parts.push_back(fmt::format("\"{}\"", word));
-  if (key.holds == Holds::whole_number) parts.push_back(fmt::format("a whole number from {}", key.least));
+  if (key.holds == Holds::whole_number) parts.push_back(fmt::format("a whole number from {}", key.min));
   if (parts.empty()) parts.emplace_back(words_of_others.at(static_cast<std::size_t>(key.holds)));
   return in_words(parts);
 }

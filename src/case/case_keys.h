@@ -17,7 +17,7 @@ namespace flexslip {
 enum class Holds {
   quantity,      // of `kind`, within `range`
   share,         // a positive number, or text in percent
-  whole_number,  // from `least` on
+  whole_number,  // from `min` on
   yes_no,        // true or false
   estimate,      // a quantity, { value, uncertainty }, or "fit"
   word,          // one of `words`
@@ -48,14 +48,14 @@ struct CaseKey {
   Holds holds;
   const Kind* kind;  // none where that has no meaning
   Range range;
-  int least;                       // of a whole number
+  int min;                         // of a whole number
   std::string_view words;          // "find|keep|reverse"; beside a quantity, what may stand in its place
   std::string_view example;        // as it is written in a file: "\"34.8 um\""
   std::string_view reduced;        // likewise, with reduced = true; "": not there
   std::string_view meaning;        // a phrase
   std::string_view more;           // what docs/case-files.md adds (Markdown)
-  double most = infinity;          // the greatest value within the range
-  std::string_view why_most = "";  // a remedy for one that is greater
+  double max = infinity;           // the greatest value within the range
+  std::string_view why_max = "";   // a remedy for one that is greater
   std::string_view gone = "";      // a word of earlier versions; "": none
   std::string_view why_gone = "";  // a remedy for it
   bool has_flag = false;           // flag_of its name says it of a data file without a case

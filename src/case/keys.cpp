@@ -46,11 +46,11 @@ struct Reader {
 
   void operator()(double& value) const {
     value = key.holds == Holds::share ? keys.share(key.name) : quantity();
-    if (!(value > key.most)) return;
-    InputError error = wrong_value(test, path(), fmt::format("at most {:g}", key.most), fmt::format("{}", value),
-                                   std::string(key.why_most));
+    if (!(value > key.max)) return;
+    InputError error = wrong_value(test, path(), fmt::format("at most {:g}", key.max), fmt::format("{}", value),
+                                   std::string(key.why_max));
     error.fault.kind = FaultKind::too_much;
-    error.fault.limit = key.most;
+    error.fault.limit = key.max;
     throw error;
   }
   void operator()(std::string& value) const {
@@ -68,7 +68,7 @@ struct Reader {
       throw placed(test, error, path());
     }
   }
-  void operator()(std::uint64_t& value) const { value = keys.whole_number(key.name, key.least); }
+  void operator()(std::uint64_t& value) const { value = keys.whole_number(key.name, key.min); }
   void operator()(char& value) const {
     const auto known = words_of(key);
     value = known[keys.word(key.name, known)].front();
@@ -224,11 +224,11 @@ double Keys::quantity(std::string_view name, const Kind& kind, Range range) cons
   return value(need(name), key(name), kind, range);
 }
 
-std::uint64_t Keys::whole_number(std::string_view name, std::int64_t least) const {
+std::uint64_t Keys::whole_number(std::string_view name, std::int64_t min) const {
   const toml::node& node = need(name);
   const auto value = node.value<std::int64_t>();  // of 1e5, too
-  if (!node.is_number() || !value || *value < least)
-    refuse(name, fmt::format("a whole number, at least {}", least), kind_of_node(node));
+  if (!node.is_number() || !value || *value < min)
+    refuse(name, fmt::format("a whole number, at least {}", min), kind_of_node(node));
   return static_cast<std::uint64_t>(*value);
 }
 

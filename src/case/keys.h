@@ -40,7 +40,7 @@ class Keys {
   const toml::node& need(std::string_view name) const;
   double quantity(std::string_view name, const Kind& kind, Range range) const;
   double share(std::string_view name) const;  // a positive number, or text in percent
-  std::uint64_t whole_number(std::string_view name, std::int64_t least) const;
+  std::uint64_t whole_number(std::string_view name, std::int64_t min) const;
   std::size_t word(std::string_view name, const std::vector<std::string_view>& known) const;  // which of them
 
   // A quantity that stands at `key`, which need not be one of this table.

@@ -27,9 +27,9 @@ namespace flexslip {
 namespace {
 
 // How fine friction may be.
-constexpr double most_periods = 1e6;         // of a wave: what trace_loading_curve takes, half a minute
-constexpr double finest_period = 1e-9;       // [L] of a wave, likewise
-constexpr double most_correlations = 2.4e5;  // of a rough profile, which has four knots to each
+constexpr double max_periods = 1e6;         // of a wave: what trace_loading_curve takes, half a minute
+constexpr double finest_period = 1e-9;      // [L] of a wave, likewise
+constexpr double max_correlations = 2.4e5;  // of a rough profile, which has four knots to each
 
 // What the test says of the bending stiffness, if it says something.
 std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
@@ -39,8 +39,8 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   const Known* known = estimate ? std::get_if<Known>(&*estimate) : nullptr;
   if (!known) return std::nullopt;
   const bool has_error = known->uncertainty > 0;
-  constexpr double most_error = 0.3;  // beyond it the fit would be that of another specimen
-  if (known->uncertainty > most_error * known->value)
+  constexpr double max_error = 0.3;  // beyond it the fit would be that of another specimen
+  if (known->uncertainty > max_error * known->value)
     throw wrong_value(test, product ? "specimen.bending_stiffness" : "specimen.modulus",
                       "an uncertainty of at most 30 % of the value",
                       fmt::format("{:.0f} %", 100 * known->uncertainty / known->value),
@@ -67,12 +67,12 @@ StageProgramme stated_programme(const Test& test) {
   const auto& positions = test.stage->program;
   const auto farthest = std::max_element(positions.begin(), positions.end());
   const std::string key = fmt::format("stage.program[{}]", farthest - positions.begin() + 1);
-  if (!(*farthest >= nearest_reduced * span_of(test)))
+  if (!(*farthest >= min_stage * span_of(test)))
     throw wrong_value(test, fmt::format("stage.program[{}]", positions.size()),
-                      fmt::format("a position of at least {:g} spans", nearest_reduced),
+                      fmt::format("a position of at least {:g} spans", min_stage),
                       readable_length(test, positions.back()));
-  if (!(*farthest <= farthest_reduced * span_of(test)))
-    throw wrong_value(test, key, fmt::format("a position within {:g} spans", farthest_reduced),
+  if (!(*farthest <= max_stage * span_of(test)))
+    throw wrong_value(test, key, fmt::format("a position within {:g} spans", max_stage),
                       readable_length(test, *farthest), "check its unit");
   std::vector<double> turns = written_out(*test.stage);
   if (!test.stage->step) return {std::move(turns), *farthest, false, false};
@@ -92,8 +92,8 @@ StageProgramme measured_programme(const Test& test) {
       throw wrong_cell(table, row, stage, "a stage position of at least 0, the point of contact",
                        readable_length(test, position),
                        "count the stage from where it touches the specimen, and leave out the rows before");
-    if (!(position <= farthest_reduced * span))
-      throw wrong_cell(table, row, stage, fmt::format("a stage position within {:g} spans", farthest_reduced),
+    if (!(position <= max_stage * span))
+      throw wrong_cell(table, row, stage, fmt::format("a stage position within {:g} spans", max_stage),
                        readable_length(test, position), "check its unit");
     if (!measured.time || row == 0) continue;
     const Column& time = table.columns[1];
@@ -104,9 +104,9 @@ StageProgramme measured_programme(const Test& test) {
                        readable(time.values[row], kind_in(test, kind::time)), "sort the rows by time");
   }
   const auto farthest = std::max_element(stage.values.begin(), stage.values.end());
-  if (!(*farthest >= nearest_reduced * span))
+  if (!(*farthest >= min_stage * span))
     throw wrong_cell(table, static_cast<std::size_t>(farthest - stage.values.begin()), stage,
-                     fmt::format("a stage that moves to at least {:g} spans", nearest_reduced),
+                     fmt::format("a stage that moves to at least {:g} spans", min_stage),
                      readable_length(test, *farthest) + " as the farthest", "check the unit");
   const double reach = *farthest;
   return {std::move(table.columns.front().values), reach, true, true};
@@ -182,7 +182,7 @@ FrictionTable read_surface(const Side& side) {
   const bool is_inwards = surface.direction == TraceDirection::inwards;
   for (const bool turned : {false, true}) {
     if (turned && is_inwards) std::reverse(ready.path.begin(), ready.path.end());
-    if (const auto fault = too_steep(ready.path, ready.trace.step, mu0, most_apparent, false))
+    if (const auto fault = too_steep(ready.path, ready.trace.step, mu0, max_apparent, false))
       throw refusal_of(*fault, ready.trace, mu0, file.source, length);
   }
   const double begin = surface.trace_begin.value_or(half_span);
@@ -227,9 +227,8 @@ Friction of_points(const Side& side, const FrictionTable& points, const Scales& 
 
 Friction of_roughness(const Side& side, const Scales& scales, double S_max) {
   const double correlation_length = scales.reduced_length(*side.friction.correlation_length);
-  if (!((S_max - 1) / correlation_length <= most_correlations))
-    throw side.wrong("correlation_length",
-                     fmt::format("at least {:.0e} of the length pulled in", 1 / most_correlations),
+  if (!((S_max - 1) / correlation_length <= max_correlations))
+    throw side.wrong("correlation_length", fmt::format("at least {:.0e} of the length pulled in", 1 / max_correlations),
                      readable_length(side.test, *side.friction.correlation_length), "check its unit");
   return Friction::rough(*side.friction.mu0, *side.friction.rms, correlation_length, *side.friction.seed, S_max);
 }
@@ -242,17 +241,17 @@ Friction of_waves(const Side& side, const Scales& scales, double S_max) {
   if (friction.reference) {
     constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
     waves.S_reference = scales.reduced_length(*friction.reference);
-    if (!(waves.S_reference >= 1 - rounding && waves.S_reference <= farthest_reduced))
+    if (!(waves.S_reference >= 1 - rounding && waves.S_reference <= max_stage))
       throw ImpossibleTest(side.wrong("reference",
                                       fmt::format("a length between the supports, from the span of {} to {:g} spans",
-                                                  readable_length(test, scales.span()), farthest_reduced),
+                                                  readable_length(test, scales.span()), max_stage),
                                       readable_length(test, *friction.reference), "check its unit"));
   }
   const auto add = [&](const std::string& name, double amplitude, double wavelength, double phase) {
     waves.terms.push_back({amplitude, scales.reduced_length(wavelength), phase});
     const double period = 2 * waves.terms.back().wavelength;
-    if (!((S_max - 1) / period <= most_periods && period >= finest_period && std::isfinite(period)))
-      throw side.wrong(name, fmt::format("at most {:.0e} periods along the specimen", most_periods),
+    if (!((S_max - 1) / period <= max_periods && period >= finest_period && std::isfinite(period)))
+      throw side.wrong(name, fmt::format("at most {:.0e} periods along the specimen", max_periods),
                        readable_length(test, wavelength), "check its unit");
   };
   if (friction.model == FrictionModel::sinusoid)
@@ -548,9 +547,9 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
     throw ImpossibleTest(wrong_value(test, "rig.pin_friction", "less than the ratio of the radii of roller and pin",
                                      fmt::format("{:g}", *test.rig->pin_friction)));
   const Rig rig = rig_of(test, scales);
-  if (!(farthest / (1 + 48 / rig.stiffness) >= nearest_reduced))
+  if (!(farthest / (1 + 48 / rig.stiffness) >= min_stage))
     throw ImpossibleTest(wrong_value(
-        test, "rig.stiffness", fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
+        test, "rig.stiffness", fmt::format("a rig that bends the specimen by at least {:g} spans", min_stage),
         readable(load_train_stiffness_of(test), kind_in(test, kind::stiffness)), "check its unit"));
   const double S_max = longest_at_stage(farthest);
   Friction kinetic = friction_of(test, rig.fibre, scales, S_max);

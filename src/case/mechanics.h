@@ -23,8 +23,8 @@ namespace flexslip {
 inline constexpr double thickest = 0.2;  // [L] beyond it shear, which the elastica leaves out, adds 10 % to w
 
 // How far the stage may move.
-inline constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
-inline constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
+inline constexpr double min_stage = 1e-6;  // [L] of the stage: what the loading curve can be traced for
+inline constexpr double max_stage = 100;   // [L] of the stage: a fibre is through its supports within a few spans
 
 // There is no such test: a specimen too thick for its span, a rig too soft to bend it. What other errors refuse cannot be computed, or is not stated.
 struct ImpossibleTest : InputError {

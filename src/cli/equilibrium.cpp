@@ -44,9 +44,9 @@ void add_equilibrium_command(CLI::App& app) {
                    "Write all equilibria, |q| <= mu, instead of only the loading curve, q = mu");
   add_option(command, "--points N", request.choice.points,
              "Number of points along S; without it, as many as the roughness needs")
-      ->check(count_between(2, most_equilibria));
+      ->check(count_between(2, max_equilibria));
   add_option(command, "--levels N", request.choice.levels, "With --region, number of values of q from -mu to mu")
-      ->check(count_between(2, most_levels))
+      ->check(count_between(2, max_levels))
       ->capture_default_str();
   add_option(command, "--longest LENGTH", request.choice.longest,
              "Length between the supports up to which to compute; without it, 1.5 spans");

@@ -73,7 +73,7 @@ void add_surface_command(CLI::App& app) {
              "Longest wavelength to include; without it, a quarter of the trace");
   add_option(command, "--tapers COUNT", request.choice.tapers,
              "Number of tapers of the spectrum: more make it smoother and coarser")
-      ->check(count_between(least_tapers, most_tapers))
+      ->check(count_between(min_tapers, max_tapers))
       ->capture_default_str();
   add_reading_flags(command, request.trace, flags_of_traces, "How the trace is read");
   add_reading_flags(command, request.trace, flags_of_files, "How the trace is read");

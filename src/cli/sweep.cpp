@@ -203,14 +203,14 @@ std::string absolute(const std::string& path) { return std::filesystem::absolute
 
 // Fails:      InputError if jobs could not read the case, or sbatch the name of the output.
 void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, const std::string& path) {
-  constexpr double most_jobs = 1000;   // Slurm's usual limit on an array
-  constexpr double safety = 3;         // nodes differ, and so do the designs of a sweep
-  constexpr double least_minutes = 5;  // for starting up
+  constexpr double max_jobs = 1000;  // Slurm's usual limit on an array
+  constexpr double safety = 3;       // nodes differ, and so do the designs of a sweep
+  constexpr double min_minutes = 5;  // for starting up
   if (request.test.file == "-")
     throw InputError({.field = "--slurm", .expected = "a case file that the jobs can read", .found = "standard input"});
   const double minutes = seconds_of_design(plan, RowComputer(plan)) * static_cast<double>(plan.rows) / 60 /
                          static_cast<double>(request.threads);
-  const double wanted = std::clamp(std::ceil(minutes / request.minutes), 1.0, most_jobs);
+  const double wanted = std::clamp(std::ceil(minutes / request.minutes), 1.0, max_jobs);
   const std::uint64_t shards = std::min(request.shards.value_or(static_cast<std::uint64_t>(wanted)), chunks_of(plan));
   const double minutes_a_job = minutes / static_cast<double>(shards);
   const std::string output = absolute(path);
@@ -221,7 +221,7 @@ void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, cons
              fmt::format(script, fmt::arg("minutes", time_in_words(minutes_a_job)),
                          fmt::arg("threads", request.threads), fmt::arg("shards", shards),
                          fmt::arg("job", shell_word(std::filesystem::path(output).filename().string())),
-                         fmt::arg("time", std::ceil(safety * minutes_a_job + least_minutes)),
+                         fmt::arg("time", std::ceil(safety * minutes_a_job + min_minutes)),
                          fmt::arg("log", sbatch_name(output + ".log")),
                          fmt::arg("program", shell_word(std::filesystem::read_symlink("/proc/self/exe").string())),
                          fmt::arg("case_file", shell_word(absolute(request.test.file))), fmt::arg("changes", changes),

@@ -77,13 +77,14 @@ std::string by_how_much(T test) {
   const double below = 1 - analysis.over_frictionless.median, deepest = 1 - analysis.over_frictionless.least;
   constexpr double noticeable = 0.01;
   if (below > noticeable)
-    return fmt::format(": past a tenth of the span its force lies {} below the frictionless curve", percent(below));
+    return fmt::format(": past a tenth of the span its force lies {} below the frictionless curve",
+                       format_percent(below));
   if (deepest > noticeable)
-    return fmt::format(": its force falls to {} below the frictionless curve", percent(deepest));
+    return fmt::format(": its force falls to {} below the frictionless curve", format_percent(deepest));
   return is_fitted(test)
              ? fmt::format(": the best fit misses the force by {} of its greatest",
-                           percent_of(analysis.fit.residual_rms,
-                                      *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end())))
+                           format_share(analysis.fit.residual_rms, *std::max_element(analysis.reduced.force.begin(),
+                                                                                     analysis.reduced.force.end())))
              : "";
 }
 
@@ -127,7 +128,7 @@ Found no_initial_slope(T test) {
 
 Found too_deep(T test) {
   const double deepest = greatest_deflection(test);
-  if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= farthest_deflection || no_force(test))
+  if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= max_deflection || no_force(test))
     return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
@@ -139,22 +140,22 @@ Found too_deep(T test) {
       .numbers = {{"deflection_over_span", deepest}}};
 }
 
-constexpr std::size_t least_rows = 30;
+constexpr std::size_t min_rows = 30;
 
 Found too_few_rows(T test) {
   const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= least_rows || too_deep(test) || no_force(test))
+  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= min_rows || too_deep(test) || no_force(test))
     return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("The loading has {}; {} are needed.", counted(rows, "row", "rows"), least_rows),
+      .sentence = fmt::format("The loading has {}; {} are needed.", format_count(rows, "row", "rows"), min_rows),
       .short_form = "too few rows",
       .remedy = "Record more rows."};
 }
 
 Found too_few_points(T test) {
   const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows < least_rows || too_deep(test) || no_force(test))
+  if (test.analysis.status != AnalysisStatus::too_few_points || rows < min_rows || too_deep(test) || no_force(test))
     return std::nullopt;
   const double deepest = greatest_deflection(test), from = friction_told_from(test.analysis.rig.fibre);
   return Finding{
@@ -162,7 +163,7 @@ Found too_few_points(T test) {
       .sentence = fmt::format(
           "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and twice the "
           "thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the span of {}.",
-          counted(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
+          format_count(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
           Print(test).length(1)),
       .short_form = "bent too little",
       .remedy =
@@ -182,12 +183,12 @@ Found other_train_in_drops(T test) {
   const Record& record = test.analysis.record;
   const std::vector<Drop>& drops = test.analysis.drops.drops;
   const double stated = 1 / test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
-  constexpr std::size_t enough = 3, most_rows = 5;
+  constexpr std::size_t enough = 3, max_rows = 5;
   std::size_t misfits = 0;
   std::vector<double> compliances;  // [m/N]
   for (std::size_t i = 0; i < drops.size(); ++i) {
     const std::size_t before = drops[i].before, after = drops[i].after;
-    const std::size_t rows = std::min(before - (i == 0 ? 0 : std::min(drops[i - 1].after, before)), most_rows);
+    const std::size_t rows = std::min(before - (i == 0 ? 0 : std::min(drops[i - 1].after, before)), max_rows);
     if (rows == 0) continue;
     const double times = static_cast<double>(after - before) / static_cast<double>(rows);
     const auto usual = [&](const std::vector<double>& column) {
@@ -203,7 +204,7 @@ Found other_train_in_drops(T test) {
   std::nth_element(compliances.begin(), middle, compliances.end());
   if (!(*middle > 0)) return std::nullopt;
   const double train = 1 / *middle;
-  const std::string as_on = roughly(train, Print(test).as(kind::stiffness));
+  const std::string as_on = format_roughly(train, Print(test).as(kind::stiffness));
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format(
@@ -225,15 +226,16 @@ Found wrong_load_train(T test) {
     return std::nullopt;
   constexpr double of_a_beam = 48;  // [EI/L^3] force over a small deflection
   const double train = analysis.scales.physical_stiffness(of_a_beam / (times - 1));
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "
-                                         "the bending stiffness stated is right.",
-                                         roughly(train, Print(test).as(kind::stiffness))),
-                 .short_form = fmt::format("load train as of {}", roughly(train, Print(test).as(kind::stiffness))),
-                 .remedy =
-                     "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the "
-                     "section and the span.",
-                 .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "
+                              "the bending stiffness stated is right.",
+                              format_roughly(train, Print(test).as(kind::stiffness))),
+      .short_form = fmt::format("load train as of {}", format_roughly(train, Print(test).as(kind::stiffness))),
+      .remedy =
+          "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the "
+          "section and the span.",
+      .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
 }
 
 Found wrong_stiffness(T test) {
@@ -244,7 +246,7 @@ Found wrong_stiffness(T test) {
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("The bending stiffness stated is {} times that of the record's initial slope{}.",
-                              roughly(times, kind::number), likely_slip_of_units(times)),
+                              format_roughly(times, kind::number), likely_slip_of_units(times)),
       .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
       .remedy =
           "Check the modulus, the section, the span, the load train, the columns and their units; modulus = \"fit\" "
@@ -379,8 +381,8 @@ Found coloured_noise(T test) {
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("A constant friction cannot predict the next reading.");
   const double p = number_of(*check, "p_value");
-  const std::string probability =
-      p < least_p_of_noise ? fmt::format("p < {:g}", least_p_of_noise) : fmt::format("p = {}", significant(p, 2));
+  const std::string probability = p < least_p_of_noise ? fmt::format("p < {:g}", least_p_of_noise)
+                                                       : fmt::format("p = {}", format_significant(p, 2));
   return checked(
       *check,
       fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, least_p_of_noise),
@@ -525,7 +527,7 @@ Found only_a_limit(T test) {
   if (!check || presumes_too_much(test)) return std::nullopt;
   Finding finding = checked(*check, "Friction can be distinguished from zero.",
                             fmt::format("Friction cannot be distinguished from zero; it is at most {} (95 %).",
-                                        significant(number_of(*check, "mu0_high"), 2)),
+                                        format_significant(number_of(*check, "mu0_high"), 2)),
                             "only a limit", "Bend farther, or state the bending stiffness more exactly.");
   if (finding.severity == Severity::doubt) finding.severity = Severity::note;
   return finding;
@@ -547,7 +549,7 @@ Found jumps(T test) {
   const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
   return Finding{.severity = Severity::note,
                  .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
-                                         percent(judgement.jumped)),
+                                         format_percent(judgement.jumped)),
                  .remedy = fmt::format(
                      "A stiffer rig shows more: on {} or more the force falls only smoothly with such a mean friction.",
                      Print(test).own(least, kind::stiffness)),
@@ -563,8 +565,8 @@ Found imaged_length(T test) {
                  .sentence = fmt::format(
                      "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
                      readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
-                     imaged.offset.value > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
-                     roughly(unit * imaged.scatter, length))};
+                     imaged.offset.value > 0 ? "less" : "more", format_count(imaged.points.size(), "point", "points"),
+                     format_roughly(unit * imaged.scatter, length))};
 }
 
 // A rule, under the code of what it finds; does it presume an answer of the analysis?
@@ -637,7 +639,7 @@ std::string work_in_short(T test) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
   if (!tells_work(test) || !(share > worth_saying)) return "";
-  return fmt::format("{} of the work was friction, not toughness", percent(share));
+  return fmt::format("{} of the work was friction, not toughness", format_percent(share));
 }
 
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
@@ -649,7 +651,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     return {VerdictCode::no_answer, {reason.sentence}, reason.code};
   }
   const Judgement& judgement = *test.judgement;
-  const std::string drops = counted(drops_of(test), "drop", "drops");
+  const std::string drops = format_count(drops_of(test), "drop", "drops");
   if (lost_stiffness(judgement)) {
     const Finding* softer = finding_in(findings, "softer_reload");
     if (!softer) softer = finding_in(findings, "changed_reload");
@@ -660,7 +662,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
                                        : fmt::format("{}, {} of them no slip", drops, judgement.impossible)};
     constexpr double worth_saying = 0.03;
     if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
-      parts.push_back(fmt::format("the stiffness falls by about {}", percent(lost)));
+      parts.push_back(fmt::format("the stiffness falls by about {}", format_percent(lost)));
     parts.emplace_back("no friction can be read off");
     return {VerdictCode::crack, parts, "cracks"};
   }
@@ -724,13 +726,13 @@ std::string drops_in_words(T test) {
   const SlipSummary& slips = analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
   const bool has_spacing = is_fitted(test) && slips.count >= enough && !lost_stiffness(*test.judgement);
-  return fmt::format(
-      "{} in {}, the largest {}{}{}", drops_of(test), used, Print(test).own(largest_drop(analysis), kind::force),
-      has_spacing
-          ? fmt::format(", one per {} of the specimen",
-                        roughly(analysis.scales.physical_length(slips.median_spacing), Print(test).as(kind::length)))
-          : "",
-      end);
+  return fmt::format("{} in {}, the largest {}{}{}", drops_of(test), used,
+                     Print(test).own(largest_drop(analysis), kind::force),
+                     has_spacing ? fmt::format(", one per {} of the specimen",
+                                               format_roughly(analysis.scales.physical_length(slips.median_spacing),
+                                                              Print(test).as(kind::length)))
+                                 : "",
+                     end);
 }
 
 std::string slip_or_crack_in_words(T test) {
@@ -751,14 +753,15 @@ std::string slip_or_crack_in_words(T test) {
                  ? fmt::format("cracks alone cannot make these drops: {}; {}", stiffer, slips)
                  : fmt::format(
                        "cracks alone would take {} of the stiffness; by the reload it lost {}{:.1f} ± {:.1f} %; {}",
-                       percent(judgement.loss_needed), judgement.loss > 0 ? "" : "none: ", 100 * judgement.loss,
+                       format_percent(judgement.loss_needed), judgement.loss > 0 ? "" : "none: ", 100 * judgement.loss,
                        100 * judgement.loss_error, slips);
     case CrackVerdict::cracks: {
       const double lost = lost_by_rises(rises);
       return fmt::format("{}{}; {}",
                          judgement.softer_reload ? "a reload shows lost stiffness"
                                                  : "the force rises between the drops as that of cracks",
-                         lost > 0 ? fmt::format(", which take about {} of the stiffness", percent(lost)) : "", slips);
+                         lost > 0 ? fmt::format(", which take about {} of the stiffness", format_percent(lost)) : "",
+                         slips);
     }
     case CrackVerdict::cannot_be_told:
       break;
@@ -774,16 +777,17 @@ std::string friction_in_words(T test) {
   if (lost_stiffness(*test.judgement)) return "none can be read off a specimen that loses stiffness";
   if (fit.mu0_is_bound) return fmt::format("{} (95 %); it cannot be distinguished from zero", mean_friction(fit));
   const double slid = 0.5 * (fit.S_end - fit.S_begin);
-  std::string words = fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
-                                  roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
+  std::string words =
+      fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
+                  format_roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
   if (drops_of(test) > 0 && !has_reload(test)) words += ", if no stiffness was lost";
   const FrictionRead& read = test.analysis.friction_read;
   if (std::isfinite(read.median)) words += fmt::format("; {:.2f} to {:.2f} along it", read.low80, read.high80);
   const bool has_wave = fit.wave_claimed && !fit.waves.empty();
   if (has_wave)
     words += fmt::format("; it repeats every {}",
-                         roughly(test.analysis.scales.physical_length(fit.waves.front().wavelength.value),
-                                 Print(test).as(kind::length)));
+                         format_roughly(test.analysis.scales.physical_length(fit.waves.front().wavelength.value),
+                                        Print(test).as(kind::length)));
   else if (fit.model == ProfileModel::roughness)
     words += "; no regular spacing";
   return words;
@@ -793,7 +797,7 @@ std::string work_in_words(T test) {
   const MeasuredEnergy& energy = test.analysis.energy;
   const Print print(test);
   return fmt::format("{} of {} ({}) went into friction{}", print.energy(energy.account.friction + energy.account.snaps),
-                     print.energy(energy.work_of_fracture), percent(energy.friction_share),
+                     print.energy(energy.work_of_fracture), format_percent(energy.friction_share),
                      may_be_cracks(test) ? " if the drops are slips" : "");
 }
 
@@ -840,8 +844,8 @@ std::string reload_in_words(T test) {
   if (has_reload(test))
     parts.push_back(fmt::format("the last reload is {:.1f} ± {:.1f} % {}", 100 * std::abs(test.judgement->loss),
                                 100 * test.judgement->loss_error, test.judgement->loss > 0 ? "softer" : "stiffer"));
-  return fmt::format("{}{}{}", counted(test.cycles->stiffness.size(), "loading", "loadings"), parts.empty() ? "" : ": ",
-                     fmt::join(parts, "; "));
+  return fmt::format("{}{}{}", format_count(test.cycles->stiffness.size(), "loading", "loadings"),
+                     parts.empty() ? "" : ": ", fmt::join(parts, "; "));
 }
 
 std::string assumed_in_words(T test) {
@@ -911,7 +915,7 @@ std::vector<std::string_view> finding_codes() {
 }
 
 std::string mean_friction(const FrictionFit& fit) {
-  return fit.mu0_is_bound ? fmt::format("at most {}", significant(fit.mu0.high, 2))
+  return fit.mu0_is_bound ? fmt::format("at most {}", format_significant(fit.mu0.high, 2))
                           : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
 }
 

@@ -64,8 +64,9 @@ std::string of_spread(const Spread& spread, double factor, int decimals) {
 
 // "at most 0.09", "at most 0.03 to 0.09".
 std::string at_most(const Spread& limits) {
-  return limits.count == 1 ? fmt::format("at most {}", significant(limits.max, 2))
-                           : fmt::format("at most {} to {}", significant(limits.min, 2), significant(limits.max, 2));
+  return limits.count == 1
+             ? fmt::format("at most {}", format_significant(limits.max, 2))
+             : fmt::format("at most {} to {}", format_significant(limits.min, 2), format_significant(limits.max, 2));
 }
 
 std::string of_friction(const CategorySpread& category) {
@@ -79,12 +80,12 @@ std::string of_friction(const CategorySpread& category) {
 
 template <class Predicate>
 std::string enumerated(const Campaign& campaign, Predicate belongs, std::string_view is, std::string_view are) {
-  constexpr std::size_t most_names = 8;
+  constexpr std::size_t max_names = 8;
   std::vector<std::string> names;
   for (const auto& test : campaign.tests)
     if (belongs(test)) names.push_back(printable(test.name));
   if (names.empty()) return "";
-  const std::size_t shown = std::min(names.size(), most_names);
+  const std::size_t shown = std::min(names.size(), max_names);
   std::string out = names.front();
   for (std::size_t i = 1; i < shown; ++i) out += (i + 1 == names.size() ? " and " : ", ") + names[i];
   if (shown < names.size()) out += fmt::format(" and {} more", names.size() - shown);
@@ -122,8 +123,8 @@ std::string work_in_words(const Campaign& campaign) {
   if (shares.empty()) return "";
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
   const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
-  return fmt::format("; {} of the work{}", percent(mean),
-                     shares.size() == 1 ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, percent(*most)));
+  return fmt::format("; {} of the work{}", format_percent(mean),
+                     shares.size() == 1 ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, format_percent(*most)));
 }
 
 // Over the tests that are not suspect, or over all if all are; null without tests.
@@ -141,7 +142,7 @@ std::string friction_in_words(const Campaign& campaign) {
   const std::string limits =
       over->mu0_limit.count == 0
           ? ""
-          : fmt::format("{} only that it is {}", counted(over->mu0_limit.count, "test tells", "tests tell"),
+          : fmt::format("{} only that it is {}", format_count(over->mu0_limit.count, "test tells", "tests tell"),
                         at_most(over->mu0_limit));
   if (mu0.count == 0)
     return limits.empty() ? " No test tells friction." : fmt::format(" No test tells friction from zero; {}.", limits);
@@ -206,15 +207,15 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
     table.rows.push_back(
         {test.name, test.verdict, std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
          !tells                 ? ""
-         : summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
+         : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
                                 : written(summary.mu0, 1),
-         significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
+         format_significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
          is_rough ? written(summary.correlation_length, per_length) : "", of_wave(summary.amplitude, 1),
          of_wave(summary.wavelength, per_length), of_wave(summary.surface_height, per_length),
          summary.surface_slope ? written(*summary.surface_slope, 1) : "",
          written(summary.bending_stiffness, units.bending_stiffness.factor),
-         significant(units.force.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
-         significant(units.energy.factor * summary.work_of_fracture, 3),
+         format_significant(units.force.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
+         format_significant(units.energy.factor * summary.work_of_fracture, 3),
          std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
          fmt::format("{}", fmt::join(remarks, "; "))});
   }
@@ -264,7 +265,7 @@ PrintedTable specimen_rows(const Campaign& campaign) {
                           fmt::format("{}", line.between->tests.size()),
                           unit.empty() ? typical : fmt::format("{} {}", typical, typeset(unit)),
                           line.between->population.spread_is_bound
-                              ? fmt::format("{}{} at most", sign, significant(line.spread.high, 2))
+                              ? fmt::format("{}{} at most", sign, format_significant(line.spread.high, 2))
                               : sign + with_interval(line.spread, 1)});
   }
   return table;
@@ -284,10 +285,10 @@ PrintedTable shared_rows(const Campaign& campaign) {
     }
     const auto [unit, factor] = print_unit(shared.estimate.value, shared.unit);
     const MatchedDigits digits = matched_digits(shared.estimate, factor);
-    table.rows.push_back({shared.name, with_error(shared.estimate, factor),
-                          digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit),
-                          tests,
-                          shared.agreement < 1e-4 ? "none" : fmt::format("p = {}", significant(shared.agreement, 2))});
+    table.rows.push_back(
+        {shared.name, with_error(shared.estimate, factor),
+         digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit), tests,
+         shared.agreement < 1e-4 ? "none" : fmt::format("p = {}", format_significant(shared.agreement, 2))});
   }
   return table;
 }
@@ -318,7 +319,7 @@ std::string literature_in_words(const Campaign& campaign) {
                      over->mu0.mean < literature->low    ? "below"
                      : over->mu0.mean > literature->high ? "above"
                                                          : "within",
-                     agree, counted(over->mu0.count, "test", "tests"));
+                     agree, format_count(over->mu0.count, "test", "tests"));
 }
 
 // What surface would explain the waves that are claimed, and what images would settle it.
@@ -401,7 +402,7 @@ std::string campaign_in_short(const Campaign& campaign) {
                        campaign.tests.size() == 1
                            ? "the test could not be evaluated"
                            : fmt::format("none of the {} tests could be evaluated", campaign.tests.size()));
-  std::string answer = fmt::format("{}: {}.{}", counted(campaign.tests.size(), "test", "tests"),
+  std::string answer = fmt::format("{}: {}.{}", format_count(campaign.tests.size(), "test", "tests"),
                                    verdicts_in_words(campaign), friction_in_words(campaign));
   for (const std::string& words :
        {enumerated(campaign, is_suspect, "is suspect", "are suspect"),

@@ -133,7 +133,7 @@ PrintedTable explanation_table(T test) {
     for (const double wavelength : each.wavelengths)
       waves += (waves.empty() ? "" : ", ") + Print(test).length(wavelength);
     table.rows.push_back({std::string(in_words(each.kernel)), waves.empty() ? "none" : waves,
-                          each.weight < 0.0005 ? "< 0.1 %" : percent_of(each.weight, 1),
+                          each.weight < 0.0005 ? "< 0.1 %" : format_share(each.weight, 1),
                           fmt::format("{:.1f}", each.log_evidence - explanations.front().log_evidence)});
   }
   return table;
@@ -204,7 +204,7 @@ Chapter snaps_chapter(T test) {
   return {"Snaps of the fit's mean",
           {fmt::format(
                "{} where the force drops {}. A mean is smoother than any one profile, and not every drop is a snap.",
-               counted(snaps, "snap", "snaps"), drops == 1 ? "once" : fmt::format("{} times", drops)),
+               format_count(snaps, "snap", "snaps"), drops == 1 ? "once" : fmt::format("{} times", drops)),
            listed(test, "snaps",
                   {{"Stage", "stage"},
                    {"Deflection before", "deflection_before"},
@@ -249,7 +249,7 @@ std::string smoothing_in_words(T test) {
   const auto& fit = test.analysis.fit;
   const auto wave = [&](double wavelength) {
     return fmt::format("a wave of {} is larger at the contact by {:.0f} %",
-                       roughly(test.analysis.scales.physical_length(wavelength), Print(test).as(kind::length)),
+                       format_roughly(test.analysis.scales.physical_length(wavelength), Print(test).as(kind::length)),
                        100 * (1 / share_read(*build_up, wavelength) - 1));
   };
   std::vector<std::string> waves{wave(std::numbers::pi * build_up->length.value)};
@@ -349,16 +349,16 @@ std::string last_line_of(const Answer& answer) {
 }
 
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style) {
-  constexpr std::size_t most_doubts = 3;
+  constexpr std::size_t max_doubts = 3;
   const std::string shown_name = printable(name);
   const std::string begin = fmt::format("{}  {}   ", shown_name, word_of(answer.verdict.code));
   const std::string title = wrapped(fmt::format("{}", fmt::join(answer.verdict.parts, " · ")),
                                     std::string(std::min<std::size_t>(width_of(begin), 12), ' '), begin, style.width);
   Rows rows = rows_of(answer);
-  const std::size_t doubts = rows.size() - answer.rows.size(), left_out = doubts - std::min(doubts, most_doubts);
+  const std::size_t doubts = rows.size() - answer.rows.size(), left_out = doubts - std::min(doubts, max_doubts);
   rows.resize(rows.size() - left_out);
   std::string last = last_line_of(answer);
-  if (left_out > 0) last = fmt::format("{}: --full. {}", counted(left_out, "more doubt", "more doubts"), last);
+  if (left_out > 0) last = fmt::format("{}: --full. {}", format_count(left_out, "more doubt", "more doubts"), last);
   return (style.colour ? coloured(title, shown_name, answer.verdict) : title) + "\n" +
          in_text({{"", {rows, last}}}, style.width);
 }

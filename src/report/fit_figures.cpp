@@ -11,8 +11,6 @@
 namespace flexslip {
 namespace {
 
-double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
-
 // The size that so large a share of the numbers has at most.
 double most_of(double share, std::vector<double> sizes) {
   if (sizes.empty()) return 0;
@@ -399,7 +397,7 @@ Plot loops_figure(const FittedTest& test) {
 }
 
 Plot boxes_figure(const FittedTest& test) {
-  constexpr std::size_t most_drawn_loops = 4;
+  constexpr std::size_t max_drawn_loops = 4;
   const CyclicFriction& friction = test.cycles->friction;
   const Slid slid = slid_of(test);
   const auto loop_of = [&](std::size_t leg) {
@@ -449,7 +447,7 @@ Plot boxes_figure(const FittedTest& test) {
             {.kind = Mark::band, .style = styles::fill(colours::grey, 0.3), .title = "95 %"},
             {.style = profile_look, .title = "All loops"}},
        .share = 1.7}};
-  const std::size_t drawn = std::min(friction.loops.size(), most_drawn_loops);
+  const std::size_t drawn = std::min(friction.loops.size(), max_drawn_loops);
   for (std::size_t i = 0; i < drawn; ++i) {
     const Condition loop{6, static_cast<double>(i + 1)};
     panels.push_back(
