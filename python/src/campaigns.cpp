@@ -15,9 +15,9 @@
 #include "io/text_file.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/campaign_document.h"
-#include "report/campaign_report.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
+#include "report/report.h"
 
 namespace flexslip::python {
 namespace {

@@ -16,7 +16,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/design_document.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
 
 namespace flexslip::python {
@@ -38,7 +38,7 @@ py::object told(const DesignAnswer& answer) {
 
 py::object told_map(const Map& map) {
   const auto fields = design_map_fields(map.axes);
-  return plain(fields({map.points}, {Scales(1, 1), map.input.reduced}), fields.descriptions());
+  return plain(fields(map.points, {Scales(1, 1), map.input.reduced}), fields.descriptions());
 }
 
 template <class Type>

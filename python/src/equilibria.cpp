@@ -21,15 +21,14 @@ namespace py = pybind11;
 py::dict told(const EquilibriumStudy& study) {
   const Frame frame{study.scales, study.reduced};
   const EquilibriumColumns columns = columns_of(study);
-  const Equilibria equilibria = told_of(study);
-  const Fields<Equilibria> fields = equilibria_fields(columns);
+  const Fields<EquilibriumStudy> fields = equilibria_fields(columns);
   py::dict out;
   for (const Field& field : fields) {
     const py::str name(field.what.name.data(), field.what.name.size());
     if (field.what.shape == Shape::list)
-      out[name] = columns_of_rows(equilibrium_fields(columns), equilibria.points, frame);
+      out[name] = columns_of_rows(equilibrium_fields(columns), points_of(study), frame);
     else
-      out[name] = plain(fields.of(field, equilibria, frame), field.what);
+      out[name] = plain(fields.of(field, study, frame), field.what);
   }
   return out;
 }
@@ -50,8 +49,8 @@ void add_equilibria(py::module_& module) {
           study_equilibria(input, {.region = region, .points = points, .levels = levels, .longest = longest}));
     });
   });
-  module.attr("most_equilibria") = most_equilibria;
-  module.attr("most_levels") = most_levels;
+  module.attr("most_equilibria") = max_equilibria;
+  module.attr("most_levels") = max_levels;
 }
 
 }  // namespace flexslip::python

@@ -16,7 +16,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/fit_document.h"
+#include "report/answer_documents.h"
 #include "report/report.h"
 
 namespace flexslip::python {

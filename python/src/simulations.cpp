@@ -7,7 +7,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "answers/path_fields.h"
+#include "answers/mechanics_fields.h"
 #include "answers/profile_fields.h"
 #include "case/simulated_test.h"
 #include "case/studies.h"
@@ -70,10 +70,9 @@ py::list figures(const Simulated& simulated) {
 // What is read off a record without a fit.
 py::dict profile(const Test& input) {
   const InvertedTest test = interruptible([&](const std::atomic<bool>&) { return invert_test(input); });
-  const ReadTest read{test.measurement, test.stiffness, test.profile};
-  return py::dict(
-      py::arg("told") = plain(read_test_fields()(read, frame_of(read, test.scales)), read_test_fields().descriptions()),
-      py::arg("remarks") = test.remarks, py::arg("why_no_answer") = test.why_no_answer);
+  const Fields<InvertedTest> fields = inverted_test_fields();
+  return py::dict(py::arg("told") = plain(fields(test, frame_of(test)), fields.descriptions()),
+                  py::arg("remarks") = test.remarks, py::arg("why_no_answer") = test.why_no_answer);
 }
 
 }  // namespace

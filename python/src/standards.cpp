@@ -9,7 +9,7 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
-#include "report/modulus_document.h"
+#include "report/answer_documents.h"
 
 namespace flexslip::python {
 namespace {
@@ -19,7 +19,7 @@ namespace py = pybind11;
 py::dict modulus(const Test& input, const std::vector<std::string>& window) {
   const ModulusStudy study =
       interruptible([&](const std::atomic<bool>&) { return study_modulus(input, window_of(window)); });
-  const StandardTest test = told_of(study);
+  const StandardTest test = standard_test(study);
   return py::dict(py::arg("told") = plain(modulus_fields()(test, frame_of(test)), modulus_fields().descriptions()),
                   py::arg("words") = small_deflection_in_words(test));
 }

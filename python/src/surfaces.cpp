@@ -13,8 +13,8 @@
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
-#include "report/surface_document.h"
 
 namespace flexslip::python {
 namespace {
@@ -77,8 +77,8 @@ void add_surfaces(py::module_& module) {
     });
   });
   module.attr("most_degree") = most_degree;
-  module.attr("least_tapers") = least_tapers;
-  module.attr("most_tapers") = most_tapers;
+  module.attr("least_tapers") = min_tapers;
+  module.attr("most_tapers") = max_tapers;
 }
 
 }  // namespace flexslip::python

@@ -8,7 +8,7 @@
 #include "answers/campaign_fields.h"
 #include "answers/design_fields.h"
 #include "answers/fit_fields.h"
-#include "answers/path_fields.h"
+#include "answers/mechanics_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "answers/state_fields.h"
@@ -66,7 +66,8 @@ Fields<CaseKey> key_fields() {
       .words("holds", "values that the key takes", what_holds)
       .words("example", "example of a value", text(&CaseKey::example))
       .words("reduced", "example of a value in a reduced case", text(&CaseKey::reduced))
-      .words("flag", "flag that says the same on the command line", text(&CaseKey::flag))
+      .words("flag", "flag that says the same on the command line",
+             [](const CaseKey& key) { return key.has_flag ? std::optional(flag_of(key.name)) : std::nullopt; })
       .words("meaning", "meaning of the key", &CaseKey::meaning)
       .words("more", "text that follows the meaning on the page of case files", &CaseKey::more);
 }
@@ -85,7 +86,7 @@ std::vector<AnswerDescription> all_answers() {
        category_columns().descriptions()},
       {"campaign: specimens.csv", "typical values and spread between specimens, a row per parameter", true,
        specimen_columns().descriptions()},
-      {"invert --json", "friction of a case, point by point", false, read_test_fields().descriptions()},
+      {"invert --json", "friction of a case, point by point", false, inverted_test_fields().descriptions()},
       {"invert --json of w,F", "friction of single states", false,
        states_fields(no_friction, inverted_fields()).descriptions()},
       {"invert", "friction of a case, point by point, read off at the stated bending stiffness", true,

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "answers/fit_fields.h"
+#include "answers/mechanics_fields.h"
 #include "numerics/elementary.h"
-#include "result/mechanics.h"
 
 namespace flexslip {
 namespace {
@@ -93,14 +93,7 @@ Fields<CampaignTest> test_fields() {
                          &TestSummary::log_evidence_of_wave),
              &CampaignTest::summary)
       .group("friction_read", "friction read off the curve point by point, without a friction model",
-             Fields<TestSummary>()
-                 .number("median", "friction below which half of the points lie",
-                         [](const TestSummary& test) { return test.friction_read.median; })
-                 .number("low80", "friction below which a tenth of the points lie",
-                         [](const TestSummary& test) { return test.friction_read.low80; })
-                 .number("high80", "friction above which a tenth of the points lie",
-                         [](const TestSummary& test) { return test.friction_read.high80; }),
-             &CampaignTest::summary)
+             Fields<TestSummary>().all_of(friction_read_fields(), &TestSummary::friction_read), &CampaignTest::summary)
       .all_of(
           Fields<TestSummary>().words(
               "failed_checks", "failed checks: residuals, drops, whiteness, nesting, friction, stability, stiffness",
@@ -214,19 +207,15 @@ Fields<CampaignTest> failure_fields() {
 
 using SomeTests = std::vector<std::reference_wrapper<const CampaignTest>>;
 
-SomeTests answered_of(const Campaign& campaign) {
-  SomeTests answered;
+// The tests with an answer, or those without.
+SomeTests tests_of(const Campaign& campaign, bool answered) {
+  SomeTests some;
   for (const CampaignTest& test : campaign.tests)
-    if (test.summary) answered.emplace_back(test);
-  return answered;
+    if (test.summary.has_value() == answered) some.emplace_back(test);
+  return some;
 }
-
-SomeTests failures_of(const Campaign& campaign) {
-  SomeTests failures;
-  for (const CampaignTest& test : campaign.tests)
-    if (!test.summary) failures.emplace_back(test);
-  return failures;
-}
+SomeTests answered_of(const Campaign& campaign) { return tests_of(campaign, true); }
+SomeTests failures_of(const Campaign& campaign) { return tests_of(campaign, false); }
 
 // With the estimate as it stands there: its numbers beside the others in JSON, four columns in tables.
 Fields<SharedParameter> shared_fields(const Fields<SharedParameter>& estimate) {

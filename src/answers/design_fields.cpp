@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "answers/mechanics_fields.h"
 #include "data/names.h"
 #include "design/design_result.h"
-#include "result/mechanics.h"
 
 namespace flexslip {
 namespace {
@@ -128,12 +128,12 @@ Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes) {
               [](P point) { return point.result.outcome ? std::optional(point.margin) : std::nullopt; });
 }
 
-Fields<DesignMap> design_map_fields(const std::vector<DesignAxis>& axes) {
-  return Fields<DesignMap>()
-      .group("units", "units of plain numbers", units_of_numbers<DesignMap>())
+Fields<std::vector<MapPoint>> design_map_fields(const std::vector<DesignAxis>& axes) {
+  return Fields<std::vector<MapPoint>>()
+      .group("units", "units of plain numbers", units_of_numbers<std::vector<MapPoint>>())
       .list(
           "designs", "designs, one for each combination of values", map_fields(axes),
-          [](const DesignMap& map) -> const auto& { return map.points; });
+          [](const std::vector<MapPoint>& points) -> const auto& { return points; });
 }
 
 std::vector<ToldFault> faults_of(const SweepMerge& merge, const SweepPlan& plan) {

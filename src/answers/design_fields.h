@@ -27,10 +27,7 @@ Fields<ToldDesign> design_fields();
 
 // A map: a row for each of its points.
 Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes);
-struct DesignMap {
-  const std::vector<MapPoint>& points;
-};
-Fields<DesignMap> design_map_fields(const std::vector<DesignAxis>& axes);
+Fields<std::vector<MapPoint>> design_map_fields(const std::vector<DesignAxis>& axes);
 
 struct ToldShard {
   std::string parts;                   // the folder

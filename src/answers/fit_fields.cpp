@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "answers/mechanics_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "case/fitted.h"
 #include "data/names.h"
 #include "finding/answer.h"
 #include "finding/finding.h"
-#include "result/mechanics.h"
 
 namespace flexslip {
 namespace {
@@ -322,20 +322,18 @@ Fields<Explanation> explanation_fields() {
 
 // All of the fit that is made of the bands along the fibre.
 Fields<FittedTest> band_fields() {
+  const auto at_each = [](auto get) {
+    return [get](T test) {
+      std::vector<double> lengths;
+      for (const double S : test.analysis.fit.band.S) lengths.push_back(get(test.analysis.fit, S));
+      return lengths;
+    };
+  };
   return Fields<FittedTest>()
       .numbers("length", kind::length, "length between the contacts",
-               [](T test) {
-                 std::vector<double> lengths;
-                 for (const double S : test.analysis.fit.band.S)
-                   lengths.push_back(test.analysis.fit.between_contacts(S));
-                 return lengths;
-               })
+               at_each([](const FrictionFit& fit, double S) { return fit.between_contacts(S); }))
       .numbers("drawn_in", kind::length, "length pulled in (both supports)",
-               [](T test) {
-                 std::vector<double> lengths;
-                 for (const double S : test.analysis.fit.band.S) lengths.push_back(S - 1);
-                 return lengths;
-               })
+               at_each([](const FrictionFit&, double S) { return S - 1; }))
       .own_numbers("mean", kind::number, "mean friction at this length",
                    [](T test) { return test.analysis.fit.band.mean; })
       .own_numbers("deviation", kind::number, "standard deviation of friction at this length",
@@ -392,10 +390,6 @@ Fields<Check> check_fields() {
 
 // ---- The surface that would explain it, and a trace it is held against
 
-const WaveEstimate* wave_of(T test) {
-  return test.analysis.fit.waves.empty() ? nullptr : &test.analysis.fit.waves.front();
-}
-
 Fields<HeldSurface> held_fields() {
   using H = const HeldSurface&;
   return Fields<HeldSurface>()
@@ -437,6 +431,12 @@ Fields<FittedTest> implied_fields() {
   const auto mean = [](std::vector<double> ImpliedProfile::*part) {
     return [part](T test) { return test.implied->mean.*part; };
   };
+  const auto of_wave = [](auto get) {
+    return [get](T test) {
+      const std::vector<WaveEstimate>& waves = test.analysis.fit.waves;
+      return waves.empty() ? std::nullopt : std::optional(get(waves.front()));
+    };
+  };
   return Fields<FittedTest>()
       .number("base_friction", "friction of the flat surface, for which the slopes are zero on average",
               of(&ImpliedSurface::base))
@@ -448,22 +448,19 @@ Fields<FittedTest> implied_fields() {
               of(&ImpliedSurface::longest))
       .estimate("wave_height", kind::length,
                 "amplitude of the wave of height that would explain the likeliest wave of friction; null without one",
-                [](T test) { return wave_of(test) ? std::optional(wave_of(test)->height) : std::nullopt; })
+                of_wave([](const WaveEstimate& wave) { return wave.height; }))
       .number("wavelength", kind::length, "wavelength of the likeliest wave of friction",
-              [](T test) { return wave_of(test) ? std::optional(wave_of(test)->wavelength.value) : std::nullopt; })
+              of_wave([](const WaveEstimate& wave) { return wave.wavelength.value; }))
       .yes_no("wave_claimed", "the evidence supports the wave",
-              [](T test) { return wave_of(test) ? std::optional(test.analysis.fit.wave_claimed) : std::nullopt; })
+              [](T test) {
+                const FrictionFit& fit = test.analysis.fit;
+                return fit.waves.empty() ? std::nullopt : std::optional(fit.wave_claimed);
+              })
       .number("pixel_wanted", kind::length,
               "pixel needed to see the wave by the paper's rule, ten pixels from crest to trough",
-              [](T test) {
-                return wave_of(test) ? std::optional(wanted_image(1, 2 * wave_of(test)->height.value).pixel)
-                                     : std::nullopt;
-              })
+              of_wave([](const WaveEstimate& wave) { return wanted_image(1, 2 * wave.height.value).pixel; }))
       .number("field_wanted", kind::length, "field needed to see the wave by the paper's rule, ten waves",
-              [](T test) {
-                return wave_of(test) ? std::optional(wanted_image(wave_of(test)->wavelength.value, 0).field)
-                                     : std::nullopt;
-              })
+              of_wave([](const WaveEstimate& wave) { return wanted_image(wave.wavelength.value, 0).field; }))
       .group("profile", "surface along the specimen",
              Fields<FittedTest>()
                  .numbers("position", kind::length, "position from midspan", of(&ImpliedSurface::position))
@@ -632,8 +629,7 @@ Fields<LoadingStiffness> loading_fields() {
   return Fields<LoadingStiffness>()
       .words("status",
              "whether the loading is compared: ok, reference (the first), or why not: loaded_too_little, "
-             "window_not_covered, "
-             "too_few_points, not_rising, still_drawn_in, no_reference",
+             "window_not_covered, too_few_points, not_rising, still_drawn_in, no_reference",
              [is_reference](S loading) {
                if (is_reference(loading)) return std::string_view("reference");
                return name_of(loading.status);
@@ -851,16 +847,11 @@ Fields<FittedTest> bending_fields() {
 
 // Of the whole record up to failure, what friction took off the work under the curve.
 Fields<MeasuredEnergy> measured_energy_fields() {
-  return Fields<MeasuredEnergy>()
-      .all_of(energy_fields(), &MeasuredEnergy::account)
-      .number("work_of_fracture", kind::energy, "work on the specimen: area under force over deflection",
-              &MeasuredEnergy::work_of_fracture)
-      .number("friction_share", "share of the work of fracture that went into friction and snaps",
-              &MeasuredEnergy::friction_share)
-      .number("remaining", kind::energy, "work of fracture without friction and snaps",
-              [](const MeasuredEnergy& energy) {
-                return energy.work_of_fracture - energy.account.friction - energy.account.snaps;
-              });
+  return with_work<MeasuredEnergy>(Fields<MeasuredEnergy>().all_of(energy_fields(), &MeasuredEnergy::account),
+                                   &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share,
+                                   [](const MeasuredEnergy& energy) {
+                                     return energy.work_of_fracture - energy.account.friction - energy.account.snaps;
+                                   });
 }
 
 Fields<FittedTest> measurement_fields() {
@@ -960,8 +951,7 @@ Fields<FittedTest> every_fit_field() {
       .group(
           "force_over_frictionless",
           "measured force divided by the force without friction, beyond a deflection of a tenth of the span; no "
-          "friction "
-          "explains values below 1",
+          "friction explains values below 1",
           Fields<OverFrictionless>()
               .number("median", "median over the points", &OverFrictionless::median)
               .number("least", "smallest of the points", &OverFrictionless::least),
@@ -975,11 +965,7 @@ Fields<FittedTest> every_fit_field() {
       .group(
           "friction_read",
           "friction read off the curve point by point, at the bending stiffness of the fit: quantiles of mu in profile",
-          Fields<FrictionRead>()
-              .number("median", "friction below which half of the points lie", &FrictionRead::median)
-              .number("low80", "friction below which a tenth of the points lie", &FrictionRead::low80)
-              .number("high80", "friction above which a tenth of the points lie", &FrictionRead::high80),
-          analysis(&TestAnalysis::friction_read))
+          friction_read_fields(), analysis(&TestAnalysis::friction_read))
       .only_where(is_fitted)
       .number("residual_rms", kind::force,
               "root mean square difference between the force and the mean of the fit run forward",
@@ -1086,6 +1072,13 @@ Frame frame_of(const FittedTest& test) {
           .reduced = test.reduced,
           .in_inches = is_in_inches(test.measurement.test),
           .row = [&test](std::size_t point) { return file_row(test, point); }};
+}
+
+Fields<FrictionRead> friction_read_fields() {
+  return Fields<FrictionRead>()
+      .number("median", "friction below which half of the points lie", &FrictionRead::median)
+      .number("low80", "friction below which a tenth of the points lie", &FrictionRead::low80)
+      .number("high80", "friction above which a tenth of the points lie", &FrictionRead::high80);
 }
 
 const Fields<FittedTest>& fit_fields() {

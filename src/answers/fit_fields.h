@@ -16,7 +16,9 @@ const Fields<FittedTest>& fit_fields();
 
 Json fit_json(const FittedTest& test);
 
-// The parameters that a campaign tells of each of its tests, too.
+// A part of it that a campaign tells of each of its tests, too; and its parameters, likewise.
+Fields<FrictionRead> friction_read_fields();
+
 namespace parameter {
 
 inline constexpr Named mu0{"mu0", kind::number, "mean friction over the specimen seen"};

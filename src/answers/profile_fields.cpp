@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "answers/fit_fields.h"
-#include "result/mechanics.h"
+#include "answers/mechanics_fields.h"
 
 namespace flexslip {
 
@@ -50,12 +50,12 @@ Fields<ReadPoint> profile_fields() {
               [](P p) { return p.point.from_contact; });
 }
 
-Fields<ReadTest> read_test_fields() {
-  using T = const ReadTest&;
-  return Fields<ReadTest>()
+Fields<InvertedTest> inverted_test_fields() {
+  using T = const InvertedTest&;
+  return Fields<InvertedTest>()
       .words("status", "whether friction was read off: ok, or nothing_explained",
              [](T test) { return test.profile.points.empty() ? "nothing_explained" : "ok"; })
-      .group("units", "units of plain numbers", units_of_numbers<ReadTest>())
+      .group("units", "units of plain numbers", units_of_numbers<InvertedTest>())
       .group(
           "bending_stiffness", "bending stiffness used",
           Fields<BendingStiffnessUsed>()
@@ -80,8 +80,8 @@ Fields<ReadTest> read_test_fields() {
       });
 }
 
-Frame frame_of(const ReadTest& test, const Scales& scales) {
-  return {.scales = scales, .reduced = test.measurement.test.reduced, .row = [&test](std::size_t point) {
+Frame frame_of(const InvertedTest& test) {
+  return {.scales = test.scales, .reduced = test.measurement.test.reduced, .row = [&test](std::size_t point) {
             return file_row(test.measurement, point);
           }};
 }

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "case/fitted.h"
-#include "case/measurement.h"
-#include "case/mechanics.h"
+#include "case/studies.h"
 #include "data/record.h"
 #include "inference/profile.h"
 #include "result/fields.h"
@@ -26,16 +25,9 @@ std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& pr
 
 Fields<ReadPoint> profile_fields();
 
-// A test of which only that is asked for, by `invert`.
-struct ReadTest {
-  const Measurement& measurement;
-  const BendingStiffnessUsed& stiffness;
-  const FrictionProfile& profile;
-};
-Fields<ReadTest> read_test_fields();
-
-// The test must outlive it.
-Frame frame_of(const ReadTest& test, const Scales& scales);
+// Of `invert --json` of a case, and its frame, which the test must outlive.
+Fields<InvertedTest> inverted_test_fields();
+Frame frame_of(const InvertedTest& test);
 
 // A point of the record with what was read there, and what the fit says.
 struct CurvePoint {

@@ -50,8 +50,6 @@ std::string si_unit(const Kind& kind) {
   return "1";
 }
 
-}  // namespace
-
 StandardTest standard_test(const Measurement& measurement, const BeamGeometry& geometry,
                            const SmallDeflection& numbers) {
   const bool ok = numbers.status == SmallDeflectionStatus::ok;
@@ -59,25 +57,23 @@ StandardTest standard_test(const Measurement& measurement, const BeamGeometry& g
           measurement.test.reduced};
 }
 
+}  // namespace
+
 StandardTest standard_test(const FittedTest& test) {
   return standard_test(test.measurement, test.geometry, test.small_deflection);
 }
 
-std::optional<Estimate> modulus_of_standard(const StandardTest& test) {
-  const auto& chord = test.numbers.chord;
-  return chord ? with_error_of_slope(chord->modulus, chord->stiffness)
-               : with_error_of_slope(test.numbers.modulus, test.numbers.stiffness);
+StandardTest standard_test(const ModulusStudy& study) {
+  return standard_test(study.measurement, study.geometry, study.numbers);
 }
 
 std::optional<Estimate> modulus_less_supports(const StandardTest& test) {
-  const auto told = modulus_of_standard(test);
+  const auto& chord = test.numbers.chord;
+  const auto told = chord ? with_error_of_slope(chord->modulus, chord->stiffness)
+                          : with_error_of_slope(test.numbers.modulus, test.numbers.stiffness);
   if (!told || !test.supports_share) return std::nullopt;
   const double factor = 1 + *test.supports_share;
   return normal_estimate(told->value / factor, told->standard_error / factor);
-}
-
-StandardTest told_of(const ModulusStudy& study) {
-  return standard_test(study.measurement, study.geometry, study.numbers);
 }
 
 std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
@@ -124,8 +120,7 @@ Fields<StandardTest> standard_fields() {
               "chord or straight part, without friction",
               &StandardTest::supports_share)
       .own_estimate("modulus_less_supports", kind::pressure,
-                    "modulus of the chord, or else of the straight part, without that share",
-                    [](const StandardTest& t) { return modulus_less_supports(t); })
+                    "modulus of the chord, or else of the straight part, without that share", modulus_less_supports)
       .number("shear_share", "share that shear, which is neglected, adds to a small deflection",
               [](const StandardTest& t) { return t.numbers.shear_share; });
 }
@@ -135,8 +130,7 @@ Fields<PreparationStep> preparation_fields() {
   return Fields<PreparationStep>()
       .words("step",
              "name of the step: columns, metadata, first, repeated, held, interpolated, sign, thinning, zero, "
-             "compliance, end, turn, "
-             "stage or contact",
+             "compliance, end, turn, stage or contact",
              [](S step) { return step.name; })
       .yes_no("changed", "numbers differ from those in the file, or rows are left out",
               [](S step) { return step.changed; })

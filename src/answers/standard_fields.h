@@ -18,15 +18,12 @@ struct StandardTest {
   bool reduced;
 };
 
-// The modulus that a standard would publish: that of its chord, or of the straight part. None without a section.
-std::optional<Estimate> modulus_of_standard(const StandardTest& test);
-// The same, less what the supports add. None where they add nothing, or there is none.
+// The modulus that a standard would publish, that of its chord or else of the straight part, less what the supports add. None where they add nothing,
+// and without a section.
 std::optional<Estimate> modulus_less_supports(const StandardTest& test);
 
-StandardTest standard_test(const Measurement& measurement, const BeamGeometry& geometry,
-                           const SmallDeflection& numbers);
 StandardTest standard_test(const FittedTest& test);
-StandardTest told_of(const ModulusStudy& study);
+StandardTest standard_test(const ModulusStudy& study);
 
 // The bending stiffness of the straight part over that of the fit.
 struct BesideFit {

@@ -1,6 +1,6 @@
 #include "answers/state_fields.h"
 
-#include "result/mechanics.h"
+#include "answers/mechanics_fields.h"
 
 namespace flexslip {
 
@@ -78,23 +78,24 @@ Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns) {
   return fields;
 }
 
-Fields<Equilibria> equilibria_fields(const EquilibriumColumns& columns) {
-  return Fields<Equilibria>()
-      .words("status", "whether the curve is complete: ok, or branch_ended, where the force has fallen to zero",
-             &Equilibria::status)
-      .group("units", "units of plain numbers", units_of_numbers<Equilibria>())
+Fields<EquilibriumStudy> equilibria_fields(const EquilibriumColumns& columns) {
+  return Fields<EquilibriumStudy>()
+      .words(
+          "status", "whether the curve is complete: ok, or branch_ended, where the force has fallen to zero",
+          [](const EquilibriumStudy& study) { return study.status == EquilibriumStatus::ok ? "ok" : "branch_ended"; })
+      .group("units", "units of plain numbers", units_of_numbers<EquilibriumStudy>())
       .list(columns.region ? "region" : "curve",
             columns.region ? "all equilibria, with --region" : "curve of loading, where friction is fully mobilised",
-            equilibrium_fields(columns), &Equilibria::points);
+            equilibrium_fields(columns), [](const EquilibriumStudy& study) { return points_of(study); });
 }
 
-Equilibria told_of(const EquilibriumStudy& study) {
-  Equilibria told{study.status == EquilibriumStatus::ok ? "ok" : "branch_ended", {}};
+std::vector<ToldEquilibrium> points_of(const EquilibriumStudy& study) {
+  std::vector<ToldEquilibrium> points;
   const Fibre& fibre = study.fibre;
   for (const EquilibriumPoint& point : study.points)
-    told.points.push_back(
+    points.push_back(
         {point, fibre.on_edges() ? point.S : fibre.length_between_contacts(fibre.bent(point.w, point.q).state)});
-  return told;
+  return points;
 }
 
 EquilibriumColumns columns_of(const EquilibriumStudy& study) { return {study.region, !study.fibre.on_edges()}; }

@@ -63,14 +63,10 @@ struct EquilibriumColumns {
 Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns);
 
 // Of `equilibrium --json`.
-struct Equilibria {
-  std::string_view status;
-  std::vector<ToldEquilibrium> points;
-};
-Fields<Equilibria> equilibria_fields(const EquilibriumColumns& columns);
+Fields<EquilibriumStudy> equilibria_fields(const EquilibriumColumns& columns);
 
 // What a study tells, and in which columns.
-Equilibria told_of(const EquilibriumStudy& study);
+std::vector<ToldEquilibrium> points_of(const EquilibriumStudy& study);
 EquilibriumColumns columns_of(const EquilibriumStudy& study);
 
 }  // namespace flexslip

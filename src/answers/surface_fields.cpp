@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "answers/mechanics_fields.h"
 #include "data/names.h"
-#include "result/mechanics.h"
 
 namespace flexslip {
 namespace {

@@ -19,9 +19,9 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t largest_file = 1 << 20;  // [bytes] a description of one test is a thousand times smaller
-constexpr double most_steps = 1e7;             // of a stage programme: minutes of work; more is a slip of the pen
-constexpr double most_turns = 1e5;             // of a stage programme with its cycles: likewise
+constexpr std::size_t max_bytes = 1 << 20;  // [bytes] a description of one test is a thousand times smaller
+constexpr double max_steps = 1e7;           // of a stage programme: minutes of work; more is a slip of the pen
+constexpr double max_turns = 1e5;           // of a stage programme with its cycles: likewise
 
 // What to write for a section that is missing, and for a key of which the example of its row would not do.
 struct Example {
@@ -109,9 +109,9 @@ std::string field_name(std::string_view key) {
   const std::size_t dot = is_nested ? nested.size() : key.find('.');
   if (key == nested) return fmt::format("[{}]", key);
   if (dot != std::string_view::npos) return fmt::format("[{}] {}", key.substr(0, dot), key.substr(dot + 1));
-  for (const std::string_view section : {"specimen", "rig", "friction", "stage", "record", "sweep"})
-    if (key == section) return fmt::format("[{}]", key);
-  return std::string(key);
+  const std::vector<std::string> sections = case_sections();
+  return std::find(sections.begin(), sections.end(), key) == sections.end() ? std::string(key)
+                                                                            : fmt::format("[{}]", key);
 }
 
 // The line of a key; one that the file does not have is looked for where it would stand, in its section.
@@ -268,15 +268,15 @@ void check_stage(const Test& test) {
   if (positions.size() < 2)
     refuse(test, "stage.program", "at least two stage positions, a start and an end", std::to_string(positions.size()));
   const auto times = static_cast<double>(stage.cycles);
-  if (const double turns = times * static_cast<double>(positions.size() - 1); !(turns <= most_turns))
+  if (const double turns = times * static_cast<double>(positions.size() - 1); !(turns <= max_turns))
     refuse(test, stage.cycles > 1 ? "stage.cycles" : "stage.program",
-           fmt::format("at most {:.0e} turning points", most_turns), fmt::format("{:.1e}", turns));
+           fmt::format("at most {:.0e} turning points", max_turns), fmt::format("{:.1e}", turns));
   if (!stage.step) return;
   double travel = times * std::abs(positions[1] - positions.back());
   for (std::size_t i = 2; i < positions.size(); ++i) travel += times * std::abs(positions[i] - positions[i - 1]);
   travel += std::abs(positions[1] - positions[0]);
-  if (!(travel / *stage.step <= most_steps))
-    refuse(test, "stage.step", fmt::format("at most {:.0e} steps", most_steps),
+  if (!(travel / *stage.step <= max_steps))
+    refuse(test, "stage.step", fmt::format("at most {:.0e} steps", max_steps),
            fmt::format("{:.1e}", travel / *stage.step), "take a larger step, or \"continuous\"");
 }
 
@@ -337,6 +337,32 @@ InputError no_change(std::string found, std::string remedy) {
                      .remedy = std::move(remedy)});
 }
 
+std::string full_name(const CaseKey& key) {
+  return key.section.empty() ? std::string(key.name) : fmt::format("{}.{}", key.section, key.name);
+}
+
+// The key that a change names, "rig.stiffness".
+// Fails:      InputError for a text that is no change, or whose key no case file has.
+std::string changed_key(std::string_view change) {
+  const std::size_t equals = change.find('=');
+  if (equals == std::string_view::npos) throw no_change(in_quotes(change), "");
+  const std::string_view name = trimmed(change.substr(0, equals));
+  const std::size_t dot = name.rfind('.');
+  const std::string_view section = name.substr(0, dot == std::string_view::npos ? 0 : dot);
+  const bool is_whole = dot != 0 && !name.ends_with('.');
+  const bool has_keys = section == "friction.other" || section == "sweep.axes" || section.find('.') == section.npos;
+  if (is_whole && has_keys && case_key(section, name.substr(dot + 1))) return std::string(name);  // npos + 1 is 0
+  std::vector<std::string> known;
+  for (const CaseKey& key : case_keys())
+    if (key.section.find('.') == key.section.npos)
+      known.push_back(full_name(key));  // those of arrays change as a whole
+  const auto same =
+      std::find_if(case_keys().begin(), case_keys().end(), [&](const CaseKey& key) { return key.name == name; });
+  const std::string meant = same != case_keys().end() ? full_name(*same) : nearest(name, known);
+  throw no_change(in_quotes(name),
+                  meant.empty() ? "flexslip keys lists the keys" : fmt::format("did you mean {}?", in_quotes(meant)));
+}
+
 bool is_text(const CaseKey& key, std::string_view value) {
   if (value.starts_with('"') || value.starts_with('\'')) return false;  // as a file has it
   switch (key.holds) {
@@ -349,10 +375,6 @@ bool is_text(const CaseKey& key, std::string_view value) {
     default:
       return value == "inf";  // a number of TOML, and the word of a rig
   }
-}
-
-std::string full_name(const CaseKey& key) {
-  return key.section.empty() ? std::string(key.name) : fmt::format("{}.{}", key.section, key.name);
 }
 
 // As TOML reads it, or else text.
@@ -500,11 +522,11 @@ std::string to_toml(Test test) {
 std::string case_text(const std::string& path) {
   const std::string source = path == "-" ? "standard input" : path;
   const std::shared_ptr<std::istream> in = open_to_read(path);
-  std::string text(largest_file + 1, '\0');
+  std::string text(max_bytes + 1, '\0');
   in->read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in->bad()) throw InputError({.file = source, .expected = "a readable file", .found = "an error while reading"});
   text.resize(static_cast<std::size_t>(in->gcount()));
-  if (text.size() > largest_file)
+  if (text.size() > max_bytes)
     throw InputError({.file = source, .expected = "a case file (TOML)", .found = "a file of more than 1 MiB"});
   return text;
 }
@@ -521,6 +543,16 @@ InputError wrong_value(const Test& test, std::string_view key, std::string expec
                      .found = std::move(found),
                      .remedy = std::move(remedy),
                      .key = std::string(key)});
+}
+
+InputError wrong_cell(const Table& table, std::size_t row, const Column& column, std::string expected,
+                      std::string found, std::string remedy) {
+  return InputError({.file = table.source,
+                     .line = table.lines[row],
+                     .field = fmt::format("column {}", in_quotes(column.name)),
+                     .expected = std::move(expected),
+                     .found = std::move(found),
+                     .remedy = std::move(remedy)});
 }
 
 Kind kind_in(const Test& test, const Kind& kind) {
@@ -574,26 +606,6 @@ std::optional<Section> section_of(const Test& test) {
   if (specimen.inner_diameter) return TubularSection{*specimen.diameter, *specimen.inner_diameter};
   if (specimen.wall) return TubularSection{*specimen.diameter, *specimen.diameter - 2 * *specimen.wall};
   return RoundSection{*specimen.diameter};
-}
-
-std::string changed_key(std::string_view change) {
-  const std::size_t equals = change.find('=');
-  if (equals == std::string_view::npos) throw no_change(in_quotes(change), "");
-  const std::string_view name = trimmed(change.substr(0, equals));
-  const std::size_t dot = name.rfind('.');
-  const std::string_view section = name.substr(0, dot == std::string_view::npos ? 0 : dot);
-  const bool is_whole = dot != 0 && !name.ends_with('.');
-  const bool has_keys = section == "friction.other" || section == "sweep.axes" || section.find('.') == section.npos;
-  if (is_whole && has_keys && case_key(section, name.substr(dot + 1))) return std::string(name);  // npos + 1 is 0
-  std::vector<std::string> known;
-  for (const CaseKey& key : case_keys())
-    if (key.section.find('.') == key.section.npos)
-      known.push_back(full_name(key));  // those of arrays change as a whole
-  const auto same =
-      std::find_if(case_keys().begin(), case_keys().end(), [&](const CaseKey& key) { return key.name == name; });
-  const std::string meant = same != case_keys().end() ? full_name(*same) : nearest(name, known);
-  throw no_change(in_quotes(name),
-                  meant.empty() ? "flexslip keys lists the keys" : fmt::format("did you mean {}?", in_quotes(meant)));
 }
 
 toml::table with_changes(toml::table table, const std::vector<std::string>& changes) {

@@ -11,6 +11,7 @@
 #include "case/test.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
+#include "io/table.h"
 
 namespace flexslip {
 
@@ -32,12 +33,9 @@ std::string to_toml(Test test);
 // Where a test names its files.
 std::vector<std::string*> files_of(Test& test);
 
-// Changes from the command line: "rig.stiffness=90 N/m" says what `stiffness = "90 N/m"` under [rig] would. The key that one names, "rig.stiffness".
-// Fails:      InputError for a text that is no change, or whose key no case file has.
-std::string changed_key(std::string_view change);
-
-// A case with changes, each made in turn. A value is what it would be in a file; text needs no quotes, so that those of a shell will do.
-// Fails:      as changed_key; InputError for a value that is nothing.
+// A case with changes from the command line, each made in turn: "rig.stiffness=90 N/m" says what `stiffness = "90 N/m"` under [rig] would. A value is what
+// it would be in a file; text needs no quotes, so that those of a shell will do.
+// Fails:      InputError for a text that is no change, a key that no case file has, and a value that is nothing.
 toml::table with_changes(toml::table table, const std::vector<std::string>& changes);
 
 // The section of the specimen, as far as it is stated.
@@ -59,6 +57,10 @@ double quantity_of_flag(std::string_view flag, std::string_view text, const Kind
 // The error to throw when a value of a test turns out wrong later. `key` as in Test::lines.
 InputError wrong_value(const Test& test, std::string_view key, std::string expected, std::string found,
                        std::string remedy = "");
+
+// Likewise of a cell of a table that a test names.
+InputError wrong_cell(const Table& table, std::size_t row, const Column& column, std::string expected,
+                      std::string found, std::string remedy = "");
 
 // The error to throw when a command needs what a test does not have: a section, "friction", or a key, "rig.stiffness".
 // The message shows an example of it.

@@ -17,7 +17,7 @@ namespace flexslip {
 enum class Holds {
   quantity,      // of `kind`, within `range`
   share,         // a positive number, or text in percent
-  whole_number,  // from `least` on
+  whole_number,  // from `min` on
   yes_no,        // true or false
   estimate,      // a quantity, { value, uncertainty }, or "fit"
   word,          // one of `words`
@@ -48,17 +48,17 @@ struct CaseKey {
   Holds holds;
   const Kind* kind;  // none where that has no meaning
   Range range;
-  int least;                       // of a whole number
+  int min;                         // of a whole number
   std::string_view words;          // "find|keep|reverse"; beside a quantity, what may stand in its place
   std::string_view example;        // as it is written in a file: "\"34.8 um\""
   std::string_view reduced;        // likewise, with reduced = true; "": not there
-  std::string_view flag;           // for a data file without a case, "--diameter"; "": none
   std::string_view meaning;        // a phrase
   std::string_view more;           // what docs/case-files.md adds (Markdown)
-  double most = infinity;          // the greatest value within the range
-  std::string_view why_most = "";  // a remedy for one that is greater
+  double max = infinity;           // the greatest value within the range
+  std::string_view why_max = "";   // a remedy for one that is greater
   std::string_view gone = "";      // a word of earlier versions; "": none
   std::string_view why_gone = "";  // a remedy for it
+  bool has_flag = false;           // flag_of its name says it of a data file without a case
   std::string_view section = "";   // "": a key of the case itself
   Slot (*slot)(const TestPart&) = nullptr;
 
@@ -68,6 +68,9 @@ struct CaseKey {
 
 std::span<const CaseKey> case_keys();
 
+// The sections that the keys are in, "specimen", "specimen.cracks", …, in their order.
+std::vector<std::string> case_sections();
+
 // The key of a section or of a table in it: "friction.other" has those of "friction", "friction.waves[2]" likewise, "specimen.cracks[1]" those of
 // "specimen.cracks", and each of "sweep.axes" is one of its axes. Null if there is none.
 const CaseKey* case_key(std::string_view section, std::string_view name);
@@ -75,9 +78,15 @@ const CaseKey* case_key(std::string_view section, std::string_view name);
 // The number that a key of a section of a test holds, to be read or set: of an array the last one, of an estimate its value. Null if it holds none.
 double* number_of(Test& test, const CaseKey& key);
 
+// "--inner-diameter"
+std::string flag_of(std::string_view name);
+
 // The words of "find|keep|reverse", and those of a key.
 std::vector<std::string_view> words_of(std::string_view list);
 std::vector<std::string_view> words_of(const CaseKey& key);
+
+// "a, b or c"
+std::string in_words(const std::vector<std::string>& names, std::string_view before_last = "or");
 
 // What it holds, in words: "a length", "\"find\", \"keep\" or a force".
 std::string what_holds(const CaseKey& key);

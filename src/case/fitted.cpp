@@ -68,7 +68,7 @@ HeldSurface held_against(const ImpliedSurface& implied, const WaveEstimate* wave
   return held;
 }
 
-constexpr std::size_t least_fitted_points = 30;  // fewer do not tell the noise, and so no drops
+constexpr std::size_t min_fitted_points = 30;  // fewer do not tell the noise, and so no drops
 
 InputFile input_file(const std::string& name) {
   if (name == "-" || name == "standard input")
@@ -91,7 +91,7 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
   Record& record = measurement.record;
   const auto begin = std::lower_bound(record.stage.begin(), record.stage.end(), contact.value);
   const auto skipped = begin - record.stage.begin();
-  if (record.stage.size() - static_cast<std::size_t>(skipped) < least_fitted_points) return;
+  if (record.stage.size() - static_cast<std::size_t>(skipped) < min_fitted_points) return;
   for (auto* column : {&record.stage, &record.deflection, &record.force})
     column->erase(column->begin(), column->begin() + skipped);
   for (double& stage : record.stage) stage -= contact.value;
@@ -176,7 +176,7 @@ std::string name_of_test(const std::string& file) {
 BeamGeometry geometry_of(const Test& input) { return {input.rig ? input.rig->span : std::nullopt, section_of(input)}; }
 
 FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
-  Measurement measurement = read_measurement(asked, least_fitted_points);
+  Measurement measurement = read_measurement(asked, min_fitted_points);
   const Test input = measurement.test;  // completed with what the file says
   StiffnessSource source = StiffnessSource::initial_slope;
   TestDescription description{.span = span_of(input),

@@ -12,6 +12,154 @@
 
 namespace flexslip {
 
+namespace {
+
+// The error of a value, at the place of a key.
+InputError placed(const Test& test, const InputError& error, const std::string& key) {
+  const InputFault place = wrong_value(test, key, "", "", "").fault;
+  InputFault fault = error.fault;
+  fault.file = place.file;
+  fault.line = place.line;
+  fault.field = place.field;
+  fault.key = place.key;
+  return InputError(std::move(fault));
+}
+
+// Reads what the key of a table holds into the member of a test that it is, of each type that there is.
+struct Reader {
+  const Keys& keys;
+  const Test& test;
+  const CaseKey& key;
+
+  const toml::node& node() const { return keys.need(key.name); }
+  std::string path() const { return keys.key(key.name); }
+  [[noreturn]] void refuse(std::string expected, std::string remedy = "") const {
+    keys.refuse(key.name, std::move(expected), kind_of_node(node()), std::move(remedy));
+  }
+  bool is_word(std::string_view word) const { return node().value_exact<std::string_view>() == word; }
+  std::string text() const {
+    const auto value = node().value_exact<std::string>();
+    if (!value || value->empty()) refuse("text in quotes");
+    return *value;
+  }
+  double quantity() const { return keys.quantity(key.name, *key.kind, key.range); }
+
+  void operator()(double& value) const {
+    value = key.holds == Holds::share ? keys.share(key.name) : quantity();
+    if (!(value > key.max)) return;
+    InputError error = wrong_value(test, path(), fmt::format("at most {:g}", key.max), fmt::format("{}", value),
+                                   std::string(key.why_max));
+    error.fault.kind = FaultKind::too_much;
+    error.fault.limit = key.max;
+    throw error;
+  }
+  void operator()(std::string& value) const {
+    value = text();
+    if (key.holds == Holds::file) {  // relative to the case file: from here on to the working directory
+      if (value != "-") value = (std::filesystem::path(test.source).parent_path() / value).string();
+      announce_input(value);  // now, though it may be read only after others were written
+    }
+    const bool names_one_of_export = key.section == "record" && !keys.has("stage") && !keys.has("deflection");
+    if (key.holds != Holds::title || names_one_of_export) return;
+    try {
+      const ColumnTitle parts = parse_column_title(value);
+      if (!parts.unit.empty()) parse_unit(parts.unit, kind_in(test, *key.kind));
+    } catch (const InputError& error) {
+      throw placed(test, error, path());
+    }
+  }
+  void operator()(std::uint64_t& value) const { value = keys.whole_number(key.name, key.min); }
+  void operator()(char& value) const {
+    const auto known = words_of(key);
+    value = known[keys.word(key.name, known)].front();
+  }
+  void operator()(StatedStiffness& value) const {
+    if (const toml::table* parts = node().as_table()) {
+      const Keys both(*parts, path(), test);
+      both.only({"value", "uncertainty"});
+      Known known{both.quantity("value", *key.kind, key.range), 0};
+      const auto text = both.need("uncertainty").value_exact<std::string_view>();
+      const bool is_share = text && text->find('%') != std::string_view::npos;
+      known.uncertainty =
+          is_share ? known.value * both.share("uncertainty") : both.quantity("uncertainty", *key.kind, Range::positive);
+      value = known;
+    } else if (is_word("fit")) {
+      value = ToFit{};
+    } else {
+      value = Known{quantity(), 0};
+    }
+  }
+  void operator()(std::vector<double>& values) const {
+    const toml::array* array = node().as_array();
+    if (!array) refuse("at least two stage positions, a start and an end");
+    for (std::size_t i = 0; i < array->size(); ++i)
+      values.push_back(keys.value((*array)[i], fmt::format("{}[{}]", path(), i + 1), *key.kind, key.range));
+  }
+  void operator()(PlaceInRecord& place) const {
+    if (const toml::table* table = node().as_table()) {
+      const Keys parts(*table, path(), test);
+      parts.only({"stage", "deflection"});
+      if (parts.size() != 1)
+        keys.refuse(key.name, "either a stage or a deflection", table->empty() ? "neither" : "both");
+      if (parts.has("stage"))
+        place = AtStage{parts.quantity("stage", kind::length, Range::any)};
+      else
+        place = AtDeflection{parts.quantity("deflection", kind::length, Range::any)};
+    } else if (node().is_string()) {
+      place = AtStage{keys.quantity(key.name, kind::length, Range::any)};
+    } else {
+      place = AtRow{static_cast<std::size_t>(keys.whole_number(key.name, 1))};
+    }
+  }
+  void operator()(SheetChoice& sheet) const {
+    if (node().is_number())
+      sheet = static_cast<std::size_t>(keys.whole_number(key.name, 1));
+    else
+      sheet = text();
+  }
+  // A word beside a quantity says what none does.
+  void operator()(std::optional<double>& value) const {
+    for (const std::string_view word : words_of(key))
+      if (is_word(word)) return;
+    (*this)(value.emplace());
+  }
+  template <class Word>
+  void operator()(Word& value) const {
+    if (!key.gone.empty() && is_word(key.gone)) refuse(what_holds(key), std::string(key.why_gone));
+    value = static_cast<Word>(keys.word(key.name, words_of(key)));
+  }
+  template <class Word>
+  void operator()(std::variant<Word, double>& value) const {
+    const auto known = words_of(key);
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (is_word(known[i])) {
+        value = static_cast<Word>(i);
+        return;
+      }
+    (*this)(value.template emplace<double>());
+  }
+  template <class Row>
+  void operator()(std::vector<Row>& rows) const {
+    const toml::array* several = node().as_array();
+    if (!several || several->empty())
+      keys.refuse(key.name, fmt::format("an array of {}", key.name), several ? "an empty one" : kind_of_node(node()));
+    for (std::size_t i = 0; i < several->size(); ++i) {
+      const std::string place = fmt::format("{}[{}]", path(), i + 1);
+      const toml::table* table = (*several)[i].as_table();
+      if (!table)
+        throw wrong_value(test, place, fmt::format("a table, as in {}", test.reduced ? key.reduced : key.example),
+                          kind_of_node((*several)[i]));
+      Keys(*table, place, test).read(&rows.emplace_back());
+    }
+  }
+  template <class Value>
+  void operator()(std::optional<Value>& value) const {
+    (*this)(value.emplace());
+  }
+};
+
+}  // namespace
+
 std::string kind_of_node(const toml::node& node) {
   if (const auto text = node.value_exact<std::string_view>()) return in_quotes(*text);
   if (const auto number = node.value_exact<double>()) return fmt::format("the number {}", *number);
@@ -58,7 +206,7 @@ void Keys::read(const TestPart& part) const {
           if constexpr (!std::is_same_v<Member, std::monostate>) {
             constexpr bool is_required = std::is_same_v<Member, double*> || std::is_same_v<Member, std::string*>;
             if (is_required) need(key.name);
-            if (has(key.name)) take(key, *member);
+            if (has(key.name)) Reader{*this, test_, key}(*member);
           }
         },
         key.of(part));
@@ -73,33 +221,24 @@ double Keys::quantity(std::string_view name, const Kind& kind, Range range) cons
   return value(need(name), key(name), kind, range);
 }
 
-std::uint64_t Keys::whole_number(std::string_view name, std::int64_t least) const {
+std::uint64_t Keys::whole_number(std::string_view name, std::int64_t min) const {
   const toml::node& node = need(name);
   const auto value = node.value<std::int64_t>();  // of 1e5, too
-  if (!node.is_number() || !value || *value < least)
-    refuse(name, fmt::format("a whole number, at least {}", least), kind_of_node(node));
+  if (!node.is_number() || !value || *value < min)
+    refuse(name, fmt::format("a whole number, at least {}", min), kind_of_node(node));
   return static_cast<std::uint64_t>(*value);
 }
 
-bool Keys::is_word(std::string_view name, std::string_view word) const {
-  return need(name).value_exact<std::string_view>() == word;
-}
-
 std::size_t Keys::word(std::string_view name, const std::vector<std::string_view>& known) const {
-  std::string expected;
+  std::vector<std::string> expected;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    if (is_word(name, known[i])) return i;
-    expected += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 < known.size() ? ", " : " or ", known[i]);
+    if (need(name).value_exact<std::string_view>() == known[i]) return i;
+    expected.push_back(fmt::format("\"{}\"", known[i]));
   }
   const auto word = need(name).value_exact<std::string>();
   const std::string meant = nearest(word.value_or(""), {known.begin(), known.end()});
-  refuse(name, expected, kind_of_node(need(name)), meant.empty() ? "" : fmt::format("did you mean \"{}\"?", meant));
-}
-
-std::string Keys::text(std::string_view name) const {
-  const auto value = need(name).value_exact<std::string>();
-  if (!value || value->empty()) refuse(name, "text in quotes", kind_of_node(need(name)));
-  return *value;
+  refuse(name, in_words(expected), kind_of_node(need(name)),
+         meant.empty() ? "" : fmt::format("did you mean \"{}\"?", meant));
 }
 
 double Keys::share(std::string_view name) const {
@@ -108,141 +247,8 @@ double Keys::share(std::string_view name) const {
   try {
     return parse_quantity(*text, kind::number, Range::positive);
   } catch (const InputError& error) {
-    throw placed(error, key(name));
+    throw placed(test_, error, key(name));
   }
-}
-
-double Keys::uncertainty(double value_of_it, const Kind& kind) const {
-  const toml::node& node = need("uncertainty");
-  const auto text = node.value_exact<std::string_view>();
-  const bool is_share = text && text->find('%') != std::string_view::npos;
-  return is_share ? value_of_it * share("uncertainty") : value(node, key("uncertainty"), kind, Range::positive);
-}
-
-void Keys::take(const CaseKey& key, double& value) const {
-  value = key.holds == Holds::share ? share(key.name) : quantity(key.name, *key.kind, key.range);
-  if (!(value > key.most)) return;
-  InputError error = wrong_value(test_, this->key(key.name), fmt::format("at most {:g}", key.most),
-                                 fmt::format("{}", value), std::string(key.why_most));
-  error.fault.kind = FaultKind::too_much;
-  error.fault.limit = key.most;
-  throw error;
-}
-
-void Keys::take(const CaseKey& key, std::string& value) const {
-  value = text(key.name);
-  if (key.holds == Holds::file) {  // relative to the case file: from here on to the working directory
-    if (value != "-") value = (std::filesystem::path(test_.source).parent_path() / value).string();
-    announce_input(value);  // now, though it may be read only after others were written
-  }
-  const bool names_one_of_export = path_ == "record" && !has("stage") && !has("deflection");
-  if (key.holds != Holds::title || names_one_of_export) return;
-  try {
-    const ColumnTitle parts = parse_column_title(value);
-    if (!parts.unit.empty()) parse_unit(parts.unit, kind_in(test_, *key.kind));
-  } catch (const InputError& error) {
-    throw placed(error, this->key(key.name));
-  }
-}
-
-void Keys::take(const CaseKey& key, std::uint64_t& value) const { value = whole_number(key.name, key.least); }
-
-void Keys::take(const CaseKey& key, char& value) const {
-  const auto known = words_of(key);
-  value = known[word(key.name, known)].front();
-}
-
-void Keys::take(const CaseKey& key, StatedStiffness& value) const {
-  const toml::node& node = need(key.name);
-  if (const toml::table* parts = node.as_table()) {
-    const Keys keys(*parts, this->key(key.name), test_);
-    keys.only({"value", "uncertainty"});
-    Known known{keys.quantity("value", *key.kind, key.range), 0};
-    known.uncertainty = keys.uncertainty(known.value, *key.kind);
-    value = known;
-  } else if (is_word(key.name, "fit")) {
-    value = ToFit{};
-  } else {
-    value = Known{quantity(key.name, *key.kind, key.range), 0};
-  }
-}
-
-void Keys::take(const CaseKey& key, std::vector<double>& values) const {
-  const toml::node& node = need(key.name);
-  const toml::array* array = node.as_array();
-  if (!array) refuse(key.name, "at least two stage positions, a start and an end", kind_of_node(node));
-  for (std::size_t i = 0; i < array->size(); ++i)
-    values.push_back(value((*array)[i], fmt::format("{}[{}]", this->key(key.name), i + 1), *key.kind, key.range));
-}
-
-void Keys::take(const CaseKey& key, PlaceInRecord& place) const {
-  const toml::node& node = need(key.name);
-  if (const toml::table* table = node.as_table()) {
-    const Keys parts(*table, this->key(key.name), test_);
-    parts.only({"stage", "deflection"});
-    if (parts.size() != 1) refuse(key.name, "either a stage or a deflection", table->empty() ? "neither" : "both");
-    if (parts.has("stage"))
-      place = AtStage{parts.quantity("stage", kind::length, Range::any)};
-    else
-      place = AtDeflection{parts.quantity("deflection", kind::length, Range::any)};
-  } else if (node.is_string()) {
-    place = AtStage{quantity(key.name, kind::length, Range::any)};
-  } else {
-    place = AtRow{static_cast<std::size_t>(whole_number(key.name, 1))};
-  }
-}
-
-void Keys::take(const CaseKey& key, SheetChoice& sheet) const {
-  if (need(key.name).is_number())
-    sheet = static_cast<std::size_t>(whole_number(key.name, 1));
-  else
-    sheet = text(key.name);
-}
-
-// A word beside a quantity says what none does.
-void Keys::take(const CaseKey& key, std::optional<double>& value) const {
-  for (const std::string_view word : words_of(key))
-    if (is_word(key.name, word)) return;
-  take(key, value.emplace());
-}
-
-template <class Word>
-void Keys::take(const CaseKey& key, Word& value) const {
-  if (!key.gone.empty() && is_word(key.name, key.gone))
-    refuse(key.name, what_holds(key), kind_of_node(need(key.name)), std::string(key.why_gone));
-  value = static_cast<Word>(word(key.name, words_of(key)));
-}
-
-template <class Word>
-void Keys::take(const CaseKey& key, std::variant<Word, double>& value) const {
-  const auto known = words_of(key);
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (is_word(key.name, known[i])) {
-      value = static_cast<Word>(i);
-      return;
-    }
-  take(key, value.template emplace<double>());
-}
-
-template <class Row>
-void Keys::take(const CaseKey& key, std::vector<Row>& rows) const {
-  const toml::node& node = need(key.name);
-  const toml::array* several = node.as_array();
-  if (!several || several->empty())
-    refuse(key.name, fmt::format("an array of {}", key.name), several ? "an empty one" : kind_of_node(node));
-  for (std::size_t i = 0; i < several->size(); ++i) {
-    const std::string path = fmt::format("{}[{}]", this->key(key.name), i + 1);
-    const toml::table* table = (*several)[i].as_table();
-    if (!table)
-      throw wrong_value(test_, path, fmt::format("a table, as in {}", test_.reduced ? key.reduced : key.example),
-                        kind_of_node((*several)[i]));
-    Keys(*table, path, test_).read(&rows.emplace_back());
-  }
-}
-
-template <class Value>
-void Keys::take(const CaseKey& key, std::optional<Value>& value) const {
-  take(key, value.emplace());
 }
 
 double Keys::value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const {
@@ -264,22 +270,12 @@ double Keys::value(const toml::node& node, const std::string& key, const Kind& k
                                                                   "without quotes and unit, or delete reduced = true"});
     return parse_quantity(*text, kind, range);
   } catch (const InputError& error) {
-    throw placed(error, key);
+    throw placed(test_, error, key);
   }
 }
 
 void Keys::refuse(std::string_view name, std::string expected, std::string found, std::string remedy) const {
   throw wrong_value(test_, key(name), std::move(expected), std::move(found), std::move(remedy));
-}
-
-InputError Keys::placed(const InputError& error, const std::string& key) const {
-  const InputFault place = wrong_value(test_, key, "", "", "").fault;
-  InputFault fault = error.fault;
-  fault.file = place.file;
-  fault.line = place.line;
-  fault.field = place.field;
-  fault.key = place.key;
-  return InputError(std::move(fault));
 }
 
 }  // namespace flexslip

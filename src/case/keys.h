@@ -39,7 +39,8 @@ class Keys {
   // All below refuse a key that is not there.
   const toml::node& need(std::string_view name) const;
   double quantity(std::string_view name, const Kind& kind, Range range) const;
-  std::uint64_t whole_number(std::string_view name, std::int64_t least) const;
+  double share(std::string_view name) const;  // a positive number, or text in percent
+  std::uint64_t whole_number(std::string_view name, std::int64_t min) const;
   std::size_t word(std::string_view name, const std::vector<std::string_view>& known) const;  // which of them
 
   // A quantity that stands at `key`, which need not be one of this table.
@@ -49,31 +50,6 @@ class Keys {
                            std::string remedy = "") const;
 
  private:
-  bool is_word(std::string_view name, std::string_view word) const;
-  std::string text(std::string_view name) const;
-  double uncertainty(double value_of_it, const Kind& kind) const;
-  double share(std::string_view name) const;
-  InputError placed(const InputError& error, const std::string& key) const;
-
-  // What a key holds, for each type of member.
-  void take(const CaseKey& key, double& value) const;
-  void take(const CaseKey& key, std::string& value) const;
-  void take(const CaseKey& key, std::uint64_t& value) const;
-  void take(const CaseKey& key, char& value) const;
-  void take(const CaseKey& key, StatedStiffness& value) const;
-  void take(const CaseKey& key, std::vector<double>& values) const;
-  void take(const CaseKey& key, PlaceInRecord& place) const;
-  void take(const CaseKey& key, SheetChoice& sheet) const;
-  void take(const CaseKey& key, std::optional<double>& value) const;
-  template <class Word>
-  void take(const CaseKey& key, Word& value) const;
-  template <class Word>
-  void take(const CaseKey& key, std::variant<Word, double>& value) const;
-  template <class Row>
-  void take(const CaseKey& key, std::vector<Row>& rows) const;
-  template <class Value>
-  void take(const CaseKey& key, std::optional<Value>& value) const;
-
   const toml::table& table_;
   std::string path_;
   const Test& test_;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "case/case_keys.h"
 #include "case/mechanics.h"
 #include "data/contact.h"
 #include "data/record.h"
@@ -27,11 +28,7 @@ void Preparation::add(std::string_view name, bool changed, std::string done, std
 
 std::string KeyChange::in_case() const { return fmt::format("[{}] {} = {}", section, name, value); }
 
-std::string KeyChange::flag() const {
-  std::string flag(name);
-  std::replace(flag.begin(), flag.end(), '_', '-');
-  return fmt::format("--{} {}", flag, value);
-}
+std::string KeyChange::flag() const { return fmt::format("{} {}", flag_of(name), value); }
 
 namespace {
 
@@ -285,9 +282,9 @@ Readings read_readings(const Test& input) {
 
 // Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
 // specimen in contact from the first row on would show.
-constexpr double least_free_rows = 5;
+constexpr double min_free_rows = 5;
 // A stage that runs back by less is one whose encoder is noisy; farther, the record is another test, or out of order.
-constexpr double most_stage_noise = 0.005;  // [travel]
+constexpr double max_stage_noise = 0.005;  // [travel]
 constexpr std::size_t least_noise_points = 11;
 
 void require_finite(const Record& record, const Table& table) {
@@ -458,7 +455,7 @@ void hold_stage(const Test& input, const Table& table, Record& record, const Sam
   std::vector<double>& stage = record.stage;
   double farthest = stage.front();
   const auto [least, most] = std::minmax_element(stage.begin(), stage.end());
-  const double allowed = turns ? infinity : most_stage_noise * (*most - *least);
+  const double allowed = turns ? infinity : max_stage_noise * (*most - *least);
   std::size_t held = 0;
   double largest = 0;
   for (std::size_t i = 1; i < stage.size(); ++i) {
@@ -492,7 +489,7 @@ bool begins_before_contact(const Record& record, const Contact& contact, double 
       std::find_if(record.force.begin(), record.force.end(), [&](double force) { return std::abs(force) > 4 * noise; });
   const double rise = record.force[contact.last - 1] - record.force[contact.first];
   const double rise_per_row = rise / static_cast<double>(contact.last - 1 - contact.first);
-  return static_cast<double>(free - record.force.begin()) >= least_free_rows + 4 * noise / rise_per_row;
+  return static_cast<double>(free - record.force.begin()) >= min_free_rows + 4 * noise / rise_per_row;
 }
 
 Record without_first(const Record& record, std::size_t points) {
@@ -502,10 +499,10 @@ Record without_first(const Record& record, std::size_t points) {
   return {rest(record.stage), rest(record.deflection), rest(record.force)};
 }
 
-void require_points(const Table& table, const Record& record, std::size_t least_points) {
-  if (record.force.size() >= least_points) return;
+void require_points(const Table& table, const Record& record, std::size_t min_points) {
+  if (record.force.size() >= min_points) return;
   throw InputError({.file = table.source,
-                    .expected = fmt::format("at least {} rows of readings before failure", least_points),
+                    .expected = fmt::format("at least {} rows of readings before failure", min_points),
                     .found = std::to_string(record.force.size())});
 }
 
@@ -640,26 +637,16 @@ void find_zero_displacement(const Test& input, const Record& whole, Measurement&
 
 }  // namespace
 
-Measurement read_measurement(const Test& asked, std::size_t least_points) {
-  if (least_points < least_noise_points)
-    throw std::invalid_argument(fmt::format("the noise of {} points cannot be estimated", least_points));
+Measurement read_measurement(const Test& asked, std::size_t min_points) {
+  if (min_points < least_noise_points)
+    throw std::invalid_argument(fmt::format("the noise of {} points cannot be estimated", min_points));
   if (!asked.record) throw missing(asked, "record");
   Readings readings = read_readings(asked);
   Table& table = readings.table;
   Measurement result{.test = std::move(readings.test),
                      .preparation = std::move(readings.preparation),
                      .file = table.source,
-                     .rows = table.rows(),
-                     .sampling = {},
-                     .first = 0,
-                     .record = {},
-                     .pulled_in = {},
-                     .cycles = {},
-                     .end = MeasurementEnd::last_row,
-                     .contact = ContactSource::first_point,
-                     .contact_offset = 0,
-                     .contact_error = 0,
-                     .force_noise = 0};
+                     .rows = table.rows()};
   const Test& input = result.test;
   Preparation& steps = result.preparation;
 
@@ -668,7 +655,7 @@ Measurement read_measurement(const Test& asked, std::size_t least_points) {
   Record every = record_of(readings, stiffness);
   if (readings.has(Reading::length)) result.pulled_in = readings.of(Reading::length);
   require_finite(every, table);
-  const std::size_t most_points = find_legs(every.stage).size() > 1 ? most_cyclic_points : most_record_points;
+  const std::size_t max_points = find_legs(every.stage).size() > 1 ? max_cyclic_points : max_record_points;
   std::optional<std::size_t> until;  // the last row
   if (const auto& place = input.record->until) until = rows_up_to(*place, "record.until", input, every, result.file);
   std::size_t first = 0;
@@ -676,8 +663,8 @@ Measurement read_measurement(const Test& asked, std::size_t least_points) {
   if (first > 0)
     steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1),
               KeyChange{"record", "first", "1"}, {}, RowRange{1, first});
-  result.sampling = sampling_of(std::span(readings.displacement()).subspan(first),
-                                std::span(every.force).subspan(first), most_points);
+  result.sampling =
+      sampling_of(std::span(readings.displacement()).subspan(first), std::span(every.force).subspan(first), max_points);
   for (std::size_t& row : result.sampling.rows) row += first;
   note_sampling(result.sampling, result.rows - first, steps);
   every = picked(every, result.sampling.rows);
@@ -698,7 +685,7 @@ Measurement read_measurement(const Test& asked, std::size_t least_points) {
               KeyChange{"record", "until", fmt::format("{}", rows_of_points(result.sampling, result.rows, points))});
   }
   Record whole = first_points(all, points);
-  require_points(table, whole, least_points);
+  require_points(table, whole, min_points);
   if (readings.has(Reading::stage) && readings.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
   hold_stage(input, table, whole, result.sampling, result.cycles.has_value(), steps);
   result.force_noise = force_noise(whole);
@@ -708,8 +695,8 @@ Measurement read_measurement(const Test& asked, std::size_t least_points) {
   const std::size_t skipped =
       result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - whole.stage.begin());
   result.first = skipped;
-  if (points - skipped < least_points)
-    throw wrong_value(input, "record.contact", fmt::format("at least {} rows of readings after contact", least_points),
+  if (points - skipped < min_points)
+    throw wrong_value(input, "record.contact", fmt::format("at least {} rows of readings after contact", min_points),
                       std::to_string(points - skipped));
   result.record = without_first(whole, skipped);
   const auto take_contact_off = [&](Record& record) {

@@ -52,8 +52,8 @@ struct Preparation {
 };
 
 // Of records of more rows that count every so many are used: a test has a few hundred features, whatever the readings of them.
-inline constexpr std::size_t most_record_points = 2000;
-inline constexpr std::size_t most_cyclic_points = 10000;  // of a test that is unloaded
+inline constexpr std::size_t max_record_points = 2000;
+inline constexpr std::size_t max_cyclic_points = 10000;  // of a test that is unloaded
 
 // What ends the loading that is evaluated.
 enum class MeasurementEnd { last_row, until, failure, turn };
@@ -69,18 +69,19 @@ struct Measurement {
   Test test;                // completed with what the file says, see Readings
   Preparation preparation;  // how the file became the record
   std::string file;
-  std::size_t rows;               // of the file
-  Sampling sampling;              // which of them are points, from the first row of the file on
-  std::size_t first;              // of these the first that is a point of the record
-  Record record;                  // stage and deflection counted from the contact
-  std::vector<double> pulled_in;  // [m] of each row of the file, as imaged; empty where it was not
-  std::optional<Record> cycles;   // from the first row of the file, if the stage turns back before the failure; contact
-                                  // taken off as well
-  MeasurementEnd end;             // what ends the loading
-  ContactSource contact;
-  double contact_offset;  // [m] taken off stage and deflection
-  double contact_error;   // [m] standard deviation
-  double force_noise;     // [N] standard deviation of one point
+  std::size_t rows;                 // of the file
+  Sampling sampling{};              // which of them are points, from the first row of the file on
+  std::size_t first = 0;            // of these the first that is a point of the record
+  Record record{};                  // stage and deflection counted from the contact
+  std::vector<double> pulled_in{};  // [m] of each row of the file, as imaged; empty where it was not
+  std::optional<Record>
+      cycles{};  // from the first row of the file, if the stage turns back before the failure; contact
+                 // taken off as well
+  MeasurementEnd end = MeasurementEnd::last_row;  // what ends the loading
+  ContactSource contact = ContactSource::first_point;
+  double contact_offset = 0;  // [m] taken off stage and deflection
+  double contact_error = 0;   // [m] standard deviation
+  double force_noise = 0;     // [N] standard deviation of one point
 };
 
 // Row of the file, counted from 1, at which a point of the record begins; and one of the cycles.
@@ -91,10 +92,10 @@ std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point);
 std::size_t last_file_row(const Measurement& measurement, std::size_t point);
 
 // Reads the record of a case and prepares it, in the order of Preparation.
-// Domain:     at least least_points points, 11 or more; std::invalid_argument otherwise.
+// Domain:     at least min_points points, 11 or more; std::invalid_argument otherwise.
 // Fails:      InputError, besides what read_readings throws, for too few points, a record that begins by unloading, an `until`
 //             beyond the file, no stiffness of the rig where the displacement is that of the stage, a contact to be found
 //             where the force does not rise straight.
-Measurement read_measurement(const Test& asked, std::size_t least_points);
+Measurement read_measurement(const Test& asked, std::size_t min_points);
 
 }  // namespace flexslip

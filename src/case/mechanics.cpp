@@ -27,9 +27,9 @@ namespace flexslip {
 namespace {
 
 // How fine friction may be.
-constexpr double most_periods = 1e6;         // of a wave: what trace_loading_curve takes, half a minute
-constexpr double finest_period = 1e-9;       // [L] of a wave, likewise
-constexpr double most_correlations = 2.4e5;  // of a rough profile, which has four knots to each
+constexpr double max_periods = 1e6;         // of a wave: what trace_loading_curve takes, half a minute
+constexpr double finest_period = 1e-9;      // [L] of a wave, likewise
+constexpr double max_correlations = 2.4e5;  // of a rough profile, which has four knots to each
 
 // What the test says of the bending stiffness, if it says something.
 std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
@@ -39,8 +39,8 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   const Known* known = estimate ? std::get_if<Known>(&*estimate) : nullptr;
   if (!known) return std::nullopt;
   const bool has_error = known->uncertainty > 0;
-  constexpr double most_error = 0.3;  // beyond it the fit would be that of another specimen
-  if (known->uncertainty > most_error * known->value)
+  constexpr double max_error = 0.3;  // beyond it the fit would be that of another specimen
+  if (known->uncertainty > max_error * known->value)
     throw wrong_value(test, product ? "specimen.bending_stiffness" : "specimen.modulus",
                       "an uncertainty of at most 30 % of the value",
                       fmt::format("{:.0f} %", 100 * known->uncertainty / known->value),
@@ -67,12 +67,12 @@ StageProgramme stated_programme(const Test& test) {
   const auto& positions = test.stage->program;
   const auto farthest = std::max_element(positions.begin(), positions.end());
   const std::string key = fmt::format("stage.program[{}]", farthest - positions.begin() + 1);
-  if (!(*farthest >= nearest_reduced * span_of(test)))
+  if (!(*farthest >= min_stage * span_of(test)))
     throw wrong_value(test, fmt::format("stage.program[{}]", positions.size()),
-                      fmt::format("a position of at least {:g} spans", nearest_reduced),
+                      fmt::format("a position of at least {:g} spans", min_stage),
                       readable_length(test, positions.back()));
-  if (!(*farthest <= farthest_reduced * span_of(test)))
-    throw wrong_value(test, key, fmt::format("a position within {:g} spans", farthest_reduced),
+  if (!(*farthest <= max_stage * span_of(test)))
+    throw wrong_value(test, key, fmt::format("a position within {:g} spans", max_stage),
                       readable_length(test, *farthest), "check its unit");
   std::vector<double> turns = written_out(*test.stage);
   if (!test.stage->step) return {std::move(turns), *farthest, false, false};
@@ -84,38 +84,30 @@ StageProgramme measured_programme(const Test& test) {
   std::vector<WantedColumn> wanted{{*measured.stage, kind_in(test, kind::length)}};
   if (measured.time) wanted.push_back({*measured.time, kind_in(test, kind::time)});
   Table table = read_table(*measured.file, wanted, measured.decimal);
-  const auto refuse = [&](std::size_t row, const Column& column, std::string expected, std::string found,
-                          std::string remedy) {
-    throw InputError({.file = table.source,
-                      .line = table.lines[row],
-                      .field = fmt::format("column {}", in_quotes(column.name)),
-                      .expected = std::move(expected),
-                      .found = std::move(found),
-                      .remedy = std::move(remedy)});
-  };
   const Column& stage = table.columns.front();
   const double span = span_of(test);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double position = stage.values[row];
     if (position < 0)
-      refuse(row, stage, "a stage position of at least 0, the point of contact", readable_length(test, position),
-             "count the stage from where it touches the specimen, and leave out the rows before");
-    if (!(position <= farthest_reduced * span))
-      refuse(row, stage, fmt::format("a stage position within {:g} spans", farthest_reduced),
-             readable_length(test, position), "check its unit");
+      throw wrong_cell(table, row, stage, "a stage position of at least 0, the point of contact",
+                       readable_length(test, position),
+                       "count the stage from where it touches the specimen, and leave out the rows before");
+    if (!(position <= max_stage * span))
+      throw wrong_cell(table, row, stage, fmt::format("a stage position within {:g} spans", max_stage),
+                       readable_length(test, position), "check its unit");
     if (!measured.time || row == 0) continue;
     const Column& time = table.columns[1];
     if (time.values[row] < time.values[row - 1])
-      refuse(row, time,
-             fmt::format("a time no earlier than in the previous row, {}",
-                         readable(time.values[row - 1], kind_in(test, kind::time))),
-             readable(time.values[row], kind_in(test, kind::time)), "sort the rows by time");
+      throw wrong_cell(table, row, time,
+                       fmt::format("a time no earlier than in the previous row, {}",
+                                   readable(time.values[row - 1], kind_in(test, kind::time))),
+                       readable(time.values[row], kind_in(test, kind::time)), "sort the rows by time");
   }
   const auto farthest = std::max_element(stage.values.begin(), stage.values.end());
-  if (!(*farthest >= nearest_reduced * span))
-    refuse(static_cast<std::size_t>(farthest - stage.values.begin()), stage,
-           fmt::format("a stage that moves to at least {:g} spans", nearest_reduced),
-           readable_length(test, *farthest) + " as the farthest", "check the unit");
+  if (!(*farthest >= min_stage * span))
+    throw wrong_cell(table, static_cast<std::size_t>(farthest - stage.values.begin()), stage,
+                     fmt::format("a stage that moves to at least {:g} spans", min_stage),
+                     readable_length(test, *farthest) + " as the farthest", "check the unit");
   const double reach = *farthest;
   return {std::move(table.columns.front().values), reach, true, true};
 }
@@ -157,23 +149,20 @@ FrictionTable read_friction_table(const Side& side) {
   const Kind length_kind = kind_in(test, kind::length);
   const Table table = read_table(
       *side.friction.file, {{*side.friction.length, length_kind}, {side.friction.mu.value_or("mu"), kind::number}});
-  const auto refuse = [&](std::size_t row, std::size_t column, std::string expected, double found, const Kind& kind) {
-    throw InputError({.file = table.source,
-                      .line = table.lines[row],
-                      .field = fmt::format("column {}", in_quotes(table.columns[column].name)),
-                      .expected = std::move(expected),
-                      .found = readable(found, kind)});
-  };
   FrictionTable friction{table.columns[0].values, table.columns[1].values};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (row > 0 && !(friction.S[row] > friction.S[row - 1]))
-      refuse(row, 0, "a length greater than in the previous row", friction.S[row], length_kind);
-    if (friction.mu[row] < 0) refuse(row, 1, "friction of at least 0", friction.mu[row], kind::number);
+      throw wrong_cell(table, row, table.columns[0], "a length greater than in the previous row",
+                       readable(friction.S[row], length_kind));
+    if (friction.mu[row] < 0)
+      throw wrong_cell(table, row, table.columns[1], "friction of at least 0",
+                       readable(friction.mu[row], kind::number));
   }
   if (const double span = span_of(test); !(friction.S.back() / span > 1))
-    refuse(table.rows() - 1, 0,
-           fmt::format("lengths between the supports, which grow from the span of {}", readable_length(test, span)),
-           friction.S.back(), length_kind);
+    throw wrong_cell(
+        table, table.rows() - 1, table.columns[0],
+        fmt::format("lengths between the supports, which grow from the span of {}", readable_length(test, span)),
+        readable(friction.S.back(), length_kind));
   return friction;
 }
 
@@ -193,7 +182,7 @@ FrictionTable read_surface(const Side& side) {
   const bool is_inwards = surface.direction == TraceDirection::inwards;
   for (const bool turned : {false, true}) {
     if (turned && is_inwards) std::reverse(ready.path.begin(), ready.path.end());
-    if (const auto fault = too_steep(ready.path, ready.trace.step, mu0, most_apparent, false))
+    if (const auto fault = too_steep(ready.path, ready.trace.step, mu0, max_apparent, false))
       throw refusal_of(*fault, ready.trace, mu0, file.source, length);
   }
   const double begin = surface.trace_begin.value_or(half_span);
@@ -238,9 +227,8 @@ Friction of_points(const Side& side, const FrictionTable& points, const Scales& 
 
 Friction of_roughness(const Side& side, const Scales& scales, double S_max) {
   const double correlation_length = scales.reduced_length(*side.friction.correlation_length);
-  if (!((S_max - 1) / correlation_length <= most_correlations))
-    throw side.wrong("correlation_length",
-                     fmt::format("at least {:.0e} of the length pulled in", 1 / most_correlations),
+  if (!((S_max - 1) / correlation_length <= max_correlations))
+    throw side.wrong("correlation_length", fmt::format("at least {:.0e} of the length pulled in", 1 / max_correlations),
                      readable_length(side.test, *side.friction.correlation_length), "check its unit");
   return Friction::rough(*side.friction.mu0, *side.friction.rms, correlation_length, *side.friction.seed, S_max);
 }
@@ -253,17 +241,17 @@ Friction of_waves(const Side& side, const Scales& scales, double S_max) {
   if (friction.reference) {
     constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
     waves.S_reference = scales.reduced_length(*friction.reference);
-    if (!(waves.S_reference >= 1 - rounding && waves.S_reference <= farthest_reduced))
+    if (!(waves.S_reference >= 1 - rounding && waves.S_reference <= max_stage))
       throw ImpossibleTest(side.wrong("reference",
                                       fmt::format("a length between the supports, from the span of {} to {:g} spans",
-                                                  readable_length(test, scales.span()), farthest_reduced),
+                                                  readable_length(test, scales.span()), max_stage),
                                       readable_length(test, *friction.reference), "check its unit"));
   }
   const auto add = [&](const std::string& name, double amplitude, double wavelength, double phase) {
     waves.terms.push_back({amplitude, scales.reduced_length(wavelength), phase});
     const double period = 2 * waves.terms.back().wavelength;
-    if (!((S_max - 1) / period <= most_periods && period >= finest_period && std::isfinite(period)))
-      throw side.wrong(name, fmt::format("at most {:.0e} periods along the specimen", most_periods),
+    if (!((S_max - 1) / period <= max_periods && period >= finest_period && std::isfinite(period)))
+      throw side.wrong(name, fmt::format("at most {:.0e} periods along the specimen", max_periods),
                        readable_length(test, wavelength), "check its unit");
   };
   if (friction.model == FrictionModel::sinusoid)
@@ -528,7 +516,7 @@ std::optional<double> pin_limit_of(const Test& test) {
   return friction_of_pins(*test.rig->pin_friction, *test.rig->pin_radius, *test.rig->roller_radius);
 }
 
-Friction first_friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max) {
+Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max) {
   if (!test.friction) throw missing(test, "friction");
   const FrictionInput& friction = *test.friction;
   if (!friction.model) throw missing(test, "friction.model");
@@ -537,14 +525,10 @@ Friction first_friction_of(const Test& test, const Fibre& fibre, const Scales& s
                       "write a model to compute with, such as model = \"constant\", or \"rough\" with its parameters");
   if (!friction.has_parameters())
     throw missing(test, friction.model == FrictionModel::table ? "friction.file" : "friction.mu0");
-  return friction_of({test, friction, "friction"}, fibre, scales, S_max);
-}
-
-Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max) {
-  Friction first = first_friction_of(test, fibre, scales, S_max);
+  Friction first = friction_of({test, friction, "friction"}, fibre, scales, S_max);
   std::optional<Friction> other;
   if (test.other) other = friction_of({test, *test.other, "friction.other"}, fibre, scales, S_max);
-  if (test.friction->build_up_length.value_or(0) > 0) return built_up(test, std::move(first), fibre, scales, S_max);
+  if (friction.build_up_length.value_or(0) > 0) return built_up(test, std::move(first), fibre, scales, S_max);
   if (!other) return first;
   if (fibre.supports().radius > 0)
     throw wrong_value(test, "rig.roller_radius", "edges, as [friction.other] says that the supports differ", "rollers",
@@ -563,9 +547,9 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
     throw ImpossibleTest(wrong_value(test, "rig.pin_friction", "less than the ratio of the radii of roller and pin",
                                      fmt::format("{:g}", *test.rig->pin_friction)));
   const Rig rig = rig_of(test, scales);
-  if (!(farthest / (1 + 48 / rig.stiffness) >= nearest_reduced))
+  if (!(farthest / (1 + 48 / rig.stiffness) >= min_stage))
     throw ImpossibleTest(wrong_value(
-        test, "rig.stiffness", fmt::format("a rig that bends the specimen by at least {:g} spans", nearest_reduced),
+        test, "rig.stiffness", fmt::format("a rig that bends the specimen by at least {:g} spans", min_stage),
         readable(load_train_stiffness_of(test), kind_in(test, kind::stiffness)), "check its unit"));
   const double S_max = longest_at_stage(farthest);
   Friction kinetic = friction_of(test, rig.fibre, scales, S_max);

@@ -23,8 +23,8 @@ namespace flexslip {
 inline constexpr double thickest = 0.2;  // [L] beyond it shear, which the elastica leaves out, adds 10 % to w
 
 // How far the stage may move.
-inline constexpr double nearest_reduced = 1e-6;  // [L] of the stage: what the loading curve can be traced for
-inline constexpr double farthest_reduced = 100;  // [L] of the stage: a fibre is through its supports within a few spans
+inline constexpr double min_stage = 1e-6;  // [L] of the stage: what the loading curve can be traced for
+inline constexpr double max_stage = 100;   // [L] of the stage: a fibre is through its supports within a few spans
 
 // There is no such test: a specimen too thick for its span, a rig too soft to bend it. What other errors refuse cannot be computed, or is not stated.
 struct ImpossibleTest : InputError {
@@ -105,9 +105,6 @@ std::optional<double> pin_limit_of(const Test& test);
 // specimen is drawn in (contact/two_supports.h), and likewise where friction builds up (contact/build_up.h).
 // Fails:      InputError if the test has none, a model without parameters, or one that is not covered.
 Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max);
-
-// Of the first support alone.
-Friction first_friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max);
 
 // The test with what the files of its friction hold, so that they are not read again.
 Test with_files_read(Test test);

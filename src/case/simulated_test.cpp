@@ -143,17 +143,17 @@ std::string reason_of_end(const Test& input, HistoryStatus status, const Simulat
 // A continuous path has so many points on each stretch of sliding and each snap, and fine roughness has very many.
 // Fails:      InputError for more than fit into a gigabyte.
 void require_path_that_fits(const Test& input, const Friction& friction, const std::vector<double>& turns, int points) {
-  constexpr double most_points = 8e6;  // of a hundred bytes
-  double periods = 0;                  // passed at most
+  constexpr double max_points = 8e6;  // of a hundred bytes
+  double periods = 0;                 // passed at most
   for (std::size_t i = 1; i < turns.size(); ++i)
     periods += std::abs(periods_up_to(friction, turns[i]) - periods_up_to(friction, turns[i - 1]));
   const double expected = 2 * periods * points;
-  if (expected <= most_points) return;
+  if (expected <= max_points) return;
   throw wrong_value(input, "stage.step",
                     fmt::format("a step, as friction goes through about {:.0e} periods on the way", periods),
                     "none: a continuous path",
                     fmt::format("write step = \"…\" into [stage], or pass --points {:.0f}",
-                                std::max(std::floor(most_points / (2 * periods)), 2.0)));
+                                std::max(std::floor(max_points / (2 * periods)), 2.0)));
 }
 
 // Where the nose first lifts off a specimen that stays bent; "" where it does not.
@@ -191,11 +191,11 @@ std::vector<std::string> left_out_in_words(const Test& input, const Simulation& 
 }  // namespace
 
 SimulatedTest simulate(const Test& input, const SimulationOptions& options, double farthest) {
-  constexpr double least_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
-  constexpr double least_stated_travel = 1e-9;    // of one that was written down
+  constexpr double min_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
+  constexpr double min_stated_travel = 1e-9;    // of one that was written down
   const Scales scales = scales_of(input);
   const StageProgramme programme = programme_of(input);
-  const LegOptions legs{programme.measured ? least_measured_travel : least_stated_travel};
+  const LegOptions legs{programme.measured ? min_measured_travel : min_stated_travel};
   BendingTest bending_test =
       bending_test_of(input, scales, std::max(farthest, scales.reduced_length(programme.farthest)));
 

@@ -33,10 +33,10 @@ double longest_of(const EquilibriumChoice& choice, const Test& input, const Scal
 int points_for(const Friction& friction, double S_max) {
   const double for_waves = 8 * (S_max - 1) / friction.smooth_scale();
   const double for_knots = 4 * static_cast<double>(friction.knots().size());
-  return static_cast<int>(std::clamp(std::max(for_waves, for_knots), 500.0, static_cast<double>(most_equilibria)));
+  return static_cast<int>(std::clamp(std::max(for_waves, for_knots), 500.0, static_cast<double>(max_equilibria)));
 }
 
-constexpr std::size_t least_inverted_points = 12;  // a noise, and a profile that is more than a handful of points
+constexpr std::size_t min_inverted_points = 12;  // a noise, and a profile that is more than a handful of points
 
 std::vector<std::string> assumptions_in_words(const BendingStiffnessUsed& stiffness) {
   constexpr std::string_view remedy =
@@ -85,7 +85,7 @@ EquilibriumPortrait portrait_of(const EquilibriumStudy& study) {
 }
 
 InvertedTest invert_test(const Test& asked, const OtherSupports& other) {
-  Measurement measurement = read_measurement(asked, least_inverted_points);
+  Measurement measurement = read_measurement(asked, min_inverted_points);
   const Test& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   const Scales scales = scales_of(input, stiffness);
@@ -122,8 +122,8 @@ std::optional<ForceWindow> window_of(const std::vector<std::string>& words) {
 }
 
 ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window) {
-  constexpr std::size_t least_points_of_line = 11;  // they tell the noise
-  Measurement measurement = read_measurement(input, least_points_of_line);
+  constexpr std::size_t min_points_of_line = 11;  // they tell the noise
+  Measurement measurement = read_measurement(input, min_points_of_line);
   const BeamGeometry geometry = geometry_of(measurement.test);
   const SmallDeflection numbers = small_deflection(measurement.record, geometry, {.window = window});
   return {std::move(measurement), geometry, numbers};

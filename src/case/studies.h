@@ -21,13 +21,13 @@ namespace flexslip {
 
 struct EquilibriumChoice {
   bool region = false;  // all equilibria, not the curve of loading
-  int points = 0;   // along the length, from 2 to most_equilibria; 0: as many as the friction needs, or 100 of a region
-  int levels = 41;  // of the friction in a region, from 2 to most_levels
+  int points = 0;   // along the length, from 2 to max_equilibria; 0: as many as the friction needs, or 100 of a region
+  int levels = 41;  // of the friction in a region, from 2 to max_levels
   std::string longest{};  // length between the supports up to which to compute, with its unit; empty: 1.5 spans
 };
 
-inline constexpr int most_equilibria = 1'000'000;
-inline constexpr int most_levels = 10'000;
+inline constexpr int max_equilibria = 1'000'000;
+inline constexpr int max_levels = 10'000;
 
 struct EquilibriumStudy {
   bool reduced, in_inches;  // as the case

@@ -56,13 +56,13 @@ PreparedTrace prepared(const Sampled& sampled, std::size_t level, std::optional<
 InputError refusal_of(const TooSteep& fault, const HeightTrace& trace, double mu, const std::string& source,
                       const Kind& kind) {
   const double place = trace.position(fault.interval);
-  const double limit = fault.slope > 0 ? slope_of_friction(most_apparent, mu) : mu;
+  const double limit = fault.slope > 0 ? slope_of_friction(max_apparent, mu) : mu;
   const bool falls = fault.slope < 0;
   return InputError(
       {.file = source,
        .expected = fmt::format("slopes between {:.3g}, where a contact of friction {:g} slides by itself, and {:.3g}, "
                                "where it would show a friction of {:g}",
-                               -mu, mu, slope_of_friction(most_apparent, mu), most_apparent),
+                               -mu, mu, slope_of_friction(max_apparent, mu), max_apparent),
        .found = fmt::format("a slope of {:.3g} at the position {}, {:.2g} times the limit", fault.slope,
                             readable(place, kind), std::abs(fault.slope) / limit),
        .remedy = falls ? "if it is noise, remove short waves with a cutoff, or state the radius of the edge; otherwise "
@@ -94,7 +94,7 @@ SurfaceStudy study_surface(TraceFile file, const SurfaceOptions& options) {
     study.rms_slope_of_path = root_mean_square(slopes);
   }
   if (options.friction) {
-    if (const auto fault = too_steep(study.path, trace.step, *options.friction, most_apparent, false))
+    if (const auto fault = too_steep(study.path, trace.step, *options.friction, max_apparent, false))
       throw refusal_of(*fault, trace, *options.friction, study.file.source, kind::length);
     study.friction = friction_of_heights(study.path, trace.step, *options.friction);
   }

@@ -43,7 +43,7 @@ struct SurfaceStudy {
 };
 
 // [1] As of any friction that is computed with.
-inline constexpr double most_apparent = 20;
+inline constexpr double max_apparent = 20;
 
 // What a trace would make of the friction of a support: levelled, filtered and rolled over. Both have as many heights as the trace.
 struct PreparedTrace {
@@ -64,10 +64,10 @@ struct SurfaceChoice {
   std::string cutoff, edge_radius, friction, pixel, amplitude, shortest, longest, noise;
   std::vector<std::string> wavelengths{};
   std::size_t level = SurfaceOptions{}.level;    // as SurfaceOptions
-  std::size_t tapers = TextureOptions{}.tapers;  // from least_tapers to most_tapers
+  std::size_t tapers = TextureOptions{}.tapers;  // from min_tapers to max_tapers
 };
 
-inline constexpr std::size_t least_tapers = 2, most_tapers = 30;
+inline constexpr std::size_t min_tapers = 2, max_tapers = 30;
 
 // Fails:      InputError that names the flag.
 SurfaceOptions options_of(const SurfaceChoice& choice);

@@ -80,8 +80,8 @@ class TokenCheck {
   void take_word() {
     const std::size_t end = std::min(text_.find_first_not_of(letters, at_), text_.size());
     const std::string_view word = text_.substr(at_, end - at_);
-    constexpr std::ptrdiff_t most_parts = 16;  // a key of many thousands takes the parser out of its stack
-    if (std::count(word.begin(), word.end(), '.') >= most_parts) refuse("a key of a few parts", "one of too many");
+    constexpr std::ptrdiff_t max_parts = 16;  // a key of many thousands takes the parser out of its stack
+    if (std::count(word.begin(), word.end(), '.') >= max_parts) refuse("a key of a few parts", "one of too many");
     const bool is_key = next_after(end) == '=' && last_ != '=' && (open_.empty() || open_.back() == '{');
     const bool is_whole =
         end == text_.size() || std::string_view(" \t\r\n,]}#").find(text_[end]) != std::string_view::npos;

@@ -1,24 +1,20 @@
 #include "campaign/campaign.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "answers/campaign_fields.h"
 #include "campaign/campaign_run.h"
-#include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/output.h"
-#include "io/call_files.h"
+#include "cli/options.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/campaign_document.h"
-#include "report/campaign_report.h"
+#include "report/answer_documents.h"
+#include "report/report.h"
 
 namespace flexslip {
 namespace {
@@ -30,7 +26,7 @@ struct CampaignRequest {
   std::string report;
   bool figures = true;
   bool test_reports = false;
-  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  unsigned jobs = 1;
   AnalysisChoice flags;
   std::vector<std::string> shared;
   Output output;
@@ -62,14 +58,10 @@ void run_campaign_command(const CampaignRequest& request) {
                                                          : "; the same command continues from there"));
   if (run.found > 0)
     note(request.output, fmt::format("{} of {} tests were computed by an earlier run", run.found, plan.size()));
-  if (!request.report.empty() &&
-      write_campaign_report(request.report, run.campaign, request.figures) == DrawStatus::no_gnuplot)
-    note(request.output,
-         "gnuplot is not installed: the report holds the scripts and data of the figures, but no pictures");
-  if (request.output.json)
-    write_json(request.output.path, campaign_json(run.campaign));
-  else
-    write_text(request.output.path, campaign_text(run.campaign));
+  if (!request.report.empty())
+    note_pictures(request.output, write_campaign_report(request.report, run.campaign, request.figures));
+  write_words(
+      request.output, [&] { return campaign_json(run.campaign); }, [&] { return campaign_text(run.campaign); });
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
                                             [](const CampaignTest& test) { return !test.summary; });
   for (const Shareable parameter : shareables_named(request.shared))
@@ -86,38 +78,26 @@ void run_campaign_command(const CampaignRequest& request) {
 }  // namespace
 
 void add_campaign_command(CLI::App& app) {
-  const auto request = std::make_shared<CampaignRequest>();
-  CLI::App* command = app.add_subcommand("campaign", "Friction in many measured tests: one table, categories, figures");
-  command
-      ->add_option("path", request->path,
-                   "Folder of case files; or, with --common, of data files; or a table (CSV) with one test per row")
-      ->type_name("PATH")
+  const auto [command, request] = add_command(
+      app, "campaign", "Friction in many measured tests: one table, categories, figures", run_campaign_command);
+  add_option(command, "path PATH", request.path,
+             "Folder of case files; or, with --common, of data files; or a table (CSV) with one test per row")
       ->required();
-  command->add_option("--common", request->common, "Case file with what all tests have in common")->type_name("FILE");
-  add_set_option(*command, request->changes);
-  command
-      ->add_option("--report", request->report,
-                   "Write report.html, tables, figures and each test's results into this folder; results that are "
-                   "already there are not computed again")
-      ->type_name("FOLDER")
-      ->each([](const std::string& folder) {
-        if (!folder.empty()) announce_campaign_report(files_of_this_call(), folder, "--report");
-      });
-  command->add_flag("!--no-figures", request->figures, "Write only the tables, without report.html and figures");
-  command->add_flag("--test-reports", request->test_reports, "Also write the report of each test, with its figures");
-  command->add_option("-j,--jobs", request->jobs, "Number of tests computed at the same time")
-      ->type_name("NUMBER")
-      ->check(CLI::Range(1U, 1024U))
-      ->default_str("the number of cores");
-  command
-      ->add_option("--share", request->shared,
-                   "Estimate one value of this parameter from all records together; may be repeated")
-      ->type_name("PARAMETER")
+  add_option(command, "--common FILE", request.common, "Case file with what all tests have in common");
+  add_set_option(command, request.changes);
+  add_report_option(command, request.report,
+                    "Write report.html, tables, figures and each test's results into this folder; results that are "
+                    "already there are not computed again",
+                    announce_campaign_report);
+  command.add_flag("!--no-figures", request.figures, "Write only the tables, without report.html and figures");
+  command.add_flag("--test-reports", request.test_reports, "Also write the report of each test, with its figures");
+  add_threads_option(command, "-j,--jobs NUMBER", request.jobs, "Number of tests computed at the same time");
+  add_option(command, "--share PARAMETER", request.shared,
+             "Estimate one value of this parameter from all records together; may be repeated")
       ->check(CLI::IsMember(shareable_names()));
-  add_analysis_options(*command, request->flags);
-  add_output_options(*command, request->output);
-  command->get_option("--json")->description("Write JSON instead of text");
-  command->footer(
+  add_analysis_options(command, request.flags);
+  add_output_options(command, request.output);
+  command.footer(
       "A table has a column for each key of a case file that differs between tests: \"file\", \"diameter [um]\", "
       "\"until\".\n"
       "A test that cannot be computed is listed with the reason, and the exit code is 1. If a run is interrupted, the\n"
@@ -127,7 +107,6 @@ void add_campaign_command(CLI::App& app) {
       "  flexslip campaign tests/ --report report\n"
       "  flexslip campaign exports/ --common rig.toml --report report\n"
       "  flexslip campaign cases.csv --common rig.toml --json");
-  command->callback([request] { run_campaign_command(*request); });
 }
 
 }  // namespace flexslip

@@ -1,5 +1,4 @@
 #include <array>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -7,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "io/text_file.h"
 #include "result/table.h"
 
@@ -54,28 +53,23 @@ void run_cite(const Output& output) {
     text += "}\n";
     all.push_back(std::move(entry));
   }
-  if (output.json)
-    write_json(output.path, all);
-  else
-    write_text(output.path, text);
+  write_words(
+      output, [&] { return all; }, [&] { return text; });
 }
 
 }  // namespace
 
 void add_cite_command(CLI::App& app) {
-  const auto output = std::make_shared<Output>();
-  CLI::App* command =
-      app.add_subcommand("cite", "How to cite the program and the paper whose model it computes, in BibTeX");
-  add_output_options(*command, *output);
-  command->get_option("--json")->description("Write JSON instead of BibTeX");
-  command->footer(
+  const auto [command, output] =
+      add_command(app, "cite", "How to cite the program and the paper whose model it computes, in BibTeX", run_cite);
+  add_output_options(command, output, "BibTeX");
+  command.footer(
       "Cite the paper for the mechanics and the program for the numbers. The version of the program stands in the "
       "entry\n"
       "and in every answer (provenance in --json).\n\n"
       "Examples:\n"
       "  flexslip cite\n"
       "  flexslip cite --output flexslip.bib");
-  command->callback([output] { run_cite(*output); });
 }
 
 }  // namespace flexslip

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -37,5 +38,19 @@ void add_keys_command(CLI::App& app);
 void add_results_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
 void add_cite_command(CLI::App& app);
+
+// ---- The two lengths of help (help.cpp): -h shows the options that people use, --help all of them
+
+// `flexslip help [COMMAND]`: what --help says.
+void add_help_command(CLI::App& app);
+
+// What --help says of the program, or of one of its commands.
+std::string whole_help(const CLI::App& command);
+
+// Gives the program, or one of its commands, the flag -h, which throws ShortHelp; main() prints it.
+struct ShortHelp {
+  std::string text;
+};
+void add_short_help(CLI::App& command);
 
 }  // namespace flexslip

@@ -1,11 +1,10 @@
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "io/text_file.h"
 
 namespace flexslip {
@@ -154,34 +153,32 @@ std::string fish_script(const CLI::App& app) {
 }
 
 struct CompletionsRequest {
+  const CLI::App* app;
   std::string shell;
   std::string path = "-";
 };
 
-void run_completions(const CompletionsRequest& request, const CLI::App& app) {
-  const std::string script = request.shell == "bash"  ? bash_script(app)
-                             : request.shell == "zsh" ? zsh_script(app)
-                                                      : fish_script(app);
-  write_text(request.path, script);
+void run_completions(const CompletionsRequest& request) {
+  const CLI::App& app = *request.app;
+  write_text(request.path, request.shell == "bash"  ? bash_script(app)
+                           : request.shell == "zsh" ? zsh_script(app)
+                                                    : fish_script(app));
 }
 
 }  // namespace
 
 void add_completions_command(CLI::App& app) {
-  const auto request = std::make_shared<CompletionsRequest>();
-  CLI::App* command =
-      app.add_subcommand("completions", "A script that lets a shell complete the program's commands and options");
-  command->add_option("shell", request->shell, "bash, zsh or fish")
-      ->type_name("SHELL")
+  const auto [command, request] = add_command(
+      app, "completions", "A script that lets a shell complete the program's commands and options", run_completions);
+  request.app = &app;
+  add_option(command, "shell SHELL", request.shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  add_output_file(*command, "-o,--output", request->path, "Write to this file; - is standard output")
-      ->capture_default_str();
-  command->footer(
+  add_output_option(command, request.path);
+  command.footer(
       "Examples:\n"
       "  source <(flexslip completions bash)\n"
       "  flexslip completions fish --output ~/.config/fish/completions/flexslip.fish");
-  command->callback([request, &app] { run_completions(*request, app); });
 }
 
 }  // namespace flexslip

@@ -1,4 +1,3 @@
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -6,21 +5,19 @@
 #include "answers/fit_fields.h"
 #include "answers/profile_fields.h"
 #include "case/fitted.h"
-#include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "finding/answer.h"
-#include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/fit_document.h"
+#include "report/answer_documents.h"
 #include "report/report.h"
 
 namespace flexslip {
 namespace {
 
 struct FitRequest {
-  CaseRequest test;
+  TestRequest test;
   AnalysisChoice analysis;
   std::string profile, curves, draws, report, surface;
   bool full = false;
@@ -28,17 +25,12 @@ struct FitRequest {
 };
 
 void run_fit(const FitRequest& request) {
-  FittedTest test = [&] {
-    try {
-      const Test input = case_of(request.test);
-      const Busy busy("Fitting", request.output);
-      if (request.analysis.model.empty() && input.friction && input.friction->has_parameters())
-        note(request.output, "the parameters in [friction] are for simulating and are not used by the fit");
-      return fit_test(input, options_for(input, request.analysis));
-    } catch (const InputError& error) {
-      throw in_words_of_call(request.test, error);
-    }
-  }();
+  FittedTest test = with_test(request.test, [&](const Test& input) {
+    const Busy busy("Fitting", request.output);
+    if (request.analysis.model.empty() && input.friction && input.friction->has_parameters())
+      note(request.output, "the parameters in [friction] are for simulating and are not used by the fit");
+    return fit_test(input, options_for(input, request.analysis));
+  });
 
   if (!request.surface.empty()) hold_against(test, request.surface, {});
   if (!request.profile.empty()) write_profile(request.profile, test);
@@ -46,46 +38,36 @@ void run_fit(const FitRequest& request) {
   if (!request.draws.empty() && is_fitted(test)) write_draws(request.draws, test);
   if (!request.draws.empty() && !is_fitted(test))
     note(request.output, fmt::format("{} is not written: there is no fit to draw profiles from", request.draws));
-  if (!request.report.empty() && write_report_with_studio(request.report, test) == DrawStatus::no_gnuplot)
-    note(request.output,
-         "gnuplot is not installed: the report holds the scripts and data of the figures, but no pictures");
-  if (request.output.json)
-    write_json(request.output.path, fit_json(test));
-  else
-    write_text(request.output.path,
-               (request.full ? fit_text(test) : fit_screen(test.name, answer_of(test), screen_style(request.output))) +
-                   (request.report.empty() ? "" : fmt::format("\nThe report: {}/report.html\n", request.report)));
+  if (!request.report.empty()) note_pictures(request.output, write_report_with_studio(request.report, test));
+  write_words(
+      request.output, [&] { return fit_json(test); },
+      [&] {
+        return (request.full ? fit_text(test) : fit_screen(test.name, answer_of(test), screen_style(request.output))) +
+               (request.report.empty() ? "" : fmt::format("\nThe report: {}/report.html\n", request.report));
+      });
   if (const std::string why = why_no_answer(test); !why.empty()) throw CalculationFailed(why);
 }
 
 }  // namespace
 
 void add_fit_command(CLI::App& app) {
-  const auto request = std::make_shared<FitRequest>();
-  CLI::App* command =
-      app.add_subcommand("fit", "Friction that a measured test shows along the specimen, and how certain it is");
-  add_case_options(*command, request->test);
-  add_analysis_options(*command, request->analysis);
-  add_output_file(*command, "--profile", request->profile, "Write the friction along the specimen to this CSV file");
-  add_output_file(*command, "--curves", request->curves,
+  const auto [command, request] =
+      add_command(app, "fit", "Friction that a measured test shows along the specimen, and how certain it is", run_fit);
+  add_test(command, request.test);
+  add_analysis_options(command, request.analysis);
+  add_output_file(command, "--profile", request.profile, "Write the friction along the specimen to this CSV file");
+  add_output_file(command, "--curves", request.curves,
                   "Write measured, fitted and replayed force, point by point, to this CSV file");
   add_output_file(
-      *command, "--draws", request->draws,
+      command, "--draws", request.draws,
       "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"");
-  command->add_option("--report", request->report, "Write report.html and figures/ into this folder")
-      ->type_name("FOLDER")
-      ->each([](const std::string& folder) {
-        if (!folder.empty()) announce_report(files_of_this_call(), folder, "--report");
-      });
-  command
-      ->add_option(
-          "--surface", request->surface,
-          "Compare the surface that would explain the friction with this height profile, read as by flexslip surface")
-      ->type_name("TRACE");
-  command->add_flag("--full", request->full, "Print every table and remark, not only what fits on one screen");
-  add_output_options(*command, request->output);
-  command->get_option("--json")->description("Write JSON instead of text");
-  command->footer(
+  add_report_option(command, request.report, "Write report.html and figures/ into this folder", announce_report);
+  add_option(
+      command, "--surface TRACE", request.surface,
+      "Compare the surface that would explain the friction with this height profile, read as by flexslip surface");
+  command.add_flag("--full", request.full, "Print every table and remark, not only what fits on one screen");
+  add_output_options(command, request.output);
+  command.footer(
       "Writes the answer on one screen. With --full it writes everything in the report except the figures: parameters\n"
       "with their intervals, every slip and snap, the energy account, what was assumed, and the files. Rows are those\n"
       "of the file, counted from 1 without its header.\n"
@@ -96,7 +78,6 @@ void add_fit_command(CLI::App& app) {
       "  flexslip fit examples/simulated/case.toml --report report\n"
       "  flexslip fit test.csv --span \"1278 um\" --stiffness \"90.6 N/m\" --diameter \"34.8 um\" \\\n"
       "    --modulus \"29.6 GPa\" --stage \"w_s [um]\" --force \"F [mN]\" --json");
-  command->callback([request] { run_fit(*request); });
 }
 
 }  // namespace flexslip

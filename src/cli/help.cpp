@@ -1,13 +1,11 @@
-#include "cli/help.h"
-
 #include <algorithm>
-#include <memory>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "report/document.h"
@@ -78,6 +76,24 @@ std::string short_help(CLI::App& command) {
   return whole_help(command);
 }
 
+struct HelpRequest {
+  const CLI::App* app;
+  std::string command;
+};
+
+void run_help(const HelpRequest& request) {
+  if (request.command.empty()) return write_text("-", whole_help(*request.app));
+  std::vector<std::string> names;
+  for (const CLI::App* each : request.app->get_subcommands([](const CLI::App*) { return true; })) {
+    if (each->get_name() == request.command) return write_text("-", whole_help(*each));
+    names.push_back(each->get_name());
+  }
+  throw InputError({.field = "COMMAND",
+                    .expected = "one of the commands " + listed(names),
+                    .found = in_quotes(request.command),
+                    .remedy = did_you_mean(request.command, names)});
+}
+
 }  // namespace
 
 std::string whole_help(const CLI::App& command) {
@@ -93,25 +109,13 @@ void add_short_help(CLI::App& command) {
 }
 
 void add_help_command(CLI::App& app) {
-  const auto wanted = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("help", "Explain a command, as its --help does");
-  command->add_option("command", *wanted, "Command to explain; without it, the whole program")->type_name("COMMAND");
-  command->footer(
+  const auto [command, request] = add_command(app, "help", "Explain a command, as its --help does", run_help);
+  request.app = &app;
+  add_option(command, "command COMMAND", request.command, "Command to explain; without it, the whole program");
+  command.footer(
       "Examples:\n"
       "  flexslip help\n"
       "  flexslip help fit");
-  command->callback([wanted, &app] {
-    if (wanted->empty()) return write_text("-", whole_help(app));
-    std::vector<std::string> names;
-    for (CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) {
-      if (each->get_name() == *wanted) return write_text("-", whole_help(*each));
-      names.push_back(each->get_name());
-    }
-    throw InputError({.field = "COMMAND",
-                      .expected = "one of the commands " + listed(names),
-                      .found = in_quotes(*wanted),
-                      .remedy = did_you_mean(*wanted, names)});
-  });
 }
 
 }  // namespace flexslip

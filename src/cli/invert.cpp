@@ -1,4 +1,3 @@
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,9 +8,8 @@
 #include "answers/state_fields.h"
 #include "case/mechanics.h"
 #include "case/studies.h"
-#include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "data/section.h"
 #include "fibre/elastica.h"
 #include "fibre/supported_state.h"
@@ -23,8 +21,7 @@ namespace flexslip {
 namespace {
 
 struct InvertRequest {
-  std::string file;
-  std::vector<std::string> changes;
+  CaseRequest test;
   bool is_case = false;
   std::optional<std::string> radius, thickness;  // of rollers, and of the specimen on them
   Output output;
@@ -50,15 +47,11 @@ void require_domain(const Table& table) {
   for (std::size_t row = 0; row < table.rows(); ++row)
     for (const Column& column : table.columns)
       if (!(column.values[row] >= 0))
-        throw InputError({.file = table.source,
-                          .line = table.lines[row],
-                          .field = fmt::format("column '{}'", column.name),
-                          .expected = "a number of at least 0",
-                          .found = fmt::format("{}", column.values[row])});
+        throw wrong_cell(table, row, column, "a number of at least 0", fmt::format("{}", column.values[row]));
 }
 
 void invert_states(const InvertRequest& request) {
-  const Table table = read_table(request.file, {{"w", kind::number}, {"F", kind::number}});
+  const Table table = read_table(request.test.file, {{"w", kind::number}, {"F", kind::number}});
   require_domain(table);
   const std::vector<double>& w = table.columns[0].values;
   const std::vector<double>& F = table.columns[1].values;
@@ -77,12 +70,8 @@ void invert_states(const InvertRequest& request) {
     }
     if (!states.back().q) unexplained.push_back(row);
   }
-  const Frame frame{Scales(1, 1), true};
-  if (request.output.json)
-    write_json(request.output.path, states_fields(no_friction, inverted_fields())(
-                                        {unexplained.empty() ? "ok" : "no_friction", states}, frame));
-  else
-    write_csv(request.output.path, inverted_fields(), states, frame);
+  write_rows(request.output, states_fields(no_friction, inverted_fields()),
+             {unexplained.empty() ? "ok" : "no_friction", states}, inverted_fields(), states, {Scales(1, 1), true});
   if (unexplained.empty()) return;
   const std::size_t row = unexplained.front();
   const double most = request.on_supports() ? largest_q_on_supports : largest_q;
@@ -101,24 +90,20 @@ void invert_case(const InvertRequest& request) {
     if (!request.on_supports()) return std::nullopt;
     return supports_of(request, kind_in(input, kind::length), scales, section_of(input));
   };
-  const InvertedTest test = invert_test(read_case(request.file, request.changes), stated);
+  const InvertedTest test = invert_test(request.test.read(), stated);
   for (const std::string& remark : test.remarks) note(request.output, remark);
-  const ReadTest read{test.measurement, test.stiffness, test.profile};
-  const Frame frame = frame_of(read, test.scales);
-  if (request.output.json)
-    write_json(request.output.path, read_test_fields()(read, frame));
-  else
-    write_csv(request.output.path, profile_fields(), points_of(test.measurement.record, test.profile), frame);
+  write_rows(request.output, inverted_test_fields(), test, profile_fields(),
+             points_of(test.measurement.record, test.profile), frame_of(test));
   if (!test.why_no_answer.empty()) throw CalculationFailed(test.why_no_answer);
 }
 
 void run_invert(const InvertRequest& request) {
-  if (request.is_case || request.file.ends_with(".toml"))
+  if (request.is_case || request.test.file.ends_with(".toml"))
     invert_case(request);
-  else if (request.changes.empty())
+  else if (request.test.changes.empty())
     invert_states(request);
   else
-    throw InputError({.file = request.file,
+    throw InputError({.file = request.test.file,
                       .field = "--set",
                       .expected = "a case file (.toml) to change",
                       .found = "deflections and forces",
@@ -128,24 +113,20 @@ void run_invert(const InvertRequest& request) {
 }  // namespace
 
 void add_invert_command(CLI::App& app) {
-  const auto request = std::make_shared<InvertRequest>();
-  CLI::App* command = app.add_subcommand("invert", "Friction from deflection and force, point by point");
-  command->add_option("file", request->file, "Case file (.toml), or CSV with the columns w,F; - is standard input")
-      ->type_name("FILE")
+  const auto [command, request] =
+      add_command(app, "invert", "Friction from deflection and force, point by point", run_invert);
+  add_option(command, "file FILE", request.test.file,
+             "Case file (.toml), or CSV with the columns w,F; - is standard input")
       ->required();
-  add_set_option(*command, request->changes);
-  command->add_flag("--case", request->is_case, "Read the file as a case, whatever its name");
-  command
-      ->add_option("--roller-radius", request->radius,
-                   "Radius of fixed rollers as supports, such as \"5 mm\"; without a case, in spans")
-      ->type_name("LENGTH");
-  command
-      ->add_option("--thickness", request->thickness,
-                   "Thickness of the specimen, as friction acts at its surface; with --roller-radius, by default that "
-                   "of the case")
-      ->type_name("LENGTH");
-  add_output_options(*command, request->output);
-  command->footer(
+  add_set_option(command, request.test.changes);
+  command.add_flag("--case", request.is_case, "Read the file as a case, whatever its name");
+  add_option(command, "--roller-radius LENGTH", request.radius,
+             "Radius of fixed rollers as supports, such as \"5 mm\"; without a case, in spans");
+  add_option(command, "--thickness LENGTH", request.thickness,
+             "Thickness of the specimen, as friction acts at its surface; with --roller-radius, by default that "
+             "of the case");
+  add_output_options(command, request.output, "CSV");
+  command.footer(
       "From CSV, in reduced variables (w in spans, F in EI/L^2), it writes w,F,S,q. A point that no friction explains "
       "is\n"
       "written as nan, and the exit code is 1.\n"
@@ -161,7 +142,6 @@ void add_invert_command(CLI::App& app) {
       "  flexslip invert bar.toml --roller-radius \"5 mm\"\n"
       "  flexslip invert examples/simulated/case.toml --output profile.csv\n"
       "  flexslip invert points.csv");
-  command->callback([request] { run_invert(*request); });
 }
 
 }  // namespace flexslip

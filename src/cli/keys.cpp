@@ -1,4 +1,3 @@
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -6,7 +5,7 @@
 #include "answers/all_answers.h"
 #include "case/case_keys.h"
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "result/table.h"
@@ -33,31 +32,25 @@ void run_keys(const KeysRequest& request) {
                         key.example.empty() ? "" : fmt::format("; {} = {}", key.name, key.example));
   }
   if (all.empty())
-    throw InputError(
-        {.field = "WHAT",
-         .expected = "a section (specimen, specimen.cracks, rig, friction, stage, record or sweep), or a key",
-         .found = in_quotes(request.section)});
-  if (request.output.json)
-    write_json(request.output.path, all);
-  else
-    write_text(request.output.path, text);
+    throw InputError({.field = "WHAT",
+                      .expected = fmt::format("a section ({}), or a key", in_words(case_sections(), "or")),
+                      .found = in_quotes(request.section)});
+  write_words(
+      request.output, [&] { return all; }, [&] { return text; });
 }
 
 }  // namespace
 
 void add_keys_command(CLI::App& app) {
-  const auto request = std::make_shared<KeysRequest>();
-  CLI::App* command = app.add_subcommand("keys", "Every key of a case file: what it holds and what it means");
-  command->add_option("section", request->section, "Show only this section or key, such as rig or rig.stiffness")
-      ->type_name("WHAT");
-  add_output_options(*command, request->output);
-  command->get_option("--json")->description("Write JSON instead of text");
-  command->footer(
+  const auto [command, request] =
+      add_command(app, "keys", "Every key of a case file: what it holds and what it means", run_keys);
+  add_option(command, "section WHAT", request.section, "Show only this section or key, such as rig or rig.stiffness");
+  add_output_options(command, request.output);
+  command.footer(
       "The option --set of other commands changes any key.\n\n"
       "Examples:\n"
       "  flexslip keys rig\n"
       "  flexslip simulate case.toml --set rig.stiffness=\"200 N/m\" --set friction.mu0=0.4");
-  command->callback([request] { run_keys(*request); });
 }
 
 }  // namespace flexslip

@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/help.h"
 #include "cli/output.h"
 #include "io/call_files.h"
 #include "io/input_error.h"
@@ -102,24 +101,12 @@ int run(int argc, char** argv) {
       "  1  the calculation did not succeed; what could be calculated is written\n"
       "  2  the input or the call was wrong\n"
       "  130  interrupted; what was done is kept");
-  add_fit_command(app);
-  add_campaign_command(app);
-  add_read_command(app);
-  add_modulus_command(app);
-  add_invert_command(app);
-  add_surface_command(app);
-  add_design_command(app);
-  add_simulate_command(app);
-  add_equilibrium_command(app);
-  add_sweep_command(app);
-  add_merge_command(app);
-  add_state_command(app);
-  add_studio_command(app);
-  add_keys_command(app);
-  add_results_command(app);
-  add_completions_command(app);
-  add_cite_command(app);
-  add_help_command(app);
+  for (const auto add_command :
+       {add_fit_command, add_campaign_command, add_read_command, add_modulus_command, add_invert_command,
+        add_surface_command, add_design_command, add_simulate_command, add_equilibrium_command, add_sweep_command,
+        add_merge_command, add_state_command, add_studio_command, add_keys_command, add_results_command,
+        add_completions_command, add_cite_command, add_help_command})
+    add_command(app);
   add_short_help(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     command->group("Commands");

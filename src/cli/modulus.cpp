@@ -1,4 +1,3 @@
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -6,37 +5,28 @@
 
 #include "answers/standard_fields.h"
 #include "case/studies.h"
-#include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
-#include "report/modulus_document.h"
+#include "report/answer_documents.h"
 
 namespace flexslip {
 namespace {
 
 struct ModulusRequest {
-  CaseRequest test;
+  TestRequest test;
   std::vector<std::string> window;
   Output output;
 };
 
 void run_modulus(const ModulusRequest& request) {
   const auto window = window_of(request.window);
-  const ModulusStudy study = [&] {
-    try {
-      return study_modulus(case_of(request.test), window);
-    } catch (const InputError& error) {
-      throw in_words_of_call(request.test, error);
-    }
-  }();
-  const StandardTest test = told_of(study);
-  if (request.output.json) {
-    write_json(request.output.path, modulus_fields()(test, frame_of(test)));
-  } else {
-    write_text(request.output.path, in_text(document_of(test)));
-  }
+  const ModulusStudy study = with_test(request.test, [&](const Test& input) { return study_modulus(input, window); });
+  const StandardTest test = standard_test(study);
+  write_words(
+      request.output, [&] { return modulus_fields()(test, frame_of(test)); },
+      [&] { return in_text(document_of(test)); });
   if (study.numbers.status != SmallDeflectionStatus::ok)
     throw CalculationFailed(fmt::format("{}: {}", study.measurement.file, small_deflection_in_words(test).front()));
 }
@@ -44,20 +34,15 @@ void run_modulus(const ModulusRequest& request) {
 }  // namespace
 
 void add_modulus_command(CLI::App& app) {
-  const auto request = std::make_shared<ModulusRequest>();
-  CLI::App* command =
-      app.add_subcommand("modulus", "Stiffness and flexural modulus as defined by the bending standards");
-  add_case_options(*command, request->test);
-  command
-      ->add_option(
-          "--window", request->window,
-          "Straight part of the curve, in shares of the greatest force at deflections below a tenth of the span; "
-          "without it, the steepest quarter")
-      ->type_name("SHARE")
+  const auto [command, request] =
+      add_command(app, "modulus", "Stiffness and flexural modulus as defined by the bending standards", run_modulus);
+  add_test(command, request.test);
+  add_option(command, "--window SHARE", request.window,
+             "Straight part of the curve, in shares of the greatest force at deflections below a tenth of the span; "
+             "without it, the steepest quarter")
       ->expected(2);
-  add_output_options(*command, request->output);
-  command->get_option("--json")->description("Write JSON instead of text");
-  command->footer(
+  add_output_options(command, request.output);
+  command.footer(
       "Gives numbers to compare with other laboratories, also for specimens too thick for fit. The numbers assume "
       "small\n"
       "deflections, no friction and no shear. A modulus needs a span and a section; without a span there is only a\n"
@@ -68,7 +53,6 @@ void add_modulus_command(CLI::App& app) {
       "  flexslip modulus examples/simulated/case.toml\n"
       "  flexslip modulus export.csv --displacement crosshead --stiffness \"2 kN/mm\" --span \"64 mm\" \\\n"
       "    --width \"10 mm\" --height \"4 mm\"");
-  command->callback([request] { run_modulus(*request); });
 }
 
 }  // namespace flexslip

@@ -9,11 +9,10 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "report/answer_documents.h"
 #include "report/draw.h"
-#include "report/fit_document.h"
 #include "result/table.h"
 
 namespace flexslip {
@@ -24,17 +23,22 @@ struct Output {
   bool quiet = false;
 };
 
-// Gives a command an option that names a file to write, and announces the file (CallFiles) before the command reads any.
-CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::string& path, const std::string& help);
-
-// Gives a command the options --json, --output and --quiet.
-void add_output_options(CLI::App& command, Output& output);
-
-// Gives a command the option --figure.
-void add_figure_option(CLI::App& command, std::string& path);
+// Writes an answer: all of it as JSON, or else in words; or as a table of rows.
+// Fails:      InputError if it cannot be written.
+void write_words(const Output& output, const std::function<Json()>& all, const std::function<std::string()>& words);
+template <class Answer, class Row>
+void write_rows(const Output& output, const Fields<Answer>& all, const Answer& answer, const Fields<Row>& columns,
+                const std::vector<Row>& rows, const Frame& frame) {
+  if (output.json)
+    write_json(output.path, all(answer, frame));
+  else
+    write_csv(output.path, columns, rows, frame);
+}
 
 // Draws a figure; without gnuplot a remark says that only its script and data are there.
 void draw_for(const Output& output, const Plot& plot, const std::string& path);
+// Likewise of the pictures of a report.
+void note_pictures(const Output& output, DrawStatus status);
 
 // As wide as the terminal, and in colour on one, unless NO_COLOR is set; of results that go into a file, as a file has them.
 ScreenStyle screen_style(const Output& output);

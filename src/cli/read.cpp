@@ -1,14 +1,13 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
-#include "cli/reading_flags.h"
+#include "cli/options.h"
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
 #include "io/input_error.h"
@@ -17,16 +16,15 @@ namespace flexslip {
 namespace {
 
 constexpr std::array flags_of_exports{
-    ReadingFlag{"time", "Column of time, by name or number", "COLUMN"},
-    ReadingFlag{"crosshead", "Column of crosshead displacement, by name or number", "COLUMN"},
-    ReadingFlag{"deflection", "Column of deflection of the specimen, by name or number", "COLUMN"},
-    ReadingFlag{"force", "Column of force, by name or number", "COLUMN"},
-    ReadingFlag{"displacement", "What a displacement measures if its name does not say: crosshead or deflection",
-                "WHICH"},
-    ReadingFlag{"time-unit", "Unit of time", "UNIT"},
-    ReadingFlag{"displacement-unit", "Unit of displacements", "UNIT"},
-    ReadingFlag{"force-unit", "Unit of force", "UNIT"},
-    ReadingFlag{"calibration", "Calibration of a force given in volts, such as \"222 N/V\"", "VALUE"}};
+    ReadingFlag{"time COLUMN", "Column of time, by name or number"},
+    ReadingFlag{"crosshead COLUMN", "Column of crosshead displacement, by name or number"},
+    ReadingFlag{"deflection COLUMN", "Column of deflection of the specimen, by name or number"},
+    ReadingFlag{"force COLUMN", "Column of force, by name or number"},
+    ReadingFlag{"displacement WHICH", "What a displacement measures if its name does not say: crosshead or deflection"},
+    ReadingFlag{"time-unit UNIT", "Unit of time"},
+    ReadingFlag{"displacement-unit UNIT", "Unit of displacements"},
+    ReadingFlag{"force-unit UNIT", "Unit of force"},
+    ReadingFlag{"calibration VALUE", "Calibration of a force given in volts, such as \"222 N/V\""}};
 
 struct ReadRequest {
   std::string file;
@@ -51,22 +49,9 @@ std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
 }
 
 std::string_view words_for(char mark) {
-  switch (mark) {
-    case '\0':
-      return "none";
-    case '\t':
-      return "tab";
-    case ' ':
-      return "space";
-    case '.':
-      return "point";
-    case ',':
-      return "comma";
-    case ';':
-      return "semicolon";
-    default:
-      return "apostrophe";
-  }
+  constexpr std::string_view marks("\0\t .,;", 6);
+  constexpr std::array words{"none", "tab", "space", "point", "comma", "semicolon", "apostrophe"};
+  return words[std::min(marks.find(mark), marks.size())];
 }
 
 void note_decisions(const ReadRequest& request, const Export& file, const ExportedSpecimen& specimen) {
@@ -105,28 +90,26 @@ void run_read(const ReadRequest& request) {
 }  // namespace
 
 void add_read_command(CLI::App& app) {
-  const auto request = std::make_shared<ReadRequest>();
-  CLI::App* command = app.add_subcommand("read", "An export of any testing machine as plain CSV, and how it was read");
-  command->add_option("file", request->file, "Export of a testing machine, or a workbook (.xlsx); - is standard input")
-      ->type_name("FILE")
+  const auto [command, request] =
+      add_command(app, "read", "An export of any testing machine as plain CSV, and how it was read", run_read);
+  add_option(command, "file FILE", request.file,
+             "Export of a testing machine, or a workbook (.xlsx); - is standard input")
       ->required();
-  command->add_option("--specimen", request->specimen, "Which of several specimens to read, counted from 1")
-      ->type_name("NUMBER")
+  add_option(command, "--specimen NUMBER", request.specimen, "Which of several specimens to read, counted from 1")
       ->check(CLI::PositiveNumber);
-  const std::string& group = command->option_defaults()->get_group();
-  add_reading_flags(*command, request->words, flags_of_files, group);
-  add_reading_flags(*command, request->words, flags_of_exports, group);
-  command->get_option("--displacement")->check(CLI::IsMember({"crosshead", "deflection"}));
-  command->get_option("--calibration")->excludes("--force-unit");
-  add_output_options(*command, request->output);
-  command->footer(
+  const std::string& group = command.option_defaults()->get_group();
+  add_reading_flags(command, request.words, flags_of_files, group);
+  add_reading_flags(command, request.words, flags_of_exports, group);
+  command.get_option("--displacement")->check(CLI::IsMember({"crosshead", "deflection"}));
+  command.get_option("--calibration")->excludes("--force-unit");
+  add_output_options(command, request.output, "CSV");
+  command.footer(
       "Reads exports of Instron Bluehill, MTS, Zwick testXpert, Shimadzu Trapezium and others, and plain tables, with\n"
       "any encoding, separator, decimal mark and preamble. Writes CSV with units in the names. What was decided, and\n"
       "what the file leaves open, is written to standard error, or with --json into the result.\n\n"
       "Examples:\n"
       "  flexslip read examples/simulated/test.csv --output plain.csv\n"
       "  flexslip read examples/simulated/test.csv --json");
-  command->callback([request] { run_read(*request); });
 }
 
 }  // namespace flexslip

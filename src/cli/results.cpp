@@ -1,11 +1,10 @@
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "answers/all_answers.h"
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
 #include "result/table.h"
@@ -41,28 +40,23 @@ void run_results(const ResultsRequest& request) {
     throw InputError({.field = "COMMAND",
                       .expected = "a command that writes numbers, such as fit or simulate",
                       .found = in_quotes(request.command)});
-  if (request.output.json)
-    write_json(request.output.path, all);
-  else
-    write_text(request.output.path, text);
+  write_words(
+      request.output, [&] { return all; }, [&] { return text; });
 }
 
 }  // namespace
 
 void add_results_command(CLI::App& app) {
-  const auto request = std::make_shared<ResultsRequest>();
-  CLI::App* command =
-      app.add_subcommand("results", "Every key and column that the commands write: its unit and what it means");
-  command->add_option("command", request->command, "Show only this command, such as fit")->type_name("COMMAND");
-  add_output_options(*command, request->output);
-  command->get_option("--json")->description("Write JSON instead of text");
-  command->footer(
+  const auto [command, request] = add_command(
+      app, "results", "Every key and column that the commands write: its unit and what it means", run_results);
+  add_option(command, "command COMMAND", request.command, "Show only this command, such as fit");
+  add_output_options(command, request.output);
+  command.footer(
       "In JSON an estimate holds value, standard_error, interval95 and unit; [] stands for each item of a list, * for\n"
       "any name. In tables an estimate has four columns: NAME, NAME_standard_error, NAME_low and NAME_high.\n\n"
       "Examples:\n"
       "  flexslip results fit\n"
       "  flexslip results simulate --json");
-  command->callback([request] { run_results(*request); });
 }
 
 }  // namespace flexslip

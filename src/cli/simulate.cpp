@@ -1,18 +1,15 @@
 #include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "answers/path_fields.h"
+#include "answers/mechanics_fields.h"
 #include "case/mechanics.h"
 #include "case/simulated_test.h"
-#include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/numbers.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "io/input_error.h"
 #include "report/figures.h"
 #include "result/table.h"
@@ -21,8 +18,7 @@ namespace flexslip {
 namespace {
 
 struct SimulateRequest {
-  std::string file;
-  std::vector<std::string> changes;
+  CaseRequest test;
   int points = 200;
   std::string noise;
   std::uint64_t seed = 1;
@@ -47,16 +43,13 @@ std::vector<double> marked_stages(const SimulateRequest& request, const Test& in
 }
 
 void write_test(const SimulateRequest& request, const SimulatedTest& test) {
-  const Frame frame{test.scales, test.reduced};
   const PathColumns columns = columns_of(test.simulation, request.energies);
-  if (request.output.json)
-    write_json(request.output.path, simulation_fields(columns)(test.simulation, frame));
-  else
-    write_csv(request.output.path, path_fields(columns), test.simulation.path, frame);
+  write_rows(request.output, simulation_fields(columns), test.simulation, path_fields(columns), test.simulation.path,
+             {test.scales, test.reduced});
 }
 
 void run_simulate(const SimulateRequest& request) {
-  const Test input = read_case(request.file, request.changes);
+  const Test input = request.test.read();
   const double noise = noise_of(request, input);
   if (!request.equilibria_at.empty() && input.specimen && !input.specimen->cracks.empty())
     throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as all equilibria are drawn",
@@ -79,30 +72,23 @@ void run_simulate(const SimulateRequest& request) {
 }  // namespace
 
 void add_simulate_command(CLI::App& app) {
-  const auto request = std::make_shared<SimulateRequest>();
-  CLI::App* command = app.add_subcommand("simulate", "What a test would measure: its path, snaps and energy account");
-  command->add_option("case", request->file, "Case file; - is standard input")->type_name("CASE")->required();
-  add_set_option(*command, request->changes);
-  command
-      ->add_option("--points", request->points,
-                   "Points on each stretch of sticking or sliding, if the stage moves continuously")
-      ->type_name("N")
-      ->check(CLI::Range(2, 1000000).description(""))
+  const auto [command, request] =
+      add_command(app, "simulate", "What a test would measure: its path, snaps and energy account", run_simulate);
+  add_case(command, request.test);
+  add_option(command, "--points N", request.points,
+             "Points on each stretch of sticking or sliding, if the stage moves continuously")
+      ->check(count_between(2, 1000000))
       ->capture_default_str();
-  command->add_option("--noise", request->noise, "Standard deviation of the force readings, such as \"10 uN\"")
-      ->type_name("FORCE");
-  command->add_option("--seed", request->seed, "Seed of the noise; the same seed gives the same readings")
-      ->type_name("N")
+  add_option(command, "--noise FORCE", request.noise, "Standard deviation of the force readings, such as \"10 uN\"");
+  add_option(command, "--seed N", request.seed, "Seed of the noise; the same seed gives the same readings")
       ->check(whole_number())
       ->capture_default_str();
-  command->add_flag("--energies", request->energies, "Add the energies from the start to each point of the path");
-  add_figure_option(*command, request->figure);
-  command
-      ->add_option("--equilibria-at", request->equilibria_at,
-                   "Draw all equilibria at this stage position in the figure; may be repeated")
-      ->type_name("LENGTH");
-  add_output_options(*command, request->output);
-  command->footer(
+  command.add_flag("--energies", request.energies, "Add the energies from the start to each point of the path");
+  add_figure_option(command, request.figure);
+  add_option(command, "--equilibria-at LENGTH", request.equilibria_at,
+             "Draw all equilibria at this stage position in the figure; may be repeated");
+  add_output_options(command, request.output, "CSV");
+  command.footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction and\n"
       "how the specimen moved there, in SI, or reduced if the case is. motion is stick, slip_in, slip_out, snap,\n"
       "crack or apart (the nose is off the specimen). The output is a record that `flexslip fit` reads.\n"
@@ -121,7 +107,6 @@ void add_simulate_command(CLI::App& app) {
       "Examples:\n"
       "  flexslip simulate case.toml --output test.csv\n"
       "  flexslip simulate case.toml --noise \"10 uN\" --seed 7 --json");
-  command->callback([request] { run_simulate(*request); });
 }
 
 }  // namespace flexslip

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,9 +6,8 @@
 #include <fmt/format.h>
 
 #include "answers/state_fields.h"
-#include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "fibre/elastica.h"
 #include "fibre/supported_state.h"
 #include "io/input_error.h"
@@ -83,95 +81,75 @@ void require_domain(const Input& input) {
   }
 }
 
-// What was calculated; the rows without a state are nan.
-template <class State>
-void write_states(const StateRequest& request, const Fields<State>& fields, const std::vector<State>& states,
-                  bool all_exist) {
-  const Frame frame{Scales(1, 1), true};
-  if (request.output.json)
-    write_json(request.output.path,
-               states_fields(no_state, fields)({all_exist ? "ok" : "beyond_branch", states}, frame));
-  else
-    write_csv(request.output.path, fields, states, frame);
+// Writes the states of all rows, and complains of the first that has none, with what it lacks.
+template <class State, class Compute, class Why>
+void run_rows(const StateRequest& request, const Input& input, const Fields<State>& fields, Compute compute, Why why) {
+  std::vector<State> states;
+  std::vector<std::size_t> missing;
+  for (std::size_t row = 0; row < input.q.size(); ++row) {
+    states.push_back(compute(input.values[row], input.q[row]));
+    if (!states.back().state) missing.push_back(row);
+  }
+  write_rows(request.output, states_fields(no_state, fields), {missing.empty() ? "ok" : "beyond_branch", states},
+             fields, states, {Scales(1, 1), true});
+  if (missing.empty()) return;
+  const std::size_t row = missing.front();
+  throw CalculationFailed(fmt::format(
+      "{}{}{}", input.source.empty() ? "" : fmt::format("{}:{}: ", input.source, input.lines[row]),
+      why(input.values[row], input.q[row]),
+      missing.size() == 1 ? "" : fmt::format("; nor for {} more rows, which are written as nan", missing.size() - 1)));
 }
 
-std::string place_of(const Input& input, std::size_t row) {
-  return input.source.empty() ? "" : fmt::format("{}:{}: ", input.source, input.lines[row]);
-}
-
-std::string likewise(const std::vector<std::size_t>& missing) {
-  return missing.size() == 1 ? "" : fmt::format("; nor for {} more rows, which are written as nan", missing.size() - 1);
-}
-
-void run_states_on_supports(const StateRequest& request, const Input& input) {
+void run_on_supports(const StateRequest& request, const Input& input) {
   const Supports supports = within_limits({request.radius.value_or(0), 0.5 * request.thickness.value_or(0)});
   if (request.slopes)
     throw InputError({.field = "--slopes", .expected = "edges as supports", .found = "rollers or a thickness"});
-  std::vector<RollerState> states;
-  std::vector<std::size_t> missing;
-  for (std::size_t row = 0; row < input.q.size(); ++row) {
-    const SupportedState state = state_on_supports(input.values[row], input.q[row], supports);
-    states.push_back({.w = input.values[row]});
-    if (state.status == FibreStatus::ok)
-      states.back().state = state;
-    else
-      missing.push_back(row);
-  }
-  write_states(request, roller_state_fields(), states, missing.empty());
-  if (missing.empty()) return;
-  const std::size_t row = missing.front();
-  throw CalculationFailed(fmt::format("{}no state with a force exists at w = {}, q = {} on these supports{}",
-                                      place_of(input, row), input.values[row], input.q[row], likewise(missing)));
+  run_rows(
+      request, input, roller_state_fields(),
+      [&](double w, double q) {
+        const SupportedState state = state_on_supports(w, q, supports);
+        return RollerState{w, state.status == FibreStatus::ok ? std::optional(state) : std::nullopt};
+      },
+      [](double w, double q) {
+        return fmt::format("no state with a force exists at w = {}, q = {} on these supports", w, q);
+      });
 }
 
 void run_state(const StateRequest& request) {
   const Input input = read_input(request);
   require_domain(input);
-  if (request.on_supports()) return run_states_on_supports(request, input);
-  std::vector<EdgeState> states;
-  std::vector<std::size_t> missing;
-  for (std::size_t row = 0; row < input.q.size(); ++row) {
-    states.push_back({.S = input.values[row], .q = input.q[row]});
-    const FibreState state = fibre_state(input.values[row], input.q[row]);
-    if (state.status != FibreStatus::ok) {
-      missing.push_back(row);
-      continue;
-    }
-    states.back().state = state;
-    if (request.slopes && input.values[row] != 1)
-      states.back().slopes = fibre_state_slopes(input.values[row], input.q[row]).slopes;
-  }
-  write_states(request, edge_state_fields(request.slopes), states, missing.empty());
-  if (missing.empty()) return;
-
-  const std::size_t row = missing.front();
-  throw CalculationFailed(fmt::format("{}no state exists at S = {}, q = {}, as the force falls to zero at S = {:.6g}{}",
-                                      place_of(input, row), input.values[row], input.q[row],
-                                      fibre_branch_end(input.q[row]).S, likewise(missing)));
+  if (request.on_supports()) return run_on_supports(request, input);
+  run_rows(
+      request, input, edge_state_fields(request.slopes),
+      [&](double S, double q) {
+        EdgeState row{.S = S, .q = q};
+        const FibreState state = fibre_state(S, q);
+        if (state.status == FibreStatus::ok) row.state = state;
+        if (row.state && request.slopes && S != 1) row.slopes = fibre_state_slopes(S, q).slopes;
+        return row;
+      },
+      [](double S, double q) {
+        return fmt::format("no state exists at S = {}, q = {}, as the force falls to zero at S = {:.6g}", S, q,
+                           fibre_branch_end(q).S);
+      });
 }
 
 }  // namespace
 
 void add_state_command(CLI::App& app) {
-  const auto request = std::make_shared<StateRequest>();
-  CLI::App* command = app.add_subcommand(
-      "state", "Deflection, force, slope and energy of single states of a specimen, in reduced variables");
-  command->add_option("file", request->file, "CSV with the columns S,q (on rollers w,q); - is standard input")
-      ->type_name("FILE");
-  command->add_option("--S", request->S, "Length between the supports, in spans")->type_name("NUMBER");
-  command->add_option("--q", request->q, "Mobilised friction: tangential over normal force at a support")
-      ->type_name("NUMBER");
-  command->add_option("--w", request->w, "Deflection at midspan, in spans; on rollers, instead of --S")
-      ->type_name("NUMBER");
-  command->add_option("--roller-radius", request->radius, "Radius of fixed rollers as supports, in spans")
-      ->type_name("NUMBER");
-  command
-      ->add_option("--thickness", request->thickness,
-                   "Thickness of the specimen, in spans; friction acts at its surface")
-      ->type_name("NUMBER");
-  command->add_flag("--slopes", request->slopes, "Also write the partial derivatives with respect to S and q");
-  add_output_options(*command, request->output);
-  command->footer(
+  const auto [command, request] = add_command(
+      app, "state", "Deflection, force, slope and energy of single states of a specimen, in reduced variables",
+      run_state);
+  add_option(command, "file FILE", request.file, "CSV with the columns S,q (on rollers w,q); - is standard input");
+  add_option(command, "--S NUMBER", request.S, "Length between the supports, in spans");
+  add_option(command, "--q NUMBER", request.q, "Mobilised friction: tangential over normal force at a support");
+  add_option(command, "--w NUMBER", request.w, "Deflection at midspan, in spans; on rollers, instead of --S");
+  add_option(command, "--roller-radius NUMBER", request.radius, "Radius of fixed rollers as supports, in spans");
+  add_option(command, "--thickness NUMBER", request.thickness,
+             "Thickness of the specimen, in spans; friction acts at its surface");
+  command.add_flag("--slopes", request.slopes, "Also write the partial derivatives with respect to S and q");
+  add_output_options(command, request.output, "CSV");
+  command.footer(
       "Reads and writes reduced variables: lengths in spans L, forces in EI/L^2, energies in EI/L.\n"
       "Writes S,q,w,F,theta0,Pn,U,curvature: deflection, force, support slope, normal force at one support,\n"
       "bending energy and curvature at midspan. The curvature times half the depth of the specimen is the bending\n"
@@ -185,7 +163,6 @@ void add_state_command(CLI::App& app) {
       "  flexslip state --S 1.2 --q 0.3\n"
       "  flexslip state --w 0.1 --q 0 --roller-radius 0.078 --thickness 0.0625\n"
       "  flexslip state states.csv --output results.csv");
-  command->callback([request] { run_state(*request); });
 }
 
 }  // namespace flexslip

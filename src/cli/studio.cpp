@@ -1,13 +1,12 @@
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "io/call_files.h"
 #include "io/child_process.h"
 #include "io/input_error.h"
@@ -38,9 +37,8 @@ void run_studio(const StudioRequest& request) {
                       .expected = "the studio's page of version " FLEXSLIP_VERSION
                                   ", flexslip-studio.html, beside the program or in share/flexslip",
                       .found = "none",
-                      .remedy =
-                          "take it from a release, or build it: tools/build-studio in FlexSlip's repository, which "
-                          "installs Emscripten and takes a few minutes"});
+                      .remedy = "take it from a release, or build it: tools/build-studio in FlexSlip's repository, "
+                                "which installs Emscripten and takes a few minutes"});
   if (request.output != "-") files_of_this_call().writes(request.output, "--output");
   std::vector<GivenTest> tests;
   for (const std::string& file : request.files) tests.push_back(taken_along(file));
@@ -55,23 +53,20 @@ void run_studio(const StudioRequest& request) {
 }  // namespace
 
 void add_studio_command(CLI::App& app) {
-  const auto request = std::make_shared<StudioRequest>();
-  CLI::App* command = app.add_subcommand("studio", "A page to see and fit tests in a browser, without a network");
-  command
-      ->add_option("files", request->files,
-                   "Tests to open in it: case files, with the files that they name, or data files")
-      ->type_name("FILE");
-  add_output_file(*command, "-o,--output", request->output, "Write the page to this file; - is standard output")
+  const auto [command, request] =
+      add_command(app, "studio", "A page to see and fit tests in a browser, without a network", run_studio);
+  add_option(command, "files FILE", request.files,
+             "Tests to open in it: case files, with the files that they name, or data files");
+  add_output_file(command, "-o,--output", request.output, "Write the page to this file; - is standard output")
       ->capture_default_str();
-  command->add_flag("--no-open", request->stay_closed, "Do not open the page in the browser");
-  command->footer(
+  command.add_flag("--no-open", request.stay_closed, "Do not open the page in the browser");
+  command.footer(
       "Writes one HTML file that holds the program as WebAssembly, and opens it. The page sends nothing anywhere. It "
       "is\n"
       "built by tools/build-studio, or comes with a release.\n\n"
       "Examples:\n"
       "  flexslip studio\n"
       "  flexslip studio examples/simulated/case.toml --output studio.html --no-open");
-  command->callback([request] { run_studio(*request); });
 }
 
 }  // namespace flexslip

@@ -3,21 +3,18 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "answers/design_fields.h"
-#include "cli/case_flags.h"
 #include "cli/commands.h"
-#include "cli/output.h"
+#include "cli/options.h"
 #include "design/design_result.h"
 #include "design/sweep_parts.h"
 #include "design/sweep_plan.h"
@@ -29,18 +26,6 @@
 
 namespace flexslip {
 namespace {
-
-// The file that a sweep ends in, as the commands `sweep` and `merge` make it.
-
-// A sweep as an array of jobs of Slurm.
-
-struct SlurmJobs {
-  std::string program, case_file, output;  // absolute paths
-  std::vector<std::string> changes;        // of the case
-  std::uint64_t shards;
-  unsigned threads;  // of each job
-  double minutes;    // that a job is expected to take
-};
 
 std::size_t count_of(const std::vector<PartFault>& faults, PartState state) {
   return static_cast<std::size_t>(
@@ -136,6 +121,7 @@ std::string time_in_words(double minutes) {
   return minutes < 1 ? "less than a minute" : fmt::format("about {:.0f} minutes", minutes);
 }
 
+// A commented script that submits itself, as an array of jobs of Slurm, and the merge after it.
 constexpr std::string_view script = R"script(#!/bin/bash
 # A sweep of FlexSlip as an array of jobs, each {minutes} on {threads} threads.
 #
@@ -177,28 +163,10 @@ fi
 exec "$FLEXSLIP" sweep "$CASE" "${{CHANGES[@]}}" --output "$OUTPUT" --shard "$SLURM_ARRAY_TASK_ID/{shards}" --threads "$SLURM_CPUS_PER_TASK"
 )script";
 
-// A commented script that submits itself, and the merge after it.
-// Fails:      InputError if sbatch could not read the name of the output.
-std::string slurm_script(const SlurmJobs& jobs) {
-  constexpr double safety = 3;         // nodes differ, and so do the designs of a sweep
-  constexpr double least_minutes = 5;  // for starting up
-  std::string changes;
-  for (const std::string& change : jobs.changes)
-    changes += fmt::format("{}--set {}", changes.empty() ? "" : " ", shell_word(change));
-  const std::string log = sbatch_name(jobs.output + ".log");
-  return fmt::format(script, fmt::arg("minutes", time_in_words(jobs.minutes)), fmt::arg("threads", jobs.threads),
-                     fmt::arg("job", shell_word(std::filesystem::path(jobs.output).filename().string())),
-                     fmt::arg("shards", jobs.shards),
-                     fmt::arg("time", std::ceil(safety * jobs.minutes + least_minutes)), fmt::arg("log", log),
-                     fmt::arg("program", shell_word(jobs.program)), fmt::arg("case_file", shell_word(jobs.case_file)),
-                     fmt::arg("changes", changes), fmt::arg("output", shell_word(jobs.output)));
-}
-
 struct SweepRequest {
-  std::string file;
-  std::vector<std::string> changes;
+  CaseRequest test;
   std::optional<std::string> path;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = 1;
   std::string shard;
   bool keep_parts = false;
   std::string slurm;
@@ -209,12 +177,12 @@ struct SweepRequest {
 
 std::string file_of(const SweepRequest& request) {
   if (request.path) return file_to_write(*request.path);
-  if (request.file == "-")
+  if (request.test.file == "-")
     throw InputError({.field = "--output",
                       .expected = "the file to write, as a case on standard input has no name",
                       .found = "none",
                       .remedy = "pass --output FILE"});
-  return std::filesystem::path(request.file).filename().replace_extension(".h5").string();
+  return std::filesystem::path(request.test.file).filename().replace_extension(".h5").string();
 }
 
 Shard shard_of(const SweepRequest& request) {
@@ -233,21 +201,31 @@ Shard shard_of(const SweepRequest& request) {
 
 std::string absolute(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
 
+// Fails:      InputError if jobs could not read the case, or sbatch the name of the output.
 void write_slurm_script(const SweepRequest& request, const SweepPlan& plan, const std::string& path) {
-  constexpr double most_jobs = 1000;  // Slurm's usual limit on an array
-  if (request.file == "-")
+  constexpr double max_jobs = 1000;  // Slurm's usual limit on an array
+  constexpr double safety = 3;       // nodes differ, and so do the designs of a sweep
+  constexpr double min_minutes = 5;  // for starting up
+  if (request.test.file == "-")
     throw InputError({.field = "--slurm", .expected = "a case file that the jobs can read", .found = "standard input"});
   const double minutes = seconds_of_design(plan, RowComputer(plan)) * static_cast<double>(plan.rows) / 60 /
                          static_cast<double>(request.threads);
-  const double wanted = std::clamp(std::ceil(minutes / request.minutes), 1.0, most_jobs);
+  const double wanted = std::clamp(std::ceil(minutes / request.minutes), 1.0, max_jobs);
   const std::uint64_t shards = std::min(request.shards.value_or(static_cast<std::uint64_t>(wanted)), chunks_of(plan));
-  write_text(request.slurm, slurm_script({.program = std::filesystem::read_symlink("/proc/self/exe").string(),
-                                          .case_file = absolute(request.file),
-                                          .output = absolute(path),
-                                          .changes = request.changes,
-                                          .shards = shards,
-                                          .threads = request.threads,
-                                          .minutes = minutes / static_cast<double>(shards)}));
+  const double minutes_a_job = minutes / static_cast<double>(shards);
+  const std::string output = absolute(path);
+  std::string changes;
+  for (const std::string& change : request.test.changes)
+    changes += fmt::format("{}--set {}", changes.empty() ? "" : " ", shell_word(change));
+  write_text(request.slurm,
+             fmt::format(script, fmt::arg("minutes", time_in_words(minutes_a_job)),
+                         fmt::arg("threads", request.threads), fmt::arg("shards", shards),
+                         fmt::arg("job", shell_word(std::filesystem::path(output).filename().string())),
+                         fmt::arg("time", std::ceil(safety * minutes_a_job + min_minutes)),
+                         fmt::arg("log", sbatch_name(output + ".log")),
+                         fmt::arg("program", shell_word(std::filesystem::read_symlink("/proc/self/exe").string())),
+                         fmt::arg("case_file", shell_word(absolute(request.test.file))), fmt::arg("changes", changes),
+                         fmt::arg("output", shell_word(output))));
   note(request.output,
        fmt::format("jobs: {}, for {:.2g} core hours of designs. To submit them, and the merge: bash {}", shards,
                    minutes * static_cast<double>(request.threads) / 60, shell_word(request.slurm)));
@@ -294,7 +272,7 @@ void run_sweep_command(const SweepRequest& request) {
   const Shard shard = shard_of(request);
   const std::string path = file_of(request);
   announce_sweep(path);
-  const SweepPlan plan = read_sweep(request.file, request.changes);
+  const SweepPlan plan = read_sweep(request.test.file, request.test.changes);
   const std::string digest = digest_of_sweep(plan);
   const bool is_done = finds_sweep(path, digest);
   if (!is_done) require_space(plan, path, shard);
@@ -318,38 +296,27 @@ void run_sweep_command(const SweepRequest& request) {
 }  // namespace
 
 void add_sweep_command(CLI::App& app) {
-  const auto request = std::make_shared<SweepRequest>();
-  CLI::App* command = app.add_subcommand("sweep", "Thousands of designs of a test, on a grid or as a sample, in HDF5");
-  command->add_option("case", request->file, "Case file with a section [sweep]; - is standard input")
-      ->type_name("CASE")
-      ->required();
-  add_set_option(*command, request->changes);
-  command->add_option("-o,--output", request->path, "HDF5 file to write")
-      ->type_name("FILE")
-      ->default_str("the case's name with .h5");
-  command->add_option("-j,--threads", request->threads, "Number of designs computed at the same time")
-      ->type_name("NUMBER")
-      ->check(CLI::Range(1U, 1024U))
-      ->default_str("the number of cores");
+  const auto [command, request] =
+      add_command(app, "sweep", "Thousands of designs of a test, on a grid or as a sample, in HDF5", run_sweep_command);
+  add_case(command, request.test, "Case file with a section [sweep]; - is standard input");
+  add_option(command, "-o,--output FILE", request.path, "HDF5 file to write")->default_str("the case's name with .h5");
+  add_threads_option(command, "-j,--threads NUMBER", request.threads, "Number of designs computed at the same time");
   CLI::Option* shard =
-      command->add_option("--shard", request->shard, "Compute only the I-th of N shards; flexslip merge joins them")
-          ->type_name("I/N");
-  command->add_flag("--keep-parts", request->keep_parts, "Keep the parts after they are joined");
-  CLI::Option* slurm = add_output_file(*command, "--slurm", request->slurm,
+      add_option(command, "--shard I/N", request.shard, "Compute only the I-th of N shards; flexslip merge joins them");
+  command.add_flag("--keep-parts", request.keep_parts, "Keep the parts after they are joined");
+  CLI::Option* slurm = add_output_file(command, "--slurm", request.slurm,
                                        "Write a script for an array of Slurm jobs, and compute nothing yet");
   slurm->excludes(shard);
-  command->add_option("--minutes", request->minutes, "With --slurm, approximate duration of a job")
-      ->type_name("NUMBER")
+  add_option(command, "--minutes NUMBER", request.minutes, "With --slurm, approximate duration of a job")
       ->check(CLI::Range(0.1, 1e5).description(""))
       ->capture_default_str()
       ->needs(slurm);
-  command->add_option("--shards", request->shards, "With --slurm, number of jobs")
-      ->type_name("N")
+  add_option(command, "--shards N", request.shards, "With --slurm, number of jobs")
       ->check(CLI::PositiveNumber.description(""))
       ->needs(slurm);
-  command->add_flag("--json", request->output.json, "Report the outcome in JSON");
-  command->add_flag("--quiet", request->output.quiet, "No remarks on standard error, only errors");
-  command->footer(
+  command.add_flag("--json", request.output.json, "Report the outcome in JSON");
+  command.add_flag("--quiet", request.output.quiet, "No remarks on standard error, only errors");
+  command.footer(
       "The section [sweep] names the numbers of the case that vary:\n"
       "  [sweep]\n"
       "  method = \"grid\"          # or \"latin hypercube\", with samples = N and seed = N, and axes without points\n"
@@ -364,7 +331,6 @@ void add_sweep_command(CLI::App& app) {
       "  flexslip sweep map.toml\n"
       "  flexslip sweep map.toml --slurm map.slurm && bash map.slurm\n"
       "  parallel flexslip sweep map.toml --threads 1 --shard {}/8 ::: $(seq 8) && flexslip merge map.h5.parts");
-  command->callback([request] { run_sweep_command(*request); });
 }
 
 namespace {
@@ -434,20 +400,17 @@ void run_merge(const MergeRequest& request) {
 }  // namespace
 
 void add_merge_command(CLI::App& app) {
-  const auto request = std::make_shared<MergeRequest>();
-  CLI::App* command = app.add_subcommand("merge", "Join the parts of a sweep in one file when all shards are computed");
-  command
-      ->add_option("folders", request->folders,
-                   "Folder of parts, FILE.parts; several if shards were computed in different places")
-      ->type_name("FOLDER")
+  const auto [command, request] =
+      add_command(app, "merge", "Join the parts of a sweep in one file when all shards are computed", run_merge);
+  add_option(command, "folders FOLDER", request.folders,
+             "Folder of parts, FILE.parts; several if shards were computed in different places")
       ->required();
-  command->add_option("-o,--output", request->path, "HDF5 file to write")
-      ->type_name("FILE")
+  add_option(command, "-o,--output FILE", request.path, "HDF5 file to write")
       ->default_str("the first folder without .parts");
-  command->add_flag("--keep-parts", request->keep_parts, "Keep the parts after they are joined");
-  command->add_flag("--json", request->output.json, "Report the outcome in JSON");
-  command->add_flag("--quiet", request->output.quiet, "No remarks on standard error, only errors");
-  command->footer(
+  command.add_flag("--keep-parts", request.keep_parts, "Keep the parts after they are joined");
+  command.add_flag("--json", request.output.json, "Report the outcome in JSON");
+  command.add_flag("--quiet", request.output.quiet, "No remarks on standard error, only errors");
+  command.footer(
       "If parts are missing or damaged, no file is written and the exit code is 1. Those parts are listed with their\n"
       "rows and with the call that computes only them. The parts are removed when the file is complete and safe on "
       "the\n"
@@ -455,7 +418,6 @@ void add_merge_command(CLI::App& app) {
       "Examples:\n"
       "  flexslip merge map.h5.parts\n"
       "  flexslip merge here/map.h5.parts there/map.h5.parts --output map.h5");
-  command->callback([request] { run_merge(*request); });
 }
 
 }  // namespace flexslip

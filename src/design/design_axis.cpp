@@ -18,7 +18,7 @@ namespace {
 DesignParameterName of_key(DesignParameter parameter, std::string_view section, std::string_view name,
                            std::string_view description, std::string_view symbol) {
   const CaseKey* key = case_key(section, name);
-  return {parameter, key, key->name, *key->kind, description, symbol, key->range, key->most};
+  return {parameter, key, key->name, *key->kind, description, symbol, key->range, key->max};
 }
 
 std::array<DesignParameterName, 14> parameters_of_designs() {

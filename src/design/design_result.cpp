@@ -127,11 +127,11 @@ Test one_loading_of(const Test& given) {
 PlannedDesign design_of(const Test& loading) {
   const Scales scales = scales_of(loading);
   const double travel = scales.reduced_length(loading.stage->program.back());
-  if (!(travel <= farthest_reduced && travel >= nearest_reduced))
-    throw wrong_value(loading, "stage.program",
-                      fmt::format("{:g} to {:g} spans of {}", nearest_reduced, farthest_reduced,
-                                  readable_length(loading, scales.span())),
-                      readable_length(loading, loading.stage->program.back()));
+  if (!(travel <= max_stage && travel >= min_stage))
+    throw wrong_value(
+        loading, "stage.program",
+        fmt::format("{:g} to {:g} spans of {}", min_stage, max_stage, readable_length(loading, scales.span())),
+        readable_length(loading, loading.stage->program.back()));
   const double step = scales.reduced_length(*loading.stage->step);
   if (!std::isfinite(step) || (step > 0 && travel / step > most_readings))
     throw wrong_value(

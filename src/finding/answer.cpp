@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "data/names.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
 #include "numerics/statistics.h"
@@ -76,13 +77,14 @@ std::string by_how_much(T test) {
   const double below = 1 - analysis.over_frictionless.median, deepest = 1 - analysis.over_frictionless.least;
   constexpr double noticeable = 0.01;
   if (below > noticeable)
-    return fmt::format(": past a tenth of the span its force lies {} below the frictionless curve", percent(below));
+    return fmt::format(": past a tenth of the span its force lies {} below the frictionless curve",
+                       format_percent(below));
   if (deepest > noticeable)
-    return fmt::format(": its force falls to {} below the frictionless curve", percent(deepest));
+    return fmt::format(": its force falls to {} below the frictionless curve", format_percent(deepest));
   return is_fitted(test)
              ? fmt::format(": the best fit misses the force by {} of its greatest",
-                           percent_of(analysis.fit.residual_rms,
-                                      *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end())))
+                           format_share(analysis.fit.residual_rms, *std::max_element(analysis.reduced.force.begin(),
+                                                                                     analysis.reduced.force.end())))
              : "";
 }
 
@@ -126,47 +128,48 @@ Found no_initial_slope(T test) {
 
 Found too_deep(T test) {
   const double deepest = greatest_deflection(test);
-  if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= farthest_deflection || no_force(test))
-    return std::nullopt;
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("The deflection reaches {}, {:.2g} times the span of {}. No specimen bends so "
-                                         "far over its supports.",
-                                         Print(test).length(deepest), deepest, Print(test).length(1)),
-                 .short_form = "deflection beyond the span",
-                 .remedy = "Check the units, and where the displacement counts from.",
-                 .numbers = {{"deflection_over_span", deepest}}};
-}
-
-constexpr std::size_t least_rows = 30;
-
-Found too_few_rows(T test) {
-  const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= least_rows || too_deep(test) || no_force(test))
+  if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= max_deflection || no_force(test))
     return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("The loading has {}; {} are needed.", counted(rows, "row", "rows"), least_rows),
+      .sentence = fmt::format(
+          "The deflection reaches {}, {:.2g} times the span of {}. No specimen bends so far over its supports.",
+          Print(test).length(deepest), deepest, Print(test).length(1)),
+      .short_form = "deflection beyond the span",
+      .remedy = "Check the units, and where the displacement counts from.",
+      .numbers = {{"deflection_over_span", deepest}}};
+}
+
+constexpr std::size_t min_rows = 30;
+
+Found too_few_rows(T test) {
+  const std::size_t rows = test.analysis.record.force.size();
+  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= min_rows || too_deep(test) || no_force(test))
+    return std::nullopt;
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("The loading has {}; {} are needed.", format_count(rows, "row", "rows"), min_rows),
       .short_form = "too few rows",
       .remedy = "Record more rows."};
 }
 
 Found too_few_points(T test) {
   const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows < least_rows || too_deep(test) || no_force(test))
+  if (test.analysis.status != AnalysisStatus::too_few_points || rows < min_rows || too_deep(test) || no_force(test))
     return std::nullopt;
   const double deepest = greatest_deflection(test), from = friction_told_from(test.analysis.rig.fibre);
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format(
-                     "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and "
-                     "twice the thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the "
-                     "span of {}.",
-                     counted(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
-                     Print(test).length(1)),
-                 .short_form = "bent too little",
-                 .remedy =
-                     "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend "
-                     "farther; flexslip modulus evaluates the record without friction.",
-                 .numbers = {{"deflection_over_span", deepest}}};
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format(
+          "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and twice the "
+          "thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the span of {}.",
+          format_count(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
+          Print(test).length(1)),
+      .short_form = "bent too little",
+      .remedy =
+          "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend farther; "
+          "flexslip modulus evaluates the record without friction.",
+      .numbers = {{"deflection_over_span", deepest}}};
 }
 
 std::string train_in_words(T test, double stiffness) {
@@ -180,12 +183,12 @@ Found other_train_in_drops(T test) {
   const Record& record = test.analysis.record;
   const std::vector<Drop>& drops = test.analysis.drops.drops;
   const double stated = 1 / test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
-  constexpr std::size_t enough = 3, most_rows = 5;
+  constexpr std::size_t enough = 3, max_rows = 5;
   std::size_t misfits = 0;
   std::vector<double> compliances;  // [m/N]
   for (std::size_t i = 0; i < drops.size(); ++i) {
     const std::size_t before = drops[i].before, after = drops[i].after;
-    const std::size_t rows = std::min(before - (i == 0 ? 0 : std::min(drops[i - 1].after, before)), most_rows);
+    const std::size_t rows = std::min(before - (i == 0 ? 0 : std::min(drops[i - 1].after, before)), max_rows);
     if (rows == 0) continue;
     const double times = static_cast<double>(after - before) / static_cast<double>(rows);
     const auto usual = [&](const std::vector<double>& column) {
@@ -201,12 +204,12 @@ Found other_train_in_drops(T test) {
   std::nth_element(compliances.begin(), middle, compliances.end());
   if (!(*middle > 0)) return std::nullopt;
   const double train = 1 / *middle;
-  const std::string as_on = roughly(train, Print(test).as(kind::stiffness));
+  const std::string as_on = format_roughly(train, Print(test).as(kind::stiffness));
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("{} of {} drops do not fit the load train stated ({}): while the force falls, "
-                              "the specimen bends as on {}.",
-                              misfits, drops.size(), train_in_words(test, test.analysis.rig.stiffness), as_on),
+      .sentence = fmt::format(
+          "{} of {} drops do not fit the load train stated ({}): while the force falls, the specimen bends as on {}.",
+          misfits, drops.size(), train_in_words(test, test.analysis.rig.stiffness), as_on),
       .short_form = fmt::format("load train as of {}", as_on),
       .remedy = "State the stiffness of the load train under [rig].",
       .numbers = {{"misfits", static_cast<double>(misfits)}, {"load_train", train, kind::stiffness}}};
@@ -225,13 +228,13 @@ Found wrong_load_train(T test) {
   const double train = analysis.scales.physical_stiffness(of_a_beam / (times - 1));
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if the "
-                              "bending stiffness stated is right.",
-                              roughly(train, Print(test).as(kind::stiffness))),
-      .short_form = fmt::format("load train as of {}", roughly(train, Print(test).as(kind::stiffness))),
+      .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "
+                              "the bending stiffness stated is right.",
+                              format_roughly(train, Print(test).as(kind::stiffness))),
+      .short_form = fmt::format("load train as of {}", format_roughly(train, Print(test).as(kind::stiffness))),
       .remedy =
-          "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the section "
-          "and the span.",
+          "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the "
+          "section and the span.",
       .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
 }
 
@@ -243,23 +246,22 @@ Found wrong_stiffness(T test) {
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("The bending stiffness stated is {} times that of the record's initial slope{}.",
-                              roughly(times, kind::number), likely_slip_of_units(times)),
+                              format_roughly(times, kind::number), likely_slip_of_units(times)),
       .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
       .remedy =
-          "Check the modulus, the section, the span, the load train, the columns and their units; "
-          "modulus = \"fit\" takes the stiffness from the record.",
+          "Check the modulus, the section, the span, the load train, the columns and their units; modulus = \"fit\" "
+          "takes the stiffness from the record.",
       .numbers = {{"stated_over_slope", times}}};
 }
 
 Found not_explained(T test) {
   if (test.analysis.status != AnalysisStatus::not_explained || no_force(test)) return std::nullopt;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
-      .short_form = "no friction explains it",
-      .remedy =
-          "Check the columns (flexslip read FILE shows them), their units, the span, the section, the modulus "
-          "and the load train."};
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
+                 .short_form = "no friction explains it",
+                 .remedy =
+                     "Check the columns (flexslip read FILE shows them), their units, the span, the section, the "
+                     "modulus and the load train."};
 }
 
 // ---- What stands against an answer
@@ -274,16 +276,15 @@ Found most_drops_impossible(T test) {
                               train_in_words(test, test.analysis.rig.stiffness)),
       .short_form = fmt::format("{} of {} drops are no slips", impossible, drops),
       .remedy =
-          "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these "
-          "drops.",
+          "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these drops.",
       .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
 }
 
 Found no_sliding(T test) {
   if (!test.analysis.model_implausible) return std::nullopt;
   const std::string remedy =
-      "Check the modulus, the section, the span, the contact and the load train. If they are "
-      "right, the specimen gave way: unload and load once more.";
+      "Check the modulus, the section, the span, the contact and the load train. If they are right, the specimen gave "
+      "way: unload and load once more.";
   return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
                  .short_form = "no friction explains it",
@@ -339,9 +340,9 @@ Found implausible_friction(T test) {
           analysis.fit.mu0.low > analysis.most_friction
               ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether they are stuck.",
                             analysis.most_friction)
-          : is_on_edges(test) ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges "
-                                "read so."
-                              : "Image the supports: the length pulled in shows whether the specimen slides."};
+          : is_on_edges(test)
+              ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges read so."
+              : "Image the supports: the length pulled in shows whether the specimen slides."};
 }
 
 Found misses_force(T test) {
@@ -380,8 +381,8 @@ Found coloured_noise(T test) {
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("A constant friction cannot predict the next reading.");
   const double p = number_of(*check, "p_value");
-  const std::string probability =
-      p < least_p_of_noise ? fmt::format("p < {:g}", least_p_of_noise) : fmt::format("p = {}", significant(p, 2));
+  const std::string probability = p < least_p_of_noise ? fmt::format("p < {:g}", least_p_of_noise)
+                                                       : fmt::format("p = {}", format_significant(p, 2));
   return checked(
       *check,
       fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, least_p_of_noise),
@@ -417,14 +418,13 @@ Found unstable(T test) {
 
 Found falling_friction(T test) {
   if (!test.judgement->friction_falls) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence =
-                     "Friction decreases along the record, as it would if stiffness were lost or if rollers were "
-                     "taken for edges.",
-                 .short_form = "friction decreases",
-                 .remedy = is_on_edges(test)
-                               ? "State [rig] roller_radius if the supports are not edges; if they are, image them."
-                               : "Image the supports: the length pulled in shows whether the specimen slides."};
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence =
+          "Friction decreases along the record, as it would if stiffness were lost or if rollers were taken for edges.",
+      .short_form = "friction decreases",
+      .remedy = is_on_edges(test) ? "State [rig] roller_radius if the supports are not edges; if they are, image them."
+                                  : "Image the supports: the length pulled in shows whether the specimen slides."};
 }
 
 Found changed_reload(T test) {
@@ -474,12 +474,11 @@ Found undecided_drops(T test) {
 
 Found few_rows(T test) {
   if (!test.judgement->few_rows) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence =
-                     "Most rises between drops have fewer than five rows: drops and waves of friction may be "
-                     "missed.",
-                 .short_form = "few rows between drops",
-                 .remedy = "Record more rows."};
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = "Most rises between drops have fewer than five rows: drops and waves of friction may be missed.",
+      .short_form = "few rows between drops",
+      .remedy = "Record more rows."};
 }
 
 Found below_frictionless(T test) {
@@ -518,9 +517,7 @@ Found unexpected_stiffness(T test) {
   return checked(
       *check, sentence, sentence + late_beginning(test),
       fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
-      find_contact_or_check(test,
-                            "the modulus, the section, the span, the units and the radius of the "
-                            "supports."));
+      find_contact_or_check(test, "the modulus, the section, the span, the units and the radius of the supports."));
 }
 
 // ---- What is worth knowing, and casts no doubt
@@ -530,7 +527,7 @@ Found only_a_limit(T test) {
   if (!check || presumes_too_much(test)) return std::nullopt;
   Finding finding = checked(*check, "Friction can be distinguished from zero.",
                             fmt::format("Friction cannot be distinguished from zero; it is at most {} (95 %).",
-                                        significant(number_of(*check, "mu0_high"), 2)),
+                                        format_significant(number_of(*check, "mu0_high"), 2)),
                             "only a limit", "Bend farther, or state the bending stiffness more exactly.");
   if (finding.severity == Severity::doubt) finding.severity = Severity::note;
   return finding;
@@ -550,14 +547,13 @@ Found jumps(T test) {
   const Judgement& judgement = *test.judgement;
   if (!std::isfinite(judgement.stiffness_for_all)) return std::nullopt;
   const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
-  return Finding{
-      .severity = Severity::note,
-      .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
-                              percent(judgement.jumped)),
-      .remedy = fmt::format("A stiffer rig shows more: on {} or more the force falls only smoothly with such a "
-                            "mean friction.",
-                            Print(test).own(least, kind::stiffness)),
-      .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
+  return Finding{.severity = Severity::note,
+                 .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
+                                         format_percent(judgement.jumped)),
+                 .remedy = fmt::format(
+                     "A stiffer rig shows more: on {} or more the force falls only smoothly with such a mean friction.",
+                     Print(test).own(least, kind::stiffness)),
+                 .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
 }
 
 Found imaged_length(T test) {
@@ -569,8 +565,8 @@ Found imaged_length(T test) {
                  .sentence = fmt::format(
                      "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
                      readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
-                     imaged.offset.value > 0 ? "less" : "more", counted(imaged.points.size(), "point", "points"),
-                     roughly(unit * imaged.scatter, length))};
+                     imaged.offset.value > 0 ? "less" : "more", format_count(imaged.points.size(), "point", "points"),
+                     format_roughly(unit * imaged.scatter, length))};
 }
 
 // A rule, under the code of what it finds; does it presume an answer of the analysis?
@@ -643,7 +639,7 @@ std::string work_in_short(T test) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
   if (!tells_work(test) || !(share > worth_saying)) return "";
-  return fmt::format("{} of the work was friction, not toughness", percent(share));
+  return fmt::format("{} of the work was friction, not toughness", format_percent(share));
 }
 
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
@@ -655,7 +651,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     return {VerdictCode::no_answer, {reason.sentence}, reason.code};
   }
   const Judgement& judgement = *test.judgement;
-  const std::string drops = counted(drops_of(test), "drop", "drops");
+  const std::string drops = format_count(drops_of(test), "drop", "drops");
   if (lost_stiffness(judgement)) {
     const Finding* softer = finding_in(findings, "softer_reload");
     if (!softer) softer = finding_in(findings, "changed_reload");
@@ -666,7 +662,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
                                        : fmt::format("{}, {} of them no slip", drops, judgement.impossible)};
     constexpr double worth_saying = 0.03;
     if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
-      parts.push_back(fmt::format("the stiffness falls by about {}", percent(lost)));
+      parts.push_back(fmt::format("the stiffness falls by about {}", format_percent(lost)));
     parts.emplace_back("no friction can be read off");
     return {VerdictCode::crack, parts, "cracks"};
   }
@@ -730,13 +726,13 @@ std::string drops_in_words(T test) {
   const SlipSummary& slips = analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
   const bool has_spacing = is_fitted(test) && slips.count >= enough && !lost_stiffness(*test.judgement);
-  return fmt::format(
-      "{} in {}, the largest {}{}{}", drops_of(test), used, Print(test).own(largest_drop(analysis), kind::force),
-      has_spacing
-          ? fmt::format(", one per {} of the specimen",
-                        roughly(analysis.scales.physical_length(slips.median_spacing), Print(test).as(kind::length)))
-          : "",
-      end);
+  return fmt::format("{} in {}, the largest {}{}{}", drops_of(test), used,
+                     Print(test).own(largest_drop(analysis), kind::force),
+                     has_spacing ? fmt::format(", one per {} of the specimen",
+                                               format_roughly(analysis.scales.physical_length(slips.median_spacing),
+                                                              Print(test).as(kind::length)))
+                                 : "",
+                     end);
 }
 
 std::string slip_or_crack_in_words(T test) {
@@ -757,14 +753,15 @@ std::string slip_or_crack_in_words(T test) {
                  ? fmt::format("cracks alone cannot make these drops: {}; {}", stiffer, slips)
                  : fmt::format(
                        "cracks alone would take {} of the stiffness; by the reload it lost {}{:.1f} ± {:.1f} %; {}",
-                       percent(judgement.loss_needed), judgement.loss > 0 ? "" : "none: ", 100 * judgement.loss,
+                       format_percent(judgement.loss_needed), judgement.loss > 0 ? "" : "none: ", 100 * judgement.loss,
                        100 * judgement.loss_error, slips);
     case CrackVerdict::cracks: {
       const double lost = lost_by_rises(rises);
       return fmt::format("{}{}; {}",
                          judgement.softer_reload ? "a reload shows lost stiffness"
                                                  : "the force rises between the drops as that of cracks",
-                         lost > 0 ? fmt::format(", which take about {} of the stiffness", percent(lost)) : "", slips);
+                         lost > 0 ? fmt::format(", which take about {} of the stiffness", format_percent(lost)) : "",
+                         slips);
     }
     case CrackVerdict::cannot_be_told:
       break;
@@ -780,16 +777,17 @@ std::string friction_in_words(T test) {
   if (lost_stiffness(*test.judgement)) return "none can be read off a specimen that loses stiffness";
   if (fit.mu0_is_bound) return fmt::format("{} (95 %); it cannot be distinguished from zero", mean_friction(fit));
   const double slid = 0.5 * (fit.S_end - fit.S_begin);
-  std::string words = fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
-                                  roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
+  std::string words =
+      fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
+                  format_roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
   if (drops_of(test) > 0 && !has_reload(test)) words += ", if no stiffness was lost";
   const FrictionRead& read = test.analysis.friction_read;
   if (std::isfinite(read.median)) words += fmt::format("; {:.2f} to {:.2f} along it", read.low80, read.high80);
   const bool has_wave = fit.wave_claimed && !fit.waves.empty();
   if (has_wave)
     words += fmt::format("; it repeats every {}",
-                         roughly(test.analysis.scales.physical_length(fit.waves.front().wavelength.value),
-                                 Print(test).as(kind::length)));
+                         format_roughly(test.analysis.scales.physical_length(fit.waves.front().wavelength.value),
+                                        Print(test).as(kind::length)));
   else if (fit.model == ProfileModel::roughness)
     words += "; no regular spacing";
   return words;
@@ -799,19 +797,12 @@ std::string work_in_words(T test) {
   const MeasuredEnergy& energy = test.analysis.energy;
   const Print print(test);
   return fmt::format("{} of {} ({}) went into friction{}", print.energy(energy.account.friction + energy.account.snaps),
-                     print.energy(energy.work_of_fracture), percent(energy.friction_share),
+                     print.energy(energy.work_of_fracture), format_percent(energy.friction_share),
                      may_be_cracks(test) ? " if the drops are slips" : "");
 }
 
 std::string_view source_of(StiffnessSource source) {
-  switch (source) {
-    case StiffnessSource::initial_slope:
-      return "initial slope";
-    case StiffnessSource::mirror:
-      return "loops";
-    default:
-      return "stated";
-  }
+  return name_in_order<StiffnessSource::mirror>(source, {"stated", "stated", "initial slope", "loops"});
 }
 
 std::string stiffness_in_words(T test, bool tells) {
@@ -853,8 +844,8 @@ std::string reload_in_words(T test) {
   if (has_reload(test))
     parts.push_back(fmt::format("the last reload is {:.1f} ± {:.1f} % {}", 100 * std::abs(test.judgement->loss),
                                 100 * test.judgement->loss_error, test.judgement->loss > 0 ? "softer" : "stiffer"));
-  return fmt::format("{}{}{}", counted(test.cycles->stiffness.size(), "loading", "loadings"), parts.empty() ? "" : ": ",
-                     fmt::join(parts, "; "));
+  return fmt::format("{}{}{}", format_count(test.cycles->stiffness.size(), "loading", "loadings"),
+                     parts.empty() ? "" : ": ", fmt::join(parts, "; "));
 }
 
 std::string assumed_in_words(T test) {
@@ -913,16 +904,8 @@ std::vector<Finding> findings_of(T test) {
 Standing standing_of(const std::vector<Finding>& findings) {
   Severity worst = Severity::note;
   for (const Finding& finding : findings) worst = std::min(worst, finding.severity);
-  switch (worst) {
-    case Severity::refusal:
-      return Standing::untrusted;
-    case Severity::suspicion:
-      return Standing::suspect;
-    case Severity::doubt:
-      return Standing::doubtful;
-    default:
-      return Standing::sound;
-  }
+  constexpr std::array standings{Standing::untrusted, Standing::suspect, Standing::doubtful, Standing::sound};
+  return standings[static_cast<std::size_t>(worst)];
 }
 
 std::vector<std::string_view> finding_codes() {
@@ -932,7 +915,7 @@ std::vector<std::string_view> finding_codes() {
 }
 
 std::string mean_friction(const FrictionFit& fit) {
-  return fit.mu0_is_bound ? fmt::format("at most {}", significant(fit.mu0.high, 2))
+  return fit.mu0_is_bound ? fmt::format("at most {}", format_significant(fit.mu0.high, 2))
                           : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
 }
 

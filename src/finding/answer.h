@@ -20,7 +20,7 @@ Standing standing_of(const std::vector<Finding>& findings);
 std::vector<std::string_view> finding_codes();
 
 // The greatest deflection [L] that a specimen reaches over its supports.
-inline constexpr double farthest_deflection = 0.8;
+inline constexpr double max_deflection = 0.8;
 
 // Of a test of any status.
 Answer answer_of(const FittedTest& test);

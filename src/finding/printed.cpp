@@ -22,7 +22,7 @@ MatchedDigits matched_digits(const Estimate& estimate, double factor) {
   return {print(estimate.value), print(estimate.standard_error), print(estimate.low), print(estimate.high)};
 }
 
-std::string significant(double value, int digits) {
+std::string format_significant(double value, int digits) {
   if (!std::isfinite(value)) return "";
   const int exponent = value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
   return fmt::format("{:.{}f}", value, std::clamp(digits - 1 - exponent, 0, 12));
@@ -32,21 +32,21 @@ std::string Print::own(double value, const Kind& kind) const {
   return std::isfinite(value) ? readable(value, as(kind)) : "not known";
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+std::string format_count(std::size_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-std::string percent_of(double part, double whole) {
+std::string format_share(double part, double whole) {
   if (!(whole > 0)) return "";
   const double share = 100 * part / whole;
   return share != 0 && std::abs(share) < 0.05 ? "less than 0.1 %" : fmt::format("{:.1f} %", share);
 }
 
-std::string percent(double share) {
+std::string format_percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.0f} %", 100 * share) : "an unknown share";
 }
 
-std::string roughly(double value, const Kind& kind) {
+std::string format_roughly(double value, const Kind& kind) {
   if (!std::isfinite(value) || value == 0) return readable(value, kind);
   const std::string_view unit = best_unit(value, kind);
   const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);

@@ -23,7 +23,7 @@ struct MatchedDigits {
 MatchedDigits matched_digits(const Estimate& estimate, double factor);
 
 // A number with this many significant digits, trailing zeros among them, without an exponent. Domain: digits >= 1.
-std::string significant(double value, int digits);
+std::string format_significant(double value, int digits);
 
 class Print {
  public:
@@ -43,15 +43,15 @@ class Print {
   const Scales& scales_;
 };
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many);
+std::string format_count(std::size_t count, std::string_view one, std::string_view many);
 
 // A share [1] as "12 %".
-std::string percent(double share);
+std::string format_percent(double share);
 
 // A part of a whole, "0.1 %".
-std::string percent_of(double part, double whole);
+std::string format_share(double part, double whole);
 
 // To two digits.
-std::string roughly(double value, const Kind& kind);
+std::string format_roughly(double value, const Kind& kind);
 
 }  // namespace flexslip

@@ -1,5 +1,3 @@
-#include "report/campaign_document.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,6 +13,7 @@
 #include "finding/printed.h"
 #include "io/quantity.h"
 #include "io/text.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
 #include "surface/texture.h"
 
@@ -65,8 +64,9 @@ std::string of_spread(const Spread& spread, double factor, int decimals) {
 
 // "at most 0.09", "at most 0.03 to 0.09".
 std::string at_most(const Spread& limits) {
-  return limits.count == 1 ? fmt::format("at most {}", significant(limits.max, 2))
-                           : fmt::format("at most {} to {}", significant(limits.min, 2), significant(limits.max, 2));
+  return limits.count == 1
+             ? fmt::format("at most {}", format_significant(limits.max, 2))
+             : fmt::format("at most {} to {}", format_significant(limits.min, 2), format_significant(limits.max, 2));
 }
 
 std::string of_friction(const CategorySpread& category) {
@@ -80,12 +80,12 @@ std::string of_friction(const CategorySpread& category) {
 
 template <class Predicate>
 std::string enumerated(const Campaign& campaign, Predicate belongs, std::string_view is, std::string_view are) {
-  constexpr std::size_t most_names = 8;
+  constexpr std::size_t max_names = 8;
   std::vector<std::string> names;
   for (const auto& test : campaign.tests)
     if (belongs(test)) names.push_back(printable(test.name));
   if (names.empty()) return "";
-  const std::size_t shown = std::min(names.size(), most_names);
+  const std::size_t shown = std::min(names.size(), max_names);
   std::string out = names.front();
   for (std::size_t i = 1; i < shown; ++i) out += (i + 1 == names.size() ? " and " : ", ") + names[i];
   if (shown < names.size()) out += fmt::format(" and {} more", names.size() - shown);
@@ -123,8 +123,8 @@ std::string work_in_words(const Campaign& campaign) {
   if (shares.empty()) return "";
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
   const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
-  return fmt::format("; {}{} of the work went into friction", percent(mean),
-                     shares.size() == 1 ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, percent(*most)));
+  return fmt::format("; {}{} of the work went into friction", format_percent(mean),
+                     shares.size() == 1 ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, format_percent(*most)));
 }
 
 // Over the tests that are not suspect, or over all if all are; null without tests.
@@ -142,7 +142,7 @@ std::string friction_in_words(const Campaign& campaign) {
   const std::string limits =
       over->mu0_limit.count == 0
           ? ""
-          : fmt::format("{} only that it is {}", counted(over->mu0_limit.count, "test tells", "tests tell"),
+          : fmt::format("{} only that it is {}", format_count(over->mu0_limit.count, "test tells", "tests tell"),
                         at_most(over->mu0_limit));
   if (mu0.count == 0)
     return limits.empty() ? " No test tells friction." : fmt::format(" No test tells friction from zero; {}.", limits);
@@ -170,15 +170,15 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
       .rows = {},
       .folding = Folding::never,
       .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"},
-      .paper = {.label = "friction",
-                .caption =
-                    "Friction in bending tests, by the sawtooth of their force curves: friction averaged over the "
-                    "length that slid, amplitude $A$ and wavelength $\\lambda$ of one wave of friction along the "
-                    "specimen (in brackets where it is only indicative), height (half of crest to trough) and rms "
-                    "slope of a surface that would explain them, bending stiffness $EI$, root mean square of "
-                    "measured less model force, drops of the force, and the share of the work that was friction; "
-                    "$\\pm$ standard error, $\\times$ suspect.",
-                .columns = {"Test", "Friction", "A", "λ", "Height", "Slope", "EI", "Residual", "Drops", "Work (%"}}};
+      .paper = {
+          .label = "friction",
+          .caption =
+              "Friction in bending tests, by the sawtooth of their force curves: friction averaged over the length "
+              "that slid, amplitude $A$ and wavelength $\\lambda$ of one wave of friction along the specimen (in "
+              "brackets where it is only indicative), height (half of crest to trough) and rms slope of a surface that "
+              "would explain them, bending stiffness $EI$, root mean square of measured less model force, drops of the "
+              "force, and the share of the work that was friction; $\\pm$ standard error, $\\times$ suspect.",
+          .columns = {"Test", "Friction", "A", "λ", "Height", "Slope", "EI", "Residual", "Drops", "Work (%"}}};
   for (const auto& [category, title] : {std::pair{SawtoothCategory::clear, "Clear sawtooth"},
                                         {SawtoothCategory::nominal, "Nominal sawtooth"},
                                         {SawtoothCategory::none, "No sawtooth, or hardly any"}}) {
@@ -207,15 +207,15 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
     table.rows.push_back(
         {test.name, test.verdict, std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
          !tells                 ? ""
-         : summary.mu0_is_bound ? fmt::format("at most {}", significant(summary.mu0.high, 2))
+         : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
                                 : written(summary.mu0, 1),
-         significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
+         format_significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
          is_rough ? written(summary.correlation_length, per_length) : "", of_wave(summary.amplitude, 1),
          of_wave(summary.wavelength, per_length), of_wave(summary.surface_height, per_length),
          summary.surface_slope ? written(*summary.surface_slope, 1) : "",
          written(summary.bending_stiffness, units.bending_stiffness.factor),
-         significant(units.force.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
-         significant(units.energy.factor * summary.work_of_fracture, 3),
+         format_significant(units.force.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
+         format_significant(units.energy.factor * summary.work_of_fracture, 3),
          std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
          fmt::format("{}", fmt::join(remarks, "; "))});
   }
@@ -251,10 +251,9 @@ PrintedTable specimen_rows(const Campaign& campaign) {
       .head = {"Sawtooth", "Parameter", "Tests", "Typical", "Specimens differ by"},
       .rows = {},
       .paper = {.label = "friction-specimens",
-                .caption = "Friction between specimens, suspects left out: mean of $\\mu_0$ and its "
-                           "standard deviation between specimens; middle roughness $\\sigma$ and "
-                           "correlation length $\\ell$, and the factor by which specimens differ; 95\\,\\% "
-                           "intervals."}};
+                .caption = "Friction between specimens, suspects left out: mean of $\\mu_0$ and its standard deviation "
+                           "between specimens; middle roughness $\\sigma$ and correlation length $\\ell$, and the "
+                           "factor by which specimens differ; 95\\,\\% intervals."}};
   for (const auto& line : specimen_lines(campaign)) {
     const auto [unit, factor] = print_unit(line.typical.value, line.unit);
     const std::string sign = line.by_factors ? "a factor " : "± ";
@@ -266,19 +265,18 @@ PrintedTable specimen_rows(const Campaign& campaign) {
                           fmt::format("{}", line.between->tests.size()),
                           unit.empty() ? typical : fmt::format("{} {}", typical, typeset(unit)),
                           line.between->population.spread_is_bound
-                              ? fmt::format("{}{} at most", sign, significant(line.spread.high, 2))
+                              ? fmt::format("{}{} at most", sign, format_significant(line.spread.high, 2))
                               : sign + with_interval(line.spread, 1)});
   }
   return table;
 }
 
 PrintedTable shared_rows(const Campaign& campaign) {
-  PrintedTable table{
-      .head = {"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"},
-      .rows = {},
-      .paper = {.label = "friction-shared",
-                .caption = "One value for several tests, with its 95\\,\\% interval; $p$: probability that "
-                           "tests that share it differ as much."}};
+  PrintedTable table{.head = {"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"},
+                     .rows = {},
+                     .paper = {.label = "friction-shared",
+                               .caption = "One value for several tests, with its 95\\,\\% interval; $p$: probability "
+                                          "that tests that share it differ as much."}};
   for (const auto& shared : campaign.shared) {
     const std::string tests = fmt::format("{}", shared.tests);
     if (!std::isfinite(shared.estimate.value)) {
@@ -287,10 +285,10 @@ PrintedTable shared_rows(const Campaign& campaign) {
     }
     const auto [unit, factor] = print_unit(shared.estimate.value, shared.unit);
     const MatchedDigits digits = matched_digits(shared.estimate, factor);
-    table.rows.push_back({shared.name, with_error(shared.estimate, factor),
-                          digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit),
-                          tests,
-                          shared.agreement < 1e-4 ? "none" : fmt::format("p = {}", significant(shared.agreement, 2))});
+    table.rows.push_back(
+        {shared.name, with_error(shared.estimate, factor),
+         digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit), tests,
+         shared.agreement < 1e-4 ? "none" : fmt::format("p = {}", format_significant(shared.agreement, 2))});
   }
   return table;
 }
@@ -321,7 +319,7 @@ std::string literature_in_words(const Campaign& campaign) {
                      over->mu0.mean < literature->low    ? "below"
                      : over->mu0.mean > literature->high ? "above"
                                                          : "within",
-                     agree, counted(over->mu0.count, "test", "tests"));
+                     agree, format_count(over->mu0.count, "test", "tests"));
 }
 
 // What surface would explain the waves that are claimed, and what images would settle it.
@@ -339,16 +337,15 @@ Rows surface_of_waves(const Campaign& campaign) {
   const double mean = std::accumulate(heights.begin(), heights.end(), 0.0) / static_cast<double>(heights.size());
   // The least wave wants the finest pixel, the longest the widest field.
   const WantedImage wanted = wanted_image(*std::max_element(wavelengths.begin(), wavelengths.end()), 2 * *least);
-  return {{"height",
-           fmt::format("waves {} high (half of crest to trough; {} to {}) would explain the waves of friction that "
-                       "are claimed, by their slopes",
-                       length(mean), length(*least), length(*most))},
-          {"image",
-           fmt::format("with pixels of {} it shows those of the mean height; with pixels of {} in fields of {} it "
-                       "settles it for every test (the paper's rule: ten pixels from crest to trough, ten waves in "
-                       "the field)",
-                       length(wanted_image(1, 2 * mean).pixel), length(wanted.pixel), length(wanted.field))},
-          {"trace", "flexslip surface tells what one resolves, and fit --surface whether it fits"}};
+  return {
+      {"height", fmt::format("waves {} high (half of crest to trough; {} to {}) would explain the waves of friction "
+                             "that are claimed, by their slopes",
+                             length(mean), length(*least), length(*most))},
+      {"image",
+       fmt::format("with pixels of {} it shows those of the mean height; with pixels of {} in fields of {} it settles "
+                   "it for every test (the paper's rule: ten pixels from crest to trough, ten waves in the field)",
+                   length(wanted_image(1, 2 * mean).pixel), length(wanted.pixel), length(wanted.field))},
+      {"trace", "flexslip surface tells what one resolves, and fit --surface whether it fits"}};
 }
 
 // What the columns say, of those tables that there are.
@@ -361,21 +358,19 @@ Rows column_rows(const Campaign& campaign) {
            "errors, ranges in parentheses 95 % intervals"},
           {"A, λ", "of the likeliest wave of friction; brackets mark a wave that is only indicative"},
           {"Height, Slope",
-           "half of crest to trough of the wave of the surface that would show it, and the rms of the slopes "
-           "that would show how friction varies"},
+           "half of crest to trough of the wave of the surface that would show it, and the rms of the slopes that "
+           "would show how friction varies"},
           {"Work (%)",
            "share of the work that went into friction; a test that tells no friction, or only a limit, has none"},
-          {"Typical",
-           specimen_rows(campaign).rows.empty()
-               ? ""
-               : "mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with 95 % intervals; specimens "
-                 "differ by the standard deviation of μ₀, and by a factor up or down in σ and ℓ; the error of each "
-                 "record is taken off, and suspects are left out"},
-          {"Agreement",
-           campaign.shared.empty()
-               ? ""
-               : "probability that tests which share one value would differ as much as these; below 0.01 the value "
-                 "is a mean of different ones, and its error says nothing"}};
+          {"Typical", specimen_rows(campaign).rows.empty()
+                          ? ""
+                          : "mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with 95 % intervals; "
+                            "specimens differ by the standard deviation of μ₀, and by a factor up or down in σ and ℓ; "
+                            "the error of each record is taken off, and suspects are left out"},
+          {"Agreement", campaign.shared.empty()
+                            ? ""
+                            : "probability that tests which share one value would differ as much as these; below 0.01 "
+                              "the value is a mean of different ones, and its error says nothing"}};
 }
 
 }  // namespace
@@ -407,7 +402,7 @@ std::string campaign_in_short(const Campaign& campaign) {
                        campaign.tests.size() == 1
                            ? "the test could not be evaluated"
                            : fmt::format("none of the {} tests could be evaluated", campaign.tests.size()));
-  std::string answer = fmt::format("{}: {}.{}", counted(campaign.tests.size(), "test", "tests"),
+  std::string answer = fmt::format("{}: {}.{}", format_count(campaign.tests.size(), "test", "tests"),
                                    verdicts_in_words(campaign), friction_in_words(campaign));
   for (const std::string& words :
        {enumerated(campaign, is_suspect, "is suspect", "are suspect"),

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
-#include "report/campaign_document.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
 #include "result/table.h"
 
@@ -199,13 +199,10 @@ std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {
 }
 
 Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, std::string title) {
-  const auto greatest = [](const std::vector<double>& values) {
-    return *std::max_element(values.begin(), values.end());
-  };
   double deepest = 0, strongest = 0, longest = 0;
   for (const auto* test : tests) {
-    deepest = std::max(deepest, greatest(test->curves->deflection));
-    strongest = std::max(strongest, greatest(test->curves->force));
+    deepest = std::max(deepest, largest(test->curves->deflection));
+    strongest = std::max(strongest, largest(test->curves->force));
     longest = std::max(longest, 0.01 * test->curves->span);
   }
   const PlotUnit w = plot_unit(deepest, kind::length), F = plot_unit(strongest, kind::force),
@@ -221,7 +218,7 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
     const CampaignCurves& curves = *test->curves;
     const TestSummary& summary = *test->summary;
     const auto number = static_cast<double>(panels.size() + 1);
-    const ForcePlane plane{w, F, greatest(curves.deflection), greatest(curves.force)};
+    const ForcePlane plane{w, F, largest(curves.deflection), largest(curves.force)};
     const auto add = [&](std::size_t table, const std::vector<std::vector<double>>& rows) {
       for (const auto& row : rows) data[table].rows.push_back(row.empty() ? row : std::vector{number, row[0], row[1]});
       if (!rows.empty() && !rows.back().empty()) data[table].rows.emplace_back();
@@ -253,20 +250,19 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
   }
   for (std::size_t k = looks.size(); k-- > 0;) panels.front().marks.push_back({.style = looks[k], .title = words[k]});
   const std::size_t count = panels.size(), rows = (count + panels_across - 1) / panels_across;
-  return {
-      .name = std::move(name),
-      .title = title,
-      .caption = title +
-                 ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the "
-                 "fit run forward. In the corner: the mean friction of the fit, and A and λ where a wave is claimed. "
-                 "Orange: Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the "
-                 "fit. Grey: load lines at the drops of the force, with the stiffness of the load train as slope. ×: "
-                 "suspect.",
-      .width = count < 3 ? 100.0 : 183.0,
-      .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
-      .data = std::move(data),
-      .panels = std::move(panels),
-      .columns = panels_across};
+  return {.name = std::move(name),
+          .title = title,
+          .caption =
+              title +
+              ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the fit run "
+              "forward. In the corner: the mean friction of the fit, and A and λ where a wave is claimed. Orange: "
+              "Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the fit. Grey: "
+              "load lines at the drops of the force, with the stiffness of the load train as slope. ×: suspect.",
+          .width = count < 3 ? 100.0 : 183.0,
+          .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
+          .data = std::move(data),
+          .panels = std::move(panels),
+          .columns = panels_across};
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "report/campaign_report.h"
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -15,7 +13,7 @@
 #include "campaign/campaign_plan.h"
 #include "io/durable_file.h"
 #include "io/text_file.h"
-#include "report/campaign_document.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
 #include "report/page.h"
 #include "report/report.h"

@@ -1,5 +1,3 @@
-#include "report/design_document.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "finding/printed.h"
 #include "inference/profile.h"
+#include "report/answer_documents.h"
 
 namespace flexslip {
 namespace {
@@ -71,8 +70,7 @@ std::string record_in_words(const DesignAnswer& answer, const InUnits& shown) {
                      outcome.drops == 1 ? "" : fmt::format(", {} on average", shown.force(outcome.mean_drop)),
                      outcome.snaps > outcome.drops ? "; snaps between the same two readings appear as one fall"
                      : outcome.snaps == 0 && outcome.drops > 1
-                         ? "; these falls are no snaps: the force follows a friction that varies, "
-                           "on any load train"
+                         ? "; these falls are no snaps: the force follows a friction that varies, on any load train"
                          : "");
 }
 
@@ -92,10 +90,9 @@ std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) 
   if (answer.critical == 0) {
     const bool varies = std::isfinite(answer.design.friction.smooth_scale()) || !answer.design.friction.knots().empty();
     return fmt::format("{}; none, however soft, lets the specimen snap in this test{}", yours,
-                       varies
-                           ? ""
-                           : ": friction that is uniform along the specimen makes no sawtooth; state an amplitude and "
-                             "a wavelength, such as those of a fit");
+                       varies ? ""
+                              : ": friction that is uniform along the specimen makes no sawtooth; state an amplitude "
+                                "and a wavelength, such as those of a fit");
   }
   if (!std::isfinite(answer.critical))
     return fmt::format("{}; the specimen snaps on any, even if the deflection itself is controlled", yours);
@@ -143,25 +140,23 @@ std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
 // What is changed, if to more and if to less, and what stands before its values.
 struct ChangeWords {
   DesignParameter parameter;
-  std::string_view more, less, of_more, of_less;
+  std::string_view more, less, of, of_less = of;
 };
 constexpr std::array changes_known{
-    ChangeWords{DesignParameter::stiffness, "a stiffer load train", "a softer load train", "", ""},
-    ChangeWords{DesignParameter::span, "a longer support span", "a shorter support span", "", ""},
-    ChangeWords{DesignParameter::diameter, "a thicker specimen", "a thinner specimen", "a diameter of ",
-                "a diameter of "},
-    ChangeWords{DesignParameter::height, "a thicker specimen", "a thinner specimen", "a height of ", "a height of "},
-    ChangeWords{DesignParameter::width, "a wider specimen", "a narrower specimen", "a width of ", "a width of "},
-    ChangeWords{DesignParameter::modulus, "a stiffer specimen", "a softer specimen", "a modulus of ", "a modulus of "},
-    ChangeWords{DesignParameter::mu0, "supports with more friction", "lubricated supports", "mu0 ", "mu0 "},
-    ChangeWords{DesignParameter::amplitude, "rougher supports or specimens", "polished supports", "an amplitude of ",
-                "an amplitude of "},
+    ChangeWords{DesignParameter::stiffness, "a stiffer load train", "a softer load train", ""},
+    ChangeWords{DesignParameter::span, "a longer support span", "a shorter support span", ""},
+    ChangeWords{DesignParameter::diameter, "a thicker specimen", "a thinner specimen", "a diameter of "},
+    ChangeWords{DesignParameter::height, "a thicker specimen", "a thinner specimen", "a height of "},
+    ChangeWords{DesignParameter::width, "a wider specimen", "a narrower specimen", "a width of "},
+    ChangeWords{DesignParameter::modulus, "a stiffer specimen", "a softer specimen", "a modulus of "},
+    ChangeWords{DesignParameter::mu0, "supports with more friction", "lubricated supports", "mu0 "},
+    ChangeWords{DesignParameter::amplitude, "rougher supports or specimens", "polished supports", "an amplitude of "},
     ChangeWords{DesignParameter::wavelength, "another specimen, with roughness of a longer wavelength",
-                "another specimen, with roughness of a shorter wavelength", "", ""},
+                "another specimen, with roughness of a shorter wavelength", ""},
     ChangeWords{DesignParameter::travel, "loading farther", "stopping before the first snap",
                 "up to the stage position ", "at the stage position "},
     ChangeWords{DesignParameter::pin_friction, "rollers that turn harder on their pins",
-                "rollers that turn more easily on their pins", "pin_friction ", "pin_friction "}};
+                "rollers that turn more easily on their pins", "pin_friction "}};
 
 std::string change_in_words(const DesignChange& change, const InUnits& shown) {
   const auto known = std::find_if(changes_known.begin(), changes_known.end(),
@@ -170,7 +165,7 @@ std::string change_in_words(const DesignChange& change, const InUnits& shown) {
   const Kind& kind = described(change.parameter).kind;
   const bool more = change.to > change.from;
   return fmt::format(
-      "{}: {}{}{} instead of {}", more ? known->more : known->less, more ? known->of_more : known->of_less,
+      "{}: {}{}{} instead of {}", more ? known->more : known->less, more ? known->of : known->of_less,
       shown.exactly(change.printed, kind),
       !change.and_beyond ? ""
       : more             ? " or more"
@@ -273,10 +268,9 @@ std::vector<Chapter> document_of(const DesignAnswer& answer) {
   const std::string_view otherwise = outcome.snaps > 0 ? "keep it from snapping" : "make it snap";
   return {{"", {design_in_short(answer), rows}},
           {fmt::format("What would {}", otherwise),
-           {changes.empty()
-                ? std::string("No single change was found.")
-                : std::string("Any one of these, if everything else stays the same. Without \"or more\" or \"or "
-                              "less\" it is known only at this value."),
+           {changes.empty() ? std::string("No single change was found.")
+                            : std::string("Any one of these, if everything else stays the same. Without \"or more\" or "
+                                          "\"or less\" it is known only at this value."),
             changes}}};
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
+#include "report/draw.h"
 
 namespace flexslip {
 namespace {
@@ -47,9 +48,9 @@ std::string laid_out(const PrintedTable& all, std::size_t width) {
       const std::string cell = printable(cells[i]);
       line += "  ";
       // Words at the end of a line go on below it, where there is room for them.
-      constexpr std::size_t least_room = 30;
+      constexpr std::size_t min_room = 30;
       if (const std::size_t indent = width_of(line);
-          i == last && ends_in_words && all.on_terminal.empty() && indent + least_room <= width)
+          i == last && ends_in_words && all.on_terminal.empty() && indent + min_room <= width)
         line = wrapped(cell, std::string(indent, ' '), line, width);
       else
         line += padded(cell, widths[i], is_of_numbers(table, i));
@@ -257,9 +258,7 @@ std::string latex_escaped(std::string_view text) {
         std::find_if(commands.begin(), commands.end(), [c](const auto& each) { return each.first == c; });
     out += known == commands.end() ? std::string(1, c) : std::string(known->second);
   }
-  for (const auto& [symbol, command] : symbols)
-    for (auto at = out.find(symbol); at != std::string::npos; at = out.find(symbol, at + command.size()))
-      out.replace(at, symbol.size(), command);
+  for (const auto& [symbol, command] : symbols) out = replaced(std::move(out), symbol, command);
   return out;
 }
 

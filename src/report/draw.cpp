@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -223,9 +222,8 @@ std::string script_of(const Plot& plot) {
   for (const auto& [at, colour] : palette) stops += fmt::format("{}{} '{}'", stops.empty() ? "" : ", ", at, colour);
   out += fmt::format(
       "set palette defined ({})\nset encoding utf8\nset datafile separator comma\nset datafile columnheaders\nset "
-      "border "
-      "linewidth 0.75\nset tics front in scale 0.6, 0.35\nset style textbox opaque noborder margins 0.6, 0.6\nunset "
-      "key\n"
+      "border linewidth 0.75\nset tics front in scale 0.6, 0.35\nset style textbox opaque noborder margins 0.6, "
+      "0.6\nunset key\n"
       "$one << EOD\nof numbers in the script\n1\nEOD\ndo for [format in formats] {{\n{}  set output "
       "folder.{}.'.'.format\n  set multiplot\n",
       stops, terminals(plot), in_script(plot.name));
@@ -259,25 +257,15 @@ std::string csv(const PlotTable& table) {
   return text;
 }
 
-void replace_first(std::string& text, std::string_view what, std::string_view by) {
-  if (const auto at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
-}
-
-void replace_all(std::string& text, std::string_view what, std::string_view by) {
-  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-}
-
 // Says what the picture shows, and takes fonts that exist everywhere.
 std::string finished_svg(std::string text, const Plot& plot) {
-  replace_first(text, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", html_escaped(plot.title)));
+  text = replaced(std::move(text), "<title>Gnuplot</title>", "<title>" + html_escaped(plot.title) + "</title>");
   const auto from = text.find("<desc>");
   const auto to = text.find("</desc>");
   if (from != std::string::npos && to != std::string::npos)
     text.replace(from, to - from, "<desc>" + html_escaped(plot.caption));
-  replace_all(text, "<text>", "<text xml:space=\"preserve\">");
-  replace_all(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
-  return text;
+  text = replaced(std::move(text), "<text>", "<text xml:space=\"preserve\">");
+  return replaced(std::move(text), "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
 }
 
 // The date of the drawing would make every PDF another.
@@ -285,10 +273,7 @@ std::string finished_pdf(std::string text) {
   const std::string key = "/CreationDate (D:";
   const auto at = text.find(key);
   if (at == std::string::npos) return text;
-  const char* asked = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t seconds = asked ? std::strtoll(asked, nullptr, 10) : 0;
-  std::tm date{};
-  gmtime_r(&seconds, &date);
+  const std::tm date = calendar_date(date_of_source(0));
   const std::string day = fmt::format("{:04}{:02}{:02}{:02}{:02}{:02}", date.tm_year + 1900, date.tm_mon + 1,
                                       date.tm_mday, date.tm_hour, date.tm_min, date.tm_sec);
   if (day.size() == 14) text.replace(at + key.size(), day.size(), day);  // no other length: the file holds offsets
@@ -377,6 +362,23 @@ DrawStatus draw(Plot plot, const std::string& picture) {
     throw InputError(
         {.file = picture, .expected = "a file name without control characters", .found = in_quotes(plot.name)});
   return draw(plot, path.parent_path().string(), {format});
+}
+
+std::time_t date_of_source(std::time_t otherwise) {
+  const char* asked = std::getenv("SOURCE_DATE_EPOCH");
+  return asked ? std::strtoll(asked, nullptr, 10) : otherwise;
+}
+
+std::tm calendar_date(std::time_t seconds) {
+  std::tm date{};
+  gmtime_r(&seconds, &date);
+  return date;
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
 }
 
 }  // namespace flexslip

@@ -116,6 +116,7 @@ struct ForcePlane {
 };
 ForcePlane force_plane(const PlotUnits& units, double w_max, double F_max);
 PlotUnits plot_units(const FittedTest& test);
+inline double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
 // The stretches of a path that `belongs` chooses, each from the point before it on, as rows with breaks.
 template <class Points, class Belongs, class Row>

@@ -1,5 +1,3 @@
-#include "report/fit_document.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,12 +8,13 @@
 #include <fmt/ranges.h>
 
 #include "answers/fit_fields.h"
+#include "data/names.h"
 #include "finding/answer.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
 #include "io/text.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
-#include "report/modulus_document.h"
 
 namespace flexslip {
 namespace {
@@ -29,15 +28,8 @@ Pictures picture(Plot (*drawn)(T), T test) {
 // ---- The screen
 
 std::string_view colour_of(VerdictCode code) {
-  switch (code) {
-    case VerdictCode::slip:
-    case VerdictCode::no_drops:
-      return "\x1b[1;32m";
-    case VerdictCode::undecided:
-      return "\x1b[1;33m";
-    default:
-      return "\x1b[1;31m";
-  }
+  constexpr auto green = "\x1b[1;32m", yellow = "\x1b[1;33m", red = "\x1b[1;31m";
+  return name_in_order<VerdictCode::no_answer>(code, {green, yellow, red, green, red, red});
 }
 
 std::string coloured(std::string line, const std::string& name, const Verdict& verdict) {
@@ -127,17 +119,7 @@ Chapter friction_chapter(T test, const Answer& answer) {
 // ---- Whether friction repeats
 
 std::string_view in_words(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::exponential:
-      return "exponential";
-    case Kernel::matern_3_2:
-      return "Matérn 3/2";
-    case Kernel::matern_5_2:
-      return "Matérn 5/2";
-    case Kernel::none:
-      break;
-  }
-  return "none";
+  return name_in_order<Kernel::matern_5_2>(kernel, {"none", "exponential", "Matérn 3/2", "Matérn 5/2"});
 }
 
 // What the answer averages over, the likeliest first.
@@ -151,7 +133,7 @@ PrintedTable explanation_table(T test) {
     for (const double wavelength : each.wavelengths)
       waves += (waves.empty() ? "" : ", ") + Print(test).length(wavelength);
     table.rows.push_back({std::string(in_words(each.kernel)), waves.empty() ? "none" : waves,
-                          each.weight < 0.0005 ? "< 0.1 %" : percent_of(each.weight, 1),
+                          each.weight < 0.0005 ? "< 0.1 %" : format_share(each.weight, 1),
                           fmt::format("{:.1f}", each.log_evidence - explanations.front().log_evidence)});
   }
   return table;
@@ -164,20 +146,18 @@ Chapter wave_chapter(T test) {
                        : fmt::format("A wave is claimed above a log_evidence of {}.", claiming_gain),
                    numbers(test, "wave")}};
   if (has_waves(test)) chapter.blocks.emplace_back(picture(wavelength_figure, test));
-  for (Block& block : std::vector<Block>{
-           explanation_table(test),
-           listed(test, "one_side_at_a_time", {{"One side at a time", "name"}, {"Length", "value"}}),
-           lengths_of(test.analysis.fit).empty() ? std::string()
-                                                 : std::string("Where the supports are not alike or friction falls, "
-                                                               "the specimen slides over one at a time: friction "
-                                                               "is then that of the weaker side. Images of both "
-                                                               "supports tell, or the specimen tested again, turned "
-                                                               "end for end."),
-           test.implied ? numbers(test, "surface") : PrintedTable{},
-           test.implied && test.cycles
-               ? std::string("Slopes make friction high in one direction where it is low in the other.")
-               : std::string()})
-    chapter.blocks.push_back(std::move(block));
+  chapter.blocks.insert(chapter.blocks.end(),
+                        {explanation_table(test),
+                         listed(test, "one_side_at_a_time", {{"One side at a time", "name"}, {"Length", "value"}}),
+                         lengths_of(test.analysis.fit).empty()
+                             ? std::string()
+                             : std::string("Where the supports are not alike or friction falls, the specimen slides "
+                                           "over one at a time: friction is then that of the weaker side. Images of "
+                                           "both supports tell, or the specimen tested again, turned end for end."),
+                         test.implied ? numbers(test, "surface") : PrintedTable{},
+                         test.implied && test.cycles
+                             ? std::string("Slopes make friction high in one direction where it is low in the other.")
+                             : std::string()});
   return chapter;
 }
 
@@ -224,7 +204,7 @@ Chapter snaps_chapter(T test) {
   return {"Snaps of the fit's mean",
           {fmt::format(
                "{} where the force drops {}. A mean is smoother than any one profile, and not every drop is a snap.",
-               counted(snaps, "snap", "snaps"), drops == 1 ? "once" : fmt::format("{} times", drops)),
+               format_count(snaps, "snap", "snaps"), drops == 1 ? "once" : fmt::format("{} times", drops)),
            listed(test, "snaps",
                   {{"Stage", "stage"},
                    {"Deflection before", "deflection_before"},
@@ -239,13 +219,12 @@ Chapter teeth_chapter(T test) {
   const std::string title = "Stick or slide";
   if (!test.analysis.teeth)
     return {title, {std::string("There are no rises to judge: fewer than two drops, or no load train is stated.")}};
-  Chapter chapter{
-      title,
-      {numbers(test, "teeth"),
-       std::string("A rise that is as if stuck need not be stuck: sliding is as steep where friction rises "
-                   "steeply. Just after a reversal, where the specimen must stick, the authors' tests pull in 8 to "
-                   "35 % of the stage's motion. Supports that yield imitate sliding, as does friction that builds "
-                   "up, in rises that pull in less than three times its length.")}};
+  Chapter chapter{title,
+                  {numbers(test, "teeth"),
+                   std::string("A rise that is as if stuck need not be stuck: sliding is as steep where friction rises "
+                               "steeply. Just after a reversal, where the specimen must stick, the authors' tests pull "
+                               "in 8 to 35 % of the stage's motion. Supports that yield imitate sliding, as does "
+                               "friction that builds up, in rises that pull in less than three times its length.")}};
   if (has_judged_teeth(test)) chapter.blocks.emplace_back(picture(teeth_figure, test));
   chapter.blocks.emplace_back(listed(test, "teeth.teeth",
                                      {{.heading = "Rows", .field = "first_row", .last = "last_row"},
@@ -270,7 +249,7 @@ std::string smoothing_in_words(T test) {
   const auto& fit = test.analysis.fit;
   const auto wave = [&](double wavelength) {
     return fmt::format("a wave of {} is larger at the contact by {:.0f} %",
-                       roughly(test.analysis.scales.physical_length(wavelength), Print(test).as(kind::length)),
+                       format_roughly(test.analysis.scales.physical_length(wavelength), Print(test).as(kind::length)),
                        100 * (1 / share_read(*build_up, wavelength) - 1));
   };
   std::vector<std::string> waves{wave(std::numbers::pi * build_up->length.value)};
@@ -283,63 +262,57 @@ Chapter cycles_chapter(T test) {
   Chapter chapter{"Load and unload", {}};
   if (has_loops(test))
     chapter.blocks.emplace_back(Pictures{[&test] { return std::vector{loops_figure(test), boxes_figure(test)}; }});
-  for (
-      Block& block : std::vector<Block>{
-          numbers(test, "cycles"),
-          "EI and contacts are those with which sliding in and sliding out mirror each other; that the means agree is "
-          "no "
-          "evidence, and other points to compare change EI by another 1 to 2 % in the authors' tests. Bumps that "
-          "correlate "
-          "belong, in part at least, to the specimen's surface; where friction is high in one direction and low in the "
-          "other, an error that depends only on the deflection is at work. The fit assumes full friction from the "
-          "beginning "
-          "of sliding." +
-              smoothing_in_words(test),
-          listed(test, "cycles.loops",
-                 {{"Loop", ""},
-                  {.heading = "Rows", .field = "first_row", .last = "last_row"},
-                  {"Contact", "contact"},
-                  {"μ sliding in", "mu_in"},
-                  {"μ sliding out", "mu_out"},
-                  {"difference, rms", "rms_difference"},
-                  {"correlation", "correlation.value", 2},
-                  {"95 % from", "correlation.low", 2},
-                  {"to", "correlation.high", 2}}),
-          listed(test, "cycles.loops",
-                 {{"Loop", ""},
-                  {"Put in", "energy.loading"},
-                  {"Given back", "energy.unloading"},
-                  {"Lost", "energy.lost"},
-                  {.heading = "Lost, of the work put in (%)", .field = "energy.lost_share", .digits = 3, .factor = 100},
-                  {"by friction", "energy.friction"},
-                  {.heading = "Replay, rms (%)", .field = "replay_rms", .digits = 2, .factor = 100}}),
-          listed(test, "cycles.loading_stiffness",
-                 {{"Loading", ""},
-                  {"Rows", "rows"},
-                  {"Slope", "slope"},
-                  {"ratio to the first", "ratio"},
-                  {"error from the window", "ratio_systematic", 2},
-                  {.heading = "Verdict", .field = "verdict", .in_words = {{"not_damaged", "not damaged"}}},
-                  {.heading = "Remark",
-                  .field = "status",
-                  .in_words = {{"ok", ""},
-                               {"reference", "the reference"},
-                               {"loaded_too_little", "not loaded far enough"},
-                               {"window_not_covered", "not unloaded far enough"},
-                               {"too_few_points", "too few rows"},
-                               {"not_rising", "the force does not rise"},
-                               {"still_drawn_in", "friction still holds the length pulled in"},
-                               {"no_reference", "the first loading has no slope"}}}}),
-          test.cycles->stiffness.size() < 2
-              ? std::string()
-              : fmt::format(
-                    "Damage lowers the initial stiffness of a reload; friction does not. The verdicts are on a loss of "
-                    "{:.0f} % or more, at {:.0f} %, by the slope between {:.0f} and {:.0f} % of the smallest peak "
-                    "force; "
-                    "a contact that settles differently is not in the errors.",
-                    100 * relevant_loss, 100 * loading_confidence, 100 * loading_window_from,
-                    100 * loading_window_up_to)})
-    chapter.blocks.push_back(std::move(block));
+  chapter.blocks.insert(
+      chapter.blocks.end(),
+      {numbers(test, "cycles"),
+       "EI and contacts are those with which sliding in and sliding out mirror each other; that the means agree is "
+       "no evidence, and other points to compare change EI by another 1 to 2 % in the authors' tests. Bumps that "
+       "correlate belong, in part at least, to the specimen's surface; where friction is high in one direction and "
+       "low in the other, an error that depends only on the deflection is at work. The fit assumes full friction "
+       "from the beginning of sliding." +
+           smoothing_in_words(test),
+       listed(test, "cycles.loops",
+              {{"Loop", ""},
+               {.heading = "Rows", .field = "first_row", .last = "last_row"},
+               {"Contact", "contact"},
+               {"μ sliding in", "mu_in"},
+               {"μ sliding out", "mu_out"},
+               {"difference, rms", "rms_difference"},
+               {"correlation", "correlation.value", 2},
+               {"95 % from", "correlation.low", 2},
+               {"to", "correlation.high", 2}}),
+       listed(test, "cycles.loops",
+              {{"Loop", ""},
+               {"Put in", "energy.loading"},
+               {"Given back", "energy.unloading"},
+               {"Lost", "energy.lost"},
+               {.heading = "Lost, of the work put in (%)", .field = "energy.lost_share", .digits = 3, .factor = 100},
+               {"by friction", "energy.friction"},
+               {.heading = "Replay, rms (%)", .field = "replay_rms", .digits = 2, .factor = 100}}),
+       listed(test, "cycles.loading_stiffness",
+              {{"Loading", ""},
+               {"Rows", "rows"},
+               {"Slope", "slope"},
+               {"ratio to the first", "ratio"},
+               {"error from the window", "ratio_systematic", 2},
+               {.heading = "Verdict", .field = "verdict", .in_words = {{"not_damaged", "not damaged"}}},
+               {.heading = "Remark",
+                .field = "status",
+                .in_words = {{"ok", ""},
+                             {"reference", "the reference"},
+                             {"loaded_too_little", "not loaded far enough"},
+                             {"window_not_covered", "not unloaded far enough"},
+                             {"too_few_points", "too few rows"},
+                             {"not_rising", "the force does not rise"},
+                             {"still_drawn_in", "friction still holds the length pulled in"},
+                             {"no_reference", "the first loading has no slope"}}}}),
+       test.cycles->stiffness.size() < 2
+           ? std::string()
+           : fmt::format("Damage lowers the initial stiffness of a reload; friction does not. The verdicts are on "
+                         "a loss of {:.0f} % or more, at {:.0f} %, by the slope between {:.0f} and {:.0f} % of the "
+                         "smallest peak force; a contact that settles differently is not in the errors.",
+                         100 * relevant_loss, 100 * loading_confidence, 100 * loading_window_from,
+                         100 * loading_window_up_to)});
   return chapter;
 }
 
@@ -376,16 +349,16 @@ std::string last_line_of(const Answer& answer) {
 }
 
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style) {
-  constexpr std::size_t most_doubts = 3;
+  constexpr std::size_t max_doubts = 3;
   const std::string shown_name = printable(name);
   const std::string begin = fmt::format("{}  {}   ", shown_name, word_of(answer.verdict.code));
   const std::string title = wrapped(fmt::format("{}", fmt::join(answer.verdict.parts, " · ")),
                                     std::string(std::min<std::size_t>(width_of(begin), 12), ' '), begin, style.width);
   Rows rows = rows_of(answer);
-  const std::size_t doubts = rows.size() - answer.rows.size(), left_out = doubts - std::min(doubts, most_doubts);
+  const std::size_t doubts = rows.size() - answer.rows.size(), left_out = doubts - std::min(doubts, max_doubts);
   rows.resize(rows.size() - left_out);
   std::string last = last_line_of(answer);
-  if (left_out > 0) last = fmt::format("{}: --full. {}", counted(left_out, "more doubt", "more doubts"), last);
+  if (left_out > 0) last = fmt::format("{}: --full. {}", format_count(left_out, "more doubt", "more doubts"), last);
   return (style.colour ? coloured(title, shown_name, answer.verdict) : title) + "\n" +
          in_text({{"", {rows, last}}}, style.width);
 }

@@ -5,13 +5,11 @@
 #include "inference/analysis_curves.h"
 #include "inference/process_mode.h"
 #include "numerics/statistics.h"
+#include "report/answer_documents.h"
 #include "report/figures.h"
-#include "report/fit_document.h"
 
 namespace flexslip {
 namespace {
-
-double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
 // The size that so large a share of the numbers has at most.
 double most_of(double share, std::vector<double> sizes) {
@@ -121,8 +119,8 @@ Plot force_figure(const FittedTest& test) {
           .title = "Force against deflection: " + test.name,
           .caption = fmt::format(
               "Force against deflection at midspan. Blue: measured. Black: the mean of the fit run forward{}. Orange: "
-              "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. {}"
-              "Below: measured force less that of the fit, grey where the force says too little about friction{}.",
+              "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. "
+              "{}Below: measured force less that of the fit, grey where the force says too little about friction{}.",
               snaps_in_words,
               count == 0 ? ""
                          : fmt::format("Grey: load lines, whose slope is the stiffness of the load train, through {}. ",
@@ -248,21 +246,21 @@ Plot wavelength_figure(const FittedTest& test) {
     for (const auto& wave : fit.waves)
       marks.push_back(upright(length(wave.wavelength.value), {.dash = Dash::dashed},
                               &wave == &fit.waves.front() ? "Wave of the fit" : ""));
-  return {.name = "wavelengths",
-          .title = "Wavelengths in the friction: " + test.name,
-          .caption = fmt::format(
-              "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness "
-              "being as fitted without a wave. Circle: the likeliest, {:.3g} {}. Dotted: {:g}, beyond which a wave is "
-              "claimed.{}",
-              length(likeliest->wavelength), length.unit, claiming_gain,
-              fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),
-          .width = one_column,
-          .height = 58,
-          .data = {std::move(gains)},
-          .panels = {{.x = {"Wavelength along the specimen *λ*", length.unit, length(fit.scan.front().wavelength),
-                            length(fit.scan.back().wavelength), true},
-                      .y = {"Gain of log-evidence", "", std::clamp(1.04 * least->gain, -highest, 0.0), 1.08 * highest},
-                      .marks = std::move(marks)}}};
+  return {
+      .name = "wavelengths",
+      .title = "Wavelengths in the friction: " + test.name,
+      .caption = fmt::format(
+          "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness being "
+          "as fitted without a wave. Circle: the likeliest, {:.3g} {}. Dotted: {:g}, beyond which a wave is claimed.{}",
+          length(likeliest->wavelength), length.unit, claiming_gain,
+          fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),
+      .width = one_column,
+      .height = 58,
+      .data = {std::move(gains)},
+      .panels = {{.x = {"Wavelength along the specimen *λ*", length.unit, length(fit.scan.front().wavelength),
+                        length(fit.scan.back().wavelength), true},
+                  .y = {"Gain of log-evidence", "", std::clamp(1.04 * least->gain, -highest, 0.0), 1.08 * highest},
+                  .marks = std::move(marks)}}};
 }
 
 bool has_judged_teeth(const FittedTest& test) {
@@ -339,8 +337,8 @@ Plot record_figure(const FittedTest& test) {
   return {.name = "record",
           .title = "Force against deflection: " + test.name,
           .caption =
-              "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the "
-              "model without friction, both with the bending stiffness stated, or that of the initial slope.",
+              "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the model "
+              "without friction, both with the bending stiffness stated, or that of the initial slope.",
           .width = two_columns,
           .height = 78,
           .data = std::move(data),
@@ -386,9 +384,8 @@ Plot loops_figure(const FittedTest& test) {
   return {.name = "loops",
           .title = "Loading and unloading: " + test.name,
           .caption =
-              "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange). "
-              "Black: one friction profile for all loops and both directions, run forward over the stage "
-              "positions.",
+              "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange). Black: "
+              "one friction profile for all loops and both directions, run forward over the stage positions.",
           .width = two_columns,
           .height = 96,
           .data = {std::move(loading), std::move(unloading), std::move(forward)},
@@ -400,7 +397,7 @@ Plot loops_figure(const FittedTest& test) {
 }
 
 Plot boxes_figure(const FittedTest& test) {
-  constexpr std::size_t most_drawn_loops = 4;
+  constexpr std::size_t max_drawn_loops = 4;
   const CyclicFriction& friction = test.cycles->friction;
   const Slid slid = slid_of(test);
   const auto loop_of = [&](std::size_t leg) {
@@ -450,7 +447,7 @@ Plot boxes_figure(const FittedTest& test) {
             {.kind = Mark::band, .style = styles::fill(colours::grey, 0.3), .title = "95 %"},
             {.style = profile_look, .title = "All loops"}},
        .share = 1.7}};
-  const std::size_t drawn = std::min(friction.loops.size(), most_drawn_loops);
+  const std::size_t drawn = std::min(friction.loops.size(), max_drawn_loops);
   for (std::size_t i = 0; i < drawn; ++i) {
     const Condition loop{6, static_cast<double>(i + 1)};
     panels.push_back(

@@ -83,21 +83,21 @@ Plot region_figure(const EquilibriumStudy& study) {
   first.push_back({Mark::line, "locus", {0, 1}, {.dash = Dash::dashed}});
   first.push_back({Mark::arrows, "arrows", {0, 1, 2, 3}, {.width = 0.8}});
   const Axis S = plane.w.axis(S_label, 1), w = plane.w.axis(w_label, 0);
-  return {.name = "region",
-          .title = "The equilibria of the specimen",
-          .caption =
-              "All equilibria of the specimen: (A) force against deflection, (B) deflection and (C) force against "
-              "the length between the supports. Grey: the region of equilibria. Dark: its upper edge, on which "
-              "the specimen slides in, in the direction of the arrows. Dashed: one length with every friction "
-              "that it may have.",
-          .width = two_columns,
-          .height = 56,
-          .data = {state_curve("region", plane, boundary), state_curve("curve", plane, portrait.in),
-                   state_curve("locus", plane, portrait.at_one_length), std::move(arrows)},
-          .panels = {{.title = "A", .x = w, .y = plane.y(1.25), .marks = std::move(first)},
-                     {.title = "B", .x = S, .y = w, .marks = in_columns(marks, 2, 0)},
-                     {.title = "C", .x = S, .y = plane.y(1.25), .marks = in_columns(marks, 2, 1)}},
-          .columns = 3};
+  return {
+      .name = "region",
+      .title = "The equilibria of the specimen",
+      .caption =
+          "All equilibria of the specimen: (A) force against deflection, (B) deflection and (C) force against the "
+          "length between the supports. Grey: the region of equilibria. Dark: its upper edge, on which the specimen "
+          "slides in, in the direction of the arrows. Dashed: one length with every friction that it may have.",
+      .width = two_columns,
+      .height = 56,
+      .data = {state_curve("region", plane, boundary), state_curve("curve", plane, portrait.in),
+               state_curve("locus", plane, portrait.at_one_length), std::move(arrows)},
+      .panels = {{.title = "A", .x = w, .y = plane.y(1.25), .marks = std::move(first)},
+                 {.title = "B", .x = S, .y = w, .marks = in_columns(marks, 2, 0)},
+                 {.title = "C", .x = S, .y = plane.y(1.25), .marks = in_columns(marks, 2, 1)}},
+      .columns = 3};
 }
 
 }  // namespace
@@ -173,8 +173,8 @@ Plot simulated_figure(const SimulatedTest& test, const std::vector<Crack>& crack
     return {
         .name = "measured",
         .title = "What the test measures",
-        .caption = fmt::format("Force against deflection as the test measures it (black; {} dashed), over the curve "
-                               "on which the {}specimen slides in (grey).",
+        .caption = fmt::format("Force against deflection as the test measures it (black; {} dashed), over the curve on "
+                               "which the {}specimen slides in (grey).",
                                cracked ? "cracks and snaps" : "snaps", cracked ? "sound " : ""),
         .width = one_column,
         .height = 64,
@@ -230,9 +230,9 @@ Plot simulated_figure(const SimulatedTest& test, const std::vector<Crack>& crack
   return {.name = "measured",
           .title = "What the test measures",
           .caption =
-              "(A) Force against deflection and (B) mobilised friction against the length between the supports, as "
-              "the specimen is loaded (blue) and unloaded (red-orange). Dotted: it sticks, in the direction of "
-              "the arrows. Dashed: it snaps. Grey: where it slides.",
+              "(A) Force against deflection and (B) mobilised friction against the length between the supports, as the "
+              "specimen is loaded (blue) and unloaded (red-orange). Dotted: it sticks, in the direction of the arrows. "
+              "Dashed: it snaps. Grey: where it slides.",
           .width = two_columns,
           .height = 70,
           .data = std::move(data),
@@ -263,16 +263,16 @@ Plot equilibria_figure(const SimulatedTest& test, std::span<const double> stages
         std::tuple{1.0, Symbol::circle, colours::vermillion, "Partially stable"},
         std::tuple{2.0, Symbol::circle, colours::black, "Unstable"}})
     marks.push_back({Mark::points, "equilibria", {0, 1}, styles::mark(symbol, colour, 3.8, 0.8), words, {{2, which}}});
-  return {.name = "equilibria",
-          .title = "Overall equilibria",
-          .caption =
-              "The overall equilibria of specimen and rig, where load lines of the rig (dashed) cross the curve on "
-              "which the specimen slides in (grey): filled if stable, open if unstable, red-orange if partially "
-              "stable.",
-          .width = one_column,
-          .height = 64,
-          .data = {plane.curve("curve", portrait.in), std::move(points)},
-          .panels = {{.x = plane.x(1.03, w_label), .y = plane.y(1.2), .marks = std::move(marks)}}};
+  return {
+      .name = "equilibria",
+      .title = "Overall equilibria",
+      .caption =
+          "The overall equilibria of specimen and rig, where load lines of the rig (dashed) cross the curve on which "
+          "the specimen slides in (grey): filled if stable, open if unstable, red-orange if partially stable.",
+      .width = one_column,
+      .height = 64,
+      .data = {plane.curve("curve", portrait.in), std::move(points)},
+      .panels = {{.x = plane.x(1.03, w_label), .y = plane.y(1.2), .marks = std::move(marks)}}};
 }
 
 Plot design_figure(const DesignAnswer& answer) {
@@ -341,28 +341,27 @@ Plot design_figure(const DesignAnswer& answer) {
     of_record.push_back(spot(w(snap->stage), F(snap->F_before), circle, "First snap"));
     of_folds.push_back(spot(w(snap->w), k(std::min(own, top)), circle));
   }
-  return {
-      .name = "design",
-      .title = "What a planned test will show",
-      .caption = fmt::format(
-          "(A) The record as it will be, force against stage displacement, its drops in red-orange. (B) By "
-          "deflection, the stiffness {} below which the specimen snaps (blue area), beside that of this test (black) "
-          "and the critical one (green, dashed), above which nothing snaps; dotted: with a softer one the travel "
-          "ends before that deflection. Circle: the first snap.{}",
-          gives ? "of the rig" : "of the load train",
-          breaks ? " Cross and upright line: where the specimen breaks." : ""),
-      .width = two_columns,
-      .height = 70,
-      .data = {std::move(record), drops, std::move(table)},
-      .panels = {{.title = "A",
-                  .x = w.axis("Stage displacement *w*_s", 0, 1.02 * design.travel),
-                  .y = F.axis(force_label, 0, 1.12 * outcome.greatest_force),
-                  .marks = std::move(of_record)},
-                 {.title = "B",
-                  .x = w.axis(w_label, 0, folds.empty() ? design.travel : folds.back().w),
-                  .y = stiffness,
-                  .marks = std::move(of_folds)}},
-      .columns = 2};
+  return {.name = "design",
+          .title = "What a planned test will show",
+          .caption =
+              fmt::format("(A) The record as it will be, force against stage displacement, its drops in red-orange. "
+                          "(B) By deflection, the stiffness {} below which the specimen snaps (blue area), beside that "
+                          "of this test (black) and the critical one (green, dashed), above which nothing snaps; "
+                          "dotted: with a softer one the travel ends before that deflection. Circle: the first snap.{}",
+                          gives ? "of the rig" : "of the load train",
+                          breaks ? " Cross and upright line: where the specimen breaks." : ""),
+          .width = two_columns,
+          .height = 70,
+          .data = {std::move(record), drops, std::move(table)},
+          .panels = {{.title = "A",
+                      .x = w.axis("Stage displacement *w*_s", 0, 1.02 * design.travel),
+                      .y = F.axis(force_label, 0, 1.12 * outcome.greatest_force),
+                      .marks = std::move(of_record)},
+                     {.title = "B",
+                      .x = w.axis(w_label, 0, folds.empty() ? design.travel : folds.back().w),
+                      .y = stiffness,
+                      .marks = std::move(of_folds)}},
+          .columns = 2};
 }
 
 namespace {
@@ -439,12 +438,11 @@ Plot line_map(const Test& input, const DesignAxis& over, const std::vector<MapPo
   const std::size_t columns = panels.size();
   return {.name = "designs",
           .title = "What a test shows over a range",
-          .caption =
-              fmt::format("What a test shows over the {}: {}the largest drop of the force (black) and the mean one "
-                          "(dashed), as shares of the greatest force, and the share of friction and snaps in the "
-                          "work (red-orange){}.",
-                          over.parameter.description, deepest > 0 ? "(A) " : "",
-                          deepest > 0 ? "; (B) the deflection at which the specimen first snaps" : "; it never snaps"),
+          .caption = fmt::format(
+              "What a test shows over the {}: {}the largest drop of the force (black) and the mean one (dashed), as "
+              "shares of the greatest force, and the share of friction and snaps in the work (red-orange){}.",
+              over.parameter.description, deepest > 0 ? "(A) " : "",
+              deepest > 0 ? "; (B) the deflection at which the specimen first snaps" : "; it never snaps"),
           .width = deepest > 0 ? two_columns : one_column,
           .height = 66,
           .data = {std::move(designs)},
@@ -495,10 +493,10 @@ Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std
   }
   return {.name = "designs",
           .title = "Where a test shows a sawtooth",
-          .caption = fmt::format("The largest drop of the force (blue, the darker the larger) over the {} and the {}. "
-                                 "Red-orange: the border of snapping. Disc: the test as the case states it. White: no "
-                                 "drop, or not to be computed.",
-                                 axes[0].parameter.description, axes[1].parameter.description),
+          .caption = fmt::format(
+              "The largest drop of the force (blue, the darker the larger) over the {} and the {}. Red-orange: the "
+              "border of snapping. Disc: the test as the case states it. White: no drop, or not to be computed.",
+              axes[0].parameter.description, axes[1].parameter.description),
           .width = 110,
           .height = 85,
           .data = {std::move(designs), std::move(border)},

@@ -1,5 +1,3 @@
-#include "report/modulus_document.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -7,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "finding/answer.h"
-#include "report/fit_document.h"
+#include "report/answer_documents.h"
 
 namespace flexslip {
 namespace {
@@ -97,27 +95,26 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
     constexpr double clearly = 3;  // errors
     const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
     if (const double apart = *numbers.modulus / numbers.chord->modulus - 1; apart > clearly * error)
-      list.push_back(fmt::format(
-          "The modulus of the straight part differs by {} from that of the chord, which is more than their errors: "
-          "friction "
-          "and large deflection steepen the straight part more than the chord. Use the chord, or the modulus that fit "
-          "finds.",
-          signed_percent(apart)));
+      list.push_back(
+          fmt::format("The modulus of the straight part differs by {} from that of the chord, which is more than their "
+                      "errors: friction and large deflection steepen the straight part more than the chord. Use the "
+                      "chord, or the modulus that fit finds.",
+                      signed_percent(apart)));
   }
   if (numbers.deflection_large)
-    list.push_back(fmt::format(
-        "The greatest force is reached at a deflection of {:.0f} % of the span. Beyond 10 %, the standards' "
-        "formulas for stress and strain do not hold.",
-        100 * numbers.deflection / *test.geometry.span));
+    list.push_back(
+        fmt::format("The greatest force is reached at a deflection of {:.0f} % of the span. Beyond 10 %, the "
+                    "standards' formulas for stress and strain do not hold.",
+                    100 * numbers.deflection / *test.geometry.span));
   if (numbers.shear_share && *numbers.shear_share > shear_worth_a_word) {
     constexpr double asked_for = 16;
     const double slenderness = *test.geometry.span / depth(*test.geometry.section);
-    list.push_back(fmt::format(
-        "The span is {:.3g} times the thickness{}. Shear, which is neglected, adds {} to a small deflection "
-        "(Timoshenko "
-        "beam, Poisson's ratio 0.3; more if the material is soft in shear), so the modulus appears too small.",
-        slenderness, slenderness < asked_for ? ", less than the 16 that ISO 178 asks for" : "",
-        percent_to_two_digits(*numbers.shear_share)));
+    list.push_back(
+        fmt::format("The span is {:.3g} times the thickness{}. Shear, which is neglected, adds {} to a small "
+                    "deflection (Timoshenko beam, Poisson's ratio 0.3; more if the material is soft in shear), so the "
+                    "modulus appears too small.",
+                    slenderness, slenderness < asked_for ? ", less than the 16 that ISO 178 asks for" : "",
+                    percent_to_two_digits(*numbers.shear_share)));
   }
   if (test.geometry.section && is_thin_tube(*test.geometry.section))
     list.emplace_back(
@@ -131,10 +128,10 @@ Chapter small_deflection_chapter(const FittedTest& test) {
   Rows rows = number_rows(standard);
   if (const auto beside = small_deflection_beside_fit(test); beside && is_trusted(answer_of(test).standing))
     rows.push_back(
-        {"beside the fit", fmt::format("{:.3f} times its bending stiffness; their 95 % intervals {}", beside->ratio,
-                                       beside->disagrees ? "do not overlap: the fit takes friction and large "
-                                                           "deflection into account"
-                                                         : "overlap")});
+        {"beside the fit",
+         fmt::format("{:.3f} times its bending stiffness; their 95 % intervals {}", beside->ratio,
+                     beside->disagrees ? "do not overlap: the fit takes friction and large deflection into account"
+                                       : "overlap")});
   Chapter chapter{"Small deflection, as the standards have it", paragraphs(small_deflection_in_words(standard))};
   chapter.blocks.insert(chapter.blocks.begin(), rows);
   return chapter;

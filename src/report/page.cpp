@@ -104,15 +104,15 @@ struct AsHtml {
   // A long one is folded; one of many columns takes the width of the window.
   std::string operator()(const PrintedTable& table) const {
     if (table.rows.empty()) return "";
-    constexpr std::size_t most_open = 12, most_columns = 7;
+    constexpr std::size_t max_open = 12, max_columns = 7;
     std::string rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       rows += fmt::format("<tr>{}</tr>\n",
                           cells_in_html(table, table.rows[i], "td", table.links.empty() ? "" : table.links[i]));
     const std::string html =
         fmt::format("<div class=\"scroll{}\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
-                    table.head.size() > most_columns ? " wide" : "", cells_in_html(table, table.head, "th"), rows);
-    return table.folding == Folding::never || (table.folding == Folding::of_long && table.rows.size() <= most_open)
+                    table.head.size() > max_columns ? " wide" : "", cells_in_html(table, table.head, "th"), rows);
+    return table.folding == Folding::never || (table.folding == Folding::of_long && table.rows.size() <= max_open)
                ? html
                : fmt::format("<details><summary>{}</summary>\n{}</details>\n",
                              table.folding == Folding::always
@@ -137,15 +137,8 @@ std::string inline_svg(const fs::path& path, const Plot& plot) {
   std::string svg = read_text(path.string()).value_or("");
   if (svg.find("<svg") == std::string::npos) throw std::runtime_error(fmt::format("no picture in {}", path.string()));
   svg.erase(0, svg.find("<svg"));
-  const auto rename = [&](const std::string& what, const std::string& by) {
-    for (auto at = svg.find(what); at != std::string::npos; at = svg.find(what, at + by.size()))
-      svg.replace(at, what.size(), by);
-  };
-  for (const std::string quote : {"'", "\""}) {
-    rename("id=" + quote, "id=" + quote + plot.name + "-");
-    rename("xlink:href=" + quote + "#", "xlink:href=" + quote + "#" + plot.name + "-");
-  }
-  rename("url(#", "url(#" + plot.name + "-");
+  for (const std::string_view before : {"id='", "id=\"", "xlink:href='#", "xlink:href=\"#", "url(#"})
+    svg = replaced(std::move(svg), before, fmt::format("{}{}-", before, plot.name));
   svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escaped(plot.caption)));
   return svg;
 }

@@ -1,7 +1,6 @@
 #include "report/report.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <string_view>
@@ -15,7 +14,7 @@
 #include "finding/printed.h"
 #include "io/text.h"
 #include "io/text_file.h"
-#include "report/fit_document.h"
+#include "report/answer_documents.h"
 #include "report/page.h"
 #include "report/studio_page.h"
 
@@ -28,10 +27,7 @@ constexpr const char* studio_name = "studio.html";
 
 // Of the day: that of SOURCE_DATE_EPOCH, where it is set, so that a report can be made again to the byte.
 std::string date_of_today() {
-  const char* asked = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t seconds = asked ? std::strtoll(asked, nullptr, 10) : std::time(nullptr);
-  std::tm day{};
-  gmtime_r(&seconds, &day);
+  const std::tm day = calendar_date(date_of_source(std::time(nullptr)));
   return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
@@ -57,12 +53,11 @@ std::string head_of(const FittedTest& test, const Answer& answer) {
 }  // namespace
 
 DrawStatus write_report(const std::string& folder, const FittedTest& test, const std::string& studio) {
-  const std::string link =
-      studio.empty() ? ""
-                     : fmt::format(
-                           "<p class=\"files\"><a href=\"{}\">Open this test in the studio</a>: see it move, change "
-                           "it, fit it again, in this browser.</p>\n",
-                           html_escaped(studio));
+  const std::string link = studio.empty() ? ""
+                                          : fmt::format(
+                                                "<p class=\"files\"><a href=\"{}\">Open this test in the studio</a>: "
+                                                "see it move, change it, fit it again, in this browser.</p>\n",
+                                                html_escaped(studio));
   return write_page(folder, test.name + ": friction in a bending test", head_of(test, answer_of(test)) + link,
                     document_of(test));
 }

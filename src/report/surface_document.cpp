@@ -1,11 +1,10 @@
-#include "report/surface_document.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "finding/printed.h"
+#include "report/answer_documents.h"
 
 namespace flexslip {
 namespace {
@@ -54,11 +53,12 @@ std::string friction_of_trace(const SurfaceStudy& study) {
 std::vector<std::string> waves_in_words(const SurfaceStudy& study) {
   std::vector<std::string> all;
   for (const DominantWave& wave : study.texture.waves)
-    all.push_back(fmt::format("amplitude {}, wavelength {}, {} (p {})",
-                              readable(wave.amplitude.value, wave.amplitude.standard_error, kind::length),
-                              readable(wave.wavelength.value, wave.wavelength.standard_error, kind::length),
-                              wave.coherent ? "one phase along the whole trace" : "a phase that wanders",
-                              wave.p_value < 1e-4 ? std::string("below 0.0001") : "= " + significant(wave.p_value, 2)));
+    all.push_back(
+        fmt::format("amplitude {}, wavelength {}, {} (p {})",
+                    readable(wave.amplitude.value, wave.amplitude.standard_error, kind::length),
+                    readable(wave.wavelength.value, wave.wavelength.standard_error, kind::length),
+                    wave.coherent ? "one phase along the whole trace" : "a phase that wanders",
+                    wave.p_value < 1e-4 ? std::string("below 0.0001") : "= " + format_significant(wave.p_value, 2)));
   if (all.empty()) all.emplace_back("none stands out from the spectrum");
   return all;
 }
@@ -93,7 +93,7 @@ std::vector<std::string> resolution_in_words(const SurfaceStudy& study) {
 
 std::string treatment_of_trace(const SurfaceStudy& study) {
   return fmt::format(
-      "{} at a distance of {}, in a field of {}; {}{}", counted(study.trace.height.size(), "height", "heights"),
+      "{} at a distance of {}, in a field of {}; {}{}", format_count(study.trace.height.size(), "height", "heights"),
       told_length(study.trace.step), told_length(study.trace.width()),
       study.options.level == 0   ? "their mean is subtracted"
       : study.options.level == 1 ? "levelled with a straight line"
@@ -111,8 +111,8 @@ std::string surface_in_short(const SurfaceStudy& study) {
                        told_length(texture.noise), told_length(2 * study.trace.step), told_length(texture.longest));
   const auto slope = matched_digits(texture.rms_slope, 1);
   return fmt::format("The surface slope is {} rms (95 %: {} to {}) over wavelengths of {} to {}.", slope.value,
-                     slope.low, slope.high, roughly(texture.shortest, kind::length),
-                     roughly(texture.longest, kind::length));
+                     slope.low, slope.high, format_roughly(texture.shortest, kind::length),
+                     format_roughly(texture.longest, kind::length));
 }
 
 std::vector<Chapter> document_of(const SurfaceStudy& study) {
@@ -122,10 +122,11 @@ std::vector<Chapter> document_of(const SurfaceStudy& study) {
       {"height", texture.drowned ? ""
                                  : fmt::format("{} rms over the same wavelengths; {} for the whole levelled trace",
                                                with_ends(texture.rms_height), told_length(texture.total_height))},
-      {"edge", !study.rms_slope_of_path
-                   ? ""
-                   : fmt::format("the path of an edge with a radius of {} has a slope of {} rms, from height to height",
-                                 told_length(study.options.edge_radius), significant(*study.rms_slope_of_path, 3))},
+      {"edge",
+       !study.rms_slope_of_path
+           ? ""
+           : fmt::format("the path of an edge with a radius of {} has a slope of {} rms, from height to height",
+                         told_length(study.options.edge_radius), format_significant(*study.rms_slope_of_path, 3))},
       {"correlation", texture.correlation_length
                           ? with_ends(*texture.correlation_length) + ", the distance at which it has fallen to 1/e"
                           : ""},

@@ -1,6 +1,7 @@
 #include "report/table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,34 +13,6 @@
 
 namespace flexslip {
 namespace {
-
-class PrintedColumn {
- public:
-  explicit PrintedColumn(const NumberColumn& column) {
-    double largest = 0;
-    for (const double value : column.values)
-      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-    const std::string_view unit = best_unit(largest, column.kind);
-    if (!unit.empty()) scale_ = parse_unit(unit);
-    title_ = unit.empty()           ? column.title
-             : column.title.empty() ? typeset(unit)
-                                    : fmt::format("{} ({})", column.title, typeset(unit));
-    const double shown = from_si(largest, scale_);
-    decimals_ = shown > 0 ? std::clamp(column.digits - 1 - static_cast<int>(std::floor(std::log10(shown))), 0, 9) : 1;
-  }
-  const std::string& title() const { return title_; }
-  std::string cell(double value) const {
-    if (!std::isfinite(value)) return "";
-    const double shown = from_si(value, scale_);
-    const bool is_zero = std::abs(shown) < 0.5 * std::pow(10, -decimals_);
-    return fmt::format("{:.{}f}", is_zero ? 0 : shown, decimals_);
-  }
-
- private:
-  std::string title_;
-  Unit scale_{};
-  int decimals_ = 1;
-};
 
 // Of an entry of a group: first the group.
 Description described(const std::vector<Description>& fields, std::string_view path) {
@@ -77,53 +50,71 @@ std::string words_for(const Json& value, const Shown& column) {
   return said == column.in_words.end() ? printable(words) : std::string(said->second);
 }
 
-// A column of one cell per row, under its heading.
-PrintedTable column_of(const std::vector<Description>& fields, const Json& rows, const Frame& frame,
-                       const Shown& column) {
-  PrintedTable cells{{column.heading}, {}};
-  const auto add = [&](std::string cell) { cells.rows.push_back({std::move(cell)}); };
+// Numbers, all in one unit, which stands in their heading: the heading, and a cell of each.
+std::vector<std::string> column_of_numbers(const Shown& column, const std::vector<double>& values, const Kind& kind) {
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  const std::string_view unit = best_unit(largest, kind);
+  const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
+  const double most = from_si(largest, scale);
+  const int decimals =
+      most > 0 ? std::clamp(column.digits - 1 - static_cast<int>(std::floor(std::log10(most))), 0, 9) : 1;
+  std::vector<std::string> cells{unit.empty()             ? column.heading
+                                 : column.heading.empty() ? typeset(unit)
+                                                          : fmt::format("{} ({})", column.heading, typeset(unit))};
+  for (const double value : values) {
+    const double shown = from_si(value, scale);
+    const bool is_zero = std::abs(shown) < 0.5 * std::pow(10, -decimals);
+    cells.push_back(std::isfinite(value) ? fmt::format("{:.{}f}", is_zero ? 0 : shown, decimals) : "");
+  }
+  return cells;
+}
+
+// The heading of a column, and a cell per row.
+std::vector<std::string> column_of(const std::vector<Description>& fields, const Json& rows, const Frame& frame,
+                                   const Shown& column) {
+  std::vector<std::string> cells{column.heading};
   if (column.field.empty()) {
-    for (std::size_t i = 0; i < rows.size(); ++i) add(fmt::format("{}", i + 1));
+    for (std::size_t i = 0; i < rows.size(); ++i) cells.push_back(fmt::format("{}", i + 1));
     return cells;
   }
   const Description field = described(fields, column.field);
   const Kind& kind = frame.reduced ? kind::number : frame.in_inches ? in_inches(field.kind) : field.kind;
-  switch (field.shape) {
-    case Shape::number: {
-      NumberColumn numbers{column.heading, {}, kind, column.digits};
-      for (const Json& row : rows) numbers.values.push_back(column.factor * number_or_nan(entry(row, column.field)));
-      return printed({numbers});
-    }
-    case Shape::estimate:
-      for (const Json& row : rows) {
-        const Json estimate = entry(row, column.field);
-        const Json value = entry(estimate, "value");
-        add(value.is_number() ? readable(number_or_nan(value), number_or_nan(entry(estimate, "standard_error")), kind)
-                              : "");
-      }
-      return cells;
-    case Shape::count:
-      if (!column.last.empty()) described(fields, column.last);
-      for (const Json& row : rows) {
-        const Json first = entry(row, column.field);
-        const Json last = column.last.empty() ? nullptr : entry(row, column.last);
-        add(first.is_null() ? "" : last.is_null() ? first.dump() : fmt::format("{}–{}", first.dump(), last.dump()));
-      }
-      return cells;
-    case Shape::numbers:
-      for (const Json& row : rows) {
-        std::string range;
-        for (const Json& value : entry(row, column.field))
-          range += (range.empty() ? "" : "–") + (value.is_number() ? fmt::format("{}", value.get<double>()) : "");
-        add(std::move(range));
-      }
-      return cells;
-    case Shape::words:
-      for (const Json& row : rows) add(words_for(entry(row, column.field), column));
-      return cells;
-    default:
-      throw std::invalid_argument(fmt::format("'{}' is no column of a printed table", column.field));
+  if (field.shape == Shape::number) {
+    std::vector<double> values;
+    for (const Json& row : rows) values.push_back(column.factor * number_or_nan(entry(row, column.field)));
+    return column_of_numbers(column, values, kind);
   }
+  constexpr std::array as_cells{Shape::estimate, Shape::count, Shape::numbers, Shape::words};
+  if (std::find(as_cells.begin(), as_cells.end(), field.shape) == as_cells.end())
+    throw std::invalid_argument(fmt::format("'{}' is no column of a printed table", column.field));
+  if (!column.last.empty()) described(fields, column.last);
+  for (const Json& row : rows) {
+    const Json value = entry(row, column.field);
+    std::string& cell = cells.emplace_back();
+    switch (field.shape) {
+      case Shape::estimate:
+        if (entry(value, "value").is_number())
+          cell = readable(number_or_nan(value["value"]), number_or_nan(entry(value, "standard_error")), kind);
+        break;
+      case Shape::count: {
+        const Json last = column.last.empty() ? nullptr : entry(row, column.last);
+        if (!value.is_null()) cell = value.dump() + (last.is_null() ? "" : "–" + last.dump());
+        break;
+      }
+      case Shape::numbers:
+        for (const Json& each : value)
+          cell += (cell.empty() ? "" : "–") + (each.is_number() ? fmt::format("{}", each.get<double>()) : "");
+        break;
+      case Shape::words:
+        cell = words_for(value, column);
+        break;
+      default:
+        break;
+    }
+  }
+  return cells;
 }
 
 bool begins_as_number(std::string_view cell) {
@@ -224,17 +215,6 @@ PrintedTable picked(const PrintedTable& table, const std::vector<std::string_vie
   return some;
 }
 
-PrintedTable printed(const std::vector<NumberColumn>& columns) {
-  PrintedTable table;
-  for (const auto& column : columns) {
-    const PrintedColumn print(column);
-    table.head.push_back(print.title());
-    table.rows.resize(column.values.size());
-    for (std::size_t i = 0; i < column.values.size(); ++i) table.rows[i].push_back(print.cell(column.values[i]));
-  }
-  return table;
-}
-
 PrintedTable shown(const FieldList& answer, const void* of, const Frame& frame, std::string_view list,
                    const std::vector<Shown>& columns) {
   const Description what = described(answer.descriptions(), list);
@@ -242,9 +222,9 @@ PrintedTable shown(const FieldList& answer, const void* of, const Frame& frame, 
   PrintedTable table;
   table.rows.resize(entries.size());
   for (const Shown& column : columns) {
-    const PrintedTable cells = column_of(what.entries, entries, frame, column);
-    table.head.push_back(cells.head.front());
-    for (std::size_t i = 0; i < entries.size(); ++i) table.rows[i].push_back(cells.rows[i].front());
+    const std::vector<std::string> cells = column_of(what.entries, entries, frame, column);
+    table.head.push_back(cells.front());
+    for (std::size_t i = 0; i < entries.size(); ++i) table.rows[i].push_back(cells[i + 1]);
   }
   return table;
 }

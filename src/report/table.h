@@ -43,17 +43,6 @@ bool is_of_numbers(const PrintedTable& table, std::size_t column);
 // Domain:     headings of the table; std::invalid_argument otherwise.
 PrintedTable picked(const PrintedTable& table, const std::vector<std::string_view>& columns);
 
-// A column of numbers in one unit, which stands in its title.
-struct NumberColumn {
-  std::string title;
-  std::vector<double> values;  // in the units of the test; NaN leaves a cell empty
-  Kind kind;
-  int digits = 4;  // of the largest
-};
-
-// Domain: columns of one length.
-PrintedTable printed(const std::vector<NumberColumn>& columns);
-
 // A column, made of a field by its name: a number (all in one unit, which stands in the heading), an estimate ("a ± b", each in its own
 // unit), a count or words. An entry of a group is "group.entry".
 struct Shown {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "io/durable_file.h"
 #include "io/input_error.h"
 #include "io/text.h"
+#include "report/draw.h"
 
 namespace flexslip {
 namespace {
@@ -21,8 +21,7 @@ constexpr std::size_t narrowest = 8;  // [characters]
 
 std::time_t date_of_creation() {
   constexpr std::time_t year_1980 = 315532800;  // [s] the first that ZIP knows
-  const char* asked = std::getenv("SOURCE_DATE_EPOCH");
-  return asked ? std::max<std::time_t>(std::strtoll(asked, nullptr, 10), year_1980) : year_1980;
+  return std::max(date_of_source(year_1980), year_1980);
 }
 
 // "0.000" for a column whose largest number has one digit before the point.

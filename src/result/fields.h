@@ -12,8 +12,6 @@
 
 namespace flexslip {
 
-// What stands where a field of an answer is described: how its value is read off a row.
-
 // How something is read off a row: a function or member of const Row&, or a function of that and const Frame&. What it gives as
 // std::optional or pointer may be missing: it is null then, as NaN is.
 template <class Row>
@@ -51,7 +49,13 @@ class Fields {
   Fields& own_numbers(Name name, const Kind& kind, Meaning meaning, Get get) {
     return add({name, Shape::numbers, kind, meaning}, std::move(get));
   }
-  Fields& own_quantity(Name name, const Kind& kind, Meaning meaning, Get get);
+  Fields& own_quantity(Name name, const Kind& kind, Meaning meaning, Get get) {
+    list_.add(described({name, Shape::quantity, kind, meaning}, get),
+              [read = std::move(get.read), kind](const void* row, const Frame& frame, const Kind& as) {
+                return with_unit(read(row, frame, as), unit_of(kind, frame.reduced));
+              });
+    return *this;
+  }
   Fields& number(Name name, Meaning meaning, Get get) { return plain(name, Shape::number, meaning, std::move(get)); }
 
   // What is no number of mechanics; `any`: numbers or words, as they come.
@@ -61,41 +65,106 @@ class Fields {
   Fields& any(Name name, Meaning meaning, Get get) { return plain(name, Shape::any, meaning, std::move(get)); }
   // The row of the file of a point of the record.
   template <class GetPoint>
-  Fields& row(Name name, Meaning meaning, GetPoint get);
+  Fields& row(Name name, Meaning meaning, GetPoint get) {
+    return count(name, meaning, [get](const Row& row, const Frame& frame) { return frame.row(std::invoke(get, row)); });
+  }
   // Words, each under its name: pairs of both.
   template <class GetPairs>
-  Fields& words_by_name(Name name, Meaning meaning, GetPairs get);
+  Fields& words_by_name(Name name, Meaning meaning, GetPairs get) {
+    return plain(name, Shape::words_by_name, meaning,
+                 [get](const Row& row, const Frame& frame) { return object_of(call(get, row, frame)); });
+  }
 
   // Estimates; beside their numbers, more. The last has a unit that is read off the row.
-  Fields& estimate(Name name, const Kind& kind, Meaning meaning, Get get, const Fields& more = {});
-  Fields& own_estimate(Name name, const Kind& kind, Meaning meaning, Get get, const Fields& more = {});
+  Fields& estimate(Name name, const Kind& kind, Meaning meaning, Get get, const Fields& more = {}) {
+    return estimated({name, Shape::estimate, kind, meaning}, std::move(get), kind, unit_in(kind), more);
+  }
+  Fields& own_estimate(Name name, const Kind& kind, Meaning meaning, Get get, const Fields& more = {}) {
+    return estimated({name, Shape::estimate, kind, meaning}, std::move(get), kind::number, unit_in(kind), more);
+  }
   Fields& estimate(const Named& what, Get get) { return estimate(what.name, what.kind, what.meaning, std::move(get)); }
-  Fields& own_estimate(const Named& what, Get get, const Fields& more = {});
-  Fields& estimate_in(Name name, Meaning meaning, Get get, Get unit, const Fields& more = {});
+  Fields& own_estimate(const Named& what, Get get, const Fields& more = {}) {
+    return own_estimate(what.name, what.kind, what.meaning, std::move(get), more);
+  }
+  Fields& estimate_in(Name name, Meaning meaning, Get get, Get unit, const Fields& more = {}) {
+    return estimated({name, Shape::estimate, kind::number, meaning}, std::move(get), kind::number, std::move(unit.read),
+                     more);
+  }
 
   // Entries below a name; read off the same row, or off a part of it: one group after the other, or each under its name, of pairs of
   // name and part.
-  Fields& group(Name name, Meaning meaning, const Fields& below);
+  Fields& group(Name name, Meaning meaning, const Fields& below) {
+    return group(name, meaning, below, [](const Row& row) -> const Row& { return row; });
+  }
   template <class Part, class GetPart>
-  Fields& group(Name name, Meaning meaning, const Fields<Part>& below, GetPart get);
+  Fields& group(Name name, Meaning meaning, const Fields<Part>& below, GetPart get) {
+    return add({.name = name,
+                .shape = Shape::group,
+                .kind = kind::number,
+                .meaning = meaning,
+                .entries = below.descriptions(),
+                .may_be_missing = MayBeMissing<Given<GetPart, Row>>},
+               [get, below](const Row& row, const Frame& frame) {
+                 return if_there(call(get, row, frame), [&](const Part& part) { return below(part, frame); });
+               });
+  }
   template <class Part, class GetParts>
-  Fields& list(Name name, Meaning meaning, const Fields<Part>& below, GetParts get);
+  Fields& list(Name name, Meaning meaning, const Fields<Part>& below, GetParts get) {
+    return add({name, Shape::list, kind::number, meaning, below.descriptions()},
+               [get, below](const Row& row, const Frame& frame) {
+                 Json out = Json::array();
+                 for (const Part& part : call(get, row, frame)) append(out, below(part, frame));
+                 return out;
+               });
+  }
   template <class Part, class GetPairs>
-  Fields& by_name(Name name, Meaning meaning, const Fields<Part>& below, GetPairs get);
+  Fields& by_name(Name name, Meaning meaning, const Fields<Part>& below, GetPairs get) {
+    return add({name, Shape::by_name, kind::number, meaning, below.descriptions()},
+               [get, below](const Row& row, const Frame& frame) {
+                 Json out = Json::object();
+                 for (const auto& [key, part] : call(get, row, frame)) put(out, key, below(part, frame));
+                 return out;
+               });
+  }
   // Those of a part of the row, among its own.
   template <class Part, class GetPart>
-  Fields& all_of(const Fields<Part>& fields, GetPart get);
-  Fields& all_of(const Fields& fields);
+  Fields& all_of(const Fields<Part>& fields, GetPart get) {
+    list_.add_all(fields.untyped(), MayBeMissing<Given<GetPart, Row>>,
+                  [get](const void* row, const Frame& frame, const Kind& as, const Field::Read& read) {
+                    return if_there(call(get, *static_cast<const Row*>(row), frame),
+                                    [&](const Part& part) { return read(&part, frame, as); });
+                  });
+    return *this;
+  }
+  Fields& all_of(const Fields& fields) {
+    return all_of(fields, [](const Row& row) -> const Row& { return row; });
+  }
 
   // Those added after it are there only where this holds, and null otherwise; anywhere; left out where they are missing.
   template <class Holds>
-  Fields& only_where(Holds holds);
-  Fields& anywhere();
-  Fields& left_out_where_missing();
+  Fields& only_where(Holds holds) {
+    list_.only_where(
+        [holds](const void* row) { return static_cast<bool>(std::invoke(holds, *static_cast<const Row*>(row))); });
+    return *this;
+  }
+  Fields& anywhere() {
+    list_.only_where(nullptr);
+    return *this;
+  }
+  Fields& left_out_where_missing() {
+    list_.left_out_where_missing();
+    return *this;
+  }
   // All of them in a frame of their own.
-  Fields& in_frame(std::function<Frame(const Row&)> frame);
+  Fields& in_frame(std::function<Frame(const Row&)> frame) {
+    list_.in_frame([frame = std::move(frame)](const void* row) { return frame(*static_cast<const Row*>(row)); });
+    return *this;
+  }
   // The last in a table has this title.
-  Fields& titled(std::string_view title);
+  Fields& titled(std::string_view title) {
+    list_.titled(title);
+    return *this;
+  }
 
   auto begin() const { return list_.fields().begin(); }
   auto end() const { return list_.fields().end(); }
@@ -107,6 +176,10 @@ class Fields {
   Json operator()(const Row& row, const Frame& frame) const { return list_(&row, frame); }
 
  private:
+  Fields& estimated(Description what, Get get, const Kind& reduced, Field::Read unit, const Fields& more) {
+    list_.add_estimate(described(std::move(what), get), std::move(get.read), reduced, std::move(unit), more.list_);
+    return *this;
+  }
   Fields& add(Description what, Get get, const Kind& reduced = kind::number) {
     list_.add(described(std::move(what), get), std::move(get.read), reduced);
     return *this;
@@ -124,5 +197,3 @@ class Fields {
 };
 
 }  // namespace flexslip
-
-#include "result/fields-inl.h"

@@ -47,7 +47,7 @@ TEST_CASE("design map JSON, limit: where there is no test there are only its sta
   const Test input = loading_of(spicule);
   const std::vector<DesignAxis> axes{map_axis(input, "diameter=100 um:300 um:2", 2)};
   const auto points = design_map(input, axes, 1);
-  const Json json = design_map_fields(axes)({points}, {});
+  const Json json = design_map_fields(axes)(points, {});
   const Json& designs = json.at("designs");
   CHECK(designs.at(0).at("status") == "ok");
   CHECK(designs.at(0).contains("stiffness_margin"));

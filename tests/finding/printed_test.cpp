@@ -31,8 +31,8 @@ TEST_CASE("limit: without an uncertainty four significant digits, and none is cl
 }
 
 TEST_CASE("table: three significant digits") {
-  CHECK(significant(3.7, 3) == "3.70");
-  CHECK(significant(175.4, 3) == "175");
-  CHECK(significant(0.0123456, 3) == "0.0123");
-  CHECK(significant(0, 3) == "0.00");
+  CHECK(format_significant(3.7, 3) == "3.70");
+  CHECK(format_significant(175.4, 3) == "175");
+  CHECK(format_significant(0.0123456, 3) == "0.0123");
+  CHECK(format_significant(0, 3) == "0.00");
 }

@@ -1,10 +1,9 @@
-#include "report/campaign_document.h"
-
 #include <algorithm>
 #include <string>
 
 #include <doctest/doctest.h>
 
+#include "report/answer_documents.h"
 #include "tests/has.h"
 #include "tests/report/some_campaign.h"
 

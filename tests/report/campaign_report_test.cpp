@@ -1,5 +1,3 @@
-#include "report/campaign_report.h"
-
 #include <string>
 
 #include <doctest/doctest.h>
@@ -8,6 +6,7 @@
 #include "io/child_process.h"
 #include "io/text_file.h"
 #include "report/page.h"
+#include "report/report.h"
 #include "tests/report/some_campaign.h"
 
 using namespace flexslip;

@@ -1,10 +1,9 @@
-#include "report/design_document.h"
-
 #include <limits>
 #include <string>
 
 #include <doctest/doctest.h>
 
+#include "report/answer_documents.h"
 #include "tests/design/some_design.h"
 
 namespace flexslip {

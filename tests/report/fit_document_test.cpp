@@ -1,5 +1,3 @@
-#include "report/fit_document.h"
-
 #include <algorithm>
 #include <string>
 
@@ -9,7 +7,7 @@
 #include "campaign/campaign.h"
 #include "inference/campaign.h"
 #include "io/text.h"
-#include "report/campaign_document.h"
+#include "report/answer_documents.h"
 #include "report/page.h"
 #include "tests/finding/situations.h"
 #include "tests/has.h"

@@ -1,10 +1,9 @@
-#include "report/surface_document.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <doctest/doctest.h>
 
+#include "report/answer_documents.h"
 #include "report/figures.h"
 #include "tests/has.h"
 #include "tests/refusal.h"

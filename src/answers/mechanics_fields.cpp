@@ -1,10 +1,29 @@
-#include "answers/path_fields.h"
+#include "answers/mechanics_fields.h"
 
 #include "data/names.h"
-#include "result/mechanics.h"
 
 namespace flexslip {
 namespace {
+
+// Of a jump: where it begins and ends.
+template <class Jump>
+Fields<Jump> jump_fields() {
+  return Fields<Jump>()
+      .number("stage", kind::length, "stage position, which stays the same", &Jump::stage)
+      .number("deflection_before", kind::length, "deflection before the jump",
+              [](const Jump& jump) { return jump.before.w; })
+      .number("deflection_after", kind::length, "deflection after the jump",
+              [](const Jump& jump) { return jump.after.w; })
+      .number("force_before", kind::force, "force before the jump", [](const Jump& jump) { return jump.before.F; })
+      .number("force_after", kind::force, "force after the jump", [](const Jump& jump) { return jump.after.F; });
+}
+
+Fields<CrackOpened> crack_fields() {
+  return jump_fields<CrackOpened>()
+      .number("left", "share of the initial bending stiffness that is left after the crack",
+              [](const CrackOpened& crack) { return crack.after.left; })
+      .number("released", kind::energy, "energy that the crack sets free", &CrackOpened::released);
+}
 
 Fields<Snap> snap_fields_with_energies() {
   return snap_fields()
@@ -12,13 +31,17 @@ Fields<Snap> snap_fields_with_energies() {
       .number("released", kind::energy, "energy that the snap sets free beyond friction", &Snap::released);
 }
 
-// The energies of a stretch of a test.
-Fields<EnergyAccount> part_fields() {
+// Of a stretch of a test, or of all of it, but for what is set free at once.
+Fields<EnergyAccount> steady_energy_fields() {
   return Fields<EnergyAccount>()
       .number("stage_work", kind::energy, "work of the stage", &EnergyAccount::stage_work)
       .number("bending", kind::energy, "energy stored in the bent specimen", &EnergyAccount::bending)
       .number("load_train", kind::energy, "energy stored in the load train", &EnergyAccount::load_train)
-      .number("friction", kind::energy, "heat of friction at the supports", &EnergyAccount::friction)
+      .number("friction", kind::energy, "heat of friction at the supports", &EnergyAccount::friction);
+}
+
+Fields<EnergyAccount> part_fields() {
+  return steady_energy_fields()
       .number("snaps", kind::energy, "energy set free by snaps beyond friction", &EnergyAccount::snaps)
       .number("cracks", kind::energy, "energy set free by cracks", &EnergyAccount::cracks);
 }
@@ -38,17 +61,31 @@ Fields<SimulatedLeg> simulated_leg_fields() {
 
 Fields<EnergyAccount> whole_energy_fields() {
   using E = const EnergyAccount&;
-  return energy_fields()
-      .number("cracks", kind::energy, "energy set free by cracks", &EnergyAccount::cracks)
-      .number("work_of_fracture", kind::energy, "work on the specimen: area under force over deflection",
-              work_of_fracture)
-      .number("friction_share", "share of the work of fracture that went into friction and snaps",
-              [](E energy) { return (energy.friction + energy.snaps) / work_of_fracture(energy); })
-      .number("remaining", kind::energy, "work of fracture without friction and snaps",
-              [](E energy) { return work_of_fracture(energy) - (energy.friction + energy.snaps); });
+  return with_work<EnergyAccount>(
+      energy_fields().number("cracks", kind::energy, "energy set free by cracks", &EnergyAccount::cracks),
+      work_of_fracture, [](E energy) { return (energy.friction + energy.snaps) / work_of_fracture(energy); },
+      [](E energy) { return work_of_fracture(energy) - (energy.friction + energy.snaps); });
 }
 
 }  // namespace
+
+Fields<Snap> snap_fields() {
+  return jump_fields<Snap>()
+      .number("length_before", kind::length,
+              "length between the supports before the snap: the span and what was pulled in",
+              [](const Snap& snap) { return snap.before.S; })
+      .number("length_after", kind::length,
+              "length between the supports after the snap: the span and what was pulled in",
+              [](const Snap& snap) { return snap.after.S; });
+}
+
+Fields<EnergyAccount> energy_fields() {
+  return steady_energy_fields()
+      .number("snaps", kind::energy,
+              "energy set free by snaps beyond friction; for a measured test all energy lost in drops",
+              &EnergyAccount::snaps)
+      .number("imbalance", kind::energy, "amount by which the account does not close", &EnergyAccount::imbalance);
+}
 
 Fields<SimulatedPoint> path_fields(const PathColumns& columns) {
   Fields<SimulatedPoint> fields;

@@ -1,0 +1,53 @@
+// What a test does, as answers tell it, described once: its path, its snaps and cracks, and where the energy goes; and all that `simulate` tells.
+#pragma once
+
+#include "bending_test/history.h"
+#include "case/simulated_test.h"
+#include "result/fields.h"
+
+namespace flexslip {
+
+// The units of all plain numbers of an answer; of any row.
+template <class Row>
+Fields<Row> units_of_numbers() {
+  const auto unit = [](const Kind& kind) {
+    return [kind](const Row& /*row*/, const Frame& frame) { return unit_of(kind, frame.reduced); };
+  };
+  return Fields<Row>()
+      .words("length", "of lengths, stage positions and deflections", unit(kind::length))
+      .words("force", "of forces", unit(kind::force))
+      .words("energy", "of energies", unit(kind::energy));
+}
+
+Fields<Snap> snap_fields();
+Fields<EnergyAccount> energy_fields();
+
+// An account with what it says of the work of fracture.
+template <class Account>
+Fields<Account> with_work(Fields<Account> fields, Getter<Account> work, Getter<Account> friction_share,
+                          Getter<Account> remaining) {
+  return fields
+      .number("work_of_fracture", kind::energy, "work on the specimen: area under force over deflection",
+              std::move(work))
+      .number("friction_share", "share of the work of fracture that went into friction and snaps",
+              std::move(friction_share))
+      .number("remaining", kind::energy, "work of fracture without friction and snaps", std::move(remaining));
+}
+
+// Which fields of a point are told.
+struct PathColumns {
+  bool surface, three_lengths, two_sides, energies;
+};
+inline constexpr PathColumns all_columns{true, true, true, true};
+
+// Those that a test has.
+inline PathColumns columns_of(const Simulation& test, bool energies) {
+  return {test.has_surface, test.has_three_lengths, test.has_two_sides, energies};
+}
+
+Fields<SimulatedPoint> path_fields(const PathColumns& columns);
+
+// Of `simulate --json`.
+Fields<Simulation> simulation_fields(const PathColumns& columns);
+
+}  // namespace flexslip
