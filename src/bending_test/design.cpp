@@ -15,6 +15,7 @@
 #include "contact/over_rollers.h"
 #include "numerics/elementary.h"
 #include "numerics/quadrature.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -297,12 +298,10 @@ class Loading {
     const auto breaks_at = [&](double S) { return sees(fibre().state(S, curve_.friction.at(S).mu)); };
     double low = S_from;
     for (int i = 1; i <= parts; ++i) {
-      double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
+      const double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
       if (breaks_at(high)) {
         breaks_ = true;
-        for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-          (breaks_at(middle) ? high : low) = middle;
-        return high;
+        return first_where(low, high, breaks_at);
       }
       low = high;
     }
@@ -453,16 +452,14 @@ double breaking_deflection(const Design& design, const Rig& rig) {
   const Fibre& fibre = rig.fibre;
   const Friction friction = met(design.friction, fibre, 1, S_max);
   const auto state_at = [&](double S) { return fibre.state(S, friction.at(S).mu); };
-  const auto breaks = [&](const FibreState& state) {
+  const auto breaks = [&](double S) {
+    const FibreState state = state_at(S);
     return state.status == FibreStatus::ok && fibre.curvature_at_midspan(state) >= design.breaking_curvature;
   };
   for (double S = 1; S < S_max;) {
-    double low = S, high = end_of_stretch(friction, fibre, S, S_max, scales);
-    S = high;
-    if (!breaks(state_at(high))) continue;
-    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-      (breaks(state_at(middle)) ? high : low) = middle;
-    return state_at(high).w;
+    const double next = end_of_stretch(friction, fibre, S, S_max, scales);
+    if (breaks(next)) return state_at(first_where(S, next, breaks)).w;
+    S = next;
   }
   return infinity;
 }

@@ -13,6 +13,7 @@
 #include "contact/two_supports.h"
 #include "numerics/elementary.h"
 #include "numerics/quadrature.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -343,11 +344,10 @@ PathPoint MovingFibre::point_within(const Stretch& stretch, double along) const 
 }
 
 double MovingFibre::stage_at_deflection(const Stretch& stretch, double w) const {
-  auto [low, high] = extent_of(test_.rig.fibre, stretch);
+  const auto [from, to] = extent_of(test_.rig.fibre, stretch);
   const auto at = [&](double along) { return point_within(stretch, along); };
-  double middle = 0.5 * (low + high);
-  for (; low < middle && middle < high; middle = 0.5 * (low + high)) (at(middle).w < w ? low : high) = middle;
-  return std::clamp(at(high).stage, stretch.from.stage, stretch.to.stage);
+  const double reached = first_where(from, to, [&](double along) { return !(at(along).w < w); });
+  return std::clamp(at(reached).stage, stretch.from.stage, stretch.to.stage);
 }
 
 std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {

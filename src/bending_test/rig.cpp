@@ -16,6 +16,7 @@
 #include "contact/over_rollers.h"
 #include "numerics/elementary.h"
 #include "numerics/polynomial.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -221,17 +222,13 @@ double longest_in_loading(const Friction& along, const Rig& rig, double stage) {
   constexpr double close = 0.99;  // more halvings would cost what the shorter trace saves
   const double S_most = longest_at_stage(stage);
   const Friction friction = met(along, rig.fibre, 1, S_most);
-  double low = rig.fibre.way(1);
-  double high = rig.fibre.way(S_most);
-  while (low < close * high) {
-    const double middle = 0.5 * (low + high);
-    const double S = rig.fibre.length_at(middle);
-    const double mu = friction.at(S).mu;
-    const auto state = rig.fibre.state(S, mu);
-    const bool is_within = state.status == FibreStatus::ok && state.w + state.F / rig.stiffness < stage;
-    (is_within ? low : high) = middle;
-  }
-  return rig.fibre.length_at(high);
+  const auto is_beyond = [&](double way) {
+    const double S = rig.fibre.length_at(way);
+    const auto state = rig.fibre.state(S, friction.at(S).mu);
+    return !(state.status == FibreStatus::ok && state.w + state.F / rig.stiffness < stage);
+  };
+  const auto enough = [](const Bracket& ways) { return !(ways.low < close * ways.high); };
+  return rig.fibre.length_at(halved_until(enough, {rig.fibre.way(1), rig.fibre.way(S_most)}, is_beyond).high);
 }
 
 namespace {
@@ -441,7 +438,7 @@ class FoldSearch {
   void add_bracket(const Cell& cell, bool rising, const Values& bernstein) {
     constexpr double close = 1e-7;  // below what the interpolant is worth
     const auto slope_at = [&](double t) { return bernstein_at(bernstein, t); };
-    const double t = zero_between(slope_at, 0.0, 1.0, 0.5, rising, close);
+    const double t = zero_between(slope_at, rising ? 0.0 : 1.0, rising ? 1.0 : 0.0, 0.5, close);
     const double length = cell.b - cell.a;
     brackets_.push_back({cell.a, cell.b, cell.a + t * length, bernstein_at(bernstein, t).slope / length, rising});
   }

@@ -11,6 +11,7 @@
 #include "fibre/state_table.h"
 #include "numerics/elementary.h"
 #include "numerics/polynomial.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -208,7 +209,7 @@ double SlidingTable::length_at_stage(double stage, double S_from, double S_to) {
     return ValueAndSlope{G - stage, 2 * slope / (piece.to - piece.from)};
   };
   const double close = 1e-11 * (high - low);
-  const double sigma = zero_between(miss, low, high, 0.5 * (low + high), true, close);
+  const double sigma = zero_between(miss, low, high, 0.5 * (low + high), close);
   return rig_.fibre.length_at(sigma);
 }
 
@@ -258,7 +259,8 @@ void add_roots(const Slope& b, double low, double high, int halvings, std::vecto
   Slope right = b;
   if (changes == 1) {
     const auto value_at = [&](double t) { return bernstein_at(b, t); };
-    roots.push_back(low + (high - low) * zero_between(value_at, 0.0, 1.0, 0.5, b.front() < 0, close));
+    const bool rises = b.front() < 0;
+    roots.push_back(low + (high - low) * zero_between(value_at, rises ? 0.0 : 1.0, rises ? 1.0 : 0.0, 0.5, close));
     return;
   }
   for (std::size_t n = degree; n > 0; --n) {
@@ -315,7 +317,7 @@ double SlidingPiece::force_at(double stage) const {
     const auto [value, slope] = series_slope_at(stage_, x);
     return ValueAndSlope{value - stage, slope};
   };
-  return series_at(F_, zero_between(miss, -1.0, 1.0, 2 * share - 1, true, close));
+  return series_at(F_, zero_between(miss, -1.0, 1.0, 2 * share - 1, close));
 }
 
 std::vector<SlidingPiece::Turn> SlidingPiece::turns() const {

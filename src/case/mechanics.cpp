@@ -21,6 +21,7 @@
 #include "io/quantity.h"
 #include "io/table.h"
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 #include "surface/slope_friction.h"
 
 namespace flexslip {
@@ -299,12 +300,7 @@ std::optional<double> widest_that_follows(const Asked& asked) {
     return asked.kinetic.steepest() < asked.limit_of(Fibre({radius, supports.half_depth}));
   };
   if (!follows(0)) return std::nullopt;
-  double good = 0, bad = supports.radius;
-  for (int i = 0; i < 30; ++i) {
-    const double middle = 0.5 * (good + bad);
-    (follows(middle) ? good : bad) = middle;
-  }
-  return good;
+  return halved(30, {0, supports.radius}, [&](double radius) { return !follows(radius); }).low;
 }
 
 // What would be followed instead of a profile that is so many times too steep.

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/polynomial.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -31,22 +33,18 @@ double OverRollers::most_at_contacts(double S_max) const {
 }
 
 FrictionPoint OverRollers::at(double S) const {
-  double low = 0, high = most_at_contacts(S + 1);  // of the friction sought
-  double mu = std::clamp(along_.at(S).mu, low, high);
-  FrictionPoint met{mu, 0};
-  for (int i = 0; i < 60; ++i) {
+  const double most = most_at_contacts(S + 1);
+  FrictionPoint met{std::clamp(along_.at(S).mu, 0.0, most), 0};
+  const auto miss_at = [&](double mu) {
     const auto [length, length_S, length_q] = fibre_.contact(S, direction_ * mu);
-    if (!std::isfinite(length_S)) return met;
+    if (!std::isfinite(length_S)) return ValueAndSlope{0, 1};  // no state there: what was met last
     const FrictionPoint there = along_.at(length);
     const double slope_in_mu = 1 - direction_ * there.slope * length_q;
     met = {mu, there.slope * length_S / slope_in_mu};
-    const double miss = mu - there.mu;
-    (miss < 0 ? low : high) = mu;
-    const double newton = mu - miss / slope_in_mu;
-    constexpr double small = 1e-13;
-    if (std::abs(newton - mu) <= small * (1 + mu) || !(low < high)) return met;
-    mu = newton > low && newton < high ? newton : 0.5 * (low + high);
-  }
+    return ValueAndSlope{mu - there.mu, slope_in_mu};
+  };
+  constexpr double small = 1e-13;
+  zero_between(miss_at, 0, most, met.mu, small, small);
   return met;
 }
 
@@ -76,25 +74,24 @@ void OverRollers::add_knots(double S_most) {
     double begin = turns;
     for (const double knot : knots) {
       const double mu = along_.at(knot).mu;
-      double low = begin, high = begin;
+      const double low = begin;
+      double high = begin;
       double reach = 0.01;
       while (place(high, mu).length < knot && high > 0 && high < 1) {
         high = std::clamp(high + side * reach, 0.0, 1.0);
         reach *= 1.5;
       }
       if (!(place(low, mu).length < knot) || !(place(high, mu).length >= knot)) continue;
-      double w = 0.5 * (low + high);
-      for (int step = 0; step < 60 && std::abs(high - low) > 1e-14; ++step) {
-        const auto [length, slope, S] = place(w, mu);
-        (length < knot ? low : high) = w;
-        const double newton = w - (length - knot) / slope;
-        if (std::abs(newton - w) <= 1e-14) break;
-        w = (newton - low) * (newton - high) < 0 ? newton : 0.5 * (low + high);
-      }
+      const auto beyond_knot = [&](double w) {
+        const Place at = place(w, mu);
+        return ValueAndSlope{at.length - knot, at.slope};
+      };
+      constexpr double close = 1e-14;
+      const double w = zero_between(beyond_knot, low, high, 0.5 * (low + high), close);
       const double S = place(w, mu).S;
       if (S > S_most) break;
       if (S > 1) knots_.push_back(S);
-      begin = low;
+      begin = w;
     }
   }
   std::sort(knots_.begin(), knots_.end());
@@ -177,12 +174,9 @@ class Capped final : public FrictionOnAWay {
     double low = from;
     for (double i = 1; i <= samples; ++i) {
       const double high = i < samples ? from + (to - from) * i / samples : to;
-      if (is_capped(low) != is_capped(high)) {
-        double a = low, b = high;
-        for (double middle = 0.5 * (a + b); a < middle && middle < b; middle = 0.5 * (a + b))
-          (is_capped(middle) == is_capped(low) ? a : b) = middle;
-        knots_.push_back(b);
-      }
+      const bool at_first = is_capped(low);
+      if (is_capped(high) != at_first)
+        knots_.push_back(first_where(low, high, [&](double S) { return is_capped(S) != at_first; }));
       low = high;
     }
   }

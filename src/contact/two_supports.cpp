@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -18,14 +19,6 @@ constexpr double alike = 1e-12;
 FrictionPoint at_point(const Friction& side, double x) {
   const auto [mu, slope] = side.at(1 + 2 * x);
   return {mu, 2 * slope};
-}
-
-// Where something that is false at `low` and true at `high` becomes true.
-template <class Predicate>
-double first_where(double low, double high, const Predicate& is_true) {
-  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-    (is_true(middle) ? high : low) = middle;
-  return high;
 }
 
 }  // namespace
@@ -247,24 +240,17 @@ ContactPoints Walk::points_in(const Piece& piece, double S) const {
   if (piece.slides == Slides::left) return {left + from_begin, right};
   if (piece.slides == Slides::right) return {left, right + from_begin};
   const double both = left + right + from_begin;
-  double low = std::max(left, both - piece.end.right), high = std::min(piece.end.left, both - right);
+  const double low = std::max(left, both - piece.end.right), high = std::min(piece.end.left, both - right);
   if (!(low < high)) return {high, both - high};
-  // f(left) - g(both - left) rises or falls from one end to the other: Newton's iteration within.
+  // f(left) - g(both - left) rises or falls from one end to the other.
   const auto difference = [&](double x) {
     const auto a = at_point(sides_[0], x), b = at_point(sides_[1], both - x);
     return FrictionPoint{a.mu - b.mu, a.slope + b.slope};
   };
-  const double sign = at_point(sides_[0], piece.end.left).mu >= at_point(sides_[0], left).mu ? 1 : -1;
-  double x = 0.5 * (low + high);
-  for (int i = 0; i < 60; ++i) {
-    const auto [value, slope] = difference(x);
-    (sign * value < 0 ? low : high) = x;
-    double next = x - value / slope;
-    if (!(low < next && next < high)) next = 0.5 * (low + high);
-    const bool is_there = std::abs(next - x) <= 2e-16 * (1 + std::abs(x));
-    x = next;
-    if (is_there) break;
-  }
+  const bool rises = at_point(sides_[0], piece.end.left).mu >= at_point(sides_[0], left).mu;
+  constexpr double rounding = 2e-16;  // of half a span and of x
+  const double x =
+      zero_between(difference, rises ? low : high, rises ? high : low, 0.5 * (low + high), rounding, rounding);
   return {x, both - x};
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -219,12 +220,8 @@ double LineDensity::probability_below(double x) const {
 }
 
 double LineDensity::quantile(double probability) const {
-  double low = begin_, high = place(size() - 1);
-  for (int i = 0; i < 60; ++i) {
-    const double middle = std::midpoint(low, high);
-    (probability_below(middle) < probability ? low : high) = middle;
-  }
-  return std::midpoint(low, high);
+  const auto is_beyond = [&](double x) { return !(probability_below(x) < probability); };
+  return halved(60, {begin_, place(size() - 1)}, is_beyond).middle();
 }
 
 ProductDensity density_of_product(std::span<const Likelihood> factors, double step) {
@@ -434,14 +431,12 @@ class Specimens {
       high = std::max(high, line.place(line.size() - 1));
     }
     const auto quantile = [&](double probability) {
-      double from = low, to = high;
-      for (int i = 0; i < 50; ++i) {
-        const double middle = std::midpoint(from, to);
+      const auto is_beyond = [&](double x) {
         double below = 0;
-        for (std::size_t j = 0; j < slices.size(); ++j) below += weights[j] * slices[j].mean.probability_below(middle);
-        (below < probability * total ? from : to) = middle;
-      }
-      return std::midpoint(from, to);
+        for (std::size_t j = 0; j < slices.size(); ++j) below += weights[j] * slices[j].mean.probability_below(x);
+        return !(below < probability * total);
+      };
+      return halved(50, {low, high}, is_beyond).middle();
     };
     return {quantile(0.5), std::sqrt(std::max(squares - mean * mean, 0.0)), quantile(0.025), quantile(0.975)};
   }

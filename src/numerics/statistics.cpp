@@ -10,6 +10,7 @@
 #include <string>
 
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 
@@ -155,13 +156,9 @@ double chi_squared_quantile(double probability, double freedoms) {
     throw std::invalid_argument("a quantile of chi squared at " + std::to_string(probability) + " of " +
                                 std::to_string(freedoms) + " freedoms");
   const double spread = std::sqrt(2 * freedoms);
-  double low = 0, high = freedoms + 8 * spread + 40;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    (gamma_tails(0.5 * freedoms, 0.5 * middle).below < probability ? low : high) = middle;
-    if (high - low < 1e-12 * high) break;
-  }
-  return 0.5 * (low + high);
+  const auto is_beyond = [&](double x) { return !(gamma_tails(0.5 * freedoms, 0.5 * x).below < probability); };
+  const auto enough = [](const Bracket& x) { return x.width() < 1e-12 * x.high; };
+  return halved_until(enough, {0, freedoms + 8 * spread + 40}, is_beyond).middle();
 }
 
 double mean_of(const NormalMixture& mixture) {
@@ -203,11 +200,7 @@ double quantile_of(const NormalMixture& mixture, double probability) {
     low = std::min(low, part.mean - reach * part.deviation);
     high = std::max(high, part.mean + reach * part.deviation);
   }
-  for (int i = 0; i < 50; ++i) {
-    const double middle = std::midpoint(low, high);
-    (probability_below(mixture, middle) < probability ? low : high) = middle;
-  }
-  return std::midpoint(low, high);
+  return halved(50, {low, high}, [&](double x) { return !(probability_below(mixture, x) < probability); }).middle();
 }
 
 NormalMixture merged(const NormalMixture& mixture) {
