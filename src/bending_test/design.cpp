@@ -14,6 +14,7 @@
 #include "bending_test/snap.h"
 #include "contact/over_rollers.h"
 #include "numerics/elementary.h"
+#include "numerics/minimum.h"
 #include "numerics/quadrature.h"
 #include "numerics/root.h"
 
@@ -25,54 +26,12 @@ struct Stretch {
 };
 
 // Follows a fold from a stretch on which k(S) exceeds what it is at the beginning to a maximum of it, maybe at the end.
-// Method: parabolas through the best three points, golden sections where they lead nowhere (Brent): friction may have kinks.
 double stiffness_of_cusp(const Friction& friction, const Fibre& fibre, const Stretch& stretch) {
-  const auto k_at = [&](double S) { return stiffness_of_fold(friction, S, fibre); };
-  constexpr double golden = 0.3819660112501051;
   constexpr double flat = 1e-8;  // of the stretch: k(S) at the maximum is as flat, and known to the square of it
-  double low = stretch.from;
-  double high = stretch.to;
-  double x = low + golden * (high - low);
-  double second = x;
-  double third = x;
-  double k = k_at(x);
-  double k_second = k;
-  double k_third = k;
-  double step = 0;
-  double step_before = 0;
-  const double tolerance = std::max(flat * (high - low), 0x1p-50 * high);  // and no finer than lengths are
-  while (std::max(high - x, x - low) > 2 * tolerance) {
-    const double middle = 0.5 * (low + high);
-    const double r = (x - second) * (k - k_third);
-    const double t = (x - third) * (k - k_second);
-    const double parabola = -((x - third) * t - (x - second) * r) / (2 * (t - r));
-    const bool is_good = std::abs(parabola) < 0.5 * std::abs(step_before) && x + parabola > low && x + parabola < high;
-    step_before = is_good ? step : (x < middle ? high : low) - x;
-    step = is_good ? parabola : golden * step_before;
-    const double next = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
-    const double k_next = k_at(next);
-    if (k_next >= k) {
-      (next >= x ? low : high) = x;
-      third = second;
-      k_third = k_second;
-      second = x;
-      k_second = k;
-      x = next;
-      k = k_next;
-    } else {
-      (next < x ? low : high) = next;
-      if (k_next >= k_second || second == x) {
-        third = second;
-        k_third = k_second;
-        second = next;
-        k_second = k_next;
-      } else if (k_next >= k_third || third == x || third == second) {
-        third = next;
-        k_third = k_next;
-      }
-    }
-  }
-  return std::max(k, k_at(stretch.to));
+  const double tolerance =
+      std::max(flat * (stretch.to - stretch.from), 0x1p-50 * stretch.to);  // and no finer than lengths are
+  const auto k_at = [&](double S) { return stiffness_of_fold(friction, S, fibre); };
+  return std::max(greatest_within(k_at, stretch.from, stretch.to, tolerance).value, k_at(stretch.to));
 }
 
 // The pair of folds whose cusp is likely to be the stiffest.

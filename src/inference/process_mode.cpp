@@ -12,6 +12,7 @@
 #include "inference/chain.h"
 #include "inference/process_posterior.h"
 #include "numerics/elementary.h"
+#include "numerics/minimum.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -403,72 +404,40 @@ Looks FrictionProcess::near_its_stiffness(Looks looks, const Mode& mode) const {
   return looks;
 }
 
-// Steps uphill in θ by BFGS, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
+// Uphill in θ, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
 void FrictionProcess::maximise(Mode& mode, int iterations) const {
   const auto n = static_cast<Index>(mode.theta.size());
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4 + most_waves, 1>;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4 + most_waves, 4 + most_waves>;
-  Vector longest = Vector::Constant(n, 1.0);
-  const double log_range = elementary::log(passages_.range);
-  Vector low(n), high(n);
+  Box<Vector> box{.low = Vector(n), .high = Vector(n), .longest_step = Vector::Constant(n, 1.0)};
+  Vector start(n), variances = Vector::Constant(n, 0.05);
+  for (Index i = 0; i < n; ++i) start[i] = mode.theta.values[static_cast<std::size_t>(i)];
   for (Index i = 0; i < 4; ++i) {
-    low[i] = prior_of_theta_.least[static_cast<std::size_t>(i)];
-    high[i] = prior_of_theta_.greatest[static_cast<std::size_t>(i)];
+    box.low[i] = prior_of_theta_.least[static_cast<std::size_t>(i)];
+    box.high[i] = prior_of_theta_.greatest[static_cast<std::size_t>(i)];
   }
   for (Index i = 4; i < n; ++i) {
-    const double start = mode.theta.values[static_cast<std::size_t>(i)];
-    longest[i] = 0.3 * elementary::exp(start - log_range);
-    low[i] = std::max(start - 0.15, elementary::log(0.5 * least_wavelength_));
-    high[i] = std::min(start + 0.15, elementary::log(1.2 * greatest_wavelength()));
+    const double longest = 0.3 * elementary::exp(start[i] - elementary::log(passages_.range));
+    box.longest_step[i] = longest;
+    box.low[i] = std::max(start[i] - 0.15, elementary::log(0.5 * least_wavelength_));
+    box.high[i] = std::min(start[i] + 0.15, elementary::log(1.2 * greatest_wavelength()));
+    variances[i] = 0.01 * longest * longest;
   }
   const auto theta_at = [&](const Vector& x) {
     Theta theta = mode.theta;
     for (Index i = 0; i < n; ++i) theta.values[static_cast<std::size_t>(i)] = x[i];
     return theta;
   };
-  Vector x(n);
-  for (Index i = 0; i < n; ++i) x[i] = std::clamp(mode.theta.values[static_cast<std::size_t>(i)], low[i], high[i]);
-  Looks looks = near_its_stiffness(looks_of(mode), mode);
-  auto now = objective(mode, looks, theta_at(x));
-  const auto gradient_of = [&](const Objective& at) {
-    Vector g(n);
-    for (Index i = 0; i < n; ++i) g[i] = at.gradient[static_cast<std::size_t>(i)];
-    return g;
+  struct Merit {
+    double value;
+    Vector gradient;
   };
-  Vector g = gradient_of(now);
-  Matrix inverse = Matrix::Zero(n, n);  // of minus the Hessian
-  for (Index i = 0; i < n; ++i) inverse(i, i) = i < 4 ? 0.05 : 0.01 * longest[i] * longest[i];
-  for (int iteration = 0; iteration < iterations; ++iteration) {
-    Vector step = inverse * g;
-    for (Index i = 0; i < n; ++i)  // at a wall, nothing moves into it
-      if ((x[i] <= low[i] && step[i] < 0) || (x[i] >= high[i] && step[i] > 0)) step[i] = 0;
-    if (!step.allFinite()) break;
-    const double over = step.cwiseQuotient(longest).cwiseAbs().maxCoeff();
-    if (over > 1) step /= over;
-    bool risen = false;
-    Vector next(n);
-    Objective then{};
-    for (int halving = 0; halving < 6 && !risen; ++halving, step *= 0.3) {
-      next = (x + step).cwiseMax(low).cwiseMin(high);
-      then = objective(mode, looks, theta_at(next));
-      risen = then.value > now.value;
-    }
-    if (!risen) break;
-    const Vector g_then = gradient_of(then);
-    const Vector s = next - x, y = g - g_then;  // of minus the objective
-    const double sy = s.dot(y);
-    const double gain = then.value - now.value;
-    if (sy > 1e-12) {
-      const Matrix I = Matrix::Identity(n, n);
-      inverse = (I - s * y.transpose() / sy) * inverse * (I - y * s.transpose() / sy) + s * s.transpose() / sy;
-    }
-    x = next;
-    g = g_then;
-    now = then;
-    constexpr double negligible = 0.003;  // of the merit
-    if (gain < negligible) break;
-  }
-  mode.theta = theta_at(x);
+  Looks looks = near_its_stiffness(looks_of(mode), mode);
+  const auto merit_at = [&](const Vector& x) {
+    const Objective at = objective(mode, looks, theta_at(x));
+    return Merit{at.value, Vector(Eigen::Map<const Eigen::VectorXd>(at.gradient.data(), n))};
+  };
+  constexpr double negligible = 0.003;  // of the merit
+  mode.theta = theta_at(climbed_in_box(merit_at, start, box, variances, iterations, negligible));
 }
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {

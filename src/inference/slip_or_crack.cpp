@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <span>
 #include <vector>
-
-#include <nlopt.h>
 
 #include "data/names.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/state_table.h"
 #include "numerics/elementary.h"
+#include "numerics/minimum.h"
 #include "numerics/polynomial.h"
 
 namespace flexslip {
@@ -107,34 +105,11 @@ std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drop
   return rows;
 }
 
-// Where a function of a few numbers is least, found from several starts.
-struct Least {
-  std::vector<double> at;
-  double value = infinity;
-};
-using Function = std::function<double(std::span<const double>)>;
-
+using Function = FunctionOfNumbers;
 using Starts = std::vector<std::vector<double>>;
 
 Least least_of(const Function& f, const Starts& starts, const std::vector<double>& steps) {
-  Least best;
-  const auto call = [](unsigned n, const double* x, double*, void* data) {
-    return (*static_cast<const Function*>(data))(std::span(x, n));
-  };
-  for (const auto& start : starts) {
-    std::vector<double> x = start;
-    double value = f(x);
-    nlopt_opt optimiser = nlopt_create(NLOPT_LN_NELDERMEAD, static_cast<unsigned>(x.size()));
-    nlopt_set_min_objective(optimiser, call, const_cast<Function*>(&f));  // NOLINT: a C interface
-    nlopt_set_initial_step(optimiser, steps.data());
-    nlopt_set_ftol_abs(optimiser, 0.02);
-    nlopt_set_xtol_abs1(optimiser, 1e-3);
-    nlopt_set_maxeval(optimiser, 220);
-    nlopt_optimize(optimiser, x.data(), &value);
-    nlopt_destroy(optimiser);
-    if (best.at.empty() || value < best.value) best = {x, value};  // also where none is a number
-  }
-  return best;
+  return least_from(f, starts, {.steps = steps, .close_in_value = 0.02, .close_in_numbers = 1e-3, .max_calls = 220});
 }
 
 // The rows of one test and what explains them.

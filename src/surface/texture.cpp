@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/minimum.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -233,26 +234,8 @@ class Demodulator {
 
 // The frequency of the greatest amplitude about a guess.
 double refined(const Demodulator& demodulator, double guess, double half_range) {
-  const double golden = 0.5 * (std::sqrt(5.0) - 1);
-  double low = guess - half_range, high = guess + half_range;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double at_a = std::norm(demodulator.wave(a)), at_b = std::norm(demodulator.wave(b));
-  for (int i = 0; i < 40 && high - low > 1e-9 * guess; ++i) {
-    if (at_a > at_b) {
-      high = b;
-      b = a;
-      at_b = at_a;
-      a = high - golden * (high - low);
-      at_a = std::norm(demodulator.wave(a));
-    } else {
-      low = a;
-      a = b;
-      at_a = at_b;
-      b = low + golden * (high - low);
-      at_b = std::norm(demodulator.wave(b));
-    }
-  }
-  return 0.5 * (low + high);
+  const auto power = [&](double frequency) { return std::norm(demodulator.wave(frequency)); };
+  return greatest_within(power, guess - half_range, guess + half_range, 1e-9 * guess).at;
 }
 
 // [L^3] Of the neighbours of a frequency on both sides, beyond the bandwidth; null where there are none below.
