@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/quadrature.h"
 
 namespace flexslip {
 namespace {
@@ -78,13 +79,10 @@ class Trail final : public FrictionOnAWay {
 
   // p' = (μ - p)/σ from one node to the next, by Gauss' three points.
   double after(double p, double from, double to, double length) const {
-    static constexpr double point = 0.7745966692414834;  // √(3/5)
-    static constexpr std::array<std::pair<double, double>, 3> rule{
-        {{0.5 - 0.5 * point, 5.0 / 18}, {0.5, 4.0 / 9}, {0.5 + 0.5 * point, 5.0 / 18}}};
     const double h = std::abs(to - from) / length;
-    double gained = 0;
-    for (const auto& [t, weight] : rule)
-      gained += weight * followed_.at(from + t * (to - from)).mu * elementary::exp(-(1 - t) * h);
+    const double gained = integral(gauss_3, 0, 1, [&](double t) {
+      return followed_.at(from + t * (to - from)).mu * elementary::exp(-(1 - t) * h);
+    });
     return p * elementary::exp(-h) + h * gained;
   }
 

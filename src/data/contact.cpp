@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -138,7 +137,7 @@ ForceZero find_force_zero(std::span<const double> displacement, std::span<const 
                             displacement.begin()));
   const auto free = force.first(std::min(points, level));
   const auto n = static_cast<double>(free.size());
-  const double mean = std::accumulate(free.begin(), free.end(), 0.0) / n;
+  const double mean = mean_of(free);
   std::vector<double> residuals(free.begin(), free.end());
   for (double& residual : residuals) residual -= mean;
   const double scatter = effective_deviation(residuals, 1, 1 / n, most_correlation);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -86,9 +85,7 @@ MeasuredLoading measure(const Record& record, const LoadingRange& loading, const
   if (last - first < least_points || middle - first < least_points / 2 || last - middle < least_points / 2)
     return result;
 
-  result.deflection = std::accumulate(record.deflection.begin() + static_cast<std::ptrdiff_t>(first),
-                                      record.deflection.begin() + static_cast<std::ptrdiff_t>(last), 0.0) /
-                      static_cast<double>(last - first);
+  result.deflection = mean_of(std::span(record.deflection).subspan(first, last - first));
   result.whole = slope_of(record, first, last);
   result.lower = slope_of(record, first, middle);
   result.upper = slope_of(record, middle, last);

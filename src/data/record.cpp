@@ -261,16 +261,13 @@ double step_noise(const Record& record, std::span<const double> smooth, std::siz
     const auto window = std::span(record.force).subspan(i, width + steps);
     if (std::all_of(window.begin(), window.end(), [&](double F) { return F == window.front(); })) continue;
     for (std::size_t j = 0; j < width; ++j) deviations[j] = std::abs(residual[i + j]);
-    scales.push_back(1.4826 * median_of(deviations));  // 1/0.6745: to the standard deviation of a Gaussian
+    scales.push_back(deviation_by_median * median_of(deviations));
   }
   if (scales.empty()) return 0;
 
   const std::size_t windows = scales.size();
-  const double rank = quiet_fraction * static_cast<double>(windows - 1);
   std::sort(scales.begin(), scales.end());
-  const auto lower = static_cast<std::size_t>(rank);
-  const std::size_t upper = std::min(lower + 1, windows - 1);
-  const double quietest = std::lerp(scales[lower], scales[upper], rank - static_cast<double>(lower));
+  const double quietest = quantile_in_order(scales, quiet_fraction);
 
   // Two readings rounded to a resolution differ by it with a standard deviation of resolution/√6.
   return std::max(quietest / shown_by_quietest(windows), resolution_of(record.force) / std::sqrt(6.0));

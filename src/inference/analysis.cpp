@@ -173,15 +173,6 @@ SawtoothCategory category_of(const TestAnalysis& analysis) {
   return total >= 0.15 * greatest ? SawtoothCategory::clear : SawtoothCategory::nominal;
 }
 
-// A quantile of values in order, interpolated.
-double quantile(const std::vector<double>& sorted, double probability) {
-  if (sorted.empty()) return not_a_number;
-  const double place = probability * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 FrictionProfile profile_at_fit(const TestAnalysis& analysis) {
   const AtFit at = at_fit(analysis);
   return measure_friction(at.record, at.rig, at.errors, friction_shows_from);
@@ -191,7 +182,8 @@ FrictionRead friction_read_of(const FrictionProfile& profile) {
   std::vector<double> mu;
   for (const auto& point : profile.points) mu.push_back(point.mu);
   std::sort(mu.begin(), mu.end());
-  return {.median = quantile(mu, 0.5), .low80 = quantile(mu, 0.1), .high80 = quantile(mu, 0.9)};
+  return {
+      .median = quantile_in_order(mu, 0.5), .low80 = quantile_in_order(mu, 0.1), .high80 = quantile_in_order(mu, 0.9)};
 }
 
 std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, const AnalysisOptions& options) {

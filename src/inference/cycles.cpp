@@ -116,30 +116,22 @@ class Estimator {
 // Slope of q on the stage over points [first, last); NaN where the stage stands still.
 double slope_of_q(std::span<const Point> points, std::size_t first, std::size_t last) {
   // From the first position on: where the stage stands still, all are zero, and so is their mean.
-  const auto travel = [&](std::size_t i) { return points[i].stage - points[first].stage; };
-  double x = 0, y = 0;
-  for (std::size_t i = first; i < last; ++i) x += travel(i), y += points[i].q;
-  const auto n = static_cast<double>(last - first);
-  x /= n;
-  y /= n;
-  double xx = 0, xy = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    xx += (travel(i) - x) * (travel(i) - x);
-    xy += (travel(i) - x) * (points[i].q - y);
-  }
-  return xx > 0 ? xy / xx : not_a_number;
+  const auto travel = [&](std::size_t i) { return points[first + i].stage - points[first].stage; };
+  const Line line = line_through(last - first, travel, [&](std::size_t i) { return points[first + i].q; });
+  return line.sum_xx > 0 ? line.slope : not_a_number;
 }
 
 // That of nothing is 0.
 double median_or_zero(std::vector<double> values) { return values.empty() ? 0 : median_of(std::move(values)); }
 
-// Standard deviation of one reading, from second differences within the legs: no smooth curve passes for noise.
+// Standard deviation of one reading, within the legs: a turn is no noise.
 double reading_noise(const ReducedRecord& record, std::span<const Leg> legs) {
   std::vector<double> bends;
-  for (const auto& leg : legs)
-    for (std::size_t i = leg.first + 1; i + 1 < leg.last; ++i)
-      bends.push_back(std::abs(record.force[i - 1] - 2 * record.force[i] + record.force[i + 1]));
-  return median_or_zero(bends) / (0.6745 * std::sqrt(6.0));
+  for (const auto& leg : legs) {
+    const auto of_leg = bends_of(std::span(record.force).subspan(leg.first, leg.last - leg.first));
+    bends.insert(bends.end(), of_leg.begin(), of_leg.end());
+  }
+  return noise_of_bends(std::move(bends));
 }
 
 std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
@@ -387,7 +379,6 @@ Smoothed smooth(const Block& block, const Noise& noise) {
 }
 
 constexpr double lost_degrees = 6;  // of freedom: three for the trend, three of Fisher's transform
-constexpr double normal_95 = 1.959964;
 
 void require(bool holds, const char* what, double value) {
   if (!holds) throw std::invalid_argument(std::string(what) + ": " + std::to_string(value));
@@ -517,10 +508,6 @@ Noise likely_noise(const Estimator& estimator, const Noise& start, double readin
 constexpr std::size_t least_points = 20;
 constexpr std::size_t settling = 5;  // iterations after which it is fixed which points slide
 constexpr std::size_t most_iterations = 40;
-
-double mean_of(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 Estimate root_mean_square(std::span<const double> values) {
   double sum = 0;
@@ -817,7 +804,7 @@ BumpCorrelation together(std::span<const BumpCorrelation> loops) {
   }
   if (!(weights > 0)) return {not_a_number, not_a_number, not_a_number, 0};
   const double z = sum / weights;
-  const double half = normal_95 / std::sqrt(weights);
+  const double half = two_sided_95 / std::sqrt(weights);
   return {std::tanh(z), std::tanh(z - half), std::tanh(z + half), points};
 }
 
@@ -859,7 +846,7 @@ BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const doubl
   const double count = effective_count(a, b) * total * total / (total_squares * static_cast<double>(n));
   const double r = aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
   // With no degree of freedom left, nothing is known: the interval is all of [-1, 1].
-  const double half = normal_95 / std::sqrt(std::max(count - lost_degrees, std::numeric_limits<double>::min()));
+  const double half = two_sided_95 / std::sqrt(std::max(count - lost_degrees, std::numeric_limits<double>::min()));
   const double z = std::atanh(r);
   return {r, std::tanh(z - half), std::tanh(z + half), count};
 }

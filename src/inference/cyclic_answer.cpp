@@ -8,6 +8,7 @@
 #include "contact/build_up.h"
 #include "fibre/elastica.h"
 #include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
@@ -55,12 +56,6 @@ double misfit(const Reversal& reversal, double sigma, double up_to) {
   return std::max(yy - y * y / n - gained, 0.0);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // What is slid from one row to the next, and five times its noise: nothing shorter can be told.
 double resolution(std::span<const Reversal> reversals, double up_to) {
   std::vector<double> steps, bends;
@@ -68,11 +63,13 @@ double resolution(std::span<const Reversal> reversals, double up_to) {
     for (std::size_t i = 1; i < reversal.way.size() && (i < least_points || reversal.way[i] <= up_to); ++i)
       if (i < least_points || reversal.way[i] > 0.5 * up_to)
         steps.push_back(std::abs(reversal.way[i] - reversal.way[i - 1]));
-  for (const Reversal& reversal : reversals)
-    for (std::size_t i = 2; i < reversal.way.size() && (i < least_points || reversal.way[i] <= up_to); ++i)
-      bends.push_back(std::abs(reversal.way[i] - 2 * reversal.way[i - 1] + reversal.way[i - 2]));
-  constexpr double to_deviation = 1.4826 / 2.4495;  // of a median; a second difference has √6 times that of a row
-  return median(std::move(steps)) + 5 * to_deviation * median(std::move(bends));
+  for (const Reversal& reversal : reversals) {
+    std::size_t rows = std::min(least_points, reversal.way.size());
+    while (rows < reversal.way.size() && reversal.way[rows] <= up_to) ++rows;
+    const auto of_reversal = bends_of(std::span(reversal.way).first(rows));
+    bends.insert(bends.end(), of_reversal.begin(), of_reversal.end());
+  }
+  return median_of(std::move(steps)) + 5 * noise_of_bends(std::move(bends));
 }
 
 struct Found {

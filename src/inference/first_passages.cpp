@@ -19,15 +19,6 @@ constexpr double least_q = -1.5, greatest_q = 2.2;
 constexpr double greatest_w = 0.8;
 constexpr double usually_from = 0.08;  // below, 1 % in EI is 0.06 in μ
 
-// Of one reading, from second differences: those of a smooth curve hold noise alone.
-double noise_of(std::span<const double> force) {
-  std::vector<double> seconds;
-  for (std::size_t i = 2; i < force.size(); ++i)
-    seconds.push_back(std::abs(force[i] - 2 * force[i - 1] + force[i - 2]));
-  constexpr double of_median = 1.4826;  // standard deviation over median absolute deviation
-  return of_median * median_of(seconds) / std::sqrt(6.0);
-}
-
 // Readings at the end of a run of falls show where the fibre came to rest; those before it, what the loop of a recorder caught.
 std::vector<char> within_drops(std::span<const double> force, double noise) {
   std::vector<char> within(force.size(), 0);
@@ -69,7 +60,7 @@ Passages passages_of(const FitProblem& problem) {
   const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_told_from(problem.rig.fibre));
   Passages p{};
   p.fibre = problem.rig.fibre;
-  p.noise = noise_of(record.force);
+  p.noise = noise_of_bends(bends_of(record.force));
   const auto within = within_drops(record.force, p.noise);
   p.compliance = 1 / problem.rig.stiffness;
   p.stiffness_error = problem.errors.bending_stiffness;
@@ -186,7 +177,7 @@ Linearisation rises_of(const Passages& passages) {
   at.slope.assign(n, 0);
   complete(at, passages);
 
-  const double noise = std::max(noise_of(passages.force), 0.002);
+  const double noise = std::max(noise_of_bends(bends_of(passages.force)), 0.002);
   std::vector<double> deviation(n);
   for (std::size_t i = 0; i < n; ++i) deviation[i] = std::max(std::abs(at.S_force[i]) * noise, 3e-5);
   const double cap = 4 * median_of(deviation);

@@ -316,7 +316,7 @@ Marginal of_logarithm(const Estimate& estimate) {
   if (!(0 < estimate.low && estimate.low < estimate.value && estimate.value < estimate.high))
     throw std::invalid_argument("no logarithm of " + std::to_string(estimate.value) + " within " +
                                 std::to_string(estimate.low) + " to " + std::to_string(estimate.high));
-  constexpr double width = 2 * 1.959964;  // standard deviations of a 95 % interval
+  constexpr double width = 2 * two_sided_95;  // standard deviations of a 95 % interval
   const double deviation = (elementary::log(estimate.high) - elementary::log(estimate.low)) / width;
   return {{{1, elementary::log(estimate.value), deviation}}, 0, infinity};
 }

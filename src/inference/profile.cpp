@@ -168,8 +168,7 @@ ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const
   if (differences.empty()) return compared;
   const double offset = median_of(differences);
   for (double& difference : differences) difference = std::abs(difference - offset);
-  constexpr double of_median = 1.4826;  // standard deviation over median absolute deviation
-  compared.scatter = of_median * median_of(differences);
+  compared.scatter = deviation_by_median * median_of(differences);
   constexpr double of_a_median = 1.2533;  // its standard error over that of a mean
   compared.offset =
       normal_estimate(offset, of_a_median * compared.scatter / std::sqrt(static_cast<double>(differences.size())));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "data/names.h"
 #include "numerics/elementary.h"
@@ -71,14 +70,11 @@ SlipSummary summarise(std::span<const Slip> all) {
     falls.push_back(slips[i].mu_before - slips[i].mu_after);
     if (i > 0) spacings.push_back(0.5 * (slips[i].S_before - slips[i - 1].S_before));
   }
-  const double mean =
-      spacings.empty() ? not_a_number
-                       : std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
   const auto possible =
       std::count_if(all.begin(), all.end(), [](const Slip& slip) { return slip.verdict == SlipVerdict::possible; });
   return {.count = static_cast<std::size_t>(possible),
           .median_spacing = median_of(spacings),
-          .mean_spacing = mean,
+          .mean_spacing = mean_of(spacings),
           .median_fall = median_of(falls)};
 }
 
