@@ -20,6 +20,7 @@
 #include "fibre/elastica.h"
 #include "inference/profile.h"
 #include "numerics/elementary.h"
+#include "numerics/state_space.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -75,13 +76,6 @@ struct Pairs {
   std::vector<double> S, in, out;
   std::vector<std::array<double, 2>> in_slopes, out_slopes;  // of μ to ln EI and contact
   std::vector<double> noise_of_unit;                         // variance of in - out, for force noise 1
-};
-
-// Friction at the rows of a block, as all of them support it: ±q = μ(S) ± δ(S)/2 + noise with μ a random walk, by a Kalman filter
-// along S and Rauch, Tung & Striebel's smoother on the way back.
-struct Smoothed {
-  std::vector<Eigen::Vector3d> mu;  // and its regressors to ln EI and contact
-  std::vector<double> variance;
 };
 
 // Bending stiffness and contacts at which loading and unloading are mirror images: by least squares, and the noise by its likelihood.
@@ -330,52 +324,35 @@ Pairs pair_directions(const Block& block) {
   return places;
 }
 
-Smoothed smooth(const Block& block, const Noise& noise) {
-  struct Step {
-    Eigen::Matrix<double, 2, 3> predicted, mean;  // of (μ, δ)
-    Eigen::Matrix2d predicted_covariance, covariance, transition;
-  };
+// Friction μ at the rows of a block as all of them support it, then the difference δ of the directions; each and its regressors to ln EI and
+// contact: ±q = μ(S) ± δ(S)/2 + noise, with μ a random walk and δ an Ornstein-Uhlenbeck process.
+std::vector<KnownState<2, 3>> smooth(const Block& block, const Noise& noise) {
   constexpr double diffuse = 1e4;  // variance of μ before the first row: friction is below 100
   const double power = noise.difference * noise.difference;
   const std::size_t n = block.rows.size();
-  std::vector<Step> steps;
-  steps.reserve(n);
+  std::vector<PassedState<2, 3>> passed;
+  passed.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Row& row = block.rows[i];
-    Step step;
+    PassedState<2, 3> here;
     if (i == 0) {
-      step.transition.setIdentity();
-      step.predicted.setZero();
-      step.predicted_covariance << diffuse, 0, 0, power;
+      here.step.transition.setIdentity();
+      here.step.added.setZero();
+      here.expected.mean.setZero();
+      here.expected.covariance << diffuse, 0, 0, power;
     } else {
       const double distance = row.S - block.rows[i - 1].S;
       const double decay = elementary::exp(-distance / noise.length);
-      step.transition << 1, 0, 0, decay;
-      step.predicted = step.transition * steps.back().mean;
-      step.predicted_covariance = step.transition * steps.back().covariance * step.transition;
-      step.predicted_covariance(0, 0) += block.roughness * distance;
-      step.predicted_covariance(1, 1) += power * (1 - decay * decay);
+      here.step.transition << 1, 0, 0, decay;
+      here.step.added << block.roughness * distance, 0, 0, power * (1 - decay * decay);
+      here.expected = stepped(passed.back().known, here.step);
     }
-    const Eigen::Vector2d h(1, 0.5 * row.side);
-    const Eigen::Vector2d Ph = step.predicted_covariance * h;
-    const double variance = h.dot(Ph) + noise.force * noise.force * row.variance_of_unit + least_noise * least_noise;
+    const double variance = noise.force * noise.force * row.variance_of_unit + least_noise * least_noise;
     const Eigen::RowVector3d y(row.y[0], row.y[1], row.y[2]);
-    step.mean = step.predicted + Ph * (y - h.transpose() * step.predicted) / variance;
-    step.covariance = step.predicted_covariance - Ph * Ph.transpose() / variance;
-    steps.push_back(step);
+    here.known = seen(here.expected, Eigen::Vector2d(1, 0.5 * row.side), y, variance).known;
+    passed.push_back(here);
   }
-  Smoothed result{std::vector<Eigen::Vector3d>(n), std::vector<double>(n)};
-  for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n) {
-      const Step& next = steps[i + 1];
-      const Eigen::Matrix2d gain = steps[i].covariance * next.transition * next.predicted_covariance.inverse();
-      steps[i].mean += gain * (next.mean - next.predicted);
-      steps[i].covariance += gain * (next.covariance - next.predicted_covariance) * gain.transpose();
-    }
-    result.mu[i] = steps[i].mean.row(0).transpose();
-    result.variance[i] = std::max(steps[i].covariance(0, 0), 0.0);
-  }
-  return result;
+  return smoothed(passed);
 }
 
 constexpr double lost_degrees = 6;  // of freedom: three for the trend, three of Fisher's transform
@@ -409,28 +386,25 @@ struct Information {
   double log_determinant = 0;
 };
 
-// The differences in - out at the places of a loop and their regressors, whitened: an Ornstein-Uhlenbeck process seen through
-// noise, by a Kalman filter along S.
+// The differences in - out at the places of a loop and their regressors, whitened: an Ornstein-Uhlenbeck process seen through noise.
 Information whiten(const Pairs& places, const Noise& noise) {
+  using Number = Eigen::Matrix<double, 1, 1>;
   Information information;
   const double power = noise.difference * noise.difference;
-  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
-  double variance = power;
+  KnownState<1, 4> known{Eigen::RowVector4d::Zero(), Number(power)};
   for (std::size_t i = 0; i < places.S.size(); ++i) {
     if (i > 0) {
       const double decay = elementary::exp(-(places.S[i] - places.S[i - 1]) / noise.length);
-      mean *= decay;
-      variance = decay * decay * variance + power * (1 - decay * decay);
+      known = stepped(known, {Number(decay), Number(power * (1 - decay * decay))});
     }
-    const double total = variance + noise.force * noise.force * places.noise_of_unit[i] + least_noise * least_noise;
     const auto& in = places.in_slopes[i];
     const auto& out = places.out_slopes[i];
-    const Eigen::Vector4d y(places.in[i] - places.out[i], out[0] - in[0], out[1] - in[1], 1);
-    const Eigen::Vector4d innovation = y - mean;
-    information.gram.noalias() += innovation * innovation.transpose() / total;
-    information.log_determinant += elementary::log(total);
-    mean += variance / total * innovation;
-    variance -= variance * variance / total;
+    const Eigen::RowVector4d y(places.in[i] - places.out[i], out[0] - in[0], out[1] - in[1], 1);
+    const double variance = noise.force * noise.force * places.noise_of_unit[i] + least_noise * least_noise;
+    const auto sight = seen(known, Number(1.0), y, variance);
+    information.gram.noalias() += sight.innovation.transpose() * sight.innovation / sight.variance;
+    information.log_determinant += elementary::log(sight.variance);
+    known = sight.known;
   }
   return information;
 }
@@ -582,15 +556,16 @@ void describe_directions(FrictionLoop& loop, const Block& block, const Noise& no
 // Lengths closer than what a measurement resolves would make a table steep for nothing.
 void describe_table(FrictionLoop& loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance,
                     const Fibre& fibre) {
-  const auto smoothed = smooth(block, noise);
+  const auto states = smooth(block, noise);
   const double least_distance = std::max(block.range / 1000, 2e-6);
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     const double S = block.rows[i].S;
     if (!loop.table.S.empty() && S - loop.table.S.back() < least_distance) continue;
     loop.table.S.push_back(S);
-    loop.table.mu.push_back(held_friction(fibre, smoothed.mu[i][0]));
-    loop.error.push_back(
-        std::sqrt(smoothed.variance[i] + systematic({smoothed.mu[i][1], smoothed.mu[i][2]}, covariance)));
+    const Eigen::RowVector3d mu = states[i].mean.row(0);
+    loop.table.mu.push_back(held_friction(fibre, mu[0]));
+    const double variance = std::max(states[i].covariance(0, 0), 0.0);
+    loop.error.push_back(std::sqrt(variance + systematic({mu[1], mu[2]}, covariance)));
   }
 }
 
