@@ -290,10 +290,10 @@ class Loading {
   // Reads the forces along a stretch. Are there states all the way?
   bool read_along(double S_from, double S_to, int halvings) {
     constexpr double accuracy = 1e-6;  // of the last coefficients: of the polynomial, a hundredth
-    constexpr int most_halvings = 12;  // only a friction that begins or ends to be held at zero needs them
+    constexpr int max_halvings = 12;   // only a friction that begins or ends to be held at zero needs them
     const SlidingPiece piece(curve_.friction, design_.rig, S_from, S_to);
     const double middle = 0.5 * (S_from + S_to);
-    const bool can_halve = halvings < most_halvings && S_from < middle && middle < S_to;
+    const bool can_halve = halvings < max_halvings && S_from < middle && middle < S_to;
     if (can_halve && (!piece.exists() || piece.error() > accuracy))
       return read_along(S_from, middle, halvings + 1) && read_along(middle, S_to, halvings + 1);
     if (!piece.exists()) return false;
@@ -424,16 +424,16 @@ double breaking_deflection(const Design& design, const Rig& rig) {
 }
 
 void require_loading(const Design& design) {
-  constexpr double least_deflection = 1e-6;                                   // below it S - 1 has lost its digits
+  constexpr double min_deflection = 1e-6;                                     // below it S - 1 has lost its digits
   const double deflection = design.travel / (1 + 48 / design.rig.stiffness);  // of the straight fibre
-  if (!(deflection >= least_deflection))
+  if (!(deflection >= min_deflection))
     throw std::invalid_argument("a loading must bend the fibre by at least 1e-6 spans, not " +
                                 std::to_string(1e6 * deflection) + "e-6");
-  constexpr double most_readings = 1e9;  // the counts of readings are doubles
+  constexpr double max_readings = 1e9;  // the counts of readings are doubles
   if (!(design.step >= 0 && std::isfinite(design.step)))
     throw std::invalid_argument("the step of the stage must be finite and not negative, not " +
                                 std::to_string(design.step));
-  if (design.step > 0 && design.travel / design.step > most_readings)
+  if (design.step > 0 && design.travel / design.step > max_readings)
     throw std::invalid_argument("a loading has at most 1e9 readings, not " +
                                 std::to_string(design.travel / design.step));
 }
@@ -485,9 +485,9 @@ double critical_stiffness(const Design& design) {
 
 double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
   constexpr double most = 3;
-  constexpr double least_deflection = 1e-6;
+  constexpr double min_deflection = 1e-6;
   const double w = outcome.status == DesignStatus::slipped_through ? design.travel : outcome.w_reached;
-  const double critical = critical_stiffness(design.friction, std::max(w, least_deflection), design.rig.fibre);
+  const double critical = critical_stiffness(design.friction, std::max(w, min_deflection), design.rig.fibre);
   if (std::isinf(critical)) return -most;
   return std::clamp(std::log(design.rig.stiffness / critical), -most, most);
 }

@@ -12,7 +12,7 @@ namespace flexslip {
 namespace {
 
 // Wherever it is, what is sought has a bracket. What a fit tells may be somewhat more than friction may be.
-constexpr double most_friction_sought = 2 * largest_q_on_supports;
+constexpr double max_friction_sought = 2 * largest_q_on_supports;
 
 double direction_of(Motion motion) { return motion == Motion::slip_in ? 1 : motion == Motion::slip_out ? -1 : 0; }
 
@@ -31,7 +31,7 @@ PathPoint Shallow::straight() const { return {0, 0, 0, 1, -friction_.at(1).mu, M
 Shallow::Place Shallow::place(const Way& way, double w, double q) const {
   const double rolled = 2 * rig_.fibre.supports().radius;
   Place found{};
-  double low = -most_friction_sought, high = most_friction_sought;
+  double low = -max_friction_sought, high = max_friction_sought;
   for (int i = 0; i < 100; ++i) {
     found.at = rig_.fibre.bent(w, q);
     const Fibre::BentState& at = found.at;

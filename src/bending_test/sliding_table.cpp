@@ -130,13 +130,13 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
   scale = std::max({scale, greatest(stage), greatest(friction)});
   stage = Interpolant<degree>::chebyshev(stage);
   friction = Interpolant<degree>::chebyshev(friction);
-  constexpr double accuracy = 1e-12;        // what the integral loses is a tenth of that, and less
-  constexpr int most_halvings = 30;         // at a kink: a piece 1e-9 of the whole
-  constexpr std::size_t most_pieces = 200;  // enough for a few kinks
+  constexpr double accuracy = 1e-12;       // what the integral loses is a tenth of that, and less
+  constexpr int max_halvings = 30;         // at a kink: a piece 1e-9 of the whole
+  constexpr std::size_t max_pieces = 200;  // enough for a few kinks
   const auto is_resolved = [&](const Series& c) {
     return std::abs(c[degree]) + std::abs(c[degree - 1]) <= accuracy * scale + noise;
   };
-  if (halvings < most_halvings && cell.size() < most_pieces && !(is_resolved(stage) && is_resolved(friction))) {
+  if (halvings < max_halvings && cell.size() < max_pieces && !(is_resolved(stage) && is_resolved(friction))) {
     const double middle = 0.5 * (from + to);
     fill(cell, from, middle, scale, halvings + 1);
     fill(cell, middle, to, scale, halvings + 1);
@@ -248,10 +248,10 @@ Polynomial::Matrix map_of_work() {
 using Slope = std::array<double, degree>;
 
 void add_roots(const Slope& b, double low, double high, int halvings, std::vector<double>& roots) {
-  constexpr int most_halvings = 24;  // beyond it two roots are one point
+  constexpr int max_halvings = 24;  // beyond it two roots are one point
   const int changes = sign_changes(b);
   if (changes == 0) return;
-  if (halvings == most_halvings) {
+  if (halvings == max_halvings) {
     if (changes % 2 == 1) roots.push_back(0.5 * (low + high));
     return;
   }

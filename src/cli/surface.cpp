@@ -62,7 +62,7 @@ void add_surface_command(CLI::App& app) {
       ->add_option("--level", request->choice.level,
                    "Degree of the polynomial to subtract: 0 removes the mean, 1 the tilt, 2 the bow")
       ->type_name("DEGREE")
-      ->check(CLI::Range(0, static_cast<int>(most_degree)).description(""))
+      ->check(CLI::Range(0, static_cast<int>(max_degree)).description(""))
       ->capture_default_str();
   length("--cutoff", request->choice.cutoff, "Remove shorter waves with the Gaussian filter of ISO 16610-21");
   length("--edge-radius", request->choice.edge_radius, "Radius of the support's edge that is drawn over the surface");

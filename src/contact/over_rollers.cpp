@@ -22,18 +22,18 @@ constexpr double slope_by_way = 1.94;
 
 OverRollers::OverRollers(Friction along, Fibre fibre, double direction, double S_most)
     : along_(std::move(along)), fibre_(std::move(fibre)), direction_(direction) {
-  if (along_.walk()) throw std::invalid_argument("two supports that are not alike are edges, not rollers");
+  if (along_.two_supports()) throw std::invalid_argument("two supports that are not alike are edges, not rollers");
   if (S_most > 1 && !along_.knots().empty()) add_knots(S_most);
 }
 
 // What lies between the contacts may be shorter than the span, where a drift may have brought more friction.
-double OverRollers::most_at_contacts(double S_max) const {
+double OverRollers::max_at_contacts(double S_max) const {
   const double least = 1 - std::numbers::pi * fibre_.supports().radius;
-  return along_.most_up_to(S_max) + std::max(along_.drift() < 0 ? along_.drift() * (least - 1) : 0.0, 0.0);
+  return along_.max_up_to(S_max) + std::max(along_.drift() < 0 ? along_.drift() * (least - 1) : 0.0, 0.0);
 }
 
 FrictionPoint OverRollers::at(double S) const {
-  const double most = most_at_contacts(S + 1);
+  const double most = max_at_contacts(S + 1);
   FrictionPoint met{std::clamp(along_.at(S).mu, 0.0, most), 0};
   const auto miss_at = [&](double mu) {
     const auto [length, length_S, length_q] = fibre_.contact(S, direction_ * mu);
@@ -120,7 +120,7 @@ double steepest_followed(const Fibre& fibre, double most, double S_most) {
 
 Friction met(const Friction& along, const Fibre& fibre, double direction, double S_most) {
   if (fibre.supports().radius == 0 || along.is_met()) return along;
-  return Friction::on_a_way(std::make_shared<const OverRollers>(along, fibre, direction, S_most));
+  return Friction::path_dependent(std::make_shared<const OverRollers>(along, fibre, direction, S_most));
 }
 
 std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fibre, double direction) {
@@ -134,13 +134,13 @@ OnSlopes::OnSlopes(Friction in, Friction out) : direction_(1) {
   ways_ = std::make_shared<const Ways>(Ways{std::move(in), std::move(out)});
 }
 
-std::shared_ptr<const FrictionOnAWay> OnSlopes::from(double /*S*/, double /*q*/, double direction) const {
+std::shared_ptr<const PathDependentFriction> OnSlopes::from(double /*S*/, double /*q*/, double direction) const {
   return std::shared_ptr<const OnSlopes>(new OnSlopes(ways_, direction));
 }
 
 namespace {
 
-class Capped final : public FrictionOnAWay {
+class Capped final : public PathDependentFriction {
  public:
   Capped(Friction friction, double cap, double S_most) : friction_(std::move(friction)), cap_(cap) {
     if (friction_.depends_on_way() || friction_.is_met() || !(cap >= 0))
@@ -162,15 +162,15 @@ class Capped final : public FrictionOnAWay {
     return own.mu <= cap_ ? own : FrictionPoint{cap_, 0};
   }
   double smooth_scale() const override { return friction_.smooth_scale(); }
-  double most_up_to(double S_max) const override { return std::min(friction_.most_up_to(S_max), cap_); }
+  double max_up_to(double S_max) const override { return std::min(friction_.max_up_to(S_max), cap_); }
   std::span<const double> knots() const override { return knots_; }
 
  private:
   bool is_capped(double S) const { return friction_.at(S).mu > cap_; }
 
   void add_crossings(double from, double to) {
-    constexpr double samples_a_scale = 4, least_samples = 8;
-    const double samples = std::max(least_samples, std::ceil(samples_a_scale * (to - from) / friction_.smooth_scale()));
+    constexpr double samples_a_scale = 4, min_samples = 8;
+    const double samples = std::max(min_samples, std::ceil(samples_a_scale * (to - from) / friction_.smooth_scale()));
     double low = from;
     for (double i = 1; i <= samples; ++i) {
       const double high = i < samples ? from + (to - from) * i / samples : to;
@@ -189,7 +189,7 @@ class Capped final : public FrictionOnAWay {
 }  // namespace
 
 Friction capped(const Friction& friction, double cap, double S_most) {
-  return Friction::on_a_way(std::make_shared<const Capped>(friction, cap, S_most));
+  return Friction::path_dependent(std::make_shared<const Capped>(friction, cap, S_most));
 }
 
 double friction_of_pins(double pin_friction, double pin_radius, double radius) {

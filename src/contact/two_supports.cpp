@@ -24,7 +24,7 @@ FrictionPoint at_point(const Friction& side, double x) {
 }  // namespace
 
 // One way, in or out: y is what a side has gone of it.
-class Walk::Tracer {
+class TwoSupportPath::Tracer {
  public:
   Tracer(const std::array<Friction, 2>& sides, ContactPoints from, double direction, double most)
       : sides_(sides), from_{from.left, from.right}, direction_(direction), most_(most) {}
@@ -175,13 +175,13 @@ class Walk::Tracer {
   bool arrived_ = false;
 };
 
-Walk::Walk(Friction left, Friction right, ContactPoints from, double S_most)
-    : Walk({std::move(left), std::move(right)}, from, 1 + from.left + from.right, S_most) {}
+TwoSupportPath::TwoSupportPath(Friction left, Friction right, ContactPoints from, double S_most)
+    : TwoSupportPath({std::move(left), std::move(right)}, from, 1 + from.left + from.right, S_most) {}
 
-Walk::Walk(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most)
+TwoSupportPath::TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most)
     : sides_(std::move(sides)), origin_(origin) {
   for (const Friction& side : sides_)
-    if (side.walk()) throw std::invalid_argument("the friction of a side is that of a walk over two");
+    if (side.two_supports()) throw std::invalid_argument("the friction of a side is that of a walk over two");
   if (!(origin_ >= 1 && S_most >= origin_ && S_most < infinity))
     throw std::invalid_argument("a walk from the length " + std::to_string(origin_) + " to " + std::to_string(S_most));
   pieces_ = Tracer(sides_, from, -1, origin_ - 1).run();
@@ -199,7 +199,7 @@ Walk::Walk(std::array<Friction, 2> sides, ContactPoints from, double origin, dou
 }
 
 // Where it begins, and where a side that slides meets a knot of its own, or begins or ends to be held at zero.
-void Walk::add_knots(const Piece& piece) {
+void TwoSupportPath::add_knots(const Piece& piece) {
   knots_.push_back(piece.from);
   for (const bool of_left : {true, false}) {
     if (piece.slides == (of_left ? Slides::right : Slides::left)) continue;
@@ -228,13 +228,13 @@ void Walk::add_knots(const Piece& piece) {
   }
 }
 
-const Walk::Piece& Walk::piece_at(double S) const {
+const TwoSupportPath::Piece& TwoSupportPath::piece_at(double S) const {
   const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), S,
                                       [](double length, const Piece& piece) { return length < piece.from; });
   return after == pieces_.begin() ? pieces_.front() : *(after - 1);
 }
 
-ContactPoints Walk::points_in(const Piece& piece, double S) const {
+ContactPoints TwoSupportPath::points_in(const Piece& piece, double S) const {
   const double from_begin = std::clamp(S, piece.from, piece.to) - piece.from;
   const auto [left, right] = piece.begin;
   if (piece.slides == Slides::left) return {left + from_begin, right};
@@ -254,9 +254,9 @@ ContactPoints Walk::points_in(const Piece& piece, double S) const {
   return {x, both - x};
 }
 
-ContactPoints Walk::points_at(double S) const { return points_in(piece_at(S), S); }
+ContactPoints TwoSupportPath::points_at(double S) const { return points_in(piece_at(S), S); }
 
-FrictionPoint Walk::at(double S) const {
+FrictionPoint TwoSupportPath::at(double S) const {
   const Piece& piece = piece_at(S);
   const auto [left, right] = points_in(piece, S);
   const bool is_beyond = S < pieces_.front().from || S > pieces_.back().to;
@@ -268,11 +268,13 @@ FrictionPoint Walk::at(double S) const {
   return met({0.5 * (a.mu + b.mu), sum != 0 ? a.slope * b.slope / sum : 0});
 }
 
-double Walk::smooth_scale() const { return 0.5 * std::min(sides_[0].smooth_scale(), sides_[1].smooth_scale()); }
+double TwoSupportPath::smooth_scale() const {
+  return 0.5 * std::min(sides_[0].smooth_scale(), sides_[1].smooth_scale());
+}
 
-double Walk::most_up_to(double S_max) const {
+double TwoSupportPath::max_up_to(double S_max) const {
   const double one_side = 1 + 2 * (S_max - 1);
-  return std::max(sides_[0].most_up_to(one_side), sides_[1].most_up_to(one_side));
+  return std::max(sides_[0].max_up_to(one_side), sides_[1].max_up_to(one_side));
 }
 
 }  // namespace flexslip

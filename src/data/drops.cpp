@@ -12,7 +12,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t least_points = 30;
+constexpr std::size_t min_points = 30;
 constexpr std::size_t longest = 3;  // [steps] a drop may take that long
 
 void require(const DropOptions& options) {
@@ -44,7 +44,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   require_faultless(record);
   const auto& force = record.force;
   const std::size_t points = force.size();
-  if (points < least_points) return {DropStatus::too_short, {}, 0, 0};
+  if (points < min_points) return {DropStatus::too_short, {}, 0, 0};
 
   double stretches = 0;
   for (std::size_t length = 1; length <= longest; ++length) stretches += static_cast<double>(points - length);

@@ -12,9 +12,9 @@
 namespace flexslip {
 namespace {
 
-constexpr double far_enough = 1.0 / 3;   // [greatest force of the first loading] where a reload must get
-constexpr double farthest_bent = 2;      // [first loading] where a reload may be at the same force
-constexpr std::size_t least_points = 6;  // twice what a line with a scatter needs, for the two halves
+constexpr double far_enough = 1.0 / 3;  // [greatest force of the first loading] where a reload must get
+constexpr double farthest_bent = 2;     // [first loading] where a reload may be at the same force
+constexpr std::size_t min_points = 6;   // twice what a line with a scatter needs, for the two halves
 
 void require(const Record& record, std::span<const LoadingRange> loadings) {
   const std::size_t rows = record.force.size();
@@ -46,8 +46,8 @@ Slope slope_of(const Record& record, std::size_t first, std::size_t last) {
   std::vector<double> residuals(last - first);
   for (std::size_t i = first; i < last; ++i)
     residuals[i - first] = record.force[i] - force.mean_y - slope * (record.deflection[i] - deflection.mean_y);
-  constexpr double most_correlation = 0.9;
-  const double scatter = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), most_correlation);
+  constexpr double max_correlation = 0.9;
+  const double scatter = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), max_correlation);
   return {slope, scatter / (deflection.slope * std::sqrt(force.sum_xx))};
 }
 
@@ -82,8 +82,7 @@ MeasuredLoading measure(const Record& record, const LoadingRange& loading, const
   std::size_t middle = first;
   while (middle < last && record.force[middle] <= window.middle) ++middle;
   result.status = LoadingStatus::too_few_points;
-  if (last - first < least_points || middle - first < least_points / 2 || last - middle < least_points / 2)
-    return result;
+  if (last - first < min_points || middle - first < min_points / 2 || last - middle < min_points / 2) return result;
 
   result.deflection = mean_of(std::span(record.deflection).subspan(first, last - first));
   result.whole = slope_of(record, first, last);

@@ -103,14 +103,14 @@ struct Leg {
 };
 
 struct LegOptions {
-  double least_travel = 0.02;  // [range of the stage] a turn counts once the stage has gone back by more; shorter
-                               // excursions are noise, backlash or a hold, and belong to the leg they interrupt
+  double min_travel = 0.02;  // [range of the stage] a turn counts once the stage has gone back by more; shorter
+                             // excursions are noise, backlash or a hold, and belong to the leg they interrupt
 };
 
 // Legs in the order of time, loading and unloading in turn; together they are all points. None for a stage that stands still.
-// Domain: stage finite, in any unit; 0 < least_travel < 1. std::invalid_argument otherwise.
-// Method: a turning point is the farthest position before a return of more than least_travel; of equal ones the first. So noise
-//         of the stage shifts it by no more than its own size, and cannot make one if its range is below least_travel.
+// Domain: stage finite, in any unit; 0 < min_travel < 1. std::invalid_argument otherwise.
+// Method: a turning point is the farthest position before a return of more than min_travel; of equal ones the first. So noise
+//         of the stage shifts it by no more than its own size, and cannot make one if its range is below min_travel.
 // Cost:   one pass.
 std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& options = {});
 

@@ -20,7 +20,7 @@ bool may_slide(const Record& record, const Scales& scales, const Rig& rig, doubl
     const ReducedRecord reduced = to_reduced(record, {scales.span(), stiffening * scales.bending_stiffness()});
     const FrictionProfile profile = measure_friction(reduced, rig.in_units_of(stiffening), {}, judged_from);
     const auto negative = static_cast<std::size_t>(std::count_if(
-        profile.points.begin(), profile.points.end(), [](const auto& point) { return point.mu < least_friction; }));
+        profile.points.begin(), profile.points.end(), [](const auto& point) { return point.mu < min_friction; }));
     const std::size_t impossible = negative + profile.unexplained.size();
     return 5 * impossible <= profile.points.size() + profile.unexplained.size();
   };
@@ -212,10 +212,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double beside = EI / (contact.slope.value * L * L * L / 48);
   const bool contact_is_nearer = std::abs(elementary::log(through_contact)) < std::abs(elementary::log(beside));
   const double ratio = !slope.found ? not_a_number : contact_is_nearer ? through_contact : beside;
-  constexpr double most_ratio =
+  constexpr double max_ratio =
       1.4;  // contact, friction and large deflection bend the slopes of sound tests by up to 25 %
   const double EI_error = description.bending_stiffness_error.value_or(usual_error);
-  const double farthest_ratio = std::max(most_ratio, elementary::exp(2 * EI_error));
+  const double farthest_ratio = std::max(max_ratio, elementary::exp(2 * EI_error));
   const Scales scales(L, EI);
   TestAnalysis analysis{.status = AnalysisStatus::ok,
                         .scales = scales,
@@ -231,8 +231,8 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
     analysis.status = AnalysisStatus::no_initial_slope;
     return analysis;
   }
-  constexpr std::size_t least_points = 30;
-  if (record.force.size() < least_points) {
+  constexpr std::size_t min_points = 30;
+  if (record.force.size() < min_points) {
     analysis.status = AnalysisStatus::too_few_points;
     return analysis;
   }
@@ -269,7 +269,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.slips = told_by(analysis.profile_at_fit, analysis.slips, fitted.errors);
   analysis.slip_summary = summarise(analysis.slips);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
-  analysis.model_implausible = analysis.fit.residual_rms > most_residual * greatest ||
+  analysis.model_implausible = analysis.fit.residual_rms > max_residual * greatest ||
                                !may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   analysis.replay = replay_of(analysis);
   analysis.energy = measured_energy(analysis);

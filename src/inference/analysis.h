@@ -25,7 +25,7 @@ namespace flexslip {
 
 // Can a record be sliding with friction at all?
 
-// Do four fifths of the points past the deflection judged_from have a friction of least_friction or more (profile.h), at the bending stiffness of
+// Do four fifths of the points past the deflection judged_from have a friction of min_friction or more (profile.h), at the bending stiffness of
 // the scales or one that differs from it by twice its error?
 // Domain:     bending_stiffness_error >= 0 [1]; the stiffness of the rig is in units of the scales.
 bool may_slide(const Record& record, const Scales& scales, const Rig& rig, double bending_stiffness_error);

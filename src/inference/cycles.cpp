@@ -51,7 +51,7 @@ struct LoopLegs {
 
 // The points of a loop that slide, by length: as both directions at the same places, and as one friction that all of them support.
 
-constexpr double least_noise = 1e-9;  // [1] of q: keeps the filter regular for records without noise
+constexpr double min_noise = 1e-9;  // [1] of q: keeps the filter regular for records without noise
 
 // Sorted by S: one loop's points that slide.
 struct Row {
@@ -142,9 +142,8 @@ std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
 }
 
 // The points of a record under a calibration; `columns` are the contacts of its legs.
-std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double least_deflection,
-                          std::span<const Leg> legs, const Calibration& calibration,
-                          std::span<const std::size_t> columns) {
+std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double min_deflection, std::span<const Leg> legs,
+                          const Calibration& calibration, std::span<const std::size_t> columns) {
   std::vector<Point> points;
   points.reserve(record.force.size());
   const double scale = elementary::exp(-calibration.log_stiffness);  // of forces
@@ -154,7 +153,7 @@ std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double le
     for (std::size_t i = legs[leg].first; i < legs[leg].last; ++i) {
       const double w = record.deflection[i] - contact;
       const double F = record.force[i] * scale;
-      if (!(w > least_deflection && F > 0)) continue;
+      if (!(w > min_deflection && F > 0)) continue;
       const auto state = rig.fibre.state_from_force(w, F);
       if (state.status != FibreStatus::ok) continue;
       const auto d = rig.fibre.state_slopes(state.S, state.q).slopes;
@@ -220,7 +219,7 @@ void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double fo
 }
 
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t most_places = 100;  // of a loop: finer than bumps, coarser than readings
+constexpr std::size_t max_places = 100;  // of a loop: finer than bumps, coarser than readings
 
 std::vector<Block> make_blocks(std::span<const Point> points, std::span<const LoopLegs> loops, std::size_t legs,
                                double force_noise) {
@@ -247,8 +246,7 @@ std::vector<Block> make_blocks(std::span<const Point> points, std::span<const Lo
     std::stable_sort(block.rows.begin(), block.rows.end(), [](const Row& a, const Row& b) { return a.S < b.S; });
     if (!block.rows.empty()) block.range = block.rows.back().S - block.rows.front().S;
     // Rather too rough, which only widens the band of μ, than too smooth, which would bend μ.
-    if (length > 0)
-      block.roughness = std::max({variation - noise, 0.1 * variation, least_noise * least_noise}) / length;
+    if (length > 0) block.roughness = std::max({variation - noise, 0.1 * variation, min_noise * min_noise}) / length;
     blocks.push_back(std::move(block));
   }
   return blocks;
@@ -268,7 +266,7 @@ Pairs pair_directions(const Block& block) {
   const double low = std::max(in.front()->S, out.front()->S);
   const double high = std::min(in.back()->S, out.back()->S);
   if (!(high > low)) return places;
-  const auto count = std::clamp<std::size_t>(std::min(in.size(), out.size()) / 2, 1, most_places);
+  const auto count = std::clamp<std::size_t>(std::min(in.size(), out.size()) / 2, 1, max_places);
   const double width = (high - low) / static_cast<double>(count);
   std::size_t place = nowhere;
   double members = 0;
@@ -347,7 +345,7 @@ std::vector<KnownState<2, 3>> smooth(const Block& block, const Noise& noise) {
       here.step.added << block.roughness * distance, 0, 0, power * (1 - decay * decay);
       here.expected = stepped(passed.back().known, here.step);
     }
-    const double variance = noise.force * noise.force * row.variance_of_unit + least_noise * least_noise;
+    const double variance = noise.force * noise.force * row.variance_of_unit + min_noise * min_noise;
     const Eigen::RowVector3d y(row.y[0], row.y[1], row.y[2]);
     here.known = seen(here.expected, Eigen::Vector2d(1, 0.5 * row.side), y, variance).known;
     passed.push_back(here);
@@ -400,7 +398,7 @@ Information whiten(const Pairs& places, const Noise& noise) {
     const auto& in = places.in_slopes[i];
     const auto& out = places.out_slopes[i];
     const Eigen::RowVector4d y(places.in[i] - places.out[i], out[0] - in[0], out[1] - in[1], 1);
-    const double variance = noise.force * noise.force * places.noise_of_unit[i] + least_noise * least_noise;
+    const double variance = noise.force * noise.force * places.noise_of_unit[i] + min_noise * min_noise;
     const auto sight = seen(known, Number(1.0), y, variance);
     information.gram.noalias() += sight.innovation.transpose() * sight.innovation / sight.variance;
     information.log_determinant += elementary::log(sight.variance);
@@ -479,9 +477,9 @@ Noise likely_noise(const Estimator& estimator, const Noise& start, double readin
   return noise_at(at);
 }
 
-constexpr std::size_t least_points = 20;
+constexpr std::size_t min_points = 20;
 constexpr std::size_t settling = 5;  // iterations after which it is fixed which points slide
-constexpr std::size_t most_iterations = 40;
+constexpr std::size_t max_iterations = 40;
 
 Estimate root_mean_square(std::span<const double> values) {
   double sum = 0;
@@ -527,7 +525,7 @@ void describe_corners(FrictionLoop& loop, std::span<const Point> points, std::si
 void describe_directions(FrictionLoop& loop, const Block& block, const Noise& noise,
                          const Eigen::Matrix2d& covariance) {
   const auto pairs = pair_directions(block);
-  loop.places = pairs.S.size() >= least_pairs ? pairs.S.size() : 0;
+  loop.places = pairs.S.size() >= min_pairs ? pairs.S.size() : 0;
   loop.correlation = {not_a_number, not_a_number, not_a_number, 0};
   if (loop.places == 0) return;
   const auto n = static_cast<double>(loop.places);
@@ -557,10 +555,10 @@ void describe_directions(FrictionLoop& loop, const Block& block, const Noise& no
 void describe_table(FrictionLoop& loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance,
                     const Fibre& fibre) {
   const auto states = smooth(block, noise);
-  const double least_distance = std::max(block.range / 1000, 2e-6);
+  const double min_distance = std::max(block.range / 1000, 2e-6);
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     const double S = block.rows[i].S;
-    if (!loop.table.S.empty() && S - loop.table.S.back() < least_distance) continue;
+    if (!loop.table.S.empty() && S - loop.table.S.back() < min_distance) continue;
     loop.table.S.push_back(S);
     const Eigen::RowVector3d mu = states[i].mean.row(0);
     loop.table.mu.push_back(held_friction(fibre, mu[0]));
@@ -583,10 +581,10 @@ FrictionTable common_table(std::span<const FrictionLoop> loops) {
   if (tables.empty()) return {};
   if (tables.size() == 1) return *tables.front();
   std::sort(common.S.begin(), common.S.end());
-  const double least_distance = std::max((common.S.back() - common.S.front()) / 1000, 2e-6);
+  const double min_distance = std::max((common.S.back() - common.S.front()) / 1000, 2e-6);
   std::vector<double> lengths;
   for (const double S : common.S)
-    if (lengths.empty() || S - lengths.back() >= least_distance) lengths.push_back(S);
+    if (lengths.empty() || S - lengths.back() >= min_distance) lengths.push_back(S);
   common.S = lengths;
   common.mu.reserve(lengths.size());
   for (const double S : lengths) {
@@ -623,7 +621,7 @@ std::vector<std::size_t> columns_of_legs(std::span<const LoopLegs> loops, std::s
 std::vector<bool> find_mirrors(std::span<const Block> blocks) {
   std::vector<bool> mirrored;
   mirrored.reserve(blocks.size());
-  for (const auto& block : blocks) mirrored.push_back(pair_directions(block).S.size() >= least_pairs);
+  for (const auto& block : blocks) mirrored.push_back(pair_directions(block).S.size() >= min_pairs);
   return mirrored;
 }
 
@@ -681,14 +679,14 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
       .covariance = {},
       .noise = {reading, 1e-5, 0.01},  // no difference: nothing tells one without a mirror
       .asymmetry = normal_estimate(not_a_number, not_a_number),
-      .points = locate(record, rig, options.least_deflection, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
+      .points = locate(record, rig, options.min_deflection, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
       .blocks = {}};
 
   // As the record stands: which loops have a mirror, and is there anything to measure?
   mark_stuck(fit.points, legs, reading);
   const auto sliding =
       std::count_if(fit.points.begin(), fit.points.end(), [](const Point& point) { return point.slides; });
-  if (static_cast<std::size_t>(sliding) < least_points) return fit;
+  if (static_cast<std::size_t>(sliding) < min_points) return fit;
   fit.blocks = make_blocks(fit.points, loops, legs.size(), reading);
   const auto mirrored = find_mirrors(fit.blocks);
   fit.calibration.contact.assign(assign_contacts(loops, mirrored), 0.0);
@@ -704,8 +702,8 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
   fit.noise.difference = 0.05;                  // a start at which neither noise nor bumps are ignored
   std::vector<bool> used(record.force.size());  // which points count, and which of them slide, once that is settled
   std::vector<bool> slides(record.force.size());
-  for (std::size_t iteration = 0; iteration < most_iterations; ++iteration) {
-    fit.points = locate(record, rig, options.least_deflection, legs, fit.calibration, columns);
+  for (std::size_t iteration = 0; iteration < max_iterations; ++iteration) {
+    fit.points = locate(record, rig, options.min_deflection, legs, fit.calibration, columns);
     if (iteration < settling) {
       mark_stuck(fit.points, legs, reading);
       std::fill(used.begin(), used.end(), false);
@@ -794,7 +792,7 @@ BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const doubl
     require(i == 0 || S[i] > S[i - 1], "the lengths at which bumps are correlated must rise", S[i]);
     require(noise[i] >= 0, "a variance of noise must be >= 0", noise[i]);
   }
-  if (n < least_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
+  if (n < min_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
   std::vector<double> weights(n, 1.0);
   auto a = without_trend(S, in, weights);
   auto b = without_trend(S, out, weights);
@@ -857,7 +855,7 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
   require(rig.stiffness > 0, "the stiffness of the load train must be > 0", rig.stiffness);
   require(options.stiffness_error > 0, "the error of ln EI must be > 0", options.stiffness_error);
   require(options.contact_error > 0, "the error of the contact must be > 0", options.contact_error);
-  require(options.least_deflection > 0, "the least deflection must be > 0", options.least_deflection);
+  require(options.min_deflection > 0, "the least deflection must be > 0", options.min_deflection);
 
   CyclicFriction result{.status = CyclesStatus::too_few_points,
                         .legs = find_legs(record.stage, options.legs),

@@ -52,15 +52,15 @@ ReducedRecord every(std::size_t step, std::size_t size, const ReducedRecord& rec
 
 FitProblem usable_part(const FitProblem& whole) {
   require_faultless(whole);
-  constexpr double most_deflection = 0.8;  // [L]
+  constexpr double max_deflection = 0.8;  // [L]
   std::size_t size = 0;
-  while (size < whole.record.stage.size() && whole.record.deflection[size] <= most_deflection) ++size;
+  while (size < whole.record.stage.size() && whole.record.deflection[size] <= max_deflection) ++size;
   return {every(1, size, whole.record), whole.rig, whole.errors};
 }
 
 std::size_t thinning_of(std::size_t points) {
-  constexpr std::size_t most_points = 1200;
-  return std::max<std::size_t>((points + most_points - 1) / most_points, 1);
+  constexpr std::size_t max_points = 1200;
+  return std::max<std::size_t>((points + max_points - 1) / max_points, 1);
 }
 
 FitProblem thinned(const FitProblem& problem) {
@@ -73,7 +73,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double greatest_friction = 3;
+constexpr double max_friction = 3;
 
 struct ConstantFriction {
   double mu;
@@ -106,7 +106,7 @@ ConstantFriction estimate_at(const ReducedRecord& record, double stiffening, con
     slope = (force_at(mu + h) - force) / h;
     residuals = data - force;
     if (!(slope.squaredNorm() > 0)) break;  // at the greatest friction: no curve of sliding is as high
-    const double next = std::clamp(mu + slope.dot(residuals) / slope.squaredNorm(), 0.0, greatest_friction);
+    const double next = std::clamp(mu + slope.dot(residuals) / slope.squaredNorm(), 0.0, max_friction);
     const bool done = std::abs(next - mu) < 1e-8;
     mu = next;
     if (done) break;
@@ -293,14 +293,14 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.model = options.model;
   const Passages passages = problem.record.force.size() < 3 ? Passages{} : passages_of(problem);
   fit.readings = passages.size();
-  constexpr std::size_t least_readings = 20;
-  if (passages.judged < least_readings) {
+  constexpr std::size_t min_readings = 20;
+  if (passages.judged < min_readings) {
     fit.status = FrictionFitStatus::too_few_points;
     return fit;
   }
   // Friction gives every reading of the authors' tests and of cracked ones, three in five of noise.
   const bool mostly_given = 3 * passages.size() >= 2 * passages.judged;
-  if (passages.size() < least_readings || !mostly_given) {
+  if (passages.size() < min_readings || !mostly_given) {
     fit.status = FrictionFitStatus::not_explained;
     return fit;
   }

@@ -278,13 +278,13 @@ PriorKnowledge prior_told_to(std::span<const Marginal> tests) {
 }
 
 bool tells(const Marginal& test) {
-  constexpr double least_weight = 0.1;
+  constexpr double min_weight = 0.1;
   const bool sought = std::all_of(test.posterior.begin(), test.posterior.end(), [](const NormalPart& part) {
     return part.deviation > 0 && std::isfinite(part.mean);
   });
   if (test.posterior.empty() || !sought) return false;
   const double deviation = deviation_of(test.posterior);
-  return (1 + least_weight) * deviation * deviation < test.prior_deviation * test.prior_deviation;
+  return (1 + min_weight) * deviation * deviation < test.prior_deviation * test.prior_deviation;
 }
 
 SharedValue share(std::span<const Marginal> tests, const PriorKnowledge& prior) {

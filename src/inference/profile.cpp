@@ -57,8 +57,8 @@ double standard_error(const ProfilePoint& point) {
 }
 
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
-                                 double least_deflection) {
-  const double least = friction_told_from(rig.fibre, least_deflection);
+                                 double min_deflection) {
+  const double least = friction_told_from(rig.fibre, min_deflection);
   FrictionProfile profile;
   std::vector<std::size_t> rows;
   std::vector<double> deflections, forces;
@@ -92,8 +92,8 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
   return profile;
 }
 
-double friction_told_from(const Fibre& fibre, double least_deflection) {
-  return std::max(least_deflection, least_half_depths * fibre.supports().half_depth);
+double friction_told_from(const Fibre& fibre, double min_deflection) {
+  return std::max(min_deflection, least_half_depths * fibre.supports().half_depth);
 }
 
 double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre) {
@@ -114,8 +114,8 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
     }
   lengths = non_falling(lengths);
   // Noise makes some lengths equal; the least distance is far below what a measurement resolves.
-  constexpr double least_distance = 2e-6;
-  for (std::size_t i = 1; i < lengths.size(); ++i) lengths[i] = std::max(lengths[i], lengths[i - 1] + least_distance);
+  constexpr double min_distance = 2e-6;
+  for (std::size_t i = 1; i < lengths.size(); ++i) lengths[i] = std::max(lengths[i], lengths[i - 1] + min_distance);
 
   FrictionTable table;
   auto drop = drops.begin();

@@ -31,13 +31,13 @@ inline constexpr double hardly_bent = 0.02;
 // Past it [L] friction is measurable to a few hundredths.
 inline constexpr double judged_from = 0.1;
 
-inline constexpr double least_friction = -0.1;  // [1] that errors may feign
+inline constexpr double min_friction = -0.1;  // [1] that errors may feign
 
 // Deflections below it [L] say hardly anything of friction.
 inline constexpr double friction_shows_from = 0.05;
 
 // [L] Where friction is told on a fibre: from there, and from twice its thickness on.
-double friction_told_from(const Fibre& fibre, double least_deflection = friction_shows_from);
+double friction_told_from(const Fibre& fibre, double min_deflection = friction_shows_from);
 
 struct ProfilePoint {
   std::size_t index;  // in the record
@@ -59,11 +59,11 @@ struct FrictionProfile {
       unexplained;  // points of the record that no friction in [-20, 20] explains; on rollers or with a thickness in [-2, 2]
 };
 
-// Domain:     a record without faults; rig.stiffness > 0; errors >= 0; deflections below least_deflection [L] are left out, where
+// Domain:     a record without faults; rig.stiffness > 0; errors >= 0; deflections below min_deflection [L] are left out, where
 //             friction is hardly measurable (at 0.05 an error of 1 % in EI is one of 0.1 in μ), and those below twice the thickness.
 // Cost:       5 µs a point.
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
-                                 double least_deflection = hardly_bent);
+                                 double min_deflection = hardly_bent);
 
 // The greatest curvature of the fibre at midspan [1/L] in the states of a profile; NaN if it has none.
 double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre = {});

@@ -18,7 +18,7 @@ namespace {
 using namespace chebyshev;
 constexpr double impossible = 1e9;  // of minus ln L
 constexpr double stiffness_error = 0.05;
-constexpr double least_w = 0.06, greatest_w = 0.43;
+constexpr double min_w = 0.06, max_w = 0.43;
 
 // A fibre at the deflection of a row.
 struct Row {
@@ -33,10 +33,10 @@ struct Row {
   double drops_before;
 };
 
-// Ψ at the deflection of each row: by friction from least_q to greatest_q, where the branch reaches greatest_w, and by force.
+// Ψ at the deflection of each row: by friction from min_q to max_q, where the branch reaches max_w, and by force.
 void expand(std::vector<Row>& rows, const Fibre& fibre) {
-  constexpr double least_q = -0.2, greatest_q = 2;
-  const Nodes nodes = nodes_between(least_q, greatest_q);
+  constexpr double min_q = -0.2, max_q = 2;
+  const Nodes nodes = nodes_between(min_q, max_q);
   std::vector<double> S, q;
   for (const Row& row : rows)
     for (const double node : nodes) {
@@ -55,9 +55,9 @@ void expand(std::vector<Row>& rows, const Fibre& fibre) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     Row& row = rows[r];
     const auto of_row = [&](const std::vector<double>& values) { return std::span(values).subspan(r * terms, terms); };
-    row.force = series_through(least_q, greatest_q, of_row(states.F));
-    const Series length = series_through(least_q, greatest_q, of_row(S));
-    const double least = evaluate(row.force, least_q).value, most = evaluate(row.force, greatest_q).value;
+    row.force = series_through(min_q, max_q, of_row(states.F));
+    const Series length = series_through(min_q, max_q, of_row(S));
+    const double least = evaluate(row.force, min_q).value, most = evaluate(row.force, max_q).value;
     Nodes friction = nodes_between(least, most), lengths{};
     for (std::size_t k = 0; k < terms; ++k) {
       friction[k] = inverse(row.force, friction[k]);
@@ -78,15 +78,14 @@ std::size_t rows_as_one(std::span<const Drop> drops) {
 // Rows between the drops; of what lies before the first and after the last at most so many as tell of the same.
 std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drops) {
   const std::size_t as_one = rows_as_one(drops);
-  const std::size_t most_outside = 15 * as_one;
-  constexpr std::size_t least_rows = 3;
+  const std::size_t max_outside = 15 * as_one;
+  constexpr std::size_t min_rows = 3;
   std::vector<Row> rows;
   std::size_t rise = 0;
   for (std::size_t c = 0; c <= drops.size(); ++c) {
-    const std::size_t first =
-        c > 0 ? drops[c - 1].after : drops[0].before - std::min(drops[0].before, most_outside - 1);
+    const std::size_t first = c > 0 ? drops[c - 1].after : drops[0].before - std::min(drops[0].before, max_outside - 1);
     const std::size_t last =
-        c < drops.size() ? drops[c].before : std::min(drops[c - 1].after + most_outside - 1, record.force.size() - 1);
+        c < drops.size() ? drops[c].before : std::min(drops[c - 1].after + max_outside - 1, record.force.size() - 1);
     std::vector<Row> of_rise;
     for (std::size_t i = first; i + as_one <= last + 1; i += as_one) {
       Row row{};
@@ -96,9 +95,9 @@ std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drop
       }
       row.rise = rise;
       row.drops_before = static_cast<double>(c);
-      if (row.w > least_w && row.w < greatest_w) of_rise.push_back(row);
+      if (row.w > min_w && row.w < max_w) of_rise.push_back(row);
     }
-    if (of_rise.size() < least_rows) continue;
+    if (of_rise.size() < min_rows) continue;
     rows.insert(rows.end(), of_rise.begin(), of_rise.end());
     ++rise;
   }

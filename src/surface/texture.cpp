@@ -125,7 +125,7 @@ double drowns_at(const Continuum& continuum, Band within) {
 
 Texture texture_of(const HeightTrace& trace, const TextureOptions& options) {
   require(trace, options);
-  constexpr std::size_t most_waves_found = 8;
+  constexpr std::size_t max_waves_found = 8;
   constexpr double steps_of_shortest = 5;  // ISO 3274: heights to the shortest wave
   Texture out{};
   out.spectrum = spectrum_of(trace.height, trace.step, options.tapers);
@@ -135,7 +135,7 @@ Texture texture_of(const HeightTrace& trace, const TextureOptions& options) {
   HeightTrace rest = trace;
   Spectrum of_rest = out.spectrum;
   std::vector<DominantWave> coherent;
-  while (coherent.size() < most_waves_found) {
+  while (coherent.size() < max_waves_found) {
     const auto wave = coherent_wave_in(rest, of_rest);
     if (!wave) break;
     coherent.push_back(*wave);
@@ -263,7 +263,7 @@ double independent_frequencies(const Spectrum& spectrum) { return spectrum.width
 std::optional<DominantWave> coherent_wave_in(const HeightTrace& trace, const Spectrum& spectrum) {
   constexpr double level = 0.01;
   constexpr double worth_a_look = 1e-3;  // on the grid, which may miss the wave's frequency by a quarter of 1/width
-  constexpr std::size_t most_looks = 10;
+  constexpr std::size_t max_looks = 10;
   const double first = 1.5 * spectrum.half_bandwidth, last = spectrum.frequency.back() - spectrum.half_bandwidth;
   const double among = independent_frequencies(spectrum);
   const std::size_t n = trace.height.size();
@@ -278,7 +278,7 @@ std::optional<DominantWave> coherent_wave_in(const HeightTrace& trace, const Spe
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
-  if (candidates.size() > most_looks) candidates.resize(most_looks);
+  if (candidates.size() > max_looks) candidates.resize(max_looks);
   if (candidates.empty()) return std::nullopt;
   const Demodulator demodulator(trace);
   for (const auto& [size, index] : candidates) {
@@ -355,7 +355,7 @@ std::vector<Peak> peaks_in(const Spectrum& spectrum, const Continuum& continuum,
   return apart;
 }
 
-double least_amplitude(double density, double width, std::size_t frequencies) {
+double min_amplitude(double density, double width, std::size_t frequencies) {
   constexpr double by_chance = 0.05;
   constexpr double of_20_missed = 1.6448536269514722 / 1.4142135623730951;  // of |1 + noise|, in one of its components
   if (!(density >= 0 && width > 0) || frequencies == 0)
@@ -376,7 +376,7 @@ WaveResolution resolution_of(const TraceResolution& trace, double wavelength, do
   out.heights_a_wave = wavelength / trace.step;
   out.waves_in_field = trace.width / wavelength;
   out.least_by_pixels = 0.5 * pixels_wanted * trace.pixel;
-  out.least_by_spectrum = least_amplitude(density, trace.width, frequencies);
+  out.least_by_spectrum = min_amplitude(density, trace.width, frequencies);
   out.pixel_wanted = wanted_image(wavelength, 2 * amplitude).pixel;
   out.is_sampled = out.heights_a_wave >= 2;
   out.has_field = out.waves_in_field >= periods_wanted;
