@@ -14,12 +14,7 @@ Fields<Snap> snap_fields_with_energies() {
 
 // The energies of a stretch of a test.
 Fields<EnergyAccount> part_fields() {
-  return Fields<EnergyAccount>()
-      .number("stage_work", kind::energy, "work of the stage", &EnergyAccount::stage_work)
-      .number("bending", kind::energy, "energy stored in the bent specimen", &EnergyAccount::bending)
-      .number("load_train", kind::energy, "energy stored in the load train", &EnergyAccount::load_train)
-      .number("friction", kind::energy, "heat of friction at the supports", &EnergyAccount::friction)
-      .number("snaps", kind::energy, "energy set free by snaps beyond friction", &EnergyAccount::snaps)
+  return energy_part_fields("energy set free by snaps beyond friction")
       .number("cracks", kind::energy, "energy set free by cracks", &EnergyAccount::cracks);
 }
 

@@ -13,7 +13,6 @@
 #include <Eigen/Core>
 #include <Eigen/Dense>
 
-#include "inference/kernel.h"
 #include "inference/matern.h"
 #include "numerics/elementary.h"
 

@@ -496,7 +496,7 @@ double systematic(const std::array<double, 2>& slopes, const Eigen::Matrix2d& co
 
 LoopCorner corner(const Point& point) { return {point.index, point.S, point.q}; }
 
-void describe_corners(FrictionLoop& loop, std::span<const Point> points, std::size_t legs) {
+FrictionLoop with_corners(FrictionLoop loop, std::span<const Point> points, std::size_t legs) {
   const auto starts = leg_starts(points, legs);
   loop.stick_advance = not_a_number;
   if (loop.loading) {
@@ -506,28 +506,29 @@ void describe_corners(FrictionLoop& loop, std::span<const Point> points, std::si
       if (points[i].slides) loop.start = corner(points[i]);
     if (last > first) loop.turn = corner(points[last - 1]);
   }
-  if (!loop.unloading) return;
+  if (!loop.unloading) return loop;
   const std::size_t first = starts[*loop.unloading];
   const std::size_t last = starts[*loop.unloading + 1];
   for (std::size_t i = first; i < last && !loop.slides_back; ++i)
     if (points[i].slides) loop.slides_back = corner(points[i]);
-  if (!loop.slides_back) return;
+  if (!loop.slides_back) return loop;
   loop.end = corner(points[last - 1]);
-  if (!loop.turn) return;
+  if (!loop.turn) return loop;
   const double half = 0.5 * (loop.turn->q + loop.slides_back->q);
   for (std::size_t i = first; i < last; ++i)
     if (points[i].q <= half) {
       loop.stick_advance = points[i].S - loop.turn->S;
       break;
     }
+  return loop;
 }
 
-void describe_directions(FrictionLoop& loop, const Block& block, const Noise& noise,
-                         const Eigen::Matrix2d& covariance) {
+FrictionLoop with_directions(FrictionLoop loop, const Block& block, const Noise& noise,
+                             const Eigen::Matrix2d& covariance) {
   const auto pairs = pair_directions(block);
   loop.places = pairs.S.size() >= min_pairs ? pairs.S.size() : 0;
   loop.correlation = {not_a_number, not_a_number, not_a_number, 0};
-  if (loop.places == 0) return;
+  if (loop.places == 0) return loop;
   const auto n = static_cast<double>(loop.places);
   const auto mean_with_error = [&](std::span<const double> values, std::span<const std::array<double, 2>> slopes) {
     std::array<double, 2> mean{};
@@ -549,11 +550,12 @@ void describe_directions(FrictionLoop& loop, const Block& block, const Noise& no
   variance.reserve(loop.places);
   for (const double unit : pairs.noise_of_unit) variance.push_back(noise.force * noise.force * unit);
   loop.correlation = correlate_bumps(pairs.S, pairs.in, pairs.out, variance);
+  return loop;
 }
 
 // Lengths closer than what a measurement resolves would make a table steep for nothing.
-void describe_table(FrictionLoop& loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance,
-                    const Fibre& fibre) {
+FrictionLoop with_table(FrictionLoop loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance,
+                        const Fibre& fibre) {
   const auto states = smooth(block, noise);
   const double min_distance = std::max(block.range / 1000, 2e-6);
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
@@ -565,6 +567,7 @@ void describe_table(FrictionLoop& loop, const Block& block, const Noise& noise, 
     const double variance = std::max(states[i].covariance(0, 0), 0.0);
     loop.error.push_back(std::sqrt(variance + systematic({mu[1], mu[2]}, covariance)));
   }
+  return loop;
 }
 
 // The mean of the tables that reach a length.
@@ -638,7 +641,8 @@ struct Fit {
   Noise noise;
   Estimate asymmetry;
   std::vector<Point> points;
-  std::vector<Block> blocks;  // of each loop
+  std::vector<LoopLegs> loops;  // with the columns of their contacts
+  std::vector<Block> blocks;    // of each loop
 };
 
 std::vector<Mirror> select_mirrors(std::span<const Block> blocks, const std::vector<bool>& mirrored) {
@@ -669,9 +673,7 @@ bool is_far_out(const Calibration& calibration, const CyclesOptions& options) {
                      [&](double contact) { return !(std::abs(contact) < 5 * options.contact_error); });
 }
 
-// Also gives each loop the column of its contact.
-Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options, std::span<const Leg> legs,
-              std::vector<LoopLegs>& loops) {
+Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options, std::span<const Leg> legs) {
   const double reading = reading_noise(record, legs);
   Fit fit{
       .status = CyclesStatus::too_few_points,
@@ -680,6 +682,7 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
       .noise = {reading, 1e-5, 0.01},  // no difference: nothing tells one without a mirror
       .asymmetry = normal_estimate(not_a_number, not_a_number),
       .points = locate(record, rig, options.min_deflection, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
+      .loops = pair_legs(legs),
       .blocks = {}};
 
   // As the record stands: which loops have a mirror, and is there anything to measure?
@@ -687,9 +690,9 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
   const auto sliding =
       std::count_if(fit.points.begin(), fit.points.end(), [](const Point& point) { return point.slides; });
   if (static_cast<std::size_t>(sliding) < min_points) return fit;
-  fit.blocks = make_blocks(fit.points, loops, legs.size(), reading);
+  fit.blocks = make_blocks(fit.points, fit.loops, legs.size(), reading);
   const auto mirrored = find_mirrors(fit.blocks);
-  fit.calibration.contact.assign(assign_contacts(loops, mirrored), 0.0);
+  fit.calibration.contact.assign(assign_contacts(fit.loops, mirrored), 0.0);
   const auto unknowns = static_cast<Eigen::Index>(1 + fit.calibration.contact.size());
   fit.covariance = Eigen::MatrixXd::Zero(unknowns, unknowns);
   fit.covariance.diagonal().setConstant(options.contact_error * options.contact_error);
@@ -697,7 +700,7 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
   fit.status = CyclesStatus::no_mirror;
   if (std::find(mirrored.begin(), mirrored.end(), true) == mirrored.end()) return fit;
 
-  const auto columns = columns_of_legs(loops, legs.size());
+  const auto columns = columns_of_legs(fit.loops, legs.size());
   fit.status = CyclesStatus::not_converged;
   fit.noise.difference = 0.05;                  // a start at which neither noise nor bumps are ignored
   std::vector<bool> used(record.force.size());  // which points count, and which of them slide, once that is settled
@@ -717,7 +720,7 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
           fit.points.end());
       for (auto& point : fit.points) point.slides = slides[point.index];
     }
-    fit.blocks = make_blocks(fit.points, loops, legs.size(), reading);
+    fit.blocks = make_blocks(fit.points, fit.loops, legs.size(), reading);
     const auto mirrors = select_mirrors(fit.blocks, mirrored);
     double range = std::numeric_limits<double>::max();
     for (const auto& mirror : mirrors) range = std::min(range, mirror.range);
@@ -869,8 +872,8 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
                         .roughness_length = 0,
                         .table = {}};
   const auto& legs = result.legs;
-  auto loops = pair_legs(legs);
-  const auto fit = calibrate(record, rig, options, legs, loops);
+  const auto fit = calibrate(record, rig, options, legs);
+  const auto& loops = fit.loops;
   if (fit.status == CyclesStatus::too_few_points || fit.status == CyclesStatus::not_converged) {
     result.status = fit.status;
     return result;
@@ -921,9 +924,9 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
         .table = {},
         .error = {}};
     const auto errors = covariance_with(loops[i].column);
-    describe_corners(loop, fit.points, legs.size());
-    describe_directions(loop, fit.blocks[i], fit.noise, errors);
-    describe_table(loop, fit.blocks[i], fit.noise, errors, rig.fibre);
+    loop = with_corners(std::move(loop), fit.points, legs.size());
+    loop = with_directions(std::move(loop), fit.blocks[i], fit.noise, errors);
+    loop = with_table(std::move(loop), fit.blocks[i], fit.noise, errors, rig.fibre);
     result.loops.push_back(std::move(loop));
   }
   std::vector<BumpCorrelation> correlations;

@@ -14,6 +14,9 @@
 namespace flexslip {
 namespace {
 
+// Neither possible nor too short to judge.
+bool is_no_slip(SlipVerdict verdict) { return verdict != SlipVerdict::possible && verdict != SlipVerdict::too_short; }
+
 constexpr double one_sided_95 = 1.645;
 
 const LoadingStiffness* last_reload(const CyclicAnswer* cycles) {

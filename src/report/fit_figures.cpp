@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "inference/analysis_curves.h"
+#include "inference/analysis.h"
 #include "inference/process_mode.h"
 #include "numerics/statistics.h"
 #include "report/figures.h"

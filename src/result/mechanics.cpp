@@ -35,15 +35,17 @@ Fields<CrackOpened> crack_fields() {
       .number("released", kind::energy, "energy that the crack sets free", &CrackOpened::released);
 }
 
-Fields<EnergyAccount> energy_fields() {
+Fields<EnergyAccount> energy_part_fields(std::string_view of_snaps) {
   return Fields<EnergyAccount>()
       .number("stage_work", kind::energy, "work of the stage", &EnergyAccount::stage_work)
       .number("bending", kind::energy, "energy stored in the bent specimen", &EnergyAccount::bending)
       .number("load_train", kind::energy, "energy stored in the load train", &EnergyAccount::load_train)
       .number("friction", kind::energy, "heat of friction at the supports", &EnergyAccount::friction)
-      .number("snaps", kind::energy,
-              "energy set free by snaps beyond friction; for a measured test all energy lost in drops",
-              &EnergyAccount::snaps)
+      .number("snaps", kind::energy, of_snaps, &EnergyAccount::snaps);
+}
+
+Fields<EnergyAccount> energy_fields() {
+  return energy_part_fields("energy set free by snaps beyond friction; for a measured test all energy lost in drops")
       .number("imbalance", kind::energy, "amount by which the account does not close", &EnergyAccount::imbalance);
 }
 

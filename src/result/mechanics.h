@@ -21,5 +21,7 @@ Fields<Row> units_of_numbers() {
 Fields<Snap> snap_fields();
 Fields<CrackOpened> crack_fields();
 Fields<EnergyAccount> energy_fields();
+// The parts of it, of a test or of a stretch of one, without what the account leaves; `of_snaps` is what the energy of snaps means.
+Fields<EnergyAccount> energy_part_fields(std::string_view of_snaps);
 
 }  // namespace flexslip
