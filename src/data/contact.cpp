@@ -33,34 +33,28 @@ Contact line_between(const Record& record, double from, double up_to) {
   const auto stage = std::span(record.stage).subspan(first, n);
   const auto deflection = std::span(record.deflection).subspan(first, n);
   const auto force = std::span(record.force).subspan(first, n);
-  const Line force_line = line_through(stage, force);
-  const Line deflection_line = line_through(stage, deflection);
-  if (!(force_line.slope > 0 && deflection_line.slope > 0)) return failed(ContactStatus::not_rising);
+  const CommonLine line = common_line(stage, force, deflection);
+  if (std::isnan(line.slope)) return failed(ContactStatus::not_rising);
 
   constexpr double max_correlation = 0.95;  // beyond it the stretch is too short to tell
   // Residuals of force = a (stage - offset) set the error of the offset, those of force = slope (deflection - offset) that of
   // the slope.
-  const double slope = force_line.slope / deflection_line.slope;
-  std::vector<double> off_stage(n), off_deflection(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    off_stage[i] = force[i] - force_line.mean_y - force_line.slope * (stage[i] - force_line.mean_x);
-    off_deflection[i] = force[i] - force_line.mean_y - slope * (deflection[i] - deflection_line.mean_y);
-  }
-  const double lever = force_line.mean_y / force_line.slope;  // [m] from the contact to the middle of the points
-  const double offset = force_line.mean_x - lever;
+  const Line& by_stage = line.y;
+  std::vector<double> off_stage(n);
+  for (std::size_t i = 0; i < n; ++i)
+    off_stage[i] = force[i] - by_stage.mean_y - by_stage.slope * (stage[i] - by_stage.mean_x);
+  const double lever = by_stage.mean_y / by_stage.slope;  // [m] from the contact to the middle of the points
+  const double offset = by_stage.mean_x - lever;
   const auto points_before =
       std::count_if(record.stage.begin(), record.stage.begin() + static_cast<std::ptrdiff_t>(last),
                     [=](double ws) { return ws < offset; });
   const auto freedom = static_cast<double>(n - 2);
   return {.status = ContactStatus::found,
           .offset = student_estimate(offset,
-                                     effective_deviation(off_stage, 2, 0, max_correlation) / force_line.slope *
-                                         std::sqrt(1 / static_cast<double>(n) + lever * lever / force_line.sum_xx),
+                                     effective_deviation(off_stage, 2, 0, max_correlation) / by_stage.slope *
+                                         std::sqrt(1 / static_cast<double>(n) + lever * lever / by_stage.sum_xx),
                                      freedom),
-          .slope = student_estimate(slope,
-                                    effective_deviation(off_deflection, 2, 0, max_correlation) /
-                                        (deflection_line.slope * std::sqrt(force_line.sum_xx)),
-                                    freedom),
+          .slope = student_estimate(line.slope, slope_error(line, 0, max_correlation), freedom),
           .points_before = static_cast<std::size_t>(points_before),
           .first = first,
           .last = last,

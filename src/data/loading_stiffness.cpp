@@ -18,11 +18,7 @@ constexpr std::size_t min_points = 6;   // twice what a line with a scatter need
 
 void require(const Record& record, std::span<const LoadingRange> loadings) {
   const std::size_t rows = record.force.size();
-  if (record.stage.size() != rows || record.deflection.size() != rows)
-    throw std::invalid_argument("the columns of the record differ in length");
-  for (std::size_t i = 0; i < rows; ++i)
-    if (!(std::isfinite(record.stage[i]) && std::isfinite(record.deflection[i]) && std::isfinite(record.force[i])))
-      throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
+  require_readings(record);
   std::size_t reached = 0;
   for (const auto& [first, last] : loadings) {
     if (first < reached || last <= first || last > rows)
@@ -38,17 +34,10 @@ struct Slope {
 // dF/dw0 over the rows [first, last), by way of the stage.
 Slope slope_of(const Record& record, std::size_t first, std::size_t last) {
   const auto rows = [&](const std::vector<double>& values) { return std::span(values).subspan(first, last - first); };
-  const Line force = line_through(rows(record.stage), rows(record.force));
-  const Line deflection = line_through(rows(record.stage), rows(record.deflection));
-  if (!(deflection.slope > 0 && force.slope > 0))
-    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-  const double slope = force.slope / deflection.slope;
-  std::vector<double> residuals(last - first);
-  for (std::size_t i = first; i < last; ++i)
-    residuals[i - first] = record.force[i] - force.mean_y - slope * (record.deflection[i] - deflection.mean_y);
+  const CommonLine line = common_line(rows(record.stage), rows(record.force), rows(record.deflection));
+  if (std::isnan(line.slope)) return {not_a_number, not_a_number};
   constexpr double max_correlation = 0.9;
-  const double scatter = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), max_correlation);
-  return {slope, scatter / (deflection.slope * std::sqrt(force.sum_xx))};
+  return {line.slope, slope_error(line, correlation_lost_to_line(line.residuals), max_correlation)};
 }
 
 struct Window {

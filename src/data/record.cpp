@@ -119,6 +119,16 @@ double shown_by_quietest(std::size_t windows) {
 
 }  // namespace
 
+void require_readings(std::span<const double> stage, std::span<const double> deflection,
+                      std::span<const double> force) {
+  if (stage.size() != force.size() || deflection.size() != force.size())
+    throw std::invalid_argument("the columns of the record are not of one length: " + std::to_string(stage.size()) +
+                                ", " + std::to_string(deflection.size()) + ", " + std::to_string(force.size()));
+  for (std::size_t i = 0; i < force.size(); ++i)
+    if (!(std::isfinite(stage[i]) && std::isfinite(deflection[i]) && std::isfinite(force[i])))
+      throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
+}
+
 ReducedRecord to_reduced(const Record& record, const Scales& scales) {
   const auto length = [&](double x) { return scales.reduced_length(x); };
   const auto force = [&](double x) { return scales.reduced_force(x); };

@@ -24,6 +24,13 @@ struct ReducedRecord {
   std::vector<double> force;       // [EI/L^2]
 };
 
+// What a record has to be for whatever is asked of it: columns of one length, every reading finite; std::invalid_argument otherwise.
+void require_readings(std::span<const double> stage, std::span<const double> deflection, std::span<const double> force);
+inline void require_readings(const Record& record) { require_readings(record.stage, record.deflection, record.force); }
+inline void require_readings(const ReducedRecord& record) {
+  require_readings(record.stage, record.deflection, record.force);
+}
+
 ReducedRecord to_reduced(const Record& record, const Scales& scales);
 Record to_physical(const ReducedRecord& record, const Scales& scales);
 

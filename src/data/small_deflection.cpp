@@ -48,16 +48,10 @@ std::optional<Straight> straight_in(const Record& record, std::size_t points, do
   const auto F = force.subspan(first, n);
   const auto w = std::span(record.deflection).subspan(first, n);
   const auto stage = std::span(record.stage).subspan(first, n);
-  const Line force_line = line_through(stage, F);
-  const Line deflection_line = line_through(stage, w);
-  if (!(force_line.slope > 0 && deflection_line.slope > 0)) return std::nullopt;
-  const double slope = force_line.slope / deflection_line.slope;
-  std::vector<double> residuals(n);
-  for (std::size_t i = 0; i < n; ++i) residuals[i] = F[i] - force_line.mean_y - slope * (w[i] - deflection_line.mean_y);
-  const double error = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), max_correlation) /
-                       (deflection_line.slope * std::sqrt(force_line.sum_xx));
-  return Straight{window, first, last, normal_estimate(slope, error),
-                  deflection_line.mean_y - force_line.mean_y / slope};
+  const CommonLine line = common_line(stage, F, w);
+  if (std::isnan(line.slope)) return std::nullopt;
+  const double error = slope_error(line, correlation_lost_to_line(line.residuals), max_correlation);
+  return Straight{window, first, last, normal_estimate(line.slope, error), line.z.mean_y - line.y.mean_y / line.slope};
 }
 
 std::optional<Straight> steepest(const Record& record, std::size_t points, double most,

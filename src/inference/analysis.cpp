@@ -267,7 +267,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.friction_read = friction_read_of(analysis.profile_at_fit);
   const AtFit fitted = at_fit(analysis);
   analysis.suspects.suspect &= find_suspects(fitted.record, analysis.profile_at_fit, options.suspect_limit).suspect;
-  analysis.slips = told_by(analysis.profile_at_fit, analysis.slips, fitted.errors);
+  analysis.slips = with_friction_from(analysis.profile_at_fit, analysis.slips, fitted.errors);
   analysis.slip_summary = summarise(analysis.slips);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
   analysis.model_implausible = analysis.fit.residual_rms > max_residual * greatest ||

@@ -847,14 +847,7 @@ bool is_beyond_friction(const CyclicFriction& friction) {
 }
 
 CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options) {
-  const std::size_t n = record.force.size();
-  if (record.stage.size() != n || record.deflection.size() != n)
-    throw std::invalid_argument(
-        "the columns of a record must be of one length: " + std::to_string(record.stage.size()) + ", " +
-        std::to_string(record.deflection.size()) + " and " + std::to_string(n));
-  for (std::size_t i = 0; i < n; ++i)
-    if (!std::isfinite(record.deflection[i]) || !std::isfinite(record.force[i]))
-      throw std::invalid_argument("point " + std::to_string(i) + " of the record is not finite");
+  require_readings(record);
   require(rig.stiffness > 0, "the stiffness of the load train must be > 0", rig.stiffness);
   require(options.stiffness_error > 0, "the error of ln EI must be > 0", options.stiffness_error);
   require(options.contact_error > 0, "the error of the contact must be > 0", options.contact_error);

@@ -22,13 +22,10 @@ namespace {
 void require_faultless(const FitProblem& problem) {
   if (!(problem.rig.stiffness > 0))
     throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(problem.rig.stiffness));
-  const auto& [stage, deflection, force] = problem.record;
-  if (stage.size() != force.size() || deflection.size() != force.size())
-    throw std::invalid_argument("the columns of the record are not of one length: " + std::to_string(stage.size()) +
-                                ", " + std::to_string(deflection.size()) + ", " + std::to_string(force.size()));
-  for (std::size_t i = 0; i < force.size(); ++i)
-    if (!std::isfinite(stage[i] + deflection[i] + force[i]) || (i > 0 && stage[i] < stage[i - 1]))
-      throw std::invalid_argument("point " + std::to_string(i) + " of the record is not finite or runs back");
+  require_readings(problem.record);
+  const auto& stage = problem.record.stage;
+  for (std::size_t i = 1; i < stage.size(); ++i)
+    if (stage[i] < stage[i - 1]) throw std::invalid_argument("point " + std::to_string(i) + " of the record runs back");
   const auto& errors = problem.errors;
   if (!(errors.force >= 0 && errors.bending_stiffness >= 0 && errors.contact >= 0))
     throw std::invalid_argument("measurement errors must not be negative");
@@ -252,7 +249,7 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   fit.mu0.value = constant.mu0;
   fit.mu0_is_bound = mean.is_bound;
   const double s = problem.errors.bending_stiffness;
-  fit.bending_stiffness = {1, s, 1 - two_sided_95 * s, 1 + two_sided_95 * s};
+  fit.bending_stiffness = normal_estimate(1, s);
   fit.log_evidence_of_wave = not_a_number;
   fit.band = {
       {fit.S_begin, fit.S_end}, {constant.mu0, constant.mu0}, {constant.standard_error, constant.standard_error}};

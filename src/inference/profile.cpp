@@ -217,8 +217,8 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
   return slips;
 }
 
-std::vector<Slip> told_by(const FrictionProfile& profile, std::span<const Slip> judged,
-                          const MeasurementErrors& errors) {
+std::vector<Slip> with_friction_from(const FrictionProfile& profile, std::span<const Slip> judged,
+                                     const MeasurementErrors& errors) {
   std::vector<Drop> drops;
   for (const Slip& slip : judged) drops.push_back(slip.drop);
   std::vector<Slip> told = slips_of(profile, drops, errors, infinity);

@@ -136,8 +136,8 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
 
 // The same drops with lengths and frictions by another profile, that at the bending stiffness of the fit: the verdicts stay, as their limits hold
 // for that stated.
-std::vector<Slip> told_by(const FrictionProfile& profile, std::span<const Slip> judged,
-                          const MeasurementErrors& errors);
+std::vector<Slip> with_friction_from(const FrictionProfile& profile, std::span<const Slip> judged,
+                                     const MeasurementErrors& errors);
 
 // The model-free counterparts of the wavelength and the amplitude of a sawtooth, from the slips that are possible.
 struct SlipSummary {

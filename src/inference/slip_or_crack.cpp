@@ -11,6 +11,7 @@
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"
 #include "numerics/polynomial.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
@@ -139,7 +140,8 @@ class Rises {
 
   std::size_t size() const { return begin_.size(); }
 
-  void judge(SlipOrCrack& out) {
+  // What explains the rises, how well, in `out`.
+  SlipOrCrack explained(SlipOrCrack out) {
     const auto m = static_cast<double>(size());
     // μ, d, ρ
     variance_ = 0.03 * 0.03;
@@ -153,7 +155,8 @@ class Rises {
     const Function constant = [&](std::span<const double> p) { return cracks(p[0], 0, p[1]); };
     out.cracks_constant =
         explanation(constant, least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2}), m + 3);
-    count_stiffer(out);
+    out.rises = size();
+    out.stiffer_rises = stiffer_rises(out.cracks_constant.friction);
     // μ, d, ρ, mean and logarithm of the spread of the slopes of e within a rise
     const Function running = [&](std::span<const double> p) { return running_cracks(p); };
     out.cracks_running = explanation(
@@ -173,6 +176,7 @@ class Rises {
         both, polished(both, {{0, 0.3, 0, 0.01}, {0, 0.3, 2, 0.002}, {0.03, 0.6, -2, 0.03}}, {0.03, 0.2, 1, 0.01}),
         m + 5);
     out.slip_and_cracks.friction = level_;
+    return out;
   }
 
  private:
@@ -359,19 +363,15 @@ class Rises {
     return minus_log_likelihood(squares_, rho, 0.5 * away * away + log_determinant);
   }
 
-  void count_stiffer(SlipOrCrack& out) const {
-    out.rises = size();
-    out.stiffer_rises = 0;
+  std::size_t stiffer_rises(double friction) const {
+    std::size_t stiffer = 0;
     for (std::size_t j = 0; j < size(); ++j) {
-      double w = 0, e = 0, ww = 0, we = 0;
-      for (std::size_t i = begin_[j]; i < end(j); ++i) {
-        const double apparent = rows_[i].F / evaluate(rows_[i].force, out.cracks_constant.friction).value;
-        w += rows_[i].w, e += apparent;
-        ww += rows_[i].w * rows_[i].w, we += rows_[i].w * apparent;
-      }
-      const auto count = static_cast<double>(end(j) - begin_[j]);
-      out.stiffer_rises += (we - w * e / count) / (ww - w * w / count) > 0 ? 1 : 0;
+      const auto row = [&](std::size_t i) -> const Row& { return rows_[begin_[j] + i]; };
+      const auto apparent = [&](std::size_t i) { return row(i).F / evaluate(row(i).force, friction).value; };
+      const auto deflection = [&](std::size_t i) { return row(i).w; };
+      stiffer += line_through(end(j) - begin_[j], deflection, apparent).slope > 0 ? 1 : 0;
     }
+    return stiffer;
   }
 
   std::vector<Row> rows_;
@@ -396,7 +396,7 @@ SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span
   if (drops.size() < least) return out;
   Rises rises(record, rig, drops);
   if (rises.size() < least) return out;
-  rises.judge(out);
+  out = rises.explained(std::move(out));
   out.judged = true;
   const double slips = std::min(out.slip.bic, out.slip_and_cracks.bic);
   out.margin_arrested = std::min(out.cracks.bic, out.cracks_constant.bic) - slips;

@@ -32,11 +32,7 @@ void require(const ReducedRecord& record, const Rig& rig, const MeasurementError
   require_error("force error", errors.force);
   require_error("bending stiffness error", errors.bending_stiffness);
   require_error("contact error", errors.contact);
-  if (record.stage.size() != record.force.size() || record.deflection.size() != record.force.size())
-    throw std::invalid_argument("the columns of the record differ in length");
-  for (std::size_t i = 0; i < record.force.size(); ++i)
-    if (!(std::isfinite(record.stage[i]) && std::isfinite(record.deflection[i]) && std::isfinite(record.force[i])))
-      throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
+  require_readings(record);
   std::size_t reached = 0;
   for (const Drop& drop : drops) {
     if (drop.before < reached || drop.after <= drop.before || drop.after >= record.force.size())

@@ -109,6 +109,20 @@ Line line_through(std::span<const double> x, std::span<const double> y) {
       x.size(), [&](std::size_t i) { return x[i]; }, [&](std::size_t i) { return y[i]; });
 }
 
+CommonLine common_line(std::span<const double> x, std::span<const double> y, std::span<const double> z) {
+  CommonLine common{line_through(x, y), line_through(x, z), not_a_number, {}};
+  if (!(common.y.slope > 0 && common.z.slope > 0)) return common;
+  common.slope = common.y.slope / common.z.slope;
+  common.residuals.reserve(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    common.residuals.push_back(y[i] - common.y.mean_y - common.slope * (z[i] - common.z.mean_y));
+  return common;
+}
+
+double slope_error(const CommonLine& line, double bias, double most) {
+  return effective_deviation(line.residuals, 2, bias, most) / (line.z.slope * std::sqrt(line.y.sum_xx));
+}
+
 double effective_deviation(std::span<const double> residuals, std::size_t parameters, double bias, double most) {
   const Sums sums = sums_of(residuals);
   if (sums.squares == 0) return 0;

@@ -103,6 +103,17 @@ Line line_through(std::size_t n, const X& x, const Y& y) {
   return line;
 }
 
+// How y goes with z where both follow a third column x without noise: by the lines through (x, y) and (x, z).
+struct CommonLine {
+  Line y, z;
+  double slope;                   // dy/dz; NaN unless both rise
+  std::vector<double> residuals;  // of y about the line of that slope through both means
+};
+CommonLine common_line(std::span<const double> x, std::span<const double> y, std::span<const double> z);
+
+// The standard error of its slope, of the residuals' effective_deviation with such a bias and `most`.
+double slope_error(const CommonLine& line, double bias, double most);
+
 // Standard deviation of the mean of residuals, times √n: larger than the plain one if neighbours err alike, as an AR(1) process.
 // `bias` [1] is added to the correlation that the residuals show, which is at most `most` then.
 double effective_deviation(std::span<const double> residuals, std::size_t parameters, double bias, double most);

@@ -93,8 +93,7 @@ std::optional<Estimate> correlation_length_in(const Spectrum& spectrum, double n
     slope += 2 * pi * f * sine * (density - noise) * spectrum.step;
   }
   const double error = std::sqrt(variance) / (std::abs(slope) * length);  // of its logarithm
-  return Estimate{length, length * error, length * elementary::exp(-two_sided_95 * error),
-                  length * elementary::exp(two_sided_95 * error)};
+  return scaled(exponential(normal_estimate(0, error)), length);
 }
 
 void require(const HeightTrace& trace, const TextureOptions& options) {
